@@ -1,0 +1,55 @@
+# How every target of telepalp is made. A target may include only what it links: there is one include root (the
+# repository), so the direction of dependencies is also checked by tests/architecture_test.cmake.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+option(TELEPALP_TESTS "build the tests and telepalp-bench" ON)
+set(TELEPALP_SANITIZE "" CACHE STRING "comma-separated sanitizers, as for -fsanitize=")
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(telepalp_flags INTERFACE)
+target_compile_options(telepalp_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(telepalp_flags INTERFACE -Wno-restrict)  # GCC bug 105651: "a" + std::string() warns
+endif()
+target_include_directories(telepalp_flags INTERFACE ${PROJECT_SOURCE_DIR})
+if(TELEPALP_SANITIZE)
+  add_compile_options(-fsanitize=${TELEPALP_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${TELEPALP_SANITIZE})
+endif()
+
+# telepalp_library(NAME SOURCES a.cpp … LINKS targets …)
+function(telepalp_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE telepalp_flags)
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+endfunction()
+
+# telepalp_program(NAME SOURCES main.cpp … LINKS targets …)
+function(telepalp_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags)
+endfunction()
+
+# telepalp_test(NAME SOURCES a_test.cpp … LINKS targets …): one GoogleTest binary, one ctest entry for each test.
+function(telepalp_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags GTest::gtest GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE TELEPALP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    TELEPALP_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace telepalp::wire {
+
+/// A named stream of messages of one Protobuf type.
+struct Topic {
+  std::string_view name;
+  std::string_view schema;  ///< full name of the Protobuf type
+};
+
+inline constexpr Topic kCameraColor{"/camera/color", "foxglove.CompressedImage"};
+inline constexpr Topic kCameraDepth{"/camera/depth", "telepalp.msg.DepthImage"};
+inline constexpr Topic kCameraInfo{"/camera/info", "foxglove.CameraCalibration"};
+inline constexpr Topic kCameraStatus{"/camera/status", "telepalp.msg.CaptureStatus"};
+inline constexpr Topic kClock{"/clock", "telepalp.msg.Clock"};
+inline constexpr Topic kServerStats{"/server/stats", "telepalp.msg.ServerStats"};
+inline constexpr Topic kStationState{"/station/state", "telepalp.msg.StationState"};
+inline constexpr Topic kStationTicks{"/station/ticks", "telepalp.msg.StationTicks"};
+inline constexpr Topic kStationSurface{"/station/surface", "telepalp.msg.SurfaceReport"};
+inline constexpr Topic kStationEvents{"/station/events", "telepalp.msg.StationEvent"};
+inline constexpr Topic kStationStats{"/station/stats", "telepalp.msg.StationStats"};
+
+inline constexpr std::array kTopics{kCameraColor,    kCameraDepth,   kCameraInfo,   kCameraStatus,
+                                    kClock,          kServerStats,   kStationState, kStationTicks,
+                                    kStationSurface, kStationEvents, kStationStats};
+
+/// The topic of that name, if it is one of ours.
+[[nodiscard]] std::optional<Topic> find_topic(std::string_view name) noexcept;
+
+}  // namespace telepalp::wire

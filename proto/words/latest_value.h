@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace telepalp {
+
+/// Hands the newest value from one producer thread to one consumer thread; older ones are overwritten.
+/// Wait-free at both ends: three slots, of which the writer owns one, the reader one, and the third is
+/// exchanged. Neither side allocates; a value is destroyed by the thread that writes over its slot, so the
+/// reader never frees what the writer made.
+template <class T>
+class LatestValue {
+ public:
+  /// Producer thread only.
+  void put(T value) {
+    slots_[back_] = std::move(value);
+    back_ = shared_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
+  }
+
+  /// Consumer thread only. True when a value newer than the last taken has become `current()`.
+  bool take() noexcept {
+    if ((shared_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
+    front_ = shared_.exchange(front_, std::memory_order_acq_rel) & kIndex;
+    return true;
+  }
+
+  /// Consumer thread only. Valid until the next take(); a default value before the first.
+  [[nodiscard]] T& current() noexcept { return slots_[front_]; }
+
+ private:
+  static constexpr std::uint8_t kFresh = 4;
+  static constexpr std::uint8_t kIndex = 3;
+  std::array<T, 3> slots_{};
+  alignas(64) std::atomic<std::uint8_t> shared_{1};
+  alignas(64) std::uint8_t back_ = 0;   // owned by the producer
+  alignas(64) std::uint8_t front_ = 2;  // owned by the consumer
+};
+
+}  // namespace telepalp

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "proto/words/time.h"
+
+namespace telepalp {
+
+/// The largest image side that any part of telepalp accepts; bounds every allocation made for a peer.
+inline constexpr int kMaxImageSide = 4096;
+
+/// Depth along the optical axis. `samples[row * width + column] * unit_m` is z in metres; 0 is "not measured".
+struct DepthImage {
+  int width = 0;
+  int height = 0;
+  double unit_m = 0.001;
+  std::vector<std::uint16_t> samples;
+
+  [[nodiscard]] std::uint16_t at(int column, int row) const noexcept {
+    return samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+  }
+};
+
+/// 8-bit RGB, rows top to bottom, three bytes a pixel, no padding. Empty when a source has no colour.
+struct ColorImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// Pinhole intrinsics [pixels], no distortion: u = fx * x / z + cx, with pixel centres at whole numbers.
+struct Intrinsics {
+  int width = 0;
+  int height = 0;
+  double fx = 0.0;
+  double fy = 0.0;
+  double cx = 0.0;
+  double cy = 0.0;
+};
+
+/// What is needed to place pixels in space.
+struct CameraModel {
+  Intrinsics depth;
+  Intrinsics color;              ///< equal to `depth` where the driver registers the two images
+  bool color_registered = true;  ///< colour pixel (u, v) sees what depth pixel (u, v) sees
+};
+
+/// One instant seen by an RGB-D camera. `captured` is as close to the exposure as the driver lets us.
+struct RgbdFrame {
+  SessionTime captured;
+  std::uint64_t sequence = 0;
+  CameraModel camera;
+  DepthImage depth;
+  ColorImage color;
+};
+
+/// True when the sizes agree with each other, lie within kMaxImageSide, and the intrinsics are finite and positive.
+[[nodiscard]] bool is_well_formed(const DepthImage& depth) noexcept;
+[[nodiscard]] bool is_well_formed(const ColorImage& color) noexcept;
+[[nodiscard]] bool is_well_formed(const Intrinsics& intrinsics) noexcept;
+[[nodiscard]] bool is_well_formed(const RgbdFrame& frame) noexcept;
+
+}  // namespace telepalp

@@ -1,0 +1,79 @@
+#include "server/hub/hub.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace telepalp::server {
+namespace {
+
+bool matches(std::string_view wanted, std::string_view topic) noexcept {
+  if (!wanted.empty() && wanted.back() == '*') return topic.starts_with(wanted.substr(0, wanted.size() - 1));
+  return wanted == topic;
+}
+
+bool wants(const std::vector<std::string>& topics, std::string_view topic) noexcept {
+  return std::any_of(topics.begin(), topics.end(), [&](const std::string& wanted) { return matches(wanted, topic); });
+}
+
+bool is_latched(std::string_view topic) noexcept {
+  return topic == wire::kCameraInfo.name || topic == wire::kCameraStatus.name;
+}
+
+}  // namespace
+
+SubscriberId Hub::join(std::string name, std::string address, std::function<void()> wake) {
+  Subscriber subscriber;
+  subscriber.count.name = std::move(name);
+  subscriber.count.address = std::move(address);
+  subscriber.wake = std::move(wake);
+  subscribers_.emplace(++last_id_, std::move(subscriber));
+  return last_id_;
+}
+
+void Hub::leave(SubscriberId subscriber) { subscribers_.erase(subscriber); }
+
+void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
+  const auto found = subscribers_.find(id);
+  if (found == subscribers_.end()) return;
+  Subscriber& subscriber = found->second;
+  const std::vector<std::string> before = std::exchange(subscriber.topics, topics);
+  for (const auto& [name, message] : latched_)
+    if (wants(topics, name) && !wants(before, name)) offer(subscriber, message);
+}
+
+void Hub::publish(const wire::Message& message) {
+  TopicCount& count = topics_[message.topic.name];
+  ++count.published;
+  count.bytes += message.payload->size();
+  if (is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
+  for (auto& [id, subscriber] : subscribers_)
+    if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
+}
+
+void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
+  const bool was_empty = subscriber.queue.empty();
+  if (subscriber.queue.push(message)) {
+    ++subscriber.count.dropped;
+    ++topics_[message.topic.name].dropped;
+  }
+  if (was_empty) subscriber.wake();
+}
+
+std::optional<wire::Message> Hub::next(SubscriberId id) {
+  const auto found = subscribers_.find(id);
+  if (found == subscribers_.end()) return std::nullopt;
+  std::optional<wire::Message> message = found->second.queue.pop();
+  if (message) {
+    ++found->second.count.sent;
+    ++topics_[message->topic.name].sent;
+  }
+  return message;
+}
+
+std::vector<Hub::SubscriberCount> Hub::subscriber_counts() const {
+  std::vector<SubscriberCount> counts;
+  for (const auto& [id, subscriber] : subscribers_) counts.push_back(subscriber.count);
+  return counts;
+}
+
+}  // namespace telepalp::server

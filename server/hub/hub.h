@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "proto/wire/message.h"
+#include "server/hub/subscriber_queue.h"
+
+namespace telepalp::server {
+
+using SubscriberId = std::uint64_t;
+
+/// Takes every message published at this server and hands it to whoever asked for its topic. Encodes nothing and
+/// copies nothing: all subscribers share one payload. A subscriber that does not keep up loses its own oldest
+/// messages, topic by topic, and nobody else notices. Owner: the server's network thread; no locks, no sockets,
+/// no clock. A new subscriber is given the last message of each latched topic (/camera/info, /camera/status).
+class Hub {
+ public:
+  /// `wake` is called, on the publishing call, when the subscriber's queue stops being empty.
+  SubscriberId join(std::string name, std::string address, std::function<void()> wake);
+  void leave(SubscriberId subscriber);
+
+  /// Replaces what the subscriber listens to. A name ending in '*' is a prefix; unknown names are kept, for a
+  /// publisher may come later.
+  void subscribe(SubscriberId subscriber, const std::vector<std::string>& topics);
+
+  void publish(const wire::Message& message);
+
+  /// The next message for this subscriber, oldest first; nullopt when none waits.
+  [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
+
+  struct TopicCount {
+    std::uint64_t published = 0;
+    std::uint64_t sent = 0;
+    std::uint64_t dropped = 0;
+    std::uint64_t bytes = 0;
+  };
+  struct SubscriberCount {
+    std::string name;
+    std::string address;
+    std::uint64_t sent = 0;
+    std::uint64_t dropped = 0;
+  };
+  [[nodiscard]] const std::map<std::string_view, TopicCount>& topic_counts() const noexcept { return topics_; }
+  [[nodiscard]] std::vector<SubscriberCount> subscriber_counts() const;
+
+ private:
+  struct Subscriber {
+    SubscriberCount count;
+    std::vector<std::string> topics;
+    SubscriberQueue queue;
+    std::function<void()> wake;
+  };
+  void offer(Subscriber& subscriber, const wire::Message& message);
+
+  std::map<SubscriberId, Subscriber> subscribers_;
+  std::map<std::string_view, TopicCount> topics_;  // keys live in wire::kTopics
+  std::map<std::string_view, wire::Message> latched_;
+  SubscriberId last_id_ = 0;
+};
+
+}  // namespace telepalp::server

@@ -1,0 +1,35 @@
+#include "server/hub/subscriber_queue.h"
+
+#include <algorithm>
+
+#include "proto/wire/topics.h"
+
+namespace telepalp::server {
+
+std::size_t queue_limit(std::string_view topic) noexcept {
+  constexpr std::size_t kImages = 2;   // one being sent, one newest
+  constexpr std::size_t kSmall = 256;  // 2.5 s of the 100 Hz topics
+  return topic == wire::kCameraColor.name || topic == wire::kCameraDepth.name ? kImages : kSmall;
+}
+
+std::optional<wire::Message> SubscriberQueue::push(const wire::Message& message) {
+  const auto same_topic = [&](const wire::Message& other) { return other.topic.name == message.topic.name; };
+  std::optional<wire::Message> overtaken;
+  const auto waiting = static_cast<std::size_t>(std::count_if(waiting_.begin(), waiting_.end(), same_topic));
+  if (waiting >= queue_limit(message.topic.name)) {
+    const auto oldest = std::find_if(waiting_.begin(), waiting_.end(), same_topic);
+    overtaken = std::move(*oldest);
+    waiting_.erase(oldest);
+  }
+  waiting_.push_back(message);
+  return overtaken;
+}
+
+std::optional<wire::Message> SubscriberQueue::pop() {
+  if (waiting_.empty()) return std::nullopt;
+  wire::Message message = std::move(waiting_.front());
+  waiting_.pop_front();
+  return message;
+}
+
+}  // namespace telepalp::server

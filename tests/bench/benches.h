@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "proto/program/options.h"
+#include "tests/bench/report.h"
+
+namespace telepalp::bench {
+
+/// One benchmark: measures, and answers with its figures.
+struct Bench {
+  std::string_view name;
+  std::string_view purpose;
+  Result<Report> (*run)(const program::Arguments& arguments);
+};
+
+}  // namespace telepalp::bench

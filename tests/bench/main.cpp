@@ -1,0 +1,58 @@
+#include <cstdio>
+#include <span>
+
+#include "tests/bench/benches.h"
+
+namespace {
+
+using namespace telepalp;
+
+/// Every benchmark there is. A new one: a file <name>_bench.cpp, its declaration and a row here.
+constexpr std::span<const bench::Bench> kBenches{};
+
+constexpr program::Usage usage_with(std::string_view purpose) {
+  return {.program = "telepalp-bench",
+          .purpose = purpose,
+          .positional = "NAME",
+          .options = {},
+          .example = "telepalp-bench pipeline --json"};
+}
+
+program::Usage usage() {
+  program::Usage usage = usage_with("measures one part of telepalp against the figures asked of it");
+  usage.options = {{"json", "", "print JSON instead of a table"},
+                   {"list", "", "name the benchmarks and leave"},
+                   {"input", "FILE|DIR", "what to run on, where a benchmark takes one"},
+                   {"seconds", "S", "how long, where a benchmark takes time", "10"}};
+  return usage;
+}
+
+int list() {
+  for (const bench::Bench& bench : kBenches)
+    std::printf("%-12.*s %.*s\n", static_cast<int>(bench.name.size()), bench.name.data(),
+                static_cast<int>(bench.purpose.size()), bench.purpose.data());
+  return program::kDone;
+}
+
+int run(const bench::Bench& bench, const program::Arguments& arguments) {
+  const Result<bench::Report> report = bench.run(arguments);
+  if (!report) return program::fail(report.error());
+  std::fputs((arguments.has("json") ? to_json(*report) : to_table(*report)).c_str(), stdout);
+  return report->holds() ? program::kDone : program::kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  if (!*read) return program::kDone;
+  const program::Arguments& arguments = **read;
+  if (arguments.has("list")) return list();
+  const std::string wanted = arguments.positional().size() == 1 ? arguments.positional().front() : "";
+  for (const bench::Bench& bench : kBenches)
+    if (bench.name == wanted) return run(bench, arguments);
+  return program::fail(
+      {.what = "'" + wanted + "' is not a benchmark", .where = "telepalp-bench", .fix = "telepalp-bench --list"},
+      program::kAskedWrongly);
+}

@@ -1,0 +1,37 @@
+#include <gtest/gtest.h>
+
+#include "codec/color_codec.h"
+#include "codec/depth_codec.h"
+
+namespace telepalp::codec {
+namespace {
+
+TEST(DepthCodec, RoundTripIsLossless) {
+  DepthImage depth{.width = 3, .height = 2, .unit_m = 0.000125, .samples = {0, 1, 65535, 700, 701, 0}};
+  const std::string packet = encode_depth(depth);
+  const Result<DepthImage> back = decode_depth(std::as_bytes(std::span(packet)));
+  ASSERT_TRUE(back.ok());
+  EXPECT_EQ(back->samples, depth.samples);
+  EXPECT_EQ(back->unit_m, depth.unit_m);
+}
+
+TEST(DepthCodec, EveryTruncationIsAnError) {
+  const DepthImage depth{.width = 4, .height = 4, .unit_m = 0.001, .samples = std::vector<std::uint16_t>(16, 700)};
+  const std::string packet = encode_depth(depth);
+  for (std::size_t size = 0; size < packet.size(); ++size)
+    EXPECT_FALSE(decode_depth(std::as_bytes(std::span(packet).first(size))).ok()) << size;
+}
+
+TEST(ColorCodec, RoundTripLooksTheSameAndTruncationIsAnError) {
+  ColorImage color{.width = 32, .height = 16, .rgb = std::vector<std::uint8_t>(32 * 16 * 3, 120)};
+  const std::string jpeg = encode_color(color, 85);
+  const Result<ColorImage> back = decode_color(std::as_bytes(std::span(jpeg)));
+  ASSERT_TRUE(back.ok());
+  ASSERT_EQ(back->rgb.size(), color.rgb.size());
+  for (const std::uint8_t value : back->rgb) EXPECT_NEAR(value, 120, 2);
+  for (std::size_t size = 0; size + 2 < jpeg.size(); ++size)
+    EXPECT_FALSE(decode_color(std::as_bytes(std::span(jpeg).first(size))).ok()) << size;
+}
+
+}  // namespace
+}  // namespace telepalp::codec

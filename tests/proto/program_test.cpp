@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "messages/camera.pb.h"
+#include "proto/program/options.h"
+#include "proto/program/text_format.h"
+
+namespace telepalp::program {
+namespace {
+
+Usage usage() {
+  return {.program = "telepalp-x",
+          .purpose = "does x",
+          .positional = "FILE",
+          .options = {{"rate", "HZ", "how fast", "30"}, {"loop", "", "again and again"}},
+          .example = "telepalp-x --rate 10 a.file"};
+}
+
+Result<std::optional<Arguments>> read(std::vector<const char*> words) {
+  words.insert(words.begin(), "telepalp-x");
+  return read_arguments(usage(), static_cast<int>(words.size()), words.data());
+}
+
+TEST(Arguments, WhatIsLeftOutHasItsDefault) {
+  const auto arguments = read({"a.file"});
+  ASSERT_TRUE(arguments.ok());
+  EXPECT_EQ((*arguments)->number("rate", 1, 100).value(), 30);
+  EXPECT_FALSE((*arguments)->has("loop"));
+  EXPECT_EQ((*arguments)->positional(), std::vector<std::string>{"a.file"});
+}
+
+TEST(Arguments, AnUnknownOptionOrAGuessedPrefixIsAskedWrongly) {
+  EXPECT_FALSE(read({"--speed", "3"}).ok());
+  EXPECT_FALSE(read({"--rat", "3"}).ok());
+}
+
+TEST(Arguments, ANumberOutOfItsRangeNamesTheRange) {
+  const auto arguments = read({"--rate", "1000"});
+  ASSERT_TRUE(arguments.ok());
+  const auto rate = (*arguments)->number("rate", 1, 100);
+  ASSERT_FALSE(rate.ok());
+  EXPECT_NE(to_string(rate.error()).find("from 1 to 100"), std::string::npos);
+  const auto word = read({"--rate", "fast"});
+  EXPECT_FALSE((*word)->number("rate", 1, 100).ok());
+}
+
+TEST(Help, EndsWithALineToPaste) {
+  const std::string text = help_text(usage());
+  EXPECT_TRUE(text.ends_with("example: telepalp-x --rate 10 a.file\n")) << text;
+}
+
+TEST(TextFormat, AnUnknownFieldIsNamedWithLineAndColumn) {
+  msg::CameraFile camera;
+  const auto read = parse_text_format("depth {\n  fx_px: 3\n}\n", "camera.textproto", camera);
+  ASSERT_FALSE(read.ok());
+  EXPECT_TRUE(read.error().where.starts_with("camera.textproto:2:")) << read.error().where;
+  EXPECT_NE(read.error().what.find("fx_px"), std::string::npos) << read.error().what;
+}
+
+}  // namespace
+}  // namespace telepalp::program

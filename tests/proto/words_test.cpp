@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <thread>
+
+#include "proto/words/frames.h"
+#include "proto/words/latest_value.h"
+#include "proto/words/result.h"
+#include "proto/words/rgbd_frame.h"
+#include "proto/words/spsc_ring.h"
+
+namespace telepalp {
+namespace {
+
+TEST(Result, AnErrorSaysWhatWhereAndHowToFix) {
+  const Result<int> result = Error{.what = "truncated", .where = "a.mcap: chunk 3", .fix = "repair it"};
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(to_string(result.error()), "a.mcap: chunk 3: truncated. fix: repair it");
+}
+
+TEST(ResultDeathTest, TheValueOfAnErrorIsOurBug) {
+  const Result<int> result = Error{.what = "no", .where = "here", .fix = ""};
+  EXPECT_DEATH((void)result.value(), "telepalp bug");
+}
+
+TEST(Transform, NeighbouringFramesCancel) {
+  Transform<HapticBase, DepthCamera> haptic_from_camera;
+  haptic_from_camera.iso = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX());
+  const Point<DepthCamera> at{{0.1, 0.2, 0.9}};
+  EXPECT_LT((((haptic_from_camera.inverse() * haptic_from_camera) * at).m - at.m).norm(), 1e-15);
+}
+
+TEST(RgbdFrame, SizesThatDisagreeAreNotWellFormed) {
+  DepthImage depth{.width = 2, .height = 2, .unit_m = 0.001, .samples = {1, 2, 3}};
+  EXPECT_FALSE(is_well_formed(depth));
+  depth.samples.push_back(4);
+  EXPECT_TRUE(is_well_formed(depth));
+  depth.unit_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(is_well_formed(depth));
+}
+
+TEST(LatestValue, TheConsumerSeesOnlyNewerValuesAndEndsOnTheLast) {
+  LatestValue<int> slot;
+  constexpr int kLast = 200'000;
+  std::thread producer([&] {
+    for (int value = 1; value <= kLast; ++value) slot.put(value);
+  });
+  int seen = 0;
+  while (seen < kLast) {
+    if (!slot.take()) continue;
+    ASSERT_GT(slot.current(), seen);
+    seen = slot.current();
+  }
+  producer.join();
+}
+
+TEST(SpscRing, KeepsAllInOrderAndSaysWhenItIsFull) {
+  SpscRing<int, 4> ring;
+  for (int value = 0; value < 4; ++value) EXPECT_TRUE(ring.try_push(value));
+  EXPECT_FALSE(ring.try_push(4));
+  int value = -1;
+  for (int expected = 0; expected < 4; ++expected) {
+    ASSERT_TRUE(ring.try_pop(value));
+    EXPECT_EQ(value, expected);
+  }
+  EXPECT_FALSE(ring.try_pop(value));
+}
+
+TEST(SpscRing, AcrossTwoThreadsNothingIsLostOrTorn) {
+  SpscRing<std::uint64_t, 64> ring;
+  constexpr std::uint64_t kCount = 200'000;
+  std::thread producer([&] {
+    for (std::uint64_t value = 0; value < kCount;)
+      if (ring.try_push(value)) ++value;
+  });
+  std::uint64_t value = 0;
+  for (std::uint64_t expected = 0; expected < kCount;) {
+    if (!ring.try_pop(value)) continue;
+    ASSERT_EQ(value, expected);
+    ++expected;
+  }
+  producer.join();
+}
+
+}  // namespace
+}  // namespace telepalp
