@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace telepalp::plot {
+
+/// A closed interval of data or of pixels. In pixels `least` may lie above `most`: y grows downwards on paper.
+struct Range {
+  double least = 0.0;
+  double most = 1.0;
+};
+
+/// The smallest range that holds every finite value, or `otherwise` when there is none.
+[[nodiscard]] Range range_of(std::span<const double> values, Range otherwise);
+
+/// The smallest range that holds both.
+[[nodiscard]] Range united(Range a, Range b) noexcept;
+
+/// Where a tick goes and what stands beside it.
+struct Tick {
+  double at = 0.0;
+  std::string label;
+};
+
+/// About `wanted` ticks at 1, 2 or 5 times a power of ten, all within `range`.
+/// Source: Heckbert, "Nice numbers for graph labels", Graphics Gems, 1990.
+[[nodiscard]] std::vector<Tick> nice_ticks(Range range, int wanted);
+
+/// Ticks at the powers of ten within `range` (both ends > 0).
+[[nodiscard]] std::vector<Tick> decade_ticks(Range range);
+
+/// Maps data to pixels, linearly or by logarithm. Values at or below zero have no place on a logarithmic scale: NaN.
+struct Scale {
+  Range data;
+  Range pixels;
+  bool logarithmic = false;
+
+  [[nodiscard]] double operator()(double value) const noexcept;
+};
+
+}  // namespace telepalp::plot
