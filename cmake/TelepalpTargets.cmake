@@ -41,15 +41,20 @@ endfunction()
 function(telepalp_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  set_property(GLOBAL APPEND PROPERTY TELEPALP_PROGRAMS ${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags)
 endfunction()
 
-# telepalp_test(NAME SOURCES a_test.cpp … LINKS targets …): one GoogleTest binary, one ctest entry for each test.
+# telepalp_test(NAME [SERIAL] SOURCES a_test.cpp … LINKS targets …): one GoogleTest binary, one ctest entry for each
+# test. SERIAL: the test tells of time and has the machine to itself.
 function(telepalp_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL" "" "SOURCES;LINKS" ${ARGN})
+  if(NOT ARG_SERIAL)
+    set(ARG_SERIAL FALSE)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags GTest::gtest GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TELEPALP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     TELEPALP_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 RUN_SERIAL ${ARG_SERIAL})
 endfunction()

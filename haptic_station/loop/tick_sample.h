@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+namespace telepalp::station {
+
+/// All that is told of one tick of the 2 kHz loop. Positions [m] and forces [N] in the haptic base's frame H,
+/// those named `camera` in the depth camera's frame K. Crosses from the haptic thread to the network thread by copy.
+struct TickSample {
+  std::uint64_t tick = 0;     ///< number since start
+  std::int64_t stamp_ns = 0;  ///< session time of the tick's deadline
+  std::uint32_t late_ns = 0;  ///< woken this long after the deadline
+  float work_us = 0.0F;       ///< time spent in the tick
+  std::uint8_t phase = 0;     ///< msg.Phase
+  bool in_body = false;
+  bool surface_stale = false;
+  bool limited = false;  ///< the limiter changed the force
+  std::array<float, 3> hand{};
+  std::array<float, 3> device{};
+  std::array<float, 3> proxy{};
+  std::array<float, 3> normal{};
+  std::array<float, 3> force{};
+  std::array<float, 3> displayed_hand_camera{};
+  std::array<float, 3> proxy_camera{};
+  std::array<float, 3> device_camera{};
+  std::array<float, 3> force_camera{};
+  float indentation_m = 0.0F;  ///< |d| of S1 eq. (8); 0 out of the body
+  float distance_m = 0.0F;     ///< signed, of the device point; negative inside
+  float passivity_J = 0.0F;
+  std::int64_t surface_captured_ns = 0;
+  std::int64_t hand_sampled_ns = 0;
+};
+static_assert(std::is_trivially_copyable_v<TickSample>);
+
+}  // namespace telepalp::station

@@ -1,0 +1,88 @@
+#include "haptic_station/station/telemetry.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "haptic_station/station/tick_timer.h"
+
+namespace telepalp::station {
+namespace {
+
+using namespace std::chrono_literals;
+
+TickSample sample(std::uint64_t tick, msg::Phase phase, float force_N) {
+  TickSample out;
+  out.tick = tick;
+  out.stamp_ns = static_cast<std::int64_t>(tick) * 500'000;
+  out.phase = static_cast<std::uint8_t>(phase);
+  out.work_us = 10.0F;
+  out.force = {0.0F, force_N, 0.0F};
+  return out;
+}
+
+TEST(DurationHistogram, EveryQuantileIsWithinThreePercentOfTheSortedValues) {
+  std::mt19937_64 random(7);
+  std::lognormal_distribution<double> durations(9.0, 1.5);
+  DurationHistogram histogram;
+  std::vector<std::uint64_t> values;
+  for (int i = 0; i < 20'000; ++i) {
+    values.push_back(static_cast<std::uint64_t>(durations(random)));
+    histogram.add(values.back());
+  }
+  std::sort(values.begin(), values.end());
+  for (const double q : {0.01, 0.5, 0.9, 0.99, 0.999, 1.0}) {
+    const auto rank = static_cast<std::size_t>(std::ceil(q * static_cast<double>(values.size()))) - 1;
+    const auto exact = static_cast<double>(values[rank]);
+    EXPECT_NEAR(histogram.quantile_ns(q), exact, 0.033 * exact + 1.0) << "q " << q;
+  }
+}
+
+TEST(DurationHistogram, AnEmptyOneAnswersZeroAndHugeValuesCountAsTheLongest) {
+  DurationHistogram histogram;
+  EXPECT_EQ(histogram.quantile_ns(0.99), 0.0);
+  histogram.add(~std::uint64_t{0});
+  EXPECT_GT(histogram.quantile_ns(1.0), 4e9);
+}
+
+TEST(TickTimer, ADeadlineIsMissedOnlyWhenTheNextOneHasPassed) {
+  EXPECT_EQ(deadlines_overtaken(499us, 500us), 0u);
+  EXPECT_EQ(deadlines_overtaken(500us, 500us), 1u);
+  EXPECT_EQ(deadlines_overtaken(5ms, 500us), 10u);
+}
+
+TEST(TickTimer, DeadlinesStayOnTheirGridWhenTicksAreLate) {
+  const auto start = TickTimer::Clock::now();
+  TickTimer timer(start, 500us);
+  for (int i = 0; i < 40; ++i) EXPECT_EQ((timer.wait().deadline - start) % 500us, 0ns);
+}
+
+TEST(RunTotals, PhasesAreEnteredOnceAndDweltInByTheTick) {
+  RunTotals totals(500'000);
+  for (std::uint64_t tick = 0; tick < 2000; ++tick) {
+    const bool inside = tick >= 500 && tick < 1500;
+    (void)totals.add(sample(tick, inside ? msg::PHASE_IN_BODY : msg::PHASE_OUT_BODY, inside ? 3.5F : 0.0F));
+  }
+  const msg::StationStats stats = totals.message();
+  EXPECT_EQ(stats.ticks(), 2000u);
+  EXPECT_DOUBLE_EQ(stats.contact_s(), 0.5);
+  EXPECT_DOUBLE_EQ(stats.force_max_n(), 3.5);
+  ASSERT_EQ(stats.phases_size(), 2);
+  for (const msg::PhaseDwell& dwell : stats.phases()) {
+    EXPECT_EQ(dwell.entries(), dwell.phase() == msg::PHASE_OUT_BODY ? 2u : 1u);
+    EXPECT_DOUBLE_EQ(dwell.seconds(), 0.5);
+  }
+  EXPECT_NEAR(stats.tick_us_p50(), 10.0, 0.4);
+}
+
+TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
+  const std::vector<TickSample> samples{sample(7, msg::PHASE_IN_BODY, 1), sample(8, msg::PHASE_IN_BODY, 2)};
+  const msg::StationTicks ticks = ticks_message(samples, 500'000);
+  EXPECT_EQ(ticks.first_tick(), 7u);
+  EXPECT_EQ(ticks.phase_size(), 2);
+  EXPECT_EQ(ticks.force_y(1), 2.0F);
+  EXPECT_EQ(ticks.distance_m_size(), 2);
+}
+
+}  // namespace
+}  // namespace telepalp::station
