@@ -19,6 +19,8 @@ struct Message {
   Topic topic;
   SessionTime published;
   std::shared_ptr<const std::string> payload;
+  std::uint64_t sequence = 0;  ///< counts the topic's messages at whoever sends them on, from 1; a gap is a loss.
+                               ///< 0: not numbered yet
 };
 
 /// Serialises `proto` as a message of `topic`.

@@ -41,9 +41,9 @@ void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
     if (wants(topics, name) && !wants(before, name)) offer(subscriber, message);
 }
 
-void Hub::publish(const wire::Message& message) {
+void Hub::publish(wire::Message message) {
   TopicCount& count = topics_[message.topic.name];
-  ++count.published;
+  message.sequence = ++count.published;
   count.bytes += message.payload->size();
   if (is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)

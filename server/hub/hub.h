@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "proto/wire/message.h"
-#include "server/hub/subscriber_queue.h"
+#include "proto/wire/send_queue.h"
 
 namespace telepalp::server {
 
@@ -30,7 +30,8 @@ class Hub {
   /// publisher may come later.
   void subscribe(SubscriberId subscriber, const std::vector<std::string>& topics);
 
-  void publish(const wire::Message& message);
+  /// Numbers `message` within its topic, so that a subscriber sees from the gap what it was not sent.
+  void publish(wire::Message message);
 
   /// The next message for this subscriber, oldest first; nullopt when none waits.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
@@ -54,7 +55,7 @@ class Hub {
   struct Subscriber {
     SubscriberCount count;
     std::vector<std::string> topics;
-    SubscriberQueue queue;
+    wire::SendQueue queue;
     std::function<void()> wake;
   };
   void offer(Subscriber& subscriber, const wire::Message& message);

@@ -1,20 +1,20 @@
-#include "server/hub/subscriber_queue.h"
+#include "proto/wire/send_queue.h"
 
 #include <algorithm>
 
 #include "proto/wire/topics.h"
 
-namespace telepalp::server {
+namespace telepalp::wire {
 
 std::size_t queue_limit(std::string_view topic) noexcept {
-  constexpr std::size_t kImages = 2;   // one being sent, one newest
+  constexpr std::size_t kImages = 2;   // beside the one being sent: one about to go, one newest
   constexpr std::size_t kSmall = 256;  // 2.5 s of the 100 Hz topics
-  return topic == wire::kCameraColor.name || topic == wire::kCameraDepth.name ? kImages : kSmall;
+  return topic == kCameraColor.name || topic == kCameraDepth.name ? kImages : kSmall;
 }
 
-std::optional<wire::Message> SubscriberQueue::push(const wire::Message& message) {
-  const auto same_topic = [&](const wire::Message& other) { return other.topic.name == message.topic.name; };
-  std::optional<wire::Message> overtaken;
+std::optional<Message> SendQueue::push(const Message& message) {
+  const auto same_topic = [&](const Message& other) { return other.topic.name == message.topic.name; };
+  std::optional<Message> overtaken;
   const auto waiting = static_cast<std::size_t>(std::count_if(waiting_.begin(), waiting_.end(), same_topic));
   if (waiting >= queue_limit(message.topic.name)) {
     const auto oldest = std::find_if(waiting_.begin(), waiting_.end(), same_topic);
@@ -25,11 +25,11 @@ std::optional<wire::Message> SubscriberQueue::push(const wire::Message& message)
   return overtaken;
 }
 
-std::optional<wire::Message> SubscriberQueue::pop() {
+std::optional<Message> SendQueue::pop() {
   if (waiting_.empty()) return std::nullopt;
-  wire::Message message = std::move(waiting_.front());
+  Message message = std::move(waiting_.front());
   waiting_.pop_front();
   return message;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::wire

@@ -1,0 +1,212 @@
+#include "proto/wire/client_link.h"
+
+#include <algorithm>
+#include <boost/asio/post.hpp>
+#include <utility>
+
+#include "proto/words/demand.h"
+
+namespace telepalp::wire {
+namespace {
+
+using namespace std::chrono_literals;
+using boost::asio::ip::tcp;
+using boost::system::error_code;
+
+constexpr std::chrono::milliseconds kFirstRetry = 100ms;
+constexpr std::chrono::milliseconds kLongestRetry = 2s;
+constexpr auto kConnectDeadline = 3s;
+constexpr int kEagerProbes = 8;  // quickly, so that the clock is good when the first image comes
+constexpr auto kEagerProbePeriod = 20ms;
+constexpr auto kProbePeriod = 1s;
+
+bool waits_for_a_connection(const Topic& topic) noexcept { return topic.name == kStationEvents.name; }
+
+void add(std::map<std::string_view, ReceivedCount>& sum, const std::map<std::string_view, ReceivedCount>& counts) {
+  for (const auto& [topic, count] : counts) {
+    sum[topic].messages += count.messages;
+    sum[topic].missed += count.missed;
+  }
+}
+
+}  // namespace
+
+std::string_view name(LinkState state) noexcept {
+  switch (state) {
+    case LinkState::Connecting:
+      return "connecting";
+    case LinkState::Connected:
+      return "connected";
+    case LinkState::Lost:
+      return "lost";
+    case LinkState::Stopped:
+      return "stopped";
+  }
+  return "?";
+}
+
+ClientLink::ClientLink(boost::asio::io_context& io, Options options, Handlers handlers)
+    : io_(io),
+      options_(std::move(options)),
+      handlers_(std::move(handlers)),
+      resolver_(io),
+      connecting_(io),
+      retry_(io),
+      probe_(io),
+      back_off_(kFirstRetry),
+      offset_ns_(SessionClock::anchored_to_wall_clock().offset().count()) {}
+
+ClientLink::~ClientLink() {
+  if (connection_) connection_->abandon();
+}
+
+void ClientLink::start() {
+  demand(state_ == LinkState::Stopped, "a link is started once");
+  connect();
+}
+
+void ClientLink::stop(const std::string& reason) {
+  if (state_ == LinkState::Stopped) return;
+  resolver_.cancel();
+  error_code ignored;
+  connecting_.close(ignored);
+  retry_.cancel();
+  probe_.cancel();
+  become(LinkState::Stopped, reason);
+  if (connection_) connection_->close(reason);
+}
+
+void ClientLink::subscribe(std::vector<std::string> topics) {
+  options_.subscribes = std::move(topics);
+  if (connection_ && connection_->ready()) connection_->subscribe(options_.subscribes);
+}
+
+bool ClientLink::publish(Message message) {
+  message.sequence = ++sequences_[message.topic.name];
+  const bool connected = state_ == LinkState::Connected;
+  if (!connected && !waits_for_a_connection(message.topic)) {
+    ++counts_.not_sent;
+    return false;
+  }
+  if (outgoing_.push(message)) ++counts_.not_sent;
+  if (connected) connection_->wake();
+  return connected;
+}
+
+std::map<std::string_view, ReceivedCount> ClientLink::received() const {
+  std::map<std::string_view, ReceivedCount> sum = received_before_;
+  if (connection_) add(sum, connection_->received());
+  return sum;
+}
+
+void ClientLink::connect() {
+  become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port));
+  error_code not_numeric;
+  const auto address = boost::asio::ip::make_address(options_.host, not_numeric);
+  if (not_numeric) return resolve();
+  connect_to({address, options_.port});
+}
+
+void ClientLink::resolve() {
+  resolver_.async_resolve(options_.host, std::to_string(options_.port),
+                          while_alive([this](const error_code& code, const tcp::resolver::results_type& found) {
+                            if (code == boost::asio::error::operation_aborted) return;
+                            if (code) return on_connect_failed(code.message());
+                            connect_to(found.begin()->endpoint());
+                          }));
+}
+
+void ClientLink::connect_to(const tcp::endpoint& endpoint) {
+  connecting_ = tcp::socket(io_);
+  retry_.expires_after(kConnectDeadline);
+  retry_.async_wait(while_alive([this](const error_code& code) {
+    error_code ignored;
+    if (!code) connecting_.close(ignored);
+  }));
+  connecting_.async_connect(
+      endpoint, while_alive([this](const error_code& code) {
+        if (code == boost::asio::error::operation_aborted && state_ == LinkState::Stopped) return;
+        retry_.cancel();
+        if (code) return on_connect_failed(code.message());
+        ConnectionOwner& owner = *this;
+        connection_ = std::make_shared<Connection>(
+            plain_tcp(std::move(connecting_)),
+            Connection::Options{.name = options_.name, .role = options_.role, .publishes = options_.publishes}, owner);
+        connection_->start();
+      }));
+}
+
+void ClientLink::on_connect_failed(const std::string& reason) {
+  become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port) + ": " + reason);
+  retry_later();
+}
+
+void ClientLink::retry_later() {
+  retry_.expires_after(back_off_);
+  back_off_ = std::min(2 * back_off_, kLongestRetry);
+  retry_.async_wait(while_alive([this](const error_code& code) {
+    if (!code) connect();
+  }));
+}
+
+void ClientLink::on_ready(const msg::Hello& peer) {
+  peer_name_ = peer.name();
+  probes_ = 0;
+  clock_sync_.forget_samples();
+  connection_->subscribe(options_.subscribes);
+  connection_->probe_clock();
+  probe_later();
+}
+
+void ClientLink::probe_later() {
+  probe_.expires_after(++probes_ < kEagerProbes ? std::chrono::steady_clock::duration{kEagerProbePeriod}
+                                                : std::chrono::steady_clock::duration{kProbePeriod});
+  probe_.async_wait(while_alive([this](const error_code& code) {
+    if (code || !connection_) return;
+    probe_later();  // first, since the connection may end in the next line
+    connection_->probe_clock();
+  }));
+}
+
+void ClientLink::on_clock(const ClockSample& sample) {
+  if (!clock_sync_.add(sample)) return;
+  offset_ns_.store(clock_sync_.offset()->count());
+  if (state_ != LinkState::Connecting) return;
+  back_off_ = kFirstRetry;
+  ++counts_.connections;
+  become(LinkState::Connected, peer_name_ + " at " + connection_->peer());
+  if (connection_) connection_->wake();
+}
+
+void ClientLink::on_message(Message message) {
+  if (handlers_.on_message) handlers_.on_message(message);
+}
+
+void ClientLink::on_closed(const std::string& reason) {
+  add(received_before_, connection_->received());
+  connection_.reset();
+  probe_.cancel();
+  if (state_ == LinkState::Stopped) return;
+  if (state_ == LinkState::Connected) {
+    counts_.not_sent +=
+        outgoing_.remove_if([](const Message& message) { return !waits_for_a_connection(message.topic); });
+    become(LinkState::Lost, reason);
+    if (state_ == LinkState::Stopped) return;  // its handler called stop()
+    become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port));
+    return retry_later();
+  }
+  on_connect_failed(reason);
+}
+
+std::optional<Message> ClientLink::next_to_send() {
+  std::optional<Message> message = outgoing_.pop();
+  if (message) ++counts_.published;
+  return message;
+}
+
+void ClientLink::become(LinkState state, const std::string& detail) {
+  state_ = state;
+  if (handlers_.on_state) handlers_.on_state(state, detail);
+}
+
+}  // namespace telepalp::wire

@@ -1,0 +1,308 @@
+#include "proto/wire/connection.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "proto/words/demand.h"
+
+namespace telepalp::wire {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t kMaxHelloBytes = 4096;
+constexpr std::size_t kMaxWaitingControl = 64;
+constexpr std::size_t kMaxChannels = 256;
+constexpr int kMaxSubscriptions = 64;
+constexpr std::size_t kMaxNameBytes = 128;
+constexpr std::size_t kMaxReasonBytes = 512;
+constexpr auto kLinger = 500ms;
+constexpr std::uint64_t kLatestStamp = std::uint64_t{1} << 61;  // beyond it, sums of stamps could overflow
+
+Error bad_peer(std::string what) {
+  return {.what = std::move(what), .where = "peer", .fix = "both ends must speak WIRE.md's version 1"};
+}
+
+Nanoseconds local_now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }
+
+std::uint64_t stamp(Nanoseconds since_epoch) noexcept { return static_cast<std::uint64_t>(since_epoch.count()); }
+
+/// The number under which `topic` is sent: its place among what this end publishes, from 1.
+std::uint32_t channel_of(const std::vector<Topic>& publishes, const Topic& topic) {
+  const auto found =
+      std::find_if(publishes.begin(), publishes.end(), [&](const Topic& t) { return t.name == topic.name; });
+  demand(found != publishes.end(), "only a topic named in Options::publishes is sent");
+  return static_cast<std::uint32_t>(found - publishes.begin()) + 1;
+}
+
+msg::Control hello(const std::string& name, const std::string& role) {
+  msg::Control control;
+  control.mutable_hello()->set_protocol(kProtocolVersion);
+  control.mutable_hello()->set_name(name);
+  control.mutable_hello()->set_role(role);
+  return control;
+}
+
+msg::Control advertise(const std::vector<Topic>& publishes) {
+  msg::Control control;
+  control.mutable_advertise();
+  for (const Topic& topic : publishes) {
+    msg::Advertise::Topic& entry = *control.mutable_advertise()->add_topics();
+    entry.set_channel(channel_of(publishes, topic));
+    entry.set_name(std::string(topic.name));
+    entry.set_schema(std::string(topic.schema));
+  }
+  return control;
+}
+
+}  // namespace
+
+Connection::Connection(std::unique_ptr<ByteStream> stream, Options options, ConnectionOwner& owner)
+    : stream_(std::move(stream)),
+      options_(std::move(options)),
+      owner_(&owner),
+      deadline_(stream_->executor()),
+      parser_(kMaxHelloBytes) {}
+
+void Connection::start() {
+  send(hello(options_.name, options_.role));
+  send(advertise(options_.publishes));
+  watch(kHandshakeDeadline, "no Hello within 5 s");
+  read();
+}
+
+void Connection::wake() { write(); }
+
+void Connection::subscribe(const std::vector<std::string>& topics) {
+  msg::Control control;
+  control.mutable_subscribe();  // present even when it asks for nothing
+  for (const std::string& topic : topics) control.mutable_subscribe()->add_topics(topic);
+  for (auto& [number, channel] : channels_) channel.last_sequence = 0;  // what was not asked for is not missed
+  send(std::move(control));
+}
+
+void Connection::probe_clock() {
+  msg::Control control;
+  control.mutable_clock_probe();
+  send(std::move(control));
+}
+
+void Connection::close(const std::string& reason) {
+  drains_ = phase_ == Phase::Open;
+  leave(reason);
+}
+
+void Connection::leave(const std::string& reason) {
+  if (phase_ == Phase::Leaving || phase_ == Phase::Closed) return;
+  phase_ = Phase::Leaving;
+  leaving_because_ = reason;
+  watch(kLinger, reason);
+  write();
+}
+
+void Connection::abandon() noexcept {
+  owner_ = nullptr;
+  finish("");
+}
+
+void Connection::finish(const std::string& reason) noexcept {
+  if (phase_ == Phase::Closed) return;
+  phase_ = Phase::Closed;
+  deadline_.cancel();
+  stream_->close();
+  if (ConnectionOwner* owner = std::exchange(owner_, nullptr)) owner->on_closed(reason);
+}
+
+void Connection::on_lost(const boost::system::error_code& code) noexcept {
+  finish(phase_ == Phase::Leaving ? leaving_because_ : "connection ended: " + code.message());
+}
+
+void Connection::watch(std::chrono::steady_clock::duration patience, std::string reason) {
+  deadline_.expires_after(patience);
+  deadline_.async_wait([self = shared_from_this(), reason = std::move(reason)](const boost::system::error_code& code) {
+    if (code) return;
+    if (self->phase_ == Phase::Leaving) return self->finish(reason);
+    self->leave(reason);
+  });
+}
+
+void Connection::read() {
+  stream_->async_read_some(boost::asio::buffer(incoming_),
+                           [self = shared_from_this()](const boost::system::error_code& code, std::size_t bytes) {
+                             if (self->phase_ == Phase::Closed) return;
+                             if (code) return self->on_lost(code);
+                             self->on_bytes({self->incoming_.data(), bytes});
+                             if (self->phase_ != Phase::Closed) self->read();
+                           });
+}
+
+void Connection::on_bytes(std::span<const std::byte> bytes) {
+  while (phase_ == Phase::Greeting || phase_ == Phase::Open) {
+    Result<std::optional<Frame>> frame = parser_.next(bytes);
+    if (!frame) return leave(to_string(frame.error()));
+    if (!*frame) return;
+    const Result<void> taken = on_frame(std::move(**frame));
+    if (!taken) return leave(to_string(taken.error()));
+  }
+}
+
+Result<void> Connection::on_frame(Frame frame) {
+  const bool is_control = frame.header.kind == FrameKind::Control;
+  if (!is_control && phase_ == Phase::Greeting) return bad_peer("sends data before its Hello");
+  if (phase_ == Phase::Open) watch(kSilenceDeadline, "nothing heard for 5 s");
+  return is_control ? on_control(frame) : on_data(std::move(frame));
+}
+
+Result<void> Connection::on_control(const Frame& frame) {
+  msg::Control control;
+  if (!control.ParseFromString(frame.payload)) return bad_peer("sends a damaged control message");
+  if (phase_ == Phase::Greeting && !control.has_hello() && !control.has_goodbye())
+    return bad_peer("does not begin with Hello");
+  switch (control.kind_case()) {
+    case msg::Control::kHello:
+      return on_hello(control.hello());
+    case msg::Control::kAdvertise:
+      return on_advertise(control.advertise());
+    case msg::Control::kSubscribe:
+      return on_subscription(control.subscribe());
+    case msg::Control::kClockProbe: {
+      msg::Control answer;
+      answer.mutable_clock_reply()->set_asked_ns(control.clock_probe().asked_ns());
+      answer.mutable_clock_reply()->set_received_ns(stamp(owner_->session_now().time_since_epoch()));
+      send(std::move(answer));
+      return {};
+    }
+    case msg::Control::kClockReply:
+      on_clock_reply(control.clock_reply());
+      return {};
+    case msg::Control::kGoodbye:
+      finish("peer left: " + control.goodbye().reason());
+      return {};
+    case msg::Control::KIND_NOT_SET:
+      return {};  // a kind of a later version: additive, so that it may be passed over
+  }
+  return {};
+}
+
+Result<void> Connection::on_hello(const msg::Hello& peer) {
+  if (phase_ != Phase::Greeting) return bad_peer("says Hello twice");
+  if (peer.protocol() != kProtocolVersion)
+    return bad_peer("speaks protocol " + std::to_string(peer.protocol()) + ", this end speaks " +
+                    std::to_string(kProtocolVersion));
+  if (peer.name().size() > kMaxNameBytes || peer.role().size() > kMaxNameBytes)
+    return bad_peer("has a name longer than 128 B");
+  phase_ = Phase::Open;
+  parser_.set_max_payload_bytes(options_.max_payload_bytes);
+  watch(kSilenceDeadline, "nothing heard for 5 s");
+  owner_->on_ready(peer);
+  wake();
+  return {};
+}
+
+Result<void> Connection::on_advertise(const msg::Advertise& advertise) {
+  for (const msg::Advertise::Topic& entry : advertise.topics()) {
+    const std::optional<Topic> topic = find_topic(entry.name());
+    if (topic && topic->schema != entry.schema())
+      return bad_peer("advertises " + std::string(topic->name) + " as another type than " + std::string(topic->schema));
+    if (topic && !owner_->accepts(*topic)) return bad_peer("may not publish " + std::string(topic->name));
+    if (channels_.size() >= kMaxChannels) return bad_peer("advertises more than 256 channels");
+    if (entry.channel() == 0 || !channels_.try_emplace(entry.channel(), Incoming{topic, 0}).second)
+      return bad_peer("advertises channel " + std::to_string(entry.channel()) + " twice, or 0");
+  }
+  return {};
+}
+
+Result<void> Connection::on_subscription(const msg::Subscribe& subscribe) {
+  if (subscribe.topics_size() > kMaxSubscriptions) return bad_peer("subscribes to more than 64 names");
+  for (const std::string& name : subscribe.topics())
+    if (name.size() > kMaxNameBytes) return bad_peer("subscribes to a name longer than 128 B");
+  owner_->on_subscribe({subscribe.topics().begin(), subscribe.topics().end()});
+  return {};
+}
+
+void Connection::on_clock_reply(const msg::ClockReply& reply) {
+  const Nanoseconds heard = local_now();
+  const Nanoseconds asked = std::exchange(asked_, 0ns);
+  if (asked == 0ns || reply.asked_ns() != stamp(asked)) return;  // not the answer to our question
+  if (reply.received_ns() > kLatestStamp || reply.replied_ns() > kLatestStamp) return;
+  owner_->on_clock({.asked = asked,
+                    .received = Nanoseconds{static_cast<std::int64_t>(reply.received_ns())},
+                    .replied = Nanoseconds{static_cast<std::int64_t>(reply.replied_ns())},
+                    .heard = heard});
+}
+
+Result<void> Connection::on_data(Frame frame) {
+  const auto found = channels_.find(frame.header.channel);
+  if (found == channels_.end())
+    return bad_peer("sends on channel " + std::to_string(frame.header.channel) + " without advertising it");
+  Incoming& channel = found->second;
+  if (!channel.topic) return {};
+  ReceivedCount& count = received_[channel.topic->name];
+  ++count.messages;
+  const std::uint64_t sequence = frame.header.sequence;
+  if (channel.last_sequence != 0 && sequence > channel.last_sequence)
+    count.missed += sequence - channel.last_sequence - 1;
+  channel.last_sequence = sequence;
+  owner_->on_message({*channel.topic, frame.header.published,
+                      std::make_shared<const std::string>(std::move(frame.payload)), sequence});
+  return {};
+}
+
+void Connection::send(msg::Control control) {
+  if (phase_ == Phase::Leaving || phase_ == Phase::Closed) return;
+  if (control_.size() >= kMaxWaitingControl) return finish("peer asks and does not listen");
+  control_.push_back(std::move(control));
+  write();
+}
+
+void Connection::write() {
+  if (writing_ || phase_ == Phase::Closed || said_goodbye_) return;
+  if (!control_.empty()) {
+    msg::Control control = std::move(control_.front());
+    control_.pop_front();
+    return write_control(std::move(control));
+  }
+  const bool sends_data = phase_ == Phase::Open || (phase_ == Phase::Leaving && drains_);
+  if (std::optional<Message> message = sends_data ? owner_->next_to_send() : std::nullopt)
+    return write_frame({.kind = FrameKind::Data,
+                        .sequence = message->sequence,
+                        .published = message->published,
+                        .channel = channel_of(options_.publishes, message->topic)},
+                       std::move(message->payload));
+  if (phase_ != Phase::Leaving) return;
+  said_goodbye_ = true;
+  msg::Control goodbye;
+  goodbye.mutable_goodbye()->set_reason(leaving_because_.substr(0, kMaxReasonBytes));
+  write_control(std::move(goodbye));
+}
+
+void Connection::write_control(msg::Control control) {
+  // Stamped here, not when it was queued: the wait behind an image is no part of the way.
+  if (control.has_clock_probe()) {
+    asked_ = local_now();
+    control.mutable_clock_probe()->set_asked_ns(stamp(asked_));
+  }
+  if (control.has_clock_reply())
+    control.mutable_clock_reply()->set_replied_ns(stamp(owner_->session_now().time_since_epoch()));
+  write_frame({.kind = FrameKind::Control, .sequence = ++control_sequence_},
+              std::make_shared<const std::string>(control.SerializeAsString()));
+}
+
+void Connection::write_frame(FrameHeader header, std::shared_ptr<const std::string> payload) {
+  demand(payload->size() <= kMaxPayloadBytes, "no message weighs more than kMaxPayloadBytes");
+  header.payload_bytes = static_cast<std::uint32_t>(payload->size());
+  header_being_written_ = encode_header(header);
+  payload_being_written_ = std::move(payload);
+  writing_ = true;
+  stream_->async_write({boost::asio::buffer(header_being_written_), boost::asio::buffer(*payload_being_written_)},
+                       [self = shared_from_this()](const boost::system::error_code& code, std::size_t) {
+                         self->writing_ = false;
+                         self->payload_being_written_.reset();
+                         if (self->phase_ == Phase::Closed) return;
+                         if (code) return self->on_lost(code);
+                         if (self->said_goodbye_) return self->stream_->end_writing();
+                         self->write();
+                       });
+}
+
+}  // namespace telepalp::wire

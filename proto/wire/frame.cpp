@@ -1,0 +1,98 @@
+#include "proto/wire/frame.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+namespace telepalp::wire {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "header fields are little-endian as they lie");
+
+/// Offsets of WIRE.md's byte table.
+constexpr std::size_t kLengthAt = 0;
+constexpr std::size_t kVersionAt = 4;
+constexpr std::size_t kKindAt = 5;
+constexpr std::size_t kFlagsAt = 6;
+constexpr std::size_t kSequenceAt = 8;
+constexpr std::size_t kPublishedAt = 16;
+constexpr std::size_t kChannelAt = 24;
+
+template <class T>
+void put(HeaderBytes& bytes, std::size_t at, T value) noexcept {
+  std::memcpy(bytes.data() + at, &value, sizeof value);
+}
+
+template <class T>
+T get(const HeaderBytes& bytes, std::size_t at) noexcept {
+  T value{};
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+Error refused(std::string what) {
+  return {.what = std::move(what), .where = "frame header", .fix = "both ends must speak the same protocol version"};
+}
+
+}  // namespace
+
+HeaderBytes encode_header(const FrameHeader& header) noexcept {
+  HeaderBytes bytes{};
+  put(bytes, kLengthAt, header.payload_bytes);
+  put(bytes, kVersionAt, kProtocolVersion);
+  put(bytes, kKindAt, header.kind);
+  put(bytes, kSequenceAt, header.sequence);
+  put(bytes, kPublishedAt, to_nanoseconds(header.published));
+  put(bytes, kChannelAt, header.channel);
+  return bytes;
+}
+
+Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payload_bytes) {
+  const auto version = get<std::uint8_t>(bytes, kVersionAt);
+  if (version != kProtocolVersion)
+    return refused("version " + std::to_string(version) + " is not ours, " + std::to_string(kProtocolVersion));
+  const auto kind = get<std::uint8_t>(bytes, kKindAt);
+  if (kind != static_cast<std::uint8_t>(FrameKind::Control) && kind != static_cast<std::uint8_t>(FrameKind::Data))
+    return refused("kind " + std::to_string(kind) + " is unknown");
+  if (get<std::uint16_t>(bytes, kFlagsAt) != 0) return refused("flags are set that version 1 does not have");
+  const FrameHeader header{.payload_bytes = get<std::uint32_t>(bytes, kLengthAt),
+                           .kind = static_cast<FrameKind>(kind),
+                           .sequence = get<std::uint64_t>(bytes, kSequenceAt),
+                           .published = session_time(get<std::int64_t>(bytes, kPublishedAt)),
+                           .channel = get<std::uint32_t>(bytes, kChannelAt)};
+  const std::size_t most =
+      header.kind == FrameKind::Control ? std::min(kMaxControlBytes, max_payload_bytes) : max_payload_bytes;
+  if (header.payload_bytes > most)
+    return refused("declares " + std::to_string(header.payload_bytes) + " B, at most " + std::to_string(most) +
+                   " B are taken");
+  if ((header.kind == FrameKind::Control) != (header.channel == 0))
+    return refused("channel " + std::to_string(header.channel) + " does not fit the kind; 0 is control's");
+  return header;
+}
+
+Result<std::optional<Frame>> FrameParser::next(std::span<const std::byte>& bytes) {
+  if (failed_) return *failed_;
+  if (!header_) {
+    const std::size_t taken = std::min(bytes.size(), kFrameHeaderBytes - header_filled_);
+    std::copy_n(bytes.begin(), taken, header_bytes_.begin() + static_cast<std::ptrdiff_t>(header_filled_));
+    header_filled_ += taken;
+    bytes = bytes.subspan(taken);
+    if (header_filled_ < kFrameHeaderBytes) return std::optional<Frame>{};
+    const Result<FrameHeader> header = decode_header(header_bytes_, max_payload_bytes_);
+    if (!header) {
+      failed_ = header.error();
+      return *failed_;
+    }
+    header_ = *header;
+    payload_.reserve(header_->payload_bytes);  // room only: pages that never come are never touched
+  }
+  const std::size_t taken = std::min(bytes.size(), header_->payload_bytes - payload_.size());
+  payload_.append(reinterpret_cast<const char*>(bytes.data()), taken);
+  bytes = bytes.subspan(taken);
+  if (payload_.size() < header_->payload_bytes) return std::optional<Frame>{};
+  header_filled_ = 0;
+  return std::optional<Frame>{Frame{*std::exchange(header_, std::nullopt), std::exchange(payload_, {})}};
+}
+
+}  // namespace telepalp::wire

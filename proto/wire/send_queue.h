@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <string_view>
+
+#include "proto/wire/message.h"
+
+namespace telepalp::wire {
+
+/// What waits to be sent to one peer, oldest first. Bounded by topic: a large topic that backs up loses its own
+/// oldest messages and cannot push out a small one. It is the only queue of messages between publisher and socket.
+class SendQueue {
+ public:
+  /// Adds `message`. Returns what had to go to make room, if anything did.
+  std::optional<Message> push(const Message& message);
+  std::optional<Message> pop();
+  [[nodiscard]] bool empty() const noexcept { return waiting_.empty(); }
+  [[nodiscard]] std::size_t size() const noexcept { return waiting_.size(); }
+  /// Takes out what `matches`; returns how many.
+  template <class Matches>
+  std::size_t remove_if(Matches matches) {
+    return std::erase_if(waiting_, matches);
+  }
+
+ private:
+  std::deque<Message> waiting_;
+};
+
+/// How many messages of a topic may wait for one peer: images are worth only their newest, small topics are
+/// worth a short history.
+[[nodiscard]] std::size_t queue_limit(std::string_view topic) noexcept;
+
+}  // namespace telepalp::wire

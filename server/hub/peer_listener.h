@@ -1,0 +1,74 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "proto/wire/connection.h"
+#include "proto/wire/session_clock.h"
+#include "proto/words/result.h"
+#include "server/hub/hub.h"
+
+namespace telepalp::server {
+
+/// `address` as one that this server may listen on. There are no keys yet, so that anything but loopback would show
+/// a patient to the whole network: it is refused.
+[[nodiscard]] Result<boost::asio::ip::address> loopback_address(const std::string& address);
+
+/// Listens for peers (stations, recorders, tools) and ties each to the hub: what they ask for goes down, what a
+/// station publishes comes up. Owner: the server's network thread.
+class PeerListener {
+ public:
+  struct Options {
+    std::string address = "127.0.0.1";
+    std::uint16_t port = 0;  ///< 0: any free one
+    std::string name = "telepalp-server";
+    std::size_t max_peers = 64;                         ///< more are closed on arrival
+    std::function<void(const std::string&)> on_note{};  ///< who came, who left and why; for the log
+  };
+  struct Counts {
+    std::uint64_t accepted = 0;
+    std::uint64_t refused = 0;           ///< over max_peers
+    std::uint64_t invalid_messages = 0;  ///< from peers, dropped
+  };
+
+  [[nodiscard]] static Result<std::unique_ptr<PeerListener>> listen(boost::asio::io_context& io, Hub& hub,
+                                                                    const wire::SessionClock& clock, Options options);
+  ~PeerListener();
+
+  [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
+  [[nodiscard]] std::size_t peers() const noexcept { return peers_.size(); }
+  [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
+
+  /// Listens no more, sends every peer what waits for it and Goodbye. The io_context runs empty within a second.
+  void close(const std::string& reason);
+
+ private:
+  class Peer;
+  using PeerNumber = std::uint64_t;
+
+  PeerListener(boost::asio::io_context& io, Hub& hub, const wire::SessionClock& clock, Options options);
+  void accept();
+  void admit(boost::asio::ip::tcp::socket socket);
+  void forget(PeerNumber number);
+  void note(const std::string& text) const;
+
+  boost::asio::io_context& io_;
+  Hub& hub_;
+  wire::SessionClock clock_;
+  Options options_;
+  boost::asio::ip::tcp::acceptor acceptor_;
+  boost::asio::steady_timer accept_again_;
+  std::uint16_t port_ = 0;
+  std::map<PeerNumber, std::unique_ptr<Peer>> peers_;
+  PeerNumber last_number_ = 0;
+  Counts counts_;
+};
+
+}  // namespace telepalp::server

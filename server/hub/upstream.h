@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "proto/wire/message.h"
+
+namespace telepalp::server {
+
+/// The most that one message of a peer may weigh: half a second of ticks is a tenth of it.
+inline constexpr std::size_t kMaxUpstreamBytes = std::size_t{1} << 20;
+
+/// Whether a peer may publish `topic` here. Default deny: the station's topics; the camera, the clock and the
+/// statistics are this server's own word.
+[[nodiscard]] bool may_publish_upstream(const wire::Topic& topic) noexcept;
+
+/// Whether `message` is of an allowed topic and its payload really is a message of that topic's type. What does not
+/// parse would otherwise fail at every subscriber and in every recording.
+[[nodiscard]] bool is_valid_upstream(const wire::Message& message);
+
+}  // namespace telepalp::server
