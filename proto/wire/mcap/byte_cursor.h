@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace telepalp::wire::mcap {
+
+/// Appends MCAP's little-endian primitives to a string.
+class ByteAppender {
+ public:
+  explicit ByteAppender(std::string& out) noexcept : out_(out) {}
+
+  void u8(std::uint8_t value) { out_.push_back(static_cast<char>(value)); }
+  void u16(std::uint16_t value) { whole(value); }
+  void u32(std::uint32_t value) { whole(value); }
+  void u64(std::uint64_t value) { whole(value); }
+  void raw(std::string_view bytes) { out_.append(bytes); }
+  /// A string or byte array with its 32-bit length in front.
+  void text(std::string_view bytes) {
+    u32(static_cast<std::uint32_t>(bytes.size()));
+    raw(bytes);
+  }
+
+ private:
+  template <class T>
+  void whole(T value) {
+    for (std::size_t byte = 0; byte < sizeof(T); ++byte)
+      out_.push_back(static_cast<char>((value >> (8 * byte)) & 0xff));
+  }
+  std::string& out_;
+};
+
+/// Reads MCAP's primitives from bytes that may lie. After the first read past the end, ok() is false and every
+/// further read gives zero or nothing, so that a parser asks once, at its end.
+class ByteCursor {
+ public:
+  explicit ByteCursor(std::string_view bytes) noexcept : rest_(bytes) {}
+
+  [[nodiscard]] bool ok() const noexcept { return ok_; }
+  [[nodiscard]] bool at_end() const noexcept { return rest_.empty(); }
+  [[nodiscard]] std::string_view rest() const noexcept { return rest_; }
+
+  std::uint8_t u8() noexcept { return whole<std::uint8_t>(); }
+  std::uint16_t u16() noexcept { return whole<std::uint16_t>(); }
+  std::uint32_t u32() noexcept { return whole<std::uint32_t>(); }
+  std::uint64_t u64() noexcept { return whole<std::uint64_t>(); }
+  /// `length` bytes, as a view into the input.
+  std::string_view raw(std::uint64_t length) noexcept {
+    if (!ok_ || length > rest_.size()) {
+      fail();
+      return {};
+    }
+    const std::string_view taken = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return taken;
+  }
+  /// A string or byte array with its 32-bit length in front.
+  std::string_view text() noexcept { return raw(u32()); }
+
+ private:
+  template <class T>
+  T whole() noexcept {
+    const std::string_view bytes = raw(sizeof(T));
+    T value = 0;
+    for (std::size_t byte = 0; byte < bytes.size(); ++byte)
+      value =
+          static_cast<T>(value | static_cast<T>(static_cast<T>(static_cast<unsigned char>(bytes[byte])) << (8 * byte)));
+    return value;
+  }
+  void fail() noexcept {
+    ok_ = false;
+    rest_ = {};
+  }
+  std::string_view rest_;
+  bool ok_ = true;
+};
+
+}  // namespace telepalp::wire::mcap

@@ -1,0 +1,193 @@
+#include "proto/wire/mcap/reader.h"
+
+#include <algorithm>
+
+#include "proto/wire/mcap/chunk.h"
+
+namespace telepalp::wire {
+
+using mcap::ChunkIndex;
+using mcap::MessageRecord;
+using mcap::StoredMessage;
+
+namespace {
+
+/// Chunks that overlap in time are held at once; a file that makes all of them overlap is refused above this.
+constexpr std::uint64_t kMaxOpenBytes = 4 * mcap::kMaxChunkBytes;
+
+bool matches(const std::string& pattern, const std::string& topic) {
+  if (!pattern.empty() && pattern.back() == '*') return topic.starts_with(pattern.substr(0, pattern.size() - 1));
+  return pattern == topic;
+}
+
+std::uint64_t stored_time(SessionTime at) {
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(to_nanoseconds(at), 0));
+}
+
+std::string value_or_empty(const mcap::TextMap& values, const char* key) {
+  const auto place = values.find(key);
+  return place == values.end() ? std::string{} : place->second;
+}
+
+}  // namespace
+
+Result<McapReader> McapReader::open(const std::filesystem::path& file) {
+  Result<std::unique_ptr<mcap::ByteSource>> source = mcap::open_file(file);
+  if (!source) return source.error();
+  return open(std::move(source).value());
+}
+
+Result<McapReader> McapReader::open(std::unique_ptr<mcap::ByteSource> source) {
+  McapReader reader(std::move(source));
+  Result<mcap::Summary> summary = mcap::read_summary(*reader.source_);
+  if (!summary) return summary.error();
+  reader.summary_ = std::move(summary).value();
+  reader.select({});
+  return reader;
+}
+
+Error McapReader::in_chunk(std::size_t chunk, const std::string& what) const {
+  return mcap::damaged(*source_, mcap::chunk_name(chunk) + ": " + what);
+}
+
+bool McapReader::wanted(std::size_t chunk) const {
+  const ChunkIndex& index = summary_.chunks[chunk];
+  if (index.message_end_time < from_ || index.message_start_time > last_) return false;
+  if (index.message_index_offsets.empty()) return true;  // not said: it may hold anything
+  return std::any_of(index.message_index_offsets.begin(), index.message_index_offsets.end(),
+                     [&](const auto& entry) { return channels_.contains(entry.first); });
+}
+
+void McapReader::select(const McapSelection& selection) {
+  open_.clear();
+  order_.clear();
+  open_bytes_ = 0;
+  channels_.clear();
+  for (const auto& [id, stored] : summary_.channels.all()) {
+    const auto asked = [&](const std::string& pattern) { return matches(pattern, stored.channel.topic); };
+    if (selection.topics.empty() || std::any_of(selection.topics.begin(), selection.topics.end(), asked))
+      channels_.insert(id);
+  }
+  from_ = selection.from ? stored_time(*selection.from) : 0;
+  const bool nothing = selection.until && stored_time(*selection.until) == 0;
+  last_ = selection.until && !nothing ? stored_time(*selection.until) - 1 : UINT64_MAX;
+  to_open_.clear();
+  for (std::size_t chunk = 0; chunk < summary_.chunks.size() && !nothing; ++chunk)
+    if (wanted(chunk)) to_open_.push_back(chunk);
+  std::sort(to_open_.begin(), to_open_.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(summary_.chunks[a].message_start_time, a) > std::pair(summary_.chunks[b].message_start_time, b);
+  });
+}
+
+Result<void> McapReader::read_record(std::uint64_t offset, std::uint64_t length, mcap::Opcode opcode,
+                                     std::string& into) {
+  if (length > source_->size() || offset > source_->size() - length) return mcap::damaged(*source_, "truncated");
+  const Result<mcap::RecordHead> head = mcap::read_head(*source_, offset, offset + length);
+  if (!head) return head.error();
+  if (head->opcode != opcode || head->end() != offset + length)
+    return mcap::damaged(*source_, "its index points at something else");
+  return mcap::read_content(*source_, *head, into);
+}
+
+Result<void> McapReader::open_chunk(std::size_t chunk) {
+  const ChunkIndex& index = summary_.chunks[chunk];
+  std::string content;
+  const Result<void> read = read_record(index.chunk_start_offset, index.chunk_length, mcap::Opcode::Chunk, content);
+  if (!read) return in_chunk(chunk, read.error().what);
+  const auto record = mcap::parse<mcap::ChunkRecord>(content);
+  if (!record) return in_chunk(chunk, "its header is damaged");
+  if (open_bytes_ + record->uncompressed_size > kMaxOpenBytes)
+    return in_chunk(chunk, "overlaps in time with too many others to be put in order");
+  Result<std::string> records = mcap::unpack(*record);
+  if (!records) return in_chunk(chunk, records.error().what);
+
+  auto opened = std::make_unique<OpenChunk>();
+  opened->records = std::move(records).value();
+  mcap::ChunkWalk walk(opened->records);
+  for (;;) {
+    const auto entry = walk.next();
+    if (!entry) return in_chunk(chunk, entry.error().what);
+    if (!*entry) break;
+    if ((*entry)->opcode != mcap::Opcode::Message) continue;
+    const auto message = mcap::parse<MessageRecord>((*entry)->content);
+    if (!message || summary_.channels.find(message->channel_id) == nullptr)
+      return in_chunk(chunk, "a message is damaged, or its channel is not known");
+    if (message->log_time < index.message_start_time || message->log_time > index.message_end_time)
+      return in_chunk(chunk, "a message lies outside of the time that the index gives");
+    if (channels_.contains(message->channel_id) && message->log_time >= from_ && message->log_time <= last_)
+      opened->messages.push_back(*message);
+  }
+  if (opened->messages.empty()) return {};
+  std::reverse(opened->messages.begin(), opened->messages.end());
+  std::stable_sort(opened->messages.begin(), opened->messages.end(),
+                   [](const MessageRecord& a, const MessageRecord& b) { return a.log_time > b.log_time; });
+  order_.insert({opened->messages.back().log_time, chunk});
+  open_bytes_ += opened->records.size();
+  open_[chunk] = std::move(opened);
+  return {};
+}
+
+Result<std::optional<StoredMessage>> McapReader::next_stored() {
+  spent_.reset();
+  while (!to_open_.empty()) {
+    const std::size_t chunk = to_open_.back();
+    if (!order_.empty() && summary_.chunks[chunk].message_start_time > order_.begin()->log_time) break;
+    to_open_.pop_back();
+    if (const Result<void> opened = open_chunk(chunk); !opened) return opened.error();
+  }
+  if (order_.empty()) return std::optional<StoredMessage>{};
+  const std::size_t chunk = order_.begin()->chunk;
+  order_.erase(order_.begin());
+  OpenChunk& from = *open_.at(chunk);
+  const MessageRecord record = from.messages.back();
+  from.messages.pop_back();
+  if (from.messages.empty()) {
+    open_bytes_ -= from.records.size();
+    spent_ = std::move(open_.extract(chunk).mapped());
+  } else {
+    order_.insert({from.messages.back().log_time, chunk});
+  }
+  return std::optional{StoredMessage{summary_.channels.find(record.channel_id), record}};
+}
+
+Result<std::optional<Message>> McapReader::next() {
+  for (;;) {
+    const Result<std::optional<StoredMessage>> stored = next_stored();
+    if (!stored) return stored.error();
+    if (!*stored) return std::optional<Message>{};
+    if (std::optional<Message> message = mcap::to_message(**stored)) return message;
+  }
+}
+
+Result<mcap::Metadata> McapReader::read(const mcap::MetadataIndex& index) {
+  std::string content;
+  if (const Result<void> got = read_record(index.offset, index.length, mcap::Opcode::Metadata, content); !got)
+    return got.error();
+  auto metadata = mcap::parse<mcap::Metadata>(content);
+  if (!metadata) return mcap::damaged(*source_, "a metadata record is damaged");
+  return *std::move(metadata);
+}
+
+Result<mcap::Attachment> McapReader::read(const mcap::AttachmentIndex& index) {
+  std::string content;
+  if (const Result<void> got = read_record(index.offset, index.length, mcap::Opcode::Attachment, content); !got)
+    return got.error();
+  auto attachment = mcap::parse<mcap::Attachment>(content);
+  if (!attachment) return mcap::damaged(*source_, "an attachment is damaged");
+  return *std::move(attachment);
+}
+
+Result<SessionInfo> McapReader::session() {
+  for (const mcap::MetadataIndex& index : summary_.metadata) {
+    if (index.name != kSessionMetadata) continue;
+    const Result<mcap::Metadata> metadata = read(index);
+    if (!metadata) return metadata.error();
+    const mcap::TextMap& values = metadata->values;
+    return SessionInfo{value_or_empty(values, "program"), value_or_empty(values, "version"),
+                       value_or_empty(values, "commit"), value_or_empty(values, "source"),
+                       value_or_empty(values, "scene")};
+  }
+  return SessionInfo{};
+}
+
+}  // namespace telepalp::wire

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "proto/wire/mcap/summary.h"
+#include "proto/wire/mcap/writer.h"
+
+namespace telepalp::wire {
+
+/// Which messages are wanted. Empty topics: all. A name ending in '*' is a prefix. Times are [from, until).
+struct McapSelection {
+  std::vector<std::string> topics = {};
+  std::optional<SessionTime> from = {};
+  std::optional<SessionTime> until = {};
+};
+
+/// Reads a complete session file through its index: only the chunks that hold what is wanted, messages in order of
+/// log time (of two with the same time, the one written first). Keeps in memory the chunks whose times overlap.
+class McapReader {
+ public:
+  [[nodiscard]] static Result<McapReader> open(const std::filesystem::path& file);
+  [[nodiscard]] static Result<McapReader> open(std::unique_ptr<mcap::ByteSource> source);
+
+  [[nodiscard]] const mcap::Summary& summary() const noexcept { return summary_; }
+  /// What the file says of its making; empty texts where it says nothing.
+  [[nodiscard]] Result<SessionInfo> session();
+  [[nodiscard]] Result<mcap::Metadata> read(const mcap::MetadataIndex& index);
+  [[nodiscard]] Result<mcap::Attachment> read(const mcap::AttachmentIndex& index);
+
+  /// Starts again, with other wishes. After open() everything is selected.
+  void select(const McapSelection& selection);
+
+  /// The next message on one of telepalp's topics; others are passed over. nullopt at the end. An error speaks of
+  /// one chunk ("session.mcap: chunk 812: …"); asking again goes on behind it.
+  [[nodiscard]] Result<std::optional<Message>> next();
+  /// The next message, whatever its topic.
+  [[nodiscard]] Result<std::optional<mcap::StoredMessage>> next_stored();
+
+ private:
+  struct OpenChunk {
+    std::string records;
+    std::vector<mcap::MessageRecord> messages;  // views into `records`, the next one last
+  };
+  struct Next {  // orders the open chunks by their next message
+    std::uint64_t log_time;
+    std::size_t chunk;
+    auto operator<=>(const Next&) const = default;
+  };
+  explicit McapReader(std::unique_ptr<mcap::ByteSource> source) : source_(std::move(source)) {}
+  [[nodiscard]] bool wanted(std::size_t chunk) const;
+  [[nodiscard]] Result<void> open_chunk(std::size_t chunk);
+  [[nodiscard]] Result<void> read_record(std::uint64_t offset, std::uint64_t length, mcap::Opcode opcode,
+                                         std::string& into);
+  [[nodiscard]] Error in_chunk(std::size_t chunk, const std::string& what) const;
+
+  std::unique_ptr<mcap::ByteSource> source_;
+  mcap::Summary summary_;
+  std::set<std::uint16_t> channels_;  // wanted
+  std::uint64_t from_ = 0;
+  std::uint64_t last_ = UINT64_MAX;
+  std::vector<std::size_t> to_open_;  // numbers of wanted chunks, earliest last
+  std::map<std::size_t, std::unique_ptr<OpenChunk>> open_;
+  std::set<Next> order_;
+  std::uint64_t open_bytes_ = 0;
+  std::unique_ptr<OpenChunk> spent_;  // holds the message given last
+};
+
+}  // namespace telepalp::wire

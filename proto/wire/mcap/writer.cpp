@@ -1,0 +1,144 @@
+#include "proto/wire/mcap/writer.h"
+
+#include <algorithm>
+
+#include "proto/wire/mcap/schemas.h"
+
+namespace telepalp::wire {
+namespace {
+
+constexpr std::string_view kProtobuf = "protobuf";
+
+std::uint64_t stored_time(SessionTime at) {
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(to_nanoseconds(at), 0));
+}
+
+/// A record's bytes with a neutral id: equal for records that say the same.
+template <class Record>
+std::string identity(Record record) {
+  record.id = 0;
+  std::string bytes;
+  mcap::append(bytes, record);
+  return bytes;
+}
+
+mcap::Schema schema_of(const Topic& topic) {
+  return {.id = 0,
+          .name = std::string(topic.schema),
+          .encoding = std::string(kProtobuf),
+          .data = file_descriptor_set(*descriptor_of(topic))};
+}
+
+mcap::Metadata as_metadata(const SessionInfo& info) {
+  return {std::string(kSessionMetadata),
+          {{"program", info.program},
+           {"version", info.version},
+           {"commit", info.commit},
+           {"source", info.source},
+           {"scene", info.scene}}};
+}
+
+}  // namespace
+
+Result<McapWriter> McapWriter::open(const std::filesystem::path& name, const SessionInfo& info,
+                                    mcap::ChunkLimits limits) {
+  Result<mcap::OutputFile> file = mcap::OutputFile::create(name);
+  if (!file) return file.error();
+  McapWriter writer(std::move(file).value(), limits);
+  writer.encoder_.begin(writer.ready_, {.profile = "", .library = info.program + " " + info.version});
+  writer.encoder_.add(writer.ready_, as_metadata(info));
+  if (const Result<void> stored = writer.store(); !stored) return stored.error();
+  return writer;
+}
+
+McapWriter::~McapWriter() {
+  if (file_.is_open()) (void)close();
+}
+
+Result<void> McapWriter::store() {
+  if (failed_) return *failed_;
+  if (ready_.empty()) return {};
+  const Result<void> appended = file_.append(ready_);
+  ready_.clear();
+  if (appended) {
+    encoder_.commit();
+    return {};
+  }
+  encoder_.rollback();
+  file_.cut(encoder_.committed_bytes());
+  failed_ = appended.error();
+  return appended;
+}
+
+Result<void> McapWriter::write(const Message& message) {
+  if (failed_) return *failed_;
+  Known& known = topics_[message.topic.name];
+  if (known.id == 0) {
+    const mcap::Schema schema = schema_of(message.topic);
+    std::uint16_t& schema_id = schemas_[identity(schema)];
+    if (schema_id == 0) schema_id = encoder_.add(ready_, schema);
+    known.id = encoder_.add(ready_, mcap::Channel{.id = 0,
+                                                  .schema_id = schema_id,
+                                                  .topic = std::string(message.topic.name),
+                                                  .message_encoding = std::string(kProtobuf),
+                                                  .metadata = {}});
+  }
+  const std::uint64_t time = stored_time(message.published);
+  encoder_.add(ready_, mcap::MessageRecord{known.id, ++known.messages, time, time, *message.payload});
+  return store();
+}
+
+Result<void> McapWriter::copy(const mcap::Schema* schema, const mcap::Channel& channel,
+                              const mcap::MessageRecord& message) {
+  if (failed_) return *failed_;
+  mcap::Channel ours = channel;
+  ours.schema_id = 0;
+  if (schema != nullptr) {
+    std::uint16_t& schema_id = schemas_[identity(*schema)];
+    if (schema_id == 0) schema_id = encoder_.add(ready_, *schema);
+    ours.schema_id = schema_id;
+  }
+  std::uint16_t& id = copied_channels_[identity(ours)];
+  if (id == 0) id = encoder_.add(ready_, ours);
+  mcap::MessageRecord record = message;
+  record.channel_id = id;
+  encoder_.add(ready_, record);
+  return store();
+}
+
+Result<void> McapWriter::add(const mcap::Metadata& metadata) {
+  if (failed_) return *failed_;
+  encoder_.add(ready_, metadata);
+  return store();
+}
+
+Result<void> McapWriter::add(const mcap::Attachment& attachment) {
+  if (failed_) return *failed_;
+  encoder_.add(ready_, attachment);
+  return store();
+}
+
+Result<void> McapWriter::flush() {
+  if (failed_) return *failed_;
+  encoder_.flush(ready_);
+  return store();
+}
+
+Result<void> McapWriter::close() {
+  if (!file_.is_open()) return {};
+  std::string last;
+  if (!failed_) {
+    if (const Result<void> flushed = flush(); !flushed) failed_ = flushed.error();
+  }
+  encoder_.end(last);
+  if (const Result<void> appended = file_.append(last); !appended) {
+    file_.cut(encoder_.committed_bytes());
+    mcap::OutputFile left_partial = std::move(file_);
+    return failed_ ? *failed_ : appended.error();
+  }
+  if (const Result<void> published = file_.publish(); !published) return published;
+  if (failed_) return *failed_;
+  return {};
+}
+
+}  // namespace telepalp::wire
