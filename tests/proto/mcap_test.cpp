@@ -87,6 +87,23 @@ TEST(Mcap, TheSameMessagesGiveTheSameBytes) {
   EXPECT_EQ(bytes_of(first), bytes_of(second));
 }
 
+TEST(Mcap, ALossOnTheWayShowsAsAGapInTheSequence) {
+  const auto file = fresh_file("gap.mcap");
+  auto messages = samples::session(0.1);
+  messages.resize(3);
+  for (Message& message : messages) message.topic = kClock;
+  messages[0].sequence = 41;
+  messages[1].sequence = 44;
+  messages[2].sequence = 45;
+  ASSERT_TRUE(write_file(file, messages));
+  auto reader = McapReader::open(file);
+  ASSERT_TRUE(reader);
+  const auto got = all_of(*reader);
+  ASSERT_EQ(got.size(), 3u);
+  EXPECT_EQ(got[0].sequence, 41u);
+  EXPECT_EQ(got[1].sequence, 44u);
+}
+
 TEST(Mcap, AnEmptySessionIsAWholeFile) {
   const auto file = fresh_file("empty_session.mcap");
   ASSERT_TRUE(write_file(file, {}));

@@ -44,7 +44,7 @@ std::optional<Message> to_message(const StoredMessage& stored) {
   if (!stored.channel->topic || record.data.size() > kMaxPayloadBytes || record.publish_time > INT64_MAX)
     return std::nullopt;
   return Message{*stored.channel->topic, session_time(static_cast<std::int64_t>(record.publish_time)),
-                 std::make_shared<const std::string>(record.data)};
+                 std::make_shared<const std::string>(record.data), record.sequence};
 }
 
 }  // namespace telepalp::wire::mcap

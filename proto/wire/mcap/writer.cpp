@@ -84,7 +84,9 @@ Result<void> McapWriter::write(const Message& message) {
                                                   .metadata = {}});
   }
   const std::uint64_t time = stored_time(message.published);
-  encoder_.add(ready_, mcap::MessageRecord{known.id, ++known.messages, time, time, *message.payload});
+  ++known.messages;
+  const auto sequence = message.sequence == 0 ? known.messages : static_cast<std::uint32_t>(message.sequence);
+  encoder_.add(ready_, mcap::MessageRecord{known.id, sequence, time, time, *message.payload});
   return store();
 }
 

@@ -33,7 +33,8 @@ class McapWriter {
   McapWriter& operator=(McapWriter&&) = delete;
   ~McapWriter();
 
-  /// Logged at the time it was published; a time before the epoch is written as 0. After a failed write (a full
+  /// Logged at the time it was published (a time before the epoch as 0), with its sequence number, so that a loss
+  /// on the way shows as a gap; one that is not numbered gets the next of its topic. After a failed write (a full
   /// disk) the same error comes again, and close() still makes a whole file of what was safe.
   [[nodiscard]] Result<void> write(const Message& message);
 
