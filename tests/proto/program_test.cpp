@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "messages/camera.pb.h"
+#include "proto/program/address.h"
 #include "proto/program/options.h"
+#include "proto/program/shipped.h"
 #include "proto/program/text_format.h"
 
 namespace telepalp::program {
@@ -46,6 +48,18 @@ TEST(Arguments, ANumberOutOfItsRangeNamesTheRange) {
 TEST(Help, EndsWithALineToPaste) {
   const std::string text = help_text(usage());
   EXPECT_TRUE(text.ends_with("example: telepalp-x --rate 10 a.file\n")) << text;
+}
+
+TEST(Address, HostAndPortAreReadAndAnythingElseIsRefused) {
+  EXPECT_EQ(parse_address("127.0.0.1:7400", "--connect")->port, 7400);
+  EXPECT_EQ(parse_address("[::1]:7400", "--connect")->host, "::1");
+  for (const char* wrong : {"", "host", "host:", ":7400", "host:0", "host:70000", "host:74x", "::1:7400", "a:b:3"})
+    EXPECT_FALSE(parse_address(wrong, "--connect").ok()) << wrong;
+}
+
+TEST(ShippedFile, IsFoundAboveTheProgramAndWhatIsNotThereIsNot) {
+  EXPECT_TRUE(shipped_file("LICENSE").has_value());
+  EXPECT_FALSE(shipped_file("no/such/file").has_value());
 }
 
 TEST(TextFormat, AnUnknownFieldIsNamedWithLineAndColumn) {
