@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,15 +13,23 @@
 namespace telepalp::codec {
 
 /// How depth is compressed; the name is what the command line and DepthImage.format say.
-enum class DepthMode { Fast };
+enum class DepthMode : std::uint8_t {
+  Fast = 0,  ///< without loss; runs and zstd's entropy stage: the cheapest to decode
+};
+inline constexpr std::uint8_t kLastDepthMode = 0;
 
 [[nodiscard]] std::string_view name(DepthMode mode) noexcept;
 
-/// Compresses one depth image without loss. `depth` must be well formed.
+/// The mode of that name; nullopt when there is none.
+[[nodiscard]] std::optional<DepthMode> depth_mode(std::string_view name) noexcept;
+
+/// Compresses one depth image without loss. `depth` must be well formed. The packet is never more than 64 B larger
+/// than the samples.
 [[nodiscard]] std::string encode_depth(const DepthImage& depth, DepthMode mode = DepthMode::Fast);
 
-/// The image that `packet` holds, of any mode. A damaged or hostile packet is an error; nothing is allocated
-/// beyond what kMaxImageSide allows.
+/// The image that `packet` holds, of any mode that stands alone. A damaged or hostile packet is an error, never wrong
+/// depth: the samples are checked against a CRC made before coding. Nothing is allocated beyond what kMaxImageSide
+/// allows.
 [[nodiscard]] Result<DepthImage> decode_depth(std::span<const std::byte> packet);
 
 }  // namespace telepalp::codec
