@@ -45,10 +45,11 @@ function(telepalp_program name)
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags)
 endfunction()
 
-# telepalp_test(NAME [SERIAL] SOURCES a_test.cpp … LINKS targets …): one GoogleTest binary, one ctest entry for each
-# test. SERIAL: the test tells of time and has the machine to itself.
+# telepalp_test(NAME [SERIAL] SOURCES a_test.cpp … LINKS targets … [NEEDS fixtures …]): one GoogleTest binary, one ctest
+# entry for each test. SERIAL: the test tells of time and has the machine to itself. NEEDS: ctest fixtures, such as
+# npm_install_tests.
 function(telepalp_test name)
-  cmake_parse_arguments(ARG "SERIAL" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL" "" "SOURCES;LINKS;NEEDS" ${ARGN})
   if(NOT ARG_SERIAL)
     set(ARG_SERIAL FALSE)
   endif()
@@ -56,5 +57,9 @@ function(telepalp_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags GTest::gtest GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TELEPALP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     TELEPALP_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 RUN_SERIAL ${ARG_SERIAL})
+  set(properties TIMEOUT 300 RUN_SERIAL ${ARG_SERIAL})
+  if(ARG_NEEDS)
+    list(APPEND properties FIXTURES_REQUIRED ${ARG_NEEDS})
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()

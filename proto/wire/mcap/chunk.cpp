@@ -23,8 +23,9 @@ Result<std::string> unpack(const ChunkRecord& chunk) {
     if (!unpacked) return what("its zstd data is damaged");
     records = *std::move(unpacked);
   } else {
-    return what("is compressed with " + std::string(chunk.compression.substr(0, 32)) +
-                "; telepalp reads zstd and uncompressed chunks");
+    return Error{.what = "is compressed with " + std::string(chunk.compression.substr(0, 32)) + ", which is not read",
+                 .where = {},
+                 .fix = "write the file again with zstd or without compression"};
   }
   if (chunk.uncompressed_crc != 0 && chunk.uncompressed_crc != crc32(records))
     return what("its CRC does not match its data");

@@ -9,7 +9,8 @@
 
 namespace telepalp::wire::mcap {
 
-/// The records of a chunk, unpacked and checked against its CRC; at most kMaxChunkBytes. Errors name no file.
+/// The records of a chunk, unpacked and checked against its CRC; at most kMaxChunkBytes. Errors name no
+/// file; one without a fix is a damage.
 [[nodiscard]] Result<std::string> unpack(const ChunkRecord& chunk);
 
 /// Goes through the records of an unpacked chunk, which must outlive it.

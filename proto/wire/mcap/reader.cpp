@@ -46,8 +46,8 @@ Result<McapReader> McapReader::open(std::unique_ptr<mcap::ByteSource> source) {
   return reader;
 }
 
-Error McapReader::in_chunk(std::size_t chunk, const std::string& what) const {
-  return mcap::damaged(*source_, mcap::chunk_name(chunk) + ": " + what);
+Error McapReader::in_chunk(std::size_t chunk, const char* what) const {
+  return mcap::in_chunk(*source_, chunk, {.what = what, .where = {}, .fix = {}});
 }
 
 bool McapReader::wanted(std::size_t chunk) const {
@@ -93,20 +93,20 @@ Result<void> McapReader::open_chunk(std::size_t chunk) {
   const ChunkIndex& index = summary_.chunks[chunk];
   std::string content;
   const Result<void> read = read_record(index.chunk_start_offset, index.chunk_length, mcap::Opcode::Chunk, content);
-  if (!read) return in_chunk(chunk, read.error().what);
+  if (!read) return mcap::in_chunk(*source_, chunk, read.error());
   const auto record = mcap::parse<mcap::ChunkRecord>(content);
   if (!record) return in_chunk(chunk, "its header is damaged");
   if (open_bytes_ + record->uncompressed_size > kMaxOpenBytes)
     return in_chunk(chunk, "overlaps in time with too many others to be put in order");
   Result<std::string> records = mcap::unpack(*record);
-  if (!records) return in_chunk(chunk, records.error().what);
+  if (!records) return mcap::in_chunk(*source_, chunk, records.error());
 
   auto opened = std::make_unique<OpenChunk>();
   opened->records = std::move(records).value();
   mcap::ChunkWalk walk(opened->records);
   for (;;) {
     const auto entry = walk.next();
-    if (!entry) return in_chunk(chunk, entry.error().what);
+    if (!entry) return mcap::in_chunk(*source_, chunk, entry.error());
     if (!*entry) break;
     if ((*entry)->opcode != mcap::Opcode::Message) continue;
     const auto message = mcap::parse<MessageRecord>((*entry)->content);

@@ -56,7 +56,7 @@ class McapReader {
   [[nodiscard]] Result<void> open_chunk(std::size_t chunk);
   [[nodiscard]] Result<void> read_record(std::uint64_t offset, std::uint64_t length, mcap::Opcode opcode,
                                          std::string& into);
-  [[nodiscard]] Error in_chunk(std::size_t chunk, const std::string& what) const;
+  [[nodiscard]] Error in_chunk(std::size_t chunk, const char* what) const;
 
   std::unique_ptr<mcap::ByteSource> source_;
   mcap::Summary summary_;

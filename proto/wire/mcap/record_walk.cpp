@@ -17,7 +17,10 @@ Error refused(const ByteSource& source, std::string what, std::string fix) {
   return {.what = std::move(what), .where = source.name(), .fix = std::move(fix)};
 }
 
-std::string chunk_name(std::uint64_t number) { return "chunk " + std::to_string(number); }
+Error in_chunk(const ByteSource& source, std::uint64_t number, const Error& error) {
+  const std::string what = "chunk " + std::to_string(number) + ": " + error.what;
+  return error.fix.empty() ? damaged(source, what) : refused(source, what, error.fix);
+}
 
 Result<RecordHead> read_head(ByteSource& source, std::uint64_t offset, std::uint64_t end) {
   std::string bytes;

@@ -36,7 +36,7 @@ struct RecordHead {
 /// An error unless `source` starts as an MCAP file does.
 [[nodiscard]] Result<void> check_magic(ByteSource& source);
 
-/// "chunk 812"
-[[nodiscard]] std::string chunk_name(std::uint64_t number);
+/// `error`, which names no file, told of chunk `number` of `source`: "session.mcap: chunk 812: truncated".
+[[nodiscard]] Error in_chunk(const ByteSource& source, std::uint64_t number, const Error& error);
 
 }  // namespace telepalp::wire::mcap

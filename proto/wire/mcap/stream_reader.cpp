@@ -19,25 +19,23 @@ Result<McapStreamReader> McapStreamReader::open(std::unique_ptr<mcap::ByteSource
   return McapStreamReader(std::move(source));
 }
 
-Error McapStreamReader::in_chunk(const std::string& what) const {
-  return mcap::damaged(*source_, mcap::chunk_name(chunks_ - 1) + ": " + what);
-}
+Error McapStreamReader::in_chunk(const Error& error) const { return mcap::in_chunk(*source_, chunks_ - 1, error); }
 
 Error McapStreamReader::cut_off() const {
   std::string opcode;
   const bool in_a_chunk = source_->size() > offset_ && source_->read(offset_, 1, opcode) &&
                           static_cast<Opcode>(opcode.front()) == Opcode::Chunk;
-  if (in_a_chunk) return mcap::damaged(*source_, mcap::chunk_name(chunks_) + ": truncated");
+  if (in_a_chunk) return mcap::in_chunk(*source_, chunks_, {.what = "truncated", .where = {}, .fix = {}});
   return mcap::damaged(*source_, "truncated after " + std::to_string(chunks_) + " chunks");
 }
 
 Result<void> McapStreamReader::enter_chunk(const RecordHead& head) {
   ++chunks_;
-  if (const Result<void> read = mcap::read_content(*source_, head, content_); !read) return in_chunk(read.error().what);
+  if (const Result<void> read = mcap::read_content(*source_, head, content_); !read) return in_chunk(read.error());
   const auto chunk = mcap::parse<mcap::ChunkRecord>(content_);
-  if (!chunk) return in_chunk("its header is damaged");
+  if (!chunk) return in_chunk({.what = "its header is damaged", .where = {}, .fix = {}});
   Result<std::string> records = mcap::unpack(*chunk);
-  if (!records) return in_chunk(records.error().what);
+  if (!records) return in_chunk(records.error());
   records_ = std::make_unique<const std::string>(std::move(records).value());
   walk_.emplace(*records_);
   return {};
@@ -106,10 +104,10 @@ Result<std::optional<StoredMessage>> McapStreamReader::next() {
     if (walk_) {
       const auto entry = walk_->next();
       if (!entry || !*entry) walk_.reset();
-      if (!entry) return in_chunk(entry.error().what);
+      if (!entry) return in_chunk(entry.error());
       if (!*entry) continue;
       auto taken = take((*entry)->opcode, (*entry)->content);
-      if (!taken) return in_chunk(taken.error().what);
+      if (!taken) return in_chunk({.what = taken.error().what, .where = {}, .fix = {}});
       if (*taken) return taken;
       continue;
     }

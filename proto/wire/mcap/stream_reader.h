@@ -40,7 +40,7 @@ class McapStreamReader {
   [[nodiscard]] Result<void> enter_chunk(const mcap::RecordHead& head);
   [[nodiscard]] Result<std::optional<mcap::StoredMessage>> take(mcap::Opcode opcode, std::string_view content);
   [[nodiscard]] Error cut_off() const;
-  [[nodiscard]] Error in_chunk(const std::string& what) const;
+  [[nodiscard]] Error in_chunk(const Error& error) const;
 
   std::unique_ptr<mcap::ByteSource> source_;
   std::uint64_t offset_ = mcap::kMagic.size();
