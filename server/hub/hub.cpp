@@ -1,6 +1,7 @@
 #include "server/hub/hub.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace telepalp::server {
@@ -30,7 +31,12 @@ SubscriberId Hub::join(std::string name, std::string address, std::function<void
   return last_id_;
 }
 
-void Hub::leave(SubscriberId subscriber) { subscribers_.erase(subscriber); }
+void Hub::leave(SubscriberId id) {
+  const auto found = subscribers_.find(id);
+  if (found == subscribers_.end()) return;
+  while (const std::optional<wire::Message> waiting = found->second.queue.pop()) drop(found->second.count, *waiting);
+  subscribers_.erase(found);
+}
 
 void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
   const auto found = subscribers_.find(id);
@@ -50,12 +56,15 @@ void Hub::publish(wire::Message message) {
     if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
 }
 
+void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
+  ++subscriber.topics[message.topic.name].dropped;
+  ++topics_[message.topic.name].dropped;
+}
+
 void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
+  ++subscriber.count.topics[message.topic.name].published;
   const bool was_empty = subscriber.queue.empty();
-  if (subscriber.queue.push(message)) {
-    ++subscriber.count.dropped;
-    ++topics_[message.topic.name].dropped;
-  }
+  if (const std::optional<wire::Message> overtaken = subscriber.queue.push(message)) drop(subscriber.count, *overtaken);
   if (was_empty) subscriber.wake();
 }
 
@@ -64,10 +73,22 @@ std::optional<wire::Message> Hub::next(SubscriberId id) {
   if (found == subscribers_.end()) return std::nullopt;
   std::optional<wire::Message> message = found->second.queue.pop();
   if (message) {
-    ++found->second.count.sent;
+    TopicCount& count = found->second.count.topics[message->topic.name];
+    ++count.sent;
+    count.bytes += message->payload->size();
     ++topics_[message->topic.name].sent;
   }
   return message;
+}
+
+std::uint64_t Hub::SubscriberCount::sent() const noexcept {
+  return std::accumulate(topics.begin(), topics.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const auto& topic) { return sum + topic.second.sent; });
+}
+
+std::uint64_t Hub::SubscriberCount::dropped() const noexcept {
+  return std::accumulate(topics.begin(), topics.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const auto& topic) { return sum + topic.second.dropped; });
 }
 
 std::vector<Hub::SubscriberCount> Hub::subscriber_counts() const {

@@ -37,18 +37,20 @@ class Hub {
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
   struct TopicCount {
-    std::uint64_t published = 0;
-    std::uint64_t sent = 0;
-    std::uint64_t dropped = 0;
-    std::uint64_t bytes = 0;
+    std::uint64_t published = 0;  ///< of a subscriber: offered to it
+    std::uint64_t sent = 0;       ///< taken by a subscriber with next(); published = sent + dropped + still waiting
+    std::uint64_t dropped = 0;    ///< overtaken in a subscriber's queue, or waiting there when it left
+    std::uint64_t bytes = 0;      ///< published; of a subscriber: sent to it
   };
+  using TopicCounts = std::map<std::string_view, TopicCount>;  // keys live in wire::kTopics
   struct SubscriberCount {
     std::string name;
     std::string address;
-    std::uint64_t sent = 0;
-    std::uint64_t dropped = 0;
+    TopicCounts topics;
+    [[nodiscard]] std::uint64_t sent() const noexcept;
+    [[nodiscard]] std::uint64_t dropped() const noexcept;
   };
-  [[nodiscard]] const std::map<std::string_view, TopicCount>& topic_counts() const noexcept { return topics_; }
+  [[nodiscard]] const TopicCounts& topic_counts() const noexcept { return topics_; }
   [[nodiscard]] std::vector<SubscriberCount> subscriber_counts() const;
 
  private:
@@ -58,10 +60,11 @@ class Hub {
     wire::SendQueue queue;
     std::function<void()> wake;
   };
+  void drop(SubscriberCount& subscriber, const wire::Message& message);
   void offer(Subscriber& subscriber, const wire::Message& message);
 
   std::map<SubscriberId, Subscriber> subscribers_;
-  std::map<std::string_view, TopicCount> topics_;  // keys live in wire::kTopics
+  TopicCounts topics_;
   std::map<std::string_view, wire::Message> latched_;
   SubscriberId last_id_ = 0;
 };

@@ -1,0 +1,145 @@
+#include <unistd.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "proto/program/log.h"
+#include "proto/program/options.h"
+#include "server/server.h"
+
+namespace {
+
+using namespace telepalp;
+
+constexpr const char* kProgram = "telepalp-server";
+
+program::Usage usage() {
+  return {.program = kProgram,
+          .purpose = "captures a patient, compresses, and serves stations, recorders and browsers",
+          .positional = {},
+          .options = {{"source", "SOURCE",
+                       "openni2[:URI] | oni:FILE | images:DIR | pcd:FILE | synthetic[:MODEL] | session:FILE.mcap",
+                       "synthetic"},
+                      {"loop", "yes|no", "a recording starts again at its end", "yes"},
+                      {"seconds", "S", "stop after so long; 0: run on", "0"},
+                      {"bind", "ADDRESS", "loopback address to listen on", "127.0.0.1"},
+                      {"port", "PORT", "for stations and recorders; 0: any free one", "8764"},
+                      {"ready-file", "FILE", "write the ports there once it listens"},
+                      {"depth-mode", "MODE", "how depth is compressed", "fast"},
+                      {"jpeg-quality", "1..100", "of colour", "85"},
+                      {"name", "NAME", "told to peers", kProgram}},
+          .example = "telepalp-server --source synthetic --seconds 60"};
+}
+
+struct Asked {
+  std::string source;
+  bool loop = true;
+  std::chrono::duration<double> seconds{0.0};
+  std::filesystem::path ready_file;
+  server::Server::Options server;
+};
+
+Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view option) {
+  const std::string text = arguments.text(option);
+  if (text == "yes" || text == "no") return text == "yes";
+  return Error{
+      .what = "'" + text + "' is neither yes nor no", .where = "--" + std::string(option), .fix = "say yes or no"};
+}
+
+Result<codec::DepthMode> depth_mode(const program::Arguments& arguments) {
+  const std::string text = arguments.text("depth-mode");
+  if (text == codec::name(codec::DepthMode::Fast)) return codec::DepthMode::Fast;
+  return Error{.what = "'" + text + "' is no depth mode", .where = "--depth-mode", .fix = "give fast"};
+}
+
+Result<Asked> read_asked(const program::Arguments& arguments) {
+  const Result<bool> loop = yes_or_no(arguments, "loop");
+  if (!loop) return loop.error();
+  const Result<double> seconds = arguments.number("seconds", 0.0, 1e7);
+  if (!seconds) return seconds.error();
+  const Result<std::int64_t> port = arguments.whole("port", 0, 65535);
+  if (!port) return port.error();
+  const Result<std::int64_t> quality = arguments.whole("jpeg-quality", 1, 100);
+  if (!quality) return quality.error();
+  const Result<codec::DepthMode> mode = depth_mode(arguments);
+  if (!mode) return mode.error();
+  const Result<boost::asio::ip::address> address = server::loopback_address(arguments.text("bind"));
+  if (!address) return address.error();
+  const auto say = [](const std::string& text) { program::log(kProgram, text); };
+  return Asked{.source = arguments.text("source"),
+               .loop = *loop,
+               .seconds = std::chrono::duration<double>(*seconds),
+               .ready_file = arguments.text("ready-file"),
+               .server = {.name = arguments.text("name"),
+                          .bind = arguments.text("bind"),
+                          .port = static_cast<std::uint16_t>(*port),
+                          .encode = {.depth_mode = *mode, .jpeg_quality = static_cast<int>(*quality)},
+                          .log = say}};
+}
+
+/// Renamed into place, so that whoever waits for the file never reads half of it.
+Result<void> write_ready_file(const std::filesystem::path& file, std::uint16_t port) {
+  if (file.empty()) return {};
+  const std::filesystem::path unfinished = file.string() + ".part";
+  std::ofstream stream(unfinished);
+  stream << "port=" << port << "\n";
+  stream.close();
+  std::error_code code;
+  if (stream) std::filesystem::rename(unfinished, file, code);
+  if (!stream || code)
+    return Error{.what = "cannot be written", .where = file.string(), .fix = "check that the directory exists"};
+  return {};
+}
+
+int run(const Asked& asked) {
+  boost::asio::io_context io;
+  Result<std::unique_ptr<server::Server>> listening = server::Server::listen(io, asked.server);
+  if (!listening) return program::fail(listening.error());
+  server::Server& server = **listening;
+  Result<std::unique_ptr<server::CaptureSource>> source =
+      server::open_source(asked.source, {.clock = server.clock(), .loop = asked.loop, .paced = true});
+  if (!source) return program::fail(source.error());
+
+  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
+  boost::asio::steady_timer time_is_up(io);
+  auto stop = [&, stopped = false](const std::string& reason) mutable {
+    if (std::exchange(stopped, true)) return;
+    program::log(kProgram, "stopping: " + reason);
+    boost::system::error_code ignored;
+    signals.clear(ignored);  // a second Ctrl-C ends the process at once
+    time_is_up.cancel();
+    server.stop(reason);
+  };
+  signals.async_wait([&](const boost::system::error_code& cancelled, int) {
+    if (!cancelled) stop("the operator stopped the server");
+  });
+  if (asked.seconds.count() > 0.0) {
+    time_is_up.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(asked.seconds));
+    time_is_up.async_wait([&](const boost::system::error_code& cancelled) {
+      if (!cancelled) stop("the time asked for is up");
+    });
+  }
+  server.start(std::move(source).value(), asked.source, [&] { stop("the source came to its end"); });
+  program::log(kProgram, "listening on " + asked.server.bind + ":" + std::to_string(server.port()));
+  if (const Result<void> written = write_ready_file(asked.ready_file, server.port()); !written)
+    return program::fail(written.error());
+  io.run();
+  program::log(kProgram, server.summary());
+  return program::kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  if (!*read) return program::kDone;
+  const Result<Asked> asked = read_asked(**read);
+  if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
+  return run(*asked);
+}

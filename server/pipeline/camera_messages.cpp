@@ -1,0 +1,71 @@
+#include "server/pipeline/camera_messages.h"
+
+#include <string>
+
+#include "codec/color_codec.h"
+
+namespace telepalp::server {
+namespace {
+
+constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
+
+void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
+  const std::int64_t nanoseconds = to_nanoseconds(at);
+  timestamp.set_seconds(nanoseconds / kNanosecondsPerSecond);
+  timestamp.set_nanos(static_cast<std::int32_t>(nanoseconds % kNanosecondsPerSecond));
+}
+
+}  // namespace
+
+msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode) {
+  msg::DepthImage image;
+  image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(frame.captured)));
+  image.set_sequence(frame.sequence);
+  image.set_frame_id(std::string(kDepthFrameId));
+  image.set_width(static_cast<std::uint32_t>(frame.depth.width));
+  image.set_height(static_cast<std::uint32_t>(frame.depth.height));
+  image.set_unit_m(frame.depth.unit_m);
+  image.set_format(std::string(codec::name(mode)));
+  image.set_data(codec::encode_depth(frame.depth, mode));
+  return image;
+}
+
+foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality) {
+  foxglove::CompressedImage image;
+  stamp(*image.mutable_timestamp(), frame.captured);
+  image.set_frame_id(std::string(frame.camera.color_registered ? kDepthFrameId : kColorFrameId));
+  image.set_format("jpeg");
+  image.set_data(codec::encode_color(frame.color, jpeg_quality));
+  return image;
+}
+
+foxglove::CameraCalibration calibration_message(const RgbdFrame& frame) {
+  const Intrinsics& k = frame.camera.depth;
+  foxglove::CameraCalibration calibration;
+  stamp(*calibration.mutable_timestamp(), frame.captured);
+  calibration.set_frame_id(std::string(kDepthFrameId));
+  calibration.set_width(static_cast<std::uint32_t>(k.width));
+  calibration.set_height(static_cast<std::uint32_t>(k.height));
+  calibration.set_distortion_model("plumb_bob");
+  for (int i = 0; i < 5; ++i) calibration.add_d(0.0);
+  for (const double value : {k.fx, 0.0, k.cx, 0.0, k.fy, k.cy, 0.0, 0.0, 1.0}) calibration.add_k(value);
+  for (const double value : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) calibration.add_r(value);
+  for (const double value : {k.fx, 0.0, k.cx, 0.0, 0.0, k.fy, k.cy, 0.0, 0.0, 0.0, 1.0, 0.0}) calibration.add_p(value);
+  return calibration;
+}
+
+msg::CaptureState to_message(CaptureState state) noexcept {
+  switch (state) {
+    case CaptureState::Waiting:
+      return msg::CAPTURE_STATE_WAITING;
+    case CaptureState::Live:
+      return msg::CAPTURE_STATE_LIVE;
+    case CaptureState::Lost:
+      return msg::CAPTURE_STATE_LOST;
+    case CaptureState::Ended:
+      return msg::CAPTURE_STATE_ENDED;
+  }
+  return msg::CAPTURE_STATE_UNSPECIFIED;
+}
+
+}  // namespace telepalp::server

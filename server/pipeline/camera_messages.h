@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string_view>
+
+#include "codec/depth_codec.h"
+#include "foxglove/CameraCalibration.pb.h"
+#include "foxglove/CompressedImage.pb.h"
+#include "messages/camera.pb.h"
+#include "proto/words/rgbd_frame.h"
+#include "server/capture/capture_source.h"
+
+namespace telepalp::server {
+
+/// The frames of reference named in messages: the depth camera (K), and the colour camera where it is another one.
+inline constexpr std::string_view kDepthFrameId = "camera_depth";
+inline constexpr std::string_view kColorFrameId = "camera_color";
+
+/// The depth of `frame`, compressed; `encoded_ns` is left for whoever has a clock. `frame` is well formed.
+[[nodiscard]] msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode);
+
+/// The colour of `frame` as JPEG. `frame` is well formed and has colour.
+[[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality);
+
+/// The depth camera's model: an undistorted pinhole. Registered colour shares it.
+[[nodiscard]] foxglove::CameraCalibration calibration_message(const RgbdFrame& frame);
+
+[[nodiscard]] msg::CaptureState to_message(CaptureState state) noexcept;
+
+}  // namespace telepalp::server

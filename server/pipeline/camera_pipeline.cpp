@@ -1,0 +1,96 @@
+#include "server/pipeline/camera_pipeline.h"
+
+#include <utility>
+
+#include "server/pipeline/camera_messages.h"
+
+namespace telepalp::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Nanoseconds kPatience = 100ms;  // how late a stop or a status may be while no frame comes
+constexpr Nanoseconds kRepeat = 1s;
+
+bool equal(const Intrinsics& a, const Intrinsics& b) noexcept {
+  return a.width == b.width && a.height == b.height && a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy;
+}
+
+}  // namespace
+
+CameraPipeline::CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options,
+                               wire::SessionClock clock, std::function<void(wire::Message)> publish)
+    : source_(source),
+      source_name_(std::move(source_name)),
+      options_(options),
+      clock_(clock),
+      publish_(std::move(publish)),
+      rate_since_(clock_.now()) {}
+
+bool CameraPipeline::step() {
+  const std::optional<RgbdFrame> frame = source_.next(kPatience);
+  if (frame) publish_frame(*frame);
+  publish_status_when_due();
+  return frame || source_.state() != CaptureState::Ended;
+}
+
+void CameraPipeline::publish_frame(const RgbdFrame& frame) {
+  ++frames_;
+  refused_ = is_well_formed(frame) ? "" : "a frame's sizes or intrinsics contradict each other; it is not sent";
+  if (!refused_.empty()) return;
+  color_registered_ = frame.camera.color_registered;
+  publish_calibration_when_due(frame);
+  msg::DepthImage depth = depth_message(frame, options_.depth_mode);
+  const SessionTime encoded = clock_.now();
+  depth.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(encoded)));
+  publish(wire::kCameraDepth, encoded, depth);
+  if (frame.color.rgb.empty()) return;
+  const foxglove::CompressedImage color = color_message(frame, options_.jpeg_quality);
+  publish(wire::kCameraColor, clock_.now(), color);
+}
+
+void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {
+  const SessionTime now = clock_.now();
+  if (calibration_ && equal(*calibration_, frame.camera.depth) && now - calibration_at_ < kRepeat) return;
+  calibration_ = frame.camera.depth;
+  calibration_at_ = now;
+  publish(wire::kCameraInfo, now, calibration_message(frame));
+}
+
+void CameraPipeline::publish_status_when_due() {
+  const SessionTime now = clock_.now();
+  const CaptureState state = source_.state();
+  const std::string detail = refused_.empty() ? source_.detail() : refused_;
+  measure_rate(now);
+  if (state_ == state && detail_ == detail && now - status_at_ < kRepeat) return;
+  msg::CaptureStatus status;
+  status.set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(now)));
+  status.set_state(to_message(state));
+  status.set_source(source_name_);
+  status.set_detail(detail);
+  status.set_frames(frames_);
+  status.set_frames_per_s(frames_per_s_);
+  status.set_color_registered(color_registered_);
+  state_ = state;
+  detail_ = detail;
+  status_at_ = now;
+  publish(wire::kCameraStatus, now, status);
+}
+
+void CameraPipeline::measure_rate(SessionTime now) {
+  const Nanoseconds window = now - rate_since_;
+  if (window < kRepeat) return;
+  frames_per_s_ = static_cast<double>(frames_ - frames_at_rate_) / to_seconds(window);
+  rate_since_ = now;
+  frames_at_rate_ = frames_;
+}
+
+template <class Proto>
+void CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Proto& proto) {
+  wire::Message message = wire::make_message(topic, at, proto);
+  if (message.payload->size() <= wire::kMaxPayloadBytes) return publish_(std::move(message));
+  refused_ = std::string(topic.name) + " needs " + std::to_string(message.payload->size()) + " B, more than the " +
+             std::to_string(wire::kMaxPayloadBytes) + " B of a message; give a smaller image or --jpeg-quality";
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "codec/depth_codec.h"
+#include "proto/wire/message.h"
+#include "proto/wire/session_clock.h"
+#include "server/capture/capture_source.h"
+
+namespace telepalp::server {
+
+struct EncodeOptions {
+  codec::DepthMode depth_mode = codec::DepthMode::Fast;
+  int jpeg_quality = 85;
+};
+
+/// Turns what a source gives into the messages of /camera/…, in the order in which they are worth having: depth,
+/// which the hand feels, before colour. Owner: the capture thread. `publish` is called on it, and hands over.
+class CameraPipeline {
+ public:
+  CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options, wire::SessionClock clock,
+                 std::function<void(wire::Message)> publish);
+
+  /// Waits for one frame, a tenth of a second at most, and publishes it, and the source's state when it is due.
+  /// False: the source has ended, and has said so.
+  [[nodiscard]] bool step();
+
+  [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
+
+ private:
+  void publish_frame(const RgbdFrame& frame);
+  void publish_calibration_when_due(const RgbdFrame& frame);
+  void publish_status_when_due();
+  void measure_rate(SessionTime now);
+  template <class Proto>
+  void publish(const wire::Topic& topic, SessionTime at, const Proto& proto);
+
+  CaptureSource& source_;
+  std::string source_name_;
+  EncodeOptions options_;
+  wire::SessionClock clock_;
+  std::function<void(wire::Message)> publish_;
+
+  std::uint64_t frames_ = 0;
+  std::string refused_;  // why the last frame could not be sent; empty: it was
+  bool color_registered_ = true;
+  std::optional<Intrinsics> calibration_;  // as last published
+  SessionTime calibration_at_{};
+  std::optional<CaptureState> state_;  // as last published
+  std::string detail_;
+  SessionTime status_at_{};
+  double frames_per_s_ = 0.0;
+  SessionTime rate_since_;
+  std::uint64_t frames_at_rate_ = 0;
+};
+
+}  // namespace telepalp::server

@@ -1,0 +1,54 @@
+#include "server/pipeline/capture_thread.h"
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/post.hpp>
+#include <utility>
+
+namespace telepalp::server {
+namespace {
+
+/// A second of both images. The hub's queues are the ones that decide what is dropped; this bound only holds the
+/// memory if the network thread should stop altogether.
+constexpr int kMostOnTheWay = 64;
+
+}  // namespace
+
+CaptureThread::CaptureThread(boost::asio::io_context& network, std::unique_ptr<CaptureSource> source,
+                             std::string source_name, EncodeOptions options, wire::SessionClock clock,
+                             Handlers handlers)
+    : network_(network), source_(std::move(source)), handlers_(std::move(handlers)) {
+  thread_ = std::thread([this, name = std::move(source_name), options, clock] { run(name, options, clock); });
+}
+
+CaptureThread::~CaptureThread() { stop(); }
+
+void CaptureThread::stop() {
+  stopping_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void CaptureThread::run(const std::string& source_name, EncodeOptions options, wire::SessionClock clock) {
+  CameraPipeline pipeline(*source_, source_name, options, clock,
+                          [this](wire::Message message) { hand_over(std::move(message)); });
+  while (!stopping_) {
+    const bool more = pipeline.step();
+    frames_ = pipeline.frames();
+    if (more) continue;
+    boost::asio::post(network_, handlers_.on_end);
+    return;
+  }
+}
+
+void CaptureThread::hand_over(wire::Message message) {
+  if (on_the_way_ >= kMostOnTheWay) {
+    ++dropped_;
+    return;
+  }
+  ++on_the_way_;
+  boost::asio::post(network_, [this, message = std::move(message)]() mutable {
+    --on_the_way_;
+    handlers_.on_message(std::move(message));
+  });
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "server/capture/capture_source.h"
+#include "server/pipeline/camera_pipeline.h"
+
+namespace telepalp::server {
+
+/// The thread that owns the source: waits for frames, encodes them, and posts the messages to the network thread.
+class CaptureThread {
+ public:
+  struct Handlers {
+    std::function<void(wire::Message)> on_message;  ///< on the network thread
+    std::function<void()> on_end;                   ///< on the network thread, once, when the source has ended
+  };
+
+  CaptureThread(boost::asio::io_context& network, std::unique_ptr<CaptureSource> source, std::string source_name,
+                EncodeOptions options, wire::SessionClock clock, Handlers handlers);
+  /// Stops, within the source's patience.
+  ~CaptureThread();
+
+  void stop();
+  [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
+  /// Messages that found the network thread too far behind; they are gone.
+  [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
+
+ private:
+  void run(const std::string& source_name, EncodeOptions options, wire::SessionClock clock);
+  void hand_over(wire::Message message);
+
+  boost::asio::io_context& network_;
+  std::unique_ptr<CaptureSource> source_;
+  Handlers handlers_;
+  std::atomic<bool> stopping_{false};
+  std::atomic<int> on_the_way_{0};  // posted and not yet taken
+  std::atomic<std::uint64_t> frames_{0};
+  std::atomic<std::uint64_t> dropped_{0};
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace telepalp::server

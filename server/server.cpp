@@ -1,0 +1,114 @@
+#include "server/server.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "messages/camera.pb.h"
+#include "messages/clock.pb.h"
+#include "server/hub/server_stats.h"
+
+namespace telepalp::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+msg::Clock clock_message(SessionTime now) {
+  const auto utc = std::chrono::system_clock::now().time_since_epoch();
+  msg::Clock clock;
+  clock.set_session_ns(static_cast<std::uint64_t>(to_nanoseconds(now)));
+  clock.set_utc_ns(static_cast<std::uint64_t>(std::chrono::duration_cast<Nanoseconds>(utc).count()));
+  return clock;
+}
+
+std::string_view word_for(msg::CaptureState state) noexcept {
+  switch (state) {
+    case msg::CAPTURE_STATE_LIVE:
+      return "live";
+    case msg::CAPTURE_STATE_WAITING:
+      return "waiting for a frame";
+    case msg::CAPTURE_STATE_LOST:
+      return "lost, trying again";
+    case msg::CAPTURE_STATE_ENDED:
+      return "at its end";
+    default:
+      return "in an unknown state";
+  }
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Options options) {
+  std::unique_ptr<Server> server(new Server(io, std::move(options)));
+  auto listener = PeerListener::listen(io, server->hub_, server->clock_,
+                                       {.address = server->options_.bind,
+                                        .port = server->options_.port,
+                                        .name = server->options_.name,
+                                        .on_note = [raw = server.get()](const std::string& text) { raw->log(text); }});
+  if (!listener) return listener.error();
+  server->listener_ = std::move(listener).value();
+  return server;
+}
+
+Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_(std::move(options)), second_(io) {}
+
+void Server::start(std::unique_ptr<CaptureSource> source, const std::string& source_name,
+                   std::function<void()> on_end) {
+  started_ = std::chrono::steady_clock::now();
+  capture_ = std::make_unique<CaptureThread>(
+      io_, std::move(source), source_name, options_.encode, clock_,
+      CaptureThread::Handlers{.on_message = [this](wire::Message message) { publish(std::move(message)); },
+                              .on_end = std::move(on_end)});
+  publish_every_second();
+}
+
+void Server::stop(const std::string& reason) {
+  if (capture_) capture_->stop();
+  second_.cancel();
+  publish_clock_and_stats();
+  listener_->close(reason);
+}
+
+void Server::publish(wire::Message message) {
+  if (message.topic.name == wire::kCameraStatus.name) log_state_changes(message);
+  hub_.publish(std::move(message));
+}
+
+void Server::publish_every_second() {
+  publish_clock_and_stats();
+  second_.expires_after(1s);
+  second_.async_wait([this](const boost::system::error_code& stopped) {
+    if (!stopped) publish_every_second();
+  });
+}
+
+void Server::publish_clock_and_stats() {
+  const SessionTime now = clock_.now();
+  hub_.publish(wire::make_message(wire::kClock, now, clock_message(now)));
+  hub_.publish(wire::make_message(wire::kServerStats, now, server_stats(hub_, now)));
+}
+
+void Server::log_state_changes(const wire::Message& message) {
+  msg::CaptureStatus status;
+  if (!status.ParseFromString(*message.payload)) return;
+  const std::string state = "camera " + std::string(word_for(status.state())) + ": " + status.detail();
+  if (std::exchange(last_state_, state) != state) log(state);
+}
+
+void Server::log(const std::string& text) const {
+  if (options_.log) options_.log(text);
+}
+
+std::string Server::summary() const {
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  const auto found = hub_.topic_counts().find(wire::kCameraDepth.name);
+  const Hub::TopicCount depth = found == hub_.topic_counts().end() ? Hub::TopicCount{} : found->second;
+  char line[200];
+  std::snprintf(line, sizeof line,
+                "%.1f s, %llu frames captured; depth images: %llu published, %llu sent, %llu dropped", seconds,
+                static_cast<unsigned long long>(capture_ ? capture_->frames() : 0),
+                static_cast<unsigned long long>(depth.published), static_cast<unsigned long long>(depth.sent),
+                static_cast<unsigned long long>(depth.dropped));
+  return line;
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,130 @@
+#include "server/server.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/asio/io_context.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "codec/color_codec.h"
+#include "foxglove/CameraCalibration.pb.h"
+#include "foxglove/CompressedImage.pb.h"
+#include "messages/camera.pb.h"
+#include "messages/clock.pb.h"
+#include "messages/station.pb.h"
+#include "proto/wire/client_link.h"
+#include "tests/server/still_source.h"
+
+namespace telepalp::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+template <class Proto>
+Proto parsed(const wire::Message& message) {
+  Proto proto;
+  EXPECT_TRUE(proto.ParseFromString(*message.payload)) << message.topic.name;
+  return proto;
+}
+
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+/// A server with a source of twenty frames and one client that wants everything, run until the server has left.
+struct ServedSource {
+  boost::asio::io_context io;
+  std::map<std::string_view, std::vector<wire::Message>> messages;
+  std::string lost_because;
+  std::vector<std::string> log;
+
+  ServedSource() {
+    auto server = Server::listen(io, {.log = [this](const std::string& line) { log.push_back(line); }});
+    EXPECT_TRUE(server.ok());
+    wire::ClientLink link(
+        io, {.port = (*server)->port(), .name = "test", .subscribes = {"*"}},
+        {.on_message = [this](const wire::Message& message) { messages[message.topic.name].push_back(message); },
+         .on_state =
+             [&](wire::LinkState state, const std::string& detail) {
+               if (state == wire::LinkState::Connected)
+                 (*server)->start(std::make_unique<StillSource>(20, 10ms, (*server)->clock()), "still",
+                                  [&] { (*server)->stop("the source came to its end"); });
+               if (state == wire::LinkState::Lost) {
+                 lost_because = detail;
+                 link.stop();
+               }
+             }});
+    link.start();
+    io.run_for(20s);
+  }
+};
+
+TEST(Server, PublishesEveryCameraTopicWithTheTimesOfItsFrames) {
+  ServedSource run;
+  ASSERT_EQ(run.messages[wire::kCameraDepth.name].size(), 20u);
+  ASSERT_EQ(run.messages[wire::kCameraColor.name].size(), 20u);
+  ASSERT_GE(run.messages[wire::kCameraInfo.name].size(), 1u);
+  const auto depth = parsed<msg::DepthImage>(run.messages[wire::kCameraDepth.name].back());
+  EXPECT_EQ(depth.sequence(), 20u);
+  EXPECT_EQ(depth.width(), 64u);
+  EXPECT_GE(depth.encoded_ns(), depth.captured_ns());
+  const Result<DepthImage> image = codec::decode_depth(bytes_of(depth.data()));
+  ASSERT_TRUE(image.ok());
+  EXPECT_EQ(image->samples, small_frame(20, {}).depth.samples);
+  const auto color = parsed<foxglove::CompressedImage>(run.messages[wire::kCameraColor.name].back());
+  EXPECT_EQ(color.format(), "jpeg");
+  EXPECT_EQ(static_cast<std::uint64_t>(color.timestamp().seconds()) * 1'000'000'000u +
+                static_cast<std::uint64_t>(color.timestamp().nanos()),
+            depth.captured_ns());
+  EXPECT_TRUE(codec::decode_color(bytes_of(color.data())).ok());
+  const auto info = parsed<foxglove::CameraCalibration>(run.messages[wire::kCameraInfo.name].front());
+  ASSERT_EQ(info.k_size(), 9);
+  EXPECT_EQ(info.k(0), 60.0);
+  EXPECT_EQ(info.k(5), 23.5);
+  ASSERT_EQ(info.p_size(), 12);
+}
+
+TEST(Server, ASourceThatEndsIsSaidOnTheWireAndInTheGoodbye) {
+  ServedSource run;
+  ASSERT_FALSE(run.messages[wire::kCameraStatus.name].empty());
+  const auto status = parsed<msg::CaptureStatus>(run.messages[wire::kCameraStatus.name].back());
+  EXPECT_EQ(status.state(), msg::CAPTURE_STATE_ENDED);
+  EXPECT_EQ(status.frames(), 20u);
+  EXPECT_EQ(status.source(), "still");
+  EXPECT_EQ(run.lost_because, "peer left: the source came to its end");
+}
+
+TEST(Server, ItsLastStatisticsAccountForEveryImage) {
+  ServedSource run;
+  ASSERT_FALSE(run.messages[wire::kServerStats.name].empty());
+  const auto stats = parsed<msg::ServerStats>(run.messages[wire::kServerStats.name].back());
+  for (const auto& topic : stats.topics())
+    if (topic.topic() == wire::kCameraDepth.name) {
+      EXPECT_EQ(topic.published(), 20u);
+      EXPECT_EQ(topic.sent() + topic.dropped(), 20u);
+      EXPECT_EQ(topic.sent(), run.messages[wire::kCameraDepth.name].size());
+    }
+  ASSERT_EQ(stats.subscribers_size(), 1);
+  EXPECT_EQ(stats.subscribers(0).name(), "test");
+}
+
+TEST(Server, RefusesToListenWhereTheNetworkReachesIt) {
+  boost::asio::io_context io;
+  for (const char* address : {"0.0.0.0", "::", "192.168.1.2", "not an address"}) {
+    const auto server = Server::listen(io, {.bind = address});
+    ASSERT_FALSE(server.ok()) << address;
+    EXPECT_FALSE(server.error().fix.empty());
+  }
+}
+
+TEST(Server, NamesThePortThatIsInUse) {
+  boost::asio::io_context io;
+  const auto first = Server::listen(io, {});
+  ASSERT_TRUE(first.ok());
+  const auto second = Server::listen(io, {.port = (*first)->port()});
+  ASSERT_FALSE(second.ok());
+  EXPECT_NE(to_string(second.error()).find("port is in use"), std::string::npos);
+  EXPECT_NE(second.error().where.find(std::to_string((*first)->port())), std::string::npos);
+}
+
+}  // namespace
+}  // namespace telepalp::server
