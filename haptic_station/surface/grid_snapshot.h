@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "haptic_station/surface/depth_field.h"
+#include "haptic_station/surface/grid_surface.h"
+#include "haptic_station/surface/surface_settings.h"
+
+namespace telepalp::surface {
+
+/// A grid surface that owns its nodes.
+class GridSnapshot final : public GridSurface {
+ public:
+  GridSnapshot(const DepthField& depth, const Intrinsics& camera, const std::optional<Reach>& reach,
+               const SurfaceSettings& settings);
+  GridSnapshot(const GridSnapshot&) = delete;
+  GridSnapshot& operator=(const GridSnapshot&) = delete;
+  ~GridSnapshot() = default;
+
+  /// For the builder, before the snapshot is shared.
+  [[nodiscard]] std::vector<GridNode>& mutable_nodes() noexcept { return storage_; }
+
+ private:
+  std::vector<GridNode> storage_;
+};
+
+}  // namespace telepalp::surface

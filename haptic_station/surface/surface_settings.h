@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "proto/words/result.h"
+
+namespace telepalp::surface {
+
+/// Which implicit function stands for the surface.
+enum class Method {
+  Grid,   ///< smoothed nodes on the depth image's own lattice: the default
+  Paper,  ///< S1 §II.C to the letter: capped radius search, normals searched at each query
+  Cloud,  ///< points with given normals and a fading support: static models, unorganised clouds
+};
+
+/// Which neighbour index serves Paper and Cloud; Grid is its own.
+enum class Index { PclKdTree, Nanoflann, PclOrganized };
+
+/// How the support of Cloud's weights is chosen.
+enum class Support { FixedRadius, KthNeighbor };
+
+/// Everything that trades accuracy for time, by name. What each costs and errs is measured in docs/accuracy.md.
+struct SurfaceSettings {
+  std::string name = "fast";
+  Method method = Method::Grid;
+
+  // Grid
+  int node_step_px = 2;
+  double support_nodes = 2.5;  ///< radius of the weights
+  int fit_radius_px = 6;       ///< half side of the window of each node's quadratic fit
+  double gate_m = 0.02;        ///< farther planes belong to another surface
+  double break_m = 0.015;      ///< a depth step between neighbouring pixels that ends a surface, at 1 m; grows with z²
+  int bridge_px = 2;           ///< holes of at most this radius are bridged
+
+  // over time
+  bool temporal = true;         ///< average what is still, follow what moves
+  double memory_frames = 30.0;  ///< longest average; its latency on an unmodelled change is about as long
+  bool predict = true;          ///< carry snapshots forward by their velocity
+  bool breathing = true;        ///< and by the breathing model once it has locked on
+
+  // Paper and Cloud
+  Index index = Index::PclKdTree;
+  int neighbors = 10;     ///< N
+  double radius_m = 0.1;  ///< R, and of Paper the influence radius of the weights
+  Support support = Support::FixedRadius;
+};
+
+/// fast, fast-still (no time filter), fine, paper, paper-nanoflann, paper-organized …; an unknown name lists them.
+[[nodiscard]] Result<SurfaceSettings> surface_settings(std::string_view name);
+[[nodiscard]] std::vector<SurfaceSettings> all_surface_settings();
+
+}  // namespace telepalp::surface
