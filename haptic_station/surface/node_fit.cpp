@@ -165,6 +165,72 @@ GridLayout lattice_over(const Intrinsics& camera, const PixelBox& box, int step_
   return layout;
 }
 
+/// One window size: its weights, and the moments of every row of the crop around every column of nodes.
+struct Scale {
+  int radius = 0;
+  AxisWeights axis;
+  std::vector<RowMoments> moments;
+};
+
+/// Where the nodes' columns and rows lie in the crop.
+struct NodePlaces {
+  int left = 0;
+  int top = 0;
+  int step = 1;
+  int columns = 0;
+  [[nodiscard]] int column(int node) const noexcept { return left + node * step; }
+  [[nodiscard]] int row(int node) const noexcept { return top + node * step; }
+};
+
+Scale scale_of(const Crop& crop, const NodePlaces& nodes, int radius) {
+  Scale scale{.radius = radius, .axis = axis_weights(radius), .moments = {}};
+  const auto columns = static_cast<std::size_t>(nodes.columns);
+  scale.moments.resize(columns * static_cast<std::size_t>(crop.height));
+  for (int row = 0; row < crop.height; ++row)
+    for (int node = 0; node < nodes.columns; ++node) {
+      const int column = nodes.column(node);
+      if (column < radius || column + radius >= crop.width) continue;
+      scale.moments[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(node)] =
+          row_moments(&crop.per_m[crop.at(column, row)], scale.axis, radius);
+    }
+  return scale;
+}
+
+bool is_whole(Crop& crop, int column, int row, int radius) noexcept {
+  return column >= radius && row >= radius && column + radius < crop.width && row + radius < crop.height &&
+         crop.trouble_in(column, row, radius) == 0;
+}
+
+InverseDepthPlane plane_at(const Scale& scale, const NodePlaces& nodes, int node_column, int row) noexcept {
+  const std::size_t at =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(nodes.columns) + static_cast<std::size_t>(node_column);
+  return whole_window(&scale.moments[at], nodes.columns, scale.axis, scale.radius);
+}
+
+/// Cosine between the view ray and the surface's normal.
+double facing(const InverseDepthPlane& plane, double u, double v, const Intrinsics& camera) noexcept {
+  const double x = (u - camera.cx) / camera.fx;
+  const double y = (v - camera.cy) / camera.fy;
+  const Vector3d inward(plane.across * camera.fx, plane.down * camera.fy,
+                        plane.at + plane.across * (camera.cx - u) + plane.down * (camera.cy - v));
+  return plane.at / (inward.norm() * std::sqrt(x * x + y * y + 1.0));
+}
+
+/// Share of the wide window by slant: a window of pixels covers more of a slanted surface, up to beyond its silhouette,
+/// while the noise along the normal falls with the same cosine. So the window shrinks as the surface turns away.
+double wide_share(double facing) noexcept {
+  constexpr double kNarrowAt = 0.75;
+  constexpr double kWideAt = 0.95;
+  const double t = std::clamp((facing - kNarrowAt) / (kWideAt - kNarrowAt), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+InverseDepthPlane blended(const InverseDepthPlane& a, const InverseDepthPlane& b, double share_of_a) noexcept {
+  const double rest = 1.0 - share_of_a;
+  return {share_of_a * a.at + rest * b.at, share_of_a * a.across + rest * b.across,
+          share_of_a * a.down + rest * b.down};
+}
+
 }  // namespace
 
 void fit_nodes(const DepthField& depth, const Intrinsics& camera, const PixelBox& box, const FitSettings& settings,
@@ -175,46 +241,38 @@ void fit_nodes(const DepthField& depth, const Intrinsics& camera, const PixelBox
     layout.columns = layout.rows = 0;
     return;
   }
-  const int radius = settings.radius_px;
-  const AxisWeights axis = axis_weights(radius);
   Crop crop = crop_of(depth, box, settings);
-  const auto columns = static_cast<std::size_t>(layout.columns);
-  std::vector<RowMoments> moments(columns * static_cast<std::size_t>(crop.height));
-  const auto column_in_crop = [&](int node) { return box.left + node * settings.step_px - crop.left; };
-  const auto row_in_crop = [&](int node) { return box.top + node * settings.step_px - crop.top; };
-  for (int row = 0; row < crop.height; ++row)
-    for (int node = 0; node < layout.columns; ++node) {
-      const int column = column_in_crop(node);
-      if (column < radius || column + radius >= crop.width) continue;
-      moments[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(node)] =
-          row_moments(&crop.per_m[crop.at(column, row)], axis, radius);
-    }
-
-  nodes.resize(columns * static_cast<std::size_t>(layout.rows));
+  const NodePlaces places{box.left - crop.left, box.top - crop.top, settings.step_px, layout.columns};
+  const Scale wide = scale_of(crop, places, settings.radius_px);
+  const Scale narrow = scale_of(crop, places, std::max(2, settings.radius_px / 2));
   const InverseDepthView view{crop.width, crop.height, crop.per_m, crop.breaks};
+  nodes.resize(static_cast<std::size_t>(layout.columns) * static_cast<std::size_t>(layout.rows));
   for (int node_row = 0; node_row < layout.rows; ++node_row)
     for (int node_column = 0; node_column < layout.columns; ++node_column) {
-      const int column = column_in_crop(node_column);
-      const int row = row_in_crop(node_row);
-      const bool whole = column >= radius && row >= radius && column + radius < crop.width &&
-                         row + radius < crop.height && crop.trouble_in(column, row, radius) == 0;
+      const int column = places.column(node_column);
+      const int row = places.row(node_row);
+      const double u = crop.left + column;
+      const double v = crop.top + row;
       WindowFit fit{.plane = {}, .share = 1.0};
-      if (whole) {
-        fit.plane =
-            whole_window(&moments[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(node_column)],
-                         layout.columns, axis, radius);
-      } else {
-        const std::optional<WindowFit> part = fit_window(view, column, row, axis.by_distance, settings.bridge_px);
-        if (!part) continue;
+      double gain = wide.axis.gain;
+      if (is_whole(crop, column, row, wide.radius)) {
+        fit.plane = plane_at(wide, places, node_column, row);
+        const double share = wide_share(facing(fit.plane, u, v, camera));
+        if (share < 1.0) fit.plane = blended(fit.plane, plane_at(narrow, places, node_column, row), share);
+        gain = share * wide.axis.gain + (1.0 - share) * narrow.axis.gain;
+      } else if (const auto part = fit_window(view, column, row, wide.axis.by_distance, settings.bridge_px)) {
         fit = *part;
+      } else {
+        continue;
       }
-      GridNode& node = nodes[static_cast<std::size_t>(node_row) * columns + static_cast<std::size_t>(node_column)];
-      node = node_of(fit.plane, crop.left + column, crop.top + row, camera, layout.origin_m);
+      GridNode& node = nodes[static_cast<std::size_t>(node_row) * static_cast<std::size_t>(layout.columns) +
+                             static_cast<std::size_t>(node_column)];
+      node = node_of(fit.plane, u, v, camera, layout.origin_m);
       node.confidence = static_cast<float>(std::clamp((fit.share - 0.25) / 0.2, 0.0, 1.0));
       const std::size_t pixel = depth.index(crop.left + column, crop.top + row);
       const double frames = depth.weight.empty() ? 1.0 : std::max(1.0F, depth.weight[pixel]);
-      node.deviation_m = static_cast<float>(axial_noise_m(1.0 / fit.plane.at) *
-                                            std::sqrt(axis.gain / (frames * std::max(0.25, fit.share))));
+      node.deviation_m = static_cast<float>(axial_noise_m(1.0 / fit.plane.at) * facing(fit.plane, u, v, camera) *
+                                            std::sqrt(gain / (frames * std::max(0.25, fit.share))));
     }
 }
 
