@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "server/capture/capture_source.h"
+
+namespace telepalp::server {
+
+/// The kinds of source behind open_source(), each with what stands behind the colon. Errors as there.
+[[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_camera(const std::string& uri, const SourceOptions& options);
+[[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_oni(const std::string& file, const SourceOptions& options);
+[[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_synthetic(const std::string& model,
+                                                                    const SourceOptions& options);
+
+}  // namespace telepalp::server

@@ -1,0 +1,109 @@
+#include "server/capture/synthetic/appearance.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "server/capture/synthetic/pixel_noise.h"
+#include "server/capture/synthetic/smooth.h"
+#include "server/capture/synthetic/true_surface.h"
+
+namespace telepalp::server {
+namespace {
+
+// Linear light, 0 to 1.
+const Eigen::Vector3d kSkin{0.62, 0.38, 0.28};
+const Eigen::Vector3d kFlush{0.60, 0.28, 0.22};  // where blood shows
+const Eigen::Vector3d kAreola{0.36, 0.17, 0.13};
+const Eigen::Vector3d kCloth{0.10, 0.22, 0.36};
+const Eigen::Vector3d kSheet{0.62, 0.68, 0.66};
+
+constexpr double kClothFrom_m = -0.225;  // along the body from the middle of the picture, negative towards the feet
+constexpr double kAreolaAlong_m = 0.155;
+constexpr double kAreolaAcross_m = 0.108;
+constexpr double kAreolaRadius_m = 0.013;
+
+/// Value noise: random numbers on a lattice of unit cells, smoothly interpolated; -1 to 1.
+double value_noise(const PixelNoise& noise, const Eigen::Vector2d& at) {
+  const Eigen::Vector2d cell{std::floor(at.x()), std::floor(at.y())};
+  const Eigen::Vector2d t = at - cell;
+  const Eigen::Vector2d s = t.cwiseProduct(t).cwiseProduct(Eigen::Vector2d{3.0, 3.0} - 2.0 * t);
+  const auto corner = [&](int dx, int dy) {
+    const auto x = static_cast<std::uint32_t>(static_cast<int>(cell.x()) + dx + (1 << 14));
+    const auto y = static_cast<std::uint32_t>(static_cast<int>(cell.y()) + dy + (1 << 14));
+    return static_cast<double>(noise.bits((x << 16U) ^ y)) / 2147483648.0 - 1.0;
+  };
+  const double top = corner(0, 0) + s.x() * (corner(1, 0) - corner(0, 0));
+  const double bottom = corner(0, 1) + s.x() * (corner(1, 1) - corner(0, 1));
+  return top + s.y() * (bottom - top);
+}
+
+double smooth_step(double from, double to, double at) {
+  const double t = std::clamp((at - from) / (to - from), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// `at`: along the body and across it [m].
+Eigen::Vector3d body_albedo(const Eigen::Vector2d& at, const PixelNoise& noise) {
+  const double mottling = 0.6 * value_noise(noise, at / 0.05) + 0.4 * value_noise(noise, at / 0.017);
+  const double pores = 0.6 * value_noise(noise, at / 0.0045) + 0.4 * value_noise(noise, at / 0.0022);
+  Eigen::Vector3d albedo = kSkin + (0.25 + 0.25 * mottling) * (kFlush - kSkin);
+  const Eigen::Vector2d nipple{kAreolaAlong_m, std::copysign(kAreolaAcross_m, at.y())};
+  const double ragged = kAreolaRadius_m * (1.0 + 0.15 * value_noise(noise, at / 0.006));
+  albedo += 0.7 * (1.0 - smooth_step(0.75 * ragged, 1.15 * ragged, (at - nipple).norm())) * (kAreola - albedo);
+  albedo *= 1.0 + 0.07 * pores;
+  const double hem = kClothFrom_m - 0.02 * std::cos(at.y() * 9.0) + 0.002 * value_noise(noise, at / 0.03);
+  const double weave = 1.0 + 0.06 * value_noise(noise, at / 0.003) + 0.08 * value_noise(noise, at / 0.04);
+  const double cloth = 1.0 - smooth_step(hem - 0.002, hem + 0.002, at.x());
+  return albedo + cloth * (kCloth * weave - albedo);
+}
+
+Eigen::Vector3d sheet_albedo(const Eigen::Vector2d& at, const PixelNoise& noise) {
+  const double folds = value_noise(noise, {at.x() / 0.25, at.y() / 0.06});
+  return kSheet * (1.0 + 0.06 * folds + 0.03 * value_noise(noise, at / 0.004));
+}
+
+std::uint8_t display(double linear) {
+  return static_cast<std::uint8_t>(std::lround(255.0 * std::pow(std::clamp(linear, 0.0, 1.0), 1.0 / 2.2)));
+}
+
+/// How much of the sky each pixel sees, 0 to 1: a pixel deeper than its surroundings sees less.
+std::vector<float> openness(const RestShape& rest) {
+  const ImageSize size{rest.camera.width, rest.camera.height};
+  std::vector<float> depth;
+  for (int v = 0; v < size.height; ++v)
+    for (int u = 0; u < size.width; ++u)
+      depth.push_back(
+          static_cast<float>(rest.meets_body(u, v) ? rest.body_depth_m.at(u, v).value : rest.table_depth_m));
+  const std::vector<float> wide = blur(depth, size, 20.0);
+  const std::vector<float> near = blur(depth, size, 6.0);
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const float sunk_m = std::max(depth[i] - wide[i], 0.0F) + 4.0F * std::max(depth[i] - near[i], 0.0F);
+    depth[i] = std::clamp(1.0F - 9.0F * sunk_m, 0.35F, 1.0F);
+  }
+  return depth;
+}
+
+}  // namespace
+
+ColorImage paint(const RestShape& rest, std::uint64_t seed) {
+  const TrueSurface surface{std::make_shared<const RestShape>(rest), Breath{}};
+  const PixelNoise noise{seed, 0};
+  const Eigen::Vector3d to_light = Eigen::Vector3d{-0.45, -0.5, -1.0}.normalized();
+  const std::vector<float> open = openness(rest);
+  ColorImage picture{rest.camera.width, rest.camera.height, {}};
+  picture.rgb.reserve(3 * open.size());
+  for (int v = 0; v < picture.height; ++v)
+    for (int u = 0; u < picture.width; ++u) {
+      const TrueSurfacePoint point = surface.at_pixel(u, v);
+      const Eigen::Vector2d at = rest.body_coordinates_m(u, v);
+      const Eigen::Vector3d albedo = point.on_body ? body_albedo(at, noise) : sheet_albedo(at, noise);
+      // Wrapped Lambert: light that enters skin comes out again around the edge of the shadow.
+      const double lambert = std::max(0.0, (point.normal.v.dot(to_light) + 0.25) / 1.25);
+      const double light = static_cast<double>(open[picture.rgb.size() / 3]) * (0.28 + 0.85 * lambert);
+      for (int channel = 0; channel < 3; ++channel) picture.rgb.push_back(display(light * albedo[channel]));
+    }
+  return picture;
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,17 @@
+#include "server/capture/synthetic/breathing.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace telepalp::server {
+
+Breath breath_at(SessionTime time, double amplitude_m, double rate_hz) noexcept {
+  // Session time counts from 1970: the whole breaths are taken off before the sine would lose them.
+  const double breaths = to_seconds(time.time_since_epoch()) * rate_hz;
+  const double angle = std::numbers::pi * (breaths - std::floor(breaths));
+  const double sine = std::sin(angle);
+  return {.lift_m = amplitude_m * sine * sine * sine * sine,
+          .speed_m_per_s = amplitude_m * 4.0 * sine * sine * sine * std::cos(angle) * std::numbers::pi * rate_hz};
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace telepalp::server {
+
+/// A smooth scalar over the image plane: a uniform cubic B-spline (twice continuously differentiable) whose control
+/// values stand on the pixel centres. Beyond the border the outermost control value repeats.
+class ImageField {
+ public:
+  struct Sample {
+    double value = 0.0;
+    double du = 0.0;  ///< derivative to the right, per pixel
+    double dv = 0.0;  ///< derivative downwards, per pixel
+  };
+
+  ImageField() = default;
+  ImageField(int width, int height, std::vector<float> control);
+
+  /// At pixel coordinates (u, v), pixel centres at whole numbers. `u` and `v` finite.
+  [[nodiscard]] Sample at(double u, double v) const noexcept;
+
+  [[nodiscard]] int width() const noexcept { return width_; }
+  [[nodiscard]] int height() const noexcept { return height_; }
+
+ private:
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<float> control_;
+};
+
+}  // namespace telepalp::server
