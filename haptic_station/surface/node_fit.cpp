@@ -260,6 +260,9 @@ void fit_nodes(const DepthField& depth, const Intrinsics& camera, const PixelBox
         const double share = wide_share(facing(fit.plane, u, v, camera));
         if (share < 1.0) fit.plane = blended(fit.plane, plane_at(narrow, places, node_column, row), share);
         gain = share * wide.axis.gain + (1.0 - share) * narrow.axis.gain;
+      } else if (is_whole(crop, column, row, narrow.radius)) {
+        fit.plane = plane_at(narrow, places, node_column, row);
+        gain = narrow.axis.gain;
       } else if (const auto part = fit_window(view, column, row, wide.axis.by_distance, settings.bridge_px)) {
         fit = *part;
       } else {
