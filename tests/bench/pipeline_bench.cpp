@@ -1,0 +1,129 @@
+#include "tests/bench/pipeline_bench.h"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "messages/station.pb.h"
+#include "proto/wire/client_link.h"
+#include "tests/bench/distribution.h"
+#include "tests/support/child_process.h"
+
+namespace telepalp::bench {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+/// What a subscriber hears of a run.
+struct Heard {
+  Distribution encode_ms;
+  Distribution transfer_ms;
+  Distribution decode_ms;
+  Distribution build_ms;
+  Distribution touchable_ms;
+  Distribution late_us;
+  Distribution work_us;
+  msg::StationStats stats;
+
+  void surface(const msg::SurfaceReport& report) {
+    const auto ms = [](std::uint64_t from, std::uint64_t to) {
+      return (static_cast<double>(to) - static_cast<double>(from)) * 1e-6;
+    };
+    encode_ms.add(ms(report.captured_ns(), report.encoded_ns()));
+    transfer_ms.add(ms(report.encoded_ns(), report.received_ns()));
+    decode_ms.add(ms(report.received_ns(), report.decoded_ns()));
+    build_ms.add(ms(report.decoded_ns(), report.touchable_ns()));
+    touchable_ms.add(ms(report.captured_ns(), report.touchable_ns()));
+  }
+  void ticks(const msg::StationTicks& ticks) {
+    for (const std::uint32_t late_ns : ticks.late_ns()) late_us.add(late_ns * 1e-3);
+    for (const float us : ticks.work_us()) work_us.add(us);
+  }
+};
+
+template <class Proto, class Then>
+void parsed(const wire::Message& message, const wire::Topic& topic, Then then) {
+  Proto proto;
+  if (message.topic.name == topic.name && proto.ParseFromString(*message.payload)) then(proto);
+}
+
+/// Listens at `port` until `station` has ended.
+Heard listen(std::uint16_t port, support::ChildProcess& station, std::chrono::milliseconds patience) {
+  Heard heard;
+  boost::asio::io_context io(1);
+  wire::ClientLink link(
+      io, {.port = port, .name = "telepalp-bench", .subscribes = {"/station/*"}, .publishes = {}},
+      {.on_message =
+           [&](const wire::Message& message) {
+             parsed<msg::SurfaceReport>(message, wire::kStationSurface, [&](const auto& m) { heard.surface(m); });
+             parsed<msg::StationTicks>(message, wire::kStationTicks, [&](const auto& m) { heard.ticks(m); });
+             parsed<msg::StationStats>(message, wire::kStationStats, [&](const auto& m) { heard.stats = m; });
+           },
+       .on_state = [](wire::LinkState, const std::string&) {}});
+  link.start();
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (!station.wait(0ms) && std::chrono::steady_clock::now() < until) io.run_for(100ms);
+  io.run_for(200ms);  // the last messages of a station that has just ended
+  link.stop();
+  io.run_for(600ms);
+  return heard;
+}
+
+void stage(Report& report, const std::string& name, const Distribution& of) {
+  report.rows.push_back(measured(name + "_ms.p50", of.p50(), "ms"));
+  report.rows.push_back(measured(name + "_ms.p99", of.p99(), "ms"));
+}
+
+Report report_of(const Heard& heard) {
+  Report report{.bench = "pipeline", .rows = {}, .notes = {}};
+  stage(report, "capture_to_encoded", heard.encode_ms);
+  stage(report, "encoded_to_received", heard.transfer_ms);
+  stage(report, "received_to_decoded", heard.decode_ms);
+  stage(report, "decoded_to_touchable", heard.build_ms);
+  stage(report, "capture_to_touchable", heard.touchable_ms);
+  for (const auto& [name, of] :
+       {std::pair{"tick_work_us", &heard.work_us}, std::pair{"tick_late_us", &heard.late_us}}) {
+    report.rows.push_back(measured(std::string(name) + ".p50", of->p50(), "us"));
+    report.rows.push_back(measured(std::string(name) + ".p99", of->p99(), "us"));
+    report.rows.push_back(measured(std::string(name) + ".p999", of->p999(), "us"));
+  }
+  report.rows.push_back(measured("surfaces", static_cast<double>(heard.touchable_ms.count()), "frames"));
+  report.rows.push_back(measured("ticks", static_cast<double>(heard.work_us.count()), "ticks"));
+  report.rows.push_back(measured("deadlines_missed", static_cast<double>(heard.stats.deadlines_missed()), "ticks"));
+  report.notes.push_back(heard.stats.realtime() ? "the station had real-time priority"
+                                                : "the station had no real-time priority");
+  report.notes.push_back("budgets: 33.3 ms a frame at 30 Hz, 500 us a tick at 2 kHz");
+  return report;
+}
+
+Error not_started(const char* program) {
+  return {.what = std::string(program) + " did not start",
+          .where = "telepalp-bench pipeline",
+          .fix = "build all programs: ninja telepalp_programs"};
+}
+
+}  // namespace
+
+Result<Report> run_pipeline(const program::Arguments& arguments) {
+  const Result<double> seconds = arguments.number("seconds", 1.0, 600.0);
+  if (!seconds) return seconds.error();
+  const fs::path programs = fs::read_symlink("/proc/self/exe").parent_path();
+  if (!fs::exists(programs / "telepalp-server")) return not_started("telepalp-server");
+  if (!fs::exists(programs / "telepalp-station")) return not_started("telepalp-station");
+
+  const support::TemporaryFolder folder;
+  const fs::path ready = folder.path() / "server";
+  const std::string source = arguments.has("input") ? arguments.text("input") : "synthetic";
+  support::ChildProcess server(programs / "telepalp-server",
+                               {"--source", source, "--port", "0", "--ready-file", ready.string()});
+  const std::optional<std::string> port = support::await_ready(ready, "port");
+  if (!port) return not_started("telepalp-server");
+  support::ChildProcess station(programs / "telepalp-station",
+                                {"--connect", "127.0.0.1:" + *port, "--seconds", std::to_string(*seconds)});
+  const Heard heard = listen(static_cast<std::uint16_t>(std::stoi(*port)), station,
+                             std::chrono::milliseconds(static_cast<std::int64_t>(*seconds * 1000)) + 30s);
+  if (station.wait(0ms) != 0) return not_started("telepalp-station");
+  return report_of(heard);
+}
+
+}  // namespace telepalp::bench
