@@ -1,0 +1,72 @@
+import {decompress} from 'fzstd';
+
+import {DEPTH_DECODER_WASM} from './depth_decoder_wasm';
+
+/** Depth along the optical axis: `samples[row * width + column] * unit_m` metres, 0 where nothing was measured. */
+export interface DepthFrame {
+  width: number;
+  height: number;
+  unit_m: number;
+  samples: Uint16Array;
+}
+
+/** What the compiled decoder offers; see codec/wasm/depth_decoder_wasm.cpp. */
+interface Decoder {
+  memory: WebAssembly.Memory;
+  _initialize(): void;
+  packet(bytes: number): number;
+  decode(): number;
+  width(): number;
+  height(): number;
+  unit_m(): number;
+  samples(): number;
+  problem(): number;
+}
+
+let decoder: Decoder | undefined;
+
+/** Reads a packet of any depth mode. Throws on a damaged one; never gives depth other than what was sent. */
+export function decodeDepth(packet: Uint8Array): DepthFrame {
+  try {
+    return decodeWith((decoder ??= instantiate()), packet);
+  } catch (problem) {
+    if (problem instanceof WebAssembly.RuntimeError) decoder = undefined;  // trapped: its state is not to be trusted
+    throw problem;
+  }
+}
+
+function decodeWith(wasm: Decoder, packet: Uint8Array): DepthFrame {
+  const room = wasm.packet(packet.length);
+  new Uint8Array(wasm.memory.buffer, room, packet.length).set(packet);
+  if (wasm.decode() === 0) throw new Error(`depth packet: ${text(wasm.memory, wasm.problem())}`);
+  const [width, height] = [wasm.width(), wasm.height()];
+  const samples = new Uint16Array(wasm.memory.buffer, wasm.samples(), width * height).slice();
+  return {width, height, unit_m: wasm.unit_m(), samples};
+}
+
+/** Why not asynchronous: outside the page's own thread, where depth is decoded, a module of any size may be awaited. */
+function instantiate(): Decoder {
+  const bytes = Uint8Array.from(atob(DEPTH_DECODER_WASM), (letter) => letter.charCodeAt(0));
+  const view = (at: number, size: number) => new Uint8Array(wasm.memory.buffer, at, size);
+  const noFiles = () => 52;  // ENOSYS: the C library would print there, and there is nowhere to print
+  const instance = new WebAssembly.Instance(new WebAssembly.Module(bytes), {
+    env: {
+      ZSTD_decompress(to: number, room: number, from: number, size: number): number {
+        try {
+          return decompress(view(from, size), view(to, room)).length;
+        } catch {
+          return -1;  // any length but the one declared is an error to the caller
+        }
+      },
+    },
+    wasi_snapshot_preview1: {fd_close: noFiles, fd_seek: noFiles, fd_write: noFiles},
+  });
+  const wasm = instance.exports as unknown as Decoder;
+  wasm._initialize();
+  return wasm;
+}
+
+function text(memory: WebAssembly.Memory, at: number): string {
+  const bytes = new Uint8Array(memory.buffer, at);
+  return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+}

@@ -1,0 +1,51 @@
+// The depth decoder for browsers: the same C++, behind five functions that JavaScript can call. zstd is not compiled
+// in: ZSTD_decompress is imported, and the page's own JavaScript decoder stands behind it.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "codec/depth_codec.h"
+
+using telepalp::DepthImage;
+using telepalp::Result;
+
+namespace {
+
+std::vector<std::byte> g_packet;  // one decoder in each module: a worker owns its instance
+DepthImage g_depth;
+std::string g_problem;
+
+}  // namespace
+
+#define TELEPALP_EXPORT(name) extern "C" __attribute__((export_name(#name))) auto name
+
+/// Room for a packet of `bytes` bytes, to be filled before decode().
+TELEPALP_EXPORT(packet)(std::uint32_t bytes)->std::byte* {
+  g_packet.resize(bytes);
+  return g_packet.data();
+}
+
+/// 1 when the packet has been decoded, 0 when problem() says why not.
+TELEPALP_EXPORT(decode)()->std::int32_t {
+  Result<DepthImage> depth = telepalp::codec::decode_depth(g_packet);
+  if (!depth) {
+    g_problem = depth.error().what;
+    return 0;
+  }
+  g_depth = *std::move(depth);
+  return 1;
+}
+
+TELEPALP_EXPORT(width)()->std::int32_t { return g_depth.width; }
+TELEPALP_EXPORT(height)()->std::int32_t { return g_depth.height; }
+TELEPALP_EXPORT(unit_m)()->double { return g_depth.unit_m; }
+TELEPALP_EXPORT(samples)()->const std::uint16_t* { return g_depth.samples.data(); }
+TELEPALP_EXPORT(problem)()->const char* { return g_problem.c_str(); }
+
+// What a failed demand() prints has nowhere to go here; the trap itself reaches JavaScript as an exception.
+extern "C" int fprintf(FILE*, const char*, ...) { return 0; }
+extern "C" void abort() { __builtin_trap(); }
