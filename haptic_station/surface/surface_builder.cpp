@@ -1,8 +1,50 @@
 #include "haptic_station/surface/surface_builder.h"
 
+#include <cmath>
+
+#include "haptic_station/surface/cloud_snapshot.h"
 #include "haptic_station/surface/grid_snapshot.h"
+#include "haptic_station/surface/paper_surface.h"
 
 namespace telepalp::surface {
+namespace {
+
+/// Points in reach with normals from their nearest sixteen.
+std::vector<CloudPoint> points_in_reach(const DepthField& depth, const Intrinsics& camera,
+                                        const std::optional<Reach>& reach) {
+  const PixelBox box = box_in_reach(camera, reach, 8);
+  std::vector<Eigen::Vector3f> points;
+  const IndexedPoints all = to_points(depth, camera);
+  for (int row = box.top; row < box.bottom; ++row)
+    for (int column = box.left; column < box.right; ++column) points.push_back(all.at_m[depth.index(column, row)]);
+  return with_normals(points, 16, Eigen::Vector3f::Zero());
+}
+
+/// A snapshot of any method, of one depth field. `label` sets what all share.
+template <class Label>
+std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, const Intrinsics& camera,
+                                                     const std::optional<Reach>& reach, const SurfaceSettings& settings,
+                                                     const Label& label) {
+  if (settings.method == Method::Paper) {
+    auto snapshot = std::make_shared<PaperSurface>(to_points(depth, camera), settings);
+    label(*snapshot);
+    return snapshot;
+  }
+  if (settings.method == Method::Cloud) {
+    CloudShape shape;
+    shape.support_m = settings.radius_m;
+    if (settings.support == Support::KthNeighbor) shape.neighbors = static_cast<std::size_t>(settings.neighbors);
+    auto snapshot = std::make_shared<CloudSnapshot>(points_in_reach(depth, camera, reach), shape, settings.index);
+    snapshot->motion.ages = true;
+    label(*snapshot);
+    return snapshot;
+  }
+  auto snapshot = std::make_shared<GridSnapshot>(depth, camera, reach, settings);
+  label(*snapshot);
+  return snapshot;
+}
+
+}  // namespace
 
 struct SurfaceBuilder::State {
   SurfaceSettings settings;
@@ -37,10 +79,10 @@ std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& dep
   }
   state.last = captured;
   ++state.counts.built;
-  auto snapshot = std::make_shared<GridSnapshot>(to_depth_field(depth), camera, reach, state.settings);
-  snapshot->captured = captured;
-  snapshot->sequence = ++state.sequence;
-  return snapshot;
+  return make_snapshot(to_depth_field(depth), camera, reach, state.settings, [&](SurfaceSnapshot& snapshot) {
+    snapshot.captured = captured;
+    snapshot.sequence = ++state.sequence;
+  });
 }
 
 std::shared_ptr<const SurfaceSnapshot> build_snapshot(const DepthImage& depth, const Intrinsics& camera,
