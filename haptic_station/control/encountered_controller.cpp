@@ -1,0 +1,228 @@
+#include "haptic_station/control/encountered_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace telepalp::control {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kHandSmoothing_rad_per_s = 60.0;  // bandwidth of the filter over the tracker's 100 Hz steps
+constexpr double kPositionSlew_N_per_s = 56.0;     // 0.028 N a tick
+constexpr double kReleaseWithin_s = 0.03;          // from peak force to none
+
+Vector3d at_most(const Vector3d& vector, double length) noexcept {
+  const double norm = vector.norm();
+  return norm > length ? Vector3d(vector * (length / norm)) : vector;
+}
+
+/// One step of a critically damped approach to zero of (value, rate), exact for any step length.
+template <class Moving>
+void approach_zero(Moving& moving, double omega_rad_per_s, double dt_s) noexcept {
+  const double decay = std::exp(-omega_rad_per_s * dt_s);
+  const Vector3d slope = moving.per_s + omega_rad_per_s * moving.m;
+  const Vector3d value = (moving.m + slope * dt_s) * decay;
+  moving.per_s = (moving.per_s - omega_rad_per_s * slope * dt_s) * decay;
+  moving.m = value;
+}
+
+bool is_finite(const ControlInput& in) noexcept {
+  return in.device.m.allFinite() && in.device_velocity.v.allFinite() && std::isfinite(in.device_age_s) &&
+         (!in.hand_valid || (in.hand.m.allFinite() && in.hand_velocity.v.allFinite())) &&
+         (!in.contact.valid ||
+          (in.contact.proxy.m.allFinite() && in.contact.normal.v.allFinite() && std::isfinite(in.contact.distance_m) &&
+           std::isfinite(in.contact.surface_speed_m_per_s)));
+}
+
+/// The input with what must not be touched taken out, so that no number in it can poison the state.
+ControlInput without_numbers(const ControlInput& in, const Point<HapticBase>& device) noexcept {
+  ControlInput out;
+  out.device = device;
+  out.hand = device;
+  out.device_age_s = out.hand_age_s = out.contact.age_s = 1e9;
+  out.rearm = in.rearm;
+  return out;
+}
+
+bool in_body(const ControlInput& in) noexcept { return in.contact.valid && in.contact.in_body; }
+
+bool stale(const ControlInput& in, const AgeLimits& ages) noexcept {
+  // Written so that an age that is not a number counts as stale.
+  return !(in.hand_valid && in.hand_age_s <= ages.tracker_s && in.contact.age_s <= ages.surface_s);
+}
+
+Event object_event(effects::ObjectTouch touch) noexcept {
+  switch (touch) {
+    case effects::ObjectTouch::None:
+      return Event::AwayFromObject;
+    case effects::ObjectTouch::Near:
+      return Event::NearObject;
+    case effects::ObjectTouch::Lateral:
+      return Event::TouchLateral;
+    case effects::ObjectTouch::Upper:
+      return Event::TouchUpper;
+  }
+  return Event::AwayFromObject;
+}
+
+}  // namespace
+
+bool EncounteredController::leaving_event(const ControlInput& in, Event& event) const noexcept {
+  if (in_body(in)) return false;
+  const bool near = in.contact.valid && in.contact.distance_m < settings_.transitions.from_body_within_m;
+  event = near ? Event::FromBody : Event::FarFromBody;
+  return true;
+}
+
+/// The event that the inputs make in this phase; false: none. Safety first, then S1 Fig. 4.
+bool EncounteredController::next_event(const ControlInput& in, Event& event) const noexcept {
+  const auto is = [&event](Event what) noexcept { return event = what, true; };
+  if (phase_ == Phase::Faulted) return in.rearm && is(Event::Rearm);
+  if (!(in.device_age_s <= settings_.ages.device_s) || limiter_.faulted()) return is(Event::Fault);
+  const bool inputs_stale = stale(in, settings_.ages);
+  if (phase_ == Phase::Released) return !inputs_stale && is(Event::InputsBack);
+  if (inputs_stale) return is(Event::InputStale);
+  if (is_inside(phase_)) return leaving_event(in, event) || is(object_event(effects_.touch()));
+  if (phase_ == Phase::OutBody) return in.device.m.y() < plane_height_m_ && is(Event::UnderPlane);
+  if (in_body(in)) return is(Event::IntoBody);
+  if (phase_ == Phase::BodyToPlane)
+    return in.device.m.y() >= plane_height_m_ + settings_.plane.offset_m && is(Event::ToPlane);
+  const double risen_m = settings_.transitions.hand_rose_m;
+  return in.hand.m.y() > plane_height_m_ + risen_m && in.hand.m.y() > in.device.m.y() + risen_m && is(Event::HandRose);
+}
+
+/// The plane stays above the skin below the end-effector, without ever stepping.
+void EncounteredController::move_plane(const ControlInput& in, double dt_s) noexcept {
+  double wanted_m = settings_.plane.height_m;
+  if (in.contact.valid) {
+    const double skin_m = in.device.m.y() - in.contact.distance_m * in.contact.normal.v.y();
+    wanted_m = std::max(wanted_m, skin_m + settings_.plane.clearance_m);
+  }
+  if (!plane_placed_) plane_height_m_ = wanted_m;
+  plane_placed_ = true;
+  const double most_m = settings_.plane.speed_m_per_s * dt_s;
+  plane_height_m_ += std::clamp(wanted_m - plane_height_m_, -most_m, most_m);
+}
+
+void EncounteredController::enter(Phase phase, const ControlInput& in) noexcept {
+  if (!(is_inside(phase) && is_inside(phase_))) in_phase_s_ = 0.0;  // the dwell in the body counts its parts together
+  phase_ = phase;
+  if (phase != Phase::OutBody) return;
+  // S1 eq. (5): the target starts where the end-effector is, and as fast, so that position control begins at no force.
+  hand_ = {in.hand.m, in.hand_velocity.v};
+  hand_.per_s.y() = 0.0;
+  const Vector3d goal{in.hand.m.x(), plane_height_m_ + settings_.plane.offset_m, in.hand.m.z()};
+  offset_ = {in.device.m - goal, in.device_velocity.v - hand_.per_s};
+  position_force_N_.setZero();
+}
+
+Vector3d EncounteredController::effects_force_N(const ControlInput& in, double dt_s) noexcept {
+  const effects::EffectInput felt{in.device, in.device_velocity, in.contact};
+  const Vector3d force_N = effects_.step(felt, dt_s, cost_clock_).N;
+  const Vector3d relative = in.device_velocity.v - in.contact.surface_speed_m_per_s * in.contact.normal.v;
+  damping_ = passivity_.step(effects_.absorbed_W(), effects_.energy_J(), {relative}, dt_s);
+  return force_N + damping_.N;
+}
+
+/// Out body: proportional-derivative control to eq. (5)'s target, over the hand's x and z, on the plane.
+Vector3d EncounteredController::position_force_N(const ControlInput& in, double dt_s) noexcept {
+  const PositionControlSettings& pd = settings_.position;
+  constexpr double w = kHandSmoothing_rad_per_s;
+  Moving error{hand_.m - in.hand.m, hand_.per_s - in.hand_velocity.v};
+  approach_zero(error, w, dt_s);
+  hand_.per_s = at_most(in.hand_velocity.v + error.per_s, pd.fastest_m_per_s);
+  const Vector3d step = in.hand.m + in.hand_velocity.v * dt_s + error.m - hand_.m;
+  hand_.m += at_most(step, pd.fastest_m_per_s * dt_s);
+  approach_zero(offset_, 1.0 / settings_.transitions.offset_fade_s, dt_s);
+  target_.m = Vector3d{hand_.m.x(), plane_height_m_ + settings_.plane.offset_m, hand_.m.z()} + offset_.m;
+  const Vector3d speed = Vector3d{hand_.per_s.x(), 0.0, hand_.per_s.z()} + offset_.per_s;
+  const Vector3d wanted_N =
+      at_most(pd.stiffness_N_per_m * (target_.m - in.device.m) + pd.damping_N_s_per_m * (speed - in.device_velocity.v),
+              pd.most_N);
+  position_force_N_ += at_most(wanted_N - position_force_N_, kPositionSlew_N_per_s * dt_s);
+  return position_force_N_;
+}
+
+/// Body to plane: "a force is applied to the end-effector in order to go farther from the body". A speed is asked
+/// for, so that an end-effector without a hand neither flies off nor rises past the plane while the dwell lasts.
+Vector3d EncounteredController::lift_force_N(const ControlInput& in) const noexcept {
+  const PositionControlSettings& lift = settings_.position;
+  constexpr double kBrakes_s = 0.05;
+  constexpr double kBeyond_m = 0.002;  // aims a little past the plane, to arrive
+  const double left_m = plane_height_m_ + settings_.plane.offset_m + kBeyond_m - in.device.m.y();
+  const double speed = std::clamp(left_m / kBrakes_s, -lift.lift_speed_m_per_s, lift.lift_speed_m_per_s);
+  const Vector3d wanted = Vector3d::UnitY() * speed;
+  return at_most(lift.lift_damping_N_s_per_m * (wanted - in.device_velocity.v), lift.lift_most_N);
+}
+
+/// `raw_N` plus what is left of the force before the last break. With `starts_anew`, the break is now.
+Vector3d EncounteredController::faded_N(const Vector3d& raw_N, bool starts_anew, double dt_s) noexcept {
+  if (starts_anew) fading_N_ = wanted_N_ - raw_N;
+  const double rate =
+      has_let_go(phase_) ? settings_.limits.peak_N / kReleaseWithin_s : settings_.transitions.force_fade_N_per_s;
+  const double left = fading_N_.norm() - rate * dt_s;
+  fading_N_ = left > 0.0 ? at_most(fading_N_, left) : Vector3d::Zero().eval();
+  return raw_N + fading_N_;
+}
+
+/// S1 II.E: on the proxy in the body, as tracked out of it; the difference at a change fades.
+Point<HapticBase> EncounteredController::shown_hand(const ControlInput& in, double dt_s) noexcept {
+  const bool from_proxy = is_inside(phase_);
+  if (in.contact.valid) last_proxy_ = in.contact.proxy;
+  const Vector3d base = from_proxy ? last_proxy_.m : (in.hand_valid ? in.hand.m : shown_.m);
+  if (from_proxy != shown_from_proxy_) shown_offset_m_ = shown_.m - base;
+  shown_from_proxy_ = from_proxy;
+  if (!from_proxy && !in.hand_valid) shown_offset_m_.setZero();
+  shown_offset_m_ *= std::exp(-dt_s / settings_.transitions.offset_fade_s);
+  shown_.m = base + shown_offset_m_;
+  return shown_;
+}
+
+ControlOutput EncounteredController::step(const ControlInput& given, double dt_given_s) noexcept {
+  const double dt_s = std::isfinite(dt_given_s) ? std::clamp(dt_given_s, 0.0, 0.01) : 0.0;
+  const bool finite = is_finite(given);
+  const ControlInput in = finite ? given : without_numbers(given, target_);
+  ControlOutput out;
+  out.previous = phase_;
+
+  in_phase_s_ += dt_s;
+  move_plane(in, dt_s);
+  Event event = Event::Fault;
+  if (!finite ? phase_ != Phase::Faulted : next_event(in, event)) {
+    const Row* row = transition(phase_, event);
+    if (row != nullptr && (!row->waits_for_dwell || in_phase_s_ >= settings_.transitions.dwell_s)) {
+      if (event == Event::Rearm) limiter_.rearm();
+      enter(row->to, in);
+      out.event = event;
+    }
+  }
+
+  const bool touching = in_body(in) && (is_inside(phase_) || phase_ == Phase::BodyToPlane);
+  const bool contact_changed = touching != touching_;
+  if (touching && !touching_) {
+    effects_.begin({in.device, in.device_velocity, in.contact});
+    passivity_.begin(0.0);
+  }
+  touching_ = touching;
+  damping_ = {};
+  target_ = in.device;
+  Vector3d raw_N = touching ? effects_force_N(in, dt_s) : Vector3d::Zero().eval();
+  if (phase_ == Phase::BodyToPlane) raw_N += lift_force_N(in);
+  if (phase_ == Phase::OutBody) raw_N += position_force_N(in, dt_s);
+  const bool outer_change = phase_ != out.previous && !(is_inside(phase_) && is_inside(out.previous));
+  wanted_N_ = faded_N(raw_N, outer_change || contact_changed, dt_s);
+
+  out.phase = phase_;
+  out.force = limiter_.limit({wanted_N_}, dt_s);
+  out.limited = limiter_.limited();
+  out.target = target_;
+  out.displayed_hand = shown_hand(in, dt_s);
+  if (touching) out.indentation = effects_.indentation();
+  out.plane_height_m = plane_height_m_;
+  out.passivity_J = passivity_.balance_J();
+  out.damping = damping_;
+  return out;
+}
+
+}  // namespace telepalp::control

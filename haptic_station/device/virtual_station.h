@@ -1,0 +1,76 @@
+#pragma once
+
+#include "haptic_station/control/encountered_controller.h"
+#include "haptic_station/device/simulated_pair.h"
+#include "haptic_station/device/simulated_tracker.h"
+#include "haptic_station/device/trial.h"
+#include "haptic_station/tracking/hand_estimate.h"
+
+namespace telepalp::device {
+
+struct VirtualStationSettings {
+  control::ControlSettings control;
+  effects::EffectBank effects;
+  SimulatedDeviceSettings device;
+  SimulatedHandSettings hand;
+  SimulatedTrackerSettings tracker;
+  tracking::HandEstimateSettings estimate;
+  std::uint64_t seed = 1;
+  double tick_s = 0.0005;
+};
+
+/// Tracker, estimate, controller, device and person in virtual time: the tick of the live loop without its clock,
+/// threads and camera. The surface and the person are the caller's.
+class VirtualStation {
+ public:
+  explicit VirtualStation(const VirtualStationSettings& settings) noexcept
+      : settings_(settings),
+        controller_(settings.control, settings.effects),
+        pair_(settings.device, settings.hand),
+        tracker_(settings.tracker, settings.seed),
+        estimate_(settings.estimate) {}
+
+  void place(const Point<HapticBase>& device, const Point<HapticBase>& hand) noexcept { pair_.place(device, hand); }
+
+  /// The controller's input at this tick but for the contact, which `surface` answers for the device point:
+  /// `SurfaceContact surface(Point<HapticBase> device, double time_s)`. `person` aims:
+  /// `Intention person(const TrialView&)`. `spoil(ControlInput&)` may damage the input, for tests.
+  template <class Surface, class Person, class Spoil>
+  control::ControlOutput step(Surface&& surface, Person&& person, Spoil&& spoil) noexcept {
+    const SessionTime now{from_seconds(time_s())};
+    if (const auto sample = tracker_.sample(time_s(), pair_.true_hand())) (void)estimate_.update(now, *sample);
+    const tracking::HandPrediction hand = estimate_.predict(now);
+    control::ControlInput in;
+    in.device = pair_.device();
+    in.device_velocity = pair_.device_velocity();
+    in.hand = hand.at;
+    in.hand_velocity = hand.velocity;
+    in.hand_valid = hand.valid;
+    in.hand_age_s = hand.age_s;
+    in.contact = surface(in.device, time_s());
+    const TrialView view{time_s(), in.contact, in.device};
+    spoil(in);
+    const control::ControlOutput out = controller_.step(in, settings_.tick_s);
+    pair_.step(out.force, person(view), settings_.tick_s);
+    ++tick_;
+    return out;
+  }
+  template <class Surface, class Person>
+  control::ControlOutput step(Surface&& surface, Person&& person) noexcept {
+    return step(surface, person, [](control::ControlInput&) {});
+  }
+
+  [[nodiscard]] double time_s() const noexcept { return static_cast<double>(tick_) * settings_.tick_s; }
+  [[nodiscard]] const SimulatedPair& pair() const noexcept { return pair_; }
+  [[nodiscard]] const control::EncounteredController& controller() const noexcept { return controller_; }
+
+ private:
+  VirtualStationSettings settings_;
+  control::EncounteredController controller_;
+  SimulatedPair pair_;
+  SimulatedTracker tracker_;
+  tracking::HandEstimate estimate_;
+  std::uint64_t tick_ = 0;
+};
+
+}  // namespace telepalp::device

@@ -1,0 +1,72 @@
+#include "haptic_station/effects/effect_bank.h"
+
+#include <algorithm>
+
+namespace telepalp::effects {
+namespace {
+
+/// std::visit may throw, which the control thread must not be able to; get_if does not.
+template <std::size_t I = 0, class Effect, class Do>
+auto with(Effect& effect, Do&& act) noexcept {
+  if constexpr (I + 1 < std::variant_size_v<std::remove_const_t<Effect>>) {
+    if (effect.index() != I) return with<I + 1>(effect, act);
+  }
+  return act(*std::get_if<I>(&effect));
+}
+
+}  // namespace
+
+const char* EffectBank::name(const Effect& effect) noexcept {
+  return with(effect, [](const auto& e) noexcept { return std::remove_cvref_t<decltype(e)>::kName; });
+}
+
+bool EffectBank::add(const Effect& effect) noexcept {
+  if (count_ == kMostEffects) return false;
+  bill_[count_] = EffectBill{.name = name(effect)};
+  effects_[count_++] = effect;
+  return true;
+}
+
+void EffectBank::begin(const EffectInput& in) noexcept {
+  for (std::size_t i = 0; i < count_; ++i) with(effects_[i], [&](auto& e) noexcept { e.begin(in); });
+}
+
+Force<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, CostClock clock) noexcept {
+  Force<HapticBase> sum;
+  absorbed_W_ = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::uint64_t before = clock != nullptr ? clock() : 0;
+    with(effects_[i], [&](auto& e) noexcept {
+      const Eigen::Vector3d force_N = e.step(in, dt_s).N;
+      sum.N += force_N;
+      absorbed_W_ -= force_N.dot(in.device_velocity.v - e.carried_at(in).v);
+    });
+    const std::uint64_t cost = clock != nullptr ? clock() - before : 0;
+    ++bill_[i].steps;
+    bill_[i].cost += cost;
+    bill_[i].largest = std::max(bill_[i].largest, cost);
+  }
+  return sum;
+}
+
+double EffectBank::energy_J() const noexcept {
+  double sum_J = 0.0;
+  for (std::size_t i = 0; i < count_; ++i)
+    sum_J += with(effects_[i], [](const auto& e) noexcept { return e.energy_J(); });
+  return sum_J;
+}
+
+ObjectTouch EffectBank::touch() const noexcept {
+  ObjectTouch nearest = ObjectTouch::None;
+  for (std::size_t i = 0; i < count_; ++i)
+    nearest = std::max(nearest, with(effects_[i], [](const auto& e) noexcept { return e.touch(); }));
+  return nearest;
+}
+
+Vector<HapticBase> EffectBank::indentation() const noexcept {
+  for (std::size_t i = 0; i < count_; ++i)
+    if (const Skin* skin = std::get_if<Skin>(&effects_[i])) return skin->indentation();
+  return {};
+}
+
+}  // namespace telepalp::effects

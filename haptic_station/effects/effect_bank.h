@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <variant>
+
+#include "haptic_station/effects/inner_cylinder.h"
+#include "haptic_station/effects/inner_sphere.h"
+#include "haptic_station/effects/skin.h"
+
+namespace telepalp::effects {
+
+/// Reads a clock that needs no system call, in any unit; nullptr where cost is not asked for.
+using CostClock = std::uint64_t (*)() noexcept;
+
+/// What stepping one effect has cost, in the clock's unit.
+struct EffectBill {
+  const char* name = "";
+  std::uint64_t steps = 0;
+  std::uint64_t cost = 0;
+  std::uint64_t largest = 0;
+};
+
+/// The effects that a scene names, in its order, and no others. Owner: control thread.
+class EffectBank {
+ public:
+  static constexpr std::size_t kMostEffects = 8;
+  using Effect = std::variant<Skin, InnerCylinder, InnerSphere>;
+
+  /// False when the bank is full.
+  bool add(const Effect& effect) noexcept;
+  [[nodiscard]] std::size_t size() const noexcept { return count_; }
+
+  void begin(const EffectInput& in) noexcept;
+  /// The sum of all effects' forces on the hand.
+  [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s, CostClock clock = nullptr) noexcept;
+  [[nodiscard]] double energy_J() const noexcept;
+  /// Power taken from the hand at the last step, each effect counted relative to what it is fixed to [W].
+  [[nodiscard]] double absorbed_W() const noexcept { return absorbed_W_; }
+  [[nodiscard]] ObjectTouch touch() const noexcept;               ///< the nearest of all inner objects
+  [[nodiscard]] Vector<HapticBase> indentation() const noexcept;  ///< of the first skin, S1 eq. (8); zero without
+  [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
+  [[nodiscard]] static const char* name(const Effect& effect) noexcept;
+
+ private:
+  std::array<Effect, kMostEffects> effects_{};
+  std::array<EffectBill, kMostEffects> bill_{};
+  std::size_t count_ = 0;
+  double absorbed_W_ = 0.0;
+};
+
+}  // namespace telepalp::effects

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "haptic_station/effects/effect.h"
+
+namespace telepalp::effects {
+
+struct InnerSphereSettings {
+  Point<HapticBase> center;
+  double radius_m = 0.02;
+  double stiffness_N_per_m = 800.0;
+  double around_m = 0.01;
+};
+
+/// A sphere inside the body (S1 II.D): F = k (r - |x - c|) outwards. Upper: pressed from within 45 degrees of above.
+class InnerSphere {
+ public:
+  static constexpr const char* kName = "sphere";
+  using Settings = InnerSphereSettings;
+
+  explicit InnerSphere(const Settings& settings = {}) noexcept : settings_(settings) {}
+  void begin(const EffectInput&) noexcept {}
+  [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
+  [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
+  [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput&) const noexcept { return {}; }
+  [[nodiscard]] ObjectTouch touch() const noexcept { return touch_; }
+
+ private:
+  Settings settings_;
+  Eigen::Vector3d outwards_ = Eigen::Vector3d::UnitY();  ///< held at the centre, where there is none
+  double energy_J_ = 0.0;
+  ObjectTouch touch_ = ObjectTouch::None;
+};
+
+}  // namespace telepalp::effects

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "haptic_station/effects/effect.h"
+#include "haptic_station/effects/skin_law.h"
+
+namespace telepalp::effects {
+
+/// Where the skin's indentation vector d starts.
+enum class SkinAnchor {
+  FollowsSurface,  ///< at the first contact point, carried along the first normal as the surface rises and falls
+  Fixed,           ///< at the first contact point, S1 eq. (8) to the letter
+  Sliding,         ///< at the proxy, S1's extension: the hand slides, without friction
+};
+
+struct SkinSettings {
+  SkinLaw law;
+  SkinAnchor anchor = SkinAnchor::FollowsSurface;
+};
+
+/// The undeformed skin that pushes an indenting hand back (S1 II.D). On a plane at rest FollowsSurface and Fixed are
+/// the same; a breathing patient needs the former. The skin never pulls the hand into the body.
+class Skin {
+ public:
+  static constexpr const char* kName = "skin";
+  using Settings = SkinSettings;
+
+  explicit Skin(const Settings& settings = {}) noexcept : settings_(settings) {}
+  void begin(const EffectInput& in) noexcept;
+  [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
+  [[nodiscard]] double energy_J() const noexcept { return skin_energy_J(settings_.law, indentation_.v); }
+  [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput& in) const noexcept;
+  [[nodiscard]] ObjectTouch touch() const noexcept { return ObjectTouch::None; }
+  [[nodiscard]] const Vector<HapticBase>& indentation() const noexcept { return indentation_; }
+
+ private:
+  Settings settings_;
+  Point<HapticBase> first_contact_;  ///< S1's p_p^0
+  Vector<HapticBase> first_normal_;
+  Vector<HapticBase> indentation_;  ///< S1's d, eq. (8)
+};
+
+}  // namespace telepalp::effects

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "proto/words/frames.h"
+#include "proto/words/result.h"
+
+namespace telepalp::scenes {
+
+/// What a number may be. `unit` is for the message alone.
+struct Range {
+  double least;
+  double most;
+  std::string_view unit;
+};
+
+/// Collects the first value out of its range while a message is read field by field.
+class FieldCheck {
+ public:
+  explicit FieldCheck(std::string where) : where_(std::move(where)) {}
+
+  /// `value` into `into` when it is within `range`; otherwise remembers the complaint about `field`.
+  void number(std::string_view field, double value, const Range& range, double& into) {
+    if (std::isfinite(value) && value >= range.least && value <= range.most) {
+      into = value;
+      return;
+    }
+    complain(std::string(field) + " is " + text(value) + " " + std::string(range.unit) + ", outside " +
+                 text(range.least) + " to " + text(range.most) + " " + std::string(range.unit),
+             "give " + std::string(field) + " in " + std::string(range.unit) + " within that range");
+  }
+
+  void complain(std::string what, std::string fix) {
+    if (!error_) error_ = Error{.what = std::move(what), .where = where_, .fix = std::move(fix)};
+  }
+
+  [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
+
+ private:
+  static std::string text(double value) {
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%g", value);
+    return buffer;
+  }
+
+  std::string where_;
+  std::optional<Error> error_;
+};
+
+}  // namespace telepalp::scenes

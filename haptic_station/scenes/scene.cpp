@@ -1,0 +1,190 @@
+#include "haptic_station/scenes/scene.h"
+
+#include <numbers>
+
+#include "haptic_station/scenes/field_check.h"
+#include "proto/program/text_format.h"
+
+namespace telepalp::scenes {
+namespace {
+
+/// Reads an optional field when it is there; the plain value keeps its default when it is not.
+#define TELEPALP_READ(check, prefix, message, field, into, ...) \
+  if ((message).has_##field()) (check).number(prefix #field, (message).field(), Range __VA_ARGS__, into)
+
+Eigen::Vector3d read_xyz(FieldCheck& check, std::string_view field, const msg::Xyz& xyz, const Range& range) {
+  Eigen::Vector3d out = Eigen::Vector3d::Zero();
+  const std::string name(field);
+  check.number(name + ".x", xyz.x(), range, out.x());
+  check.number(name + ".y", xyz.y(), range, out.y());
+  check.number(name + ".z", xyz.z(), range, out.z());
+  return out;
+}
+
+Eigen::Isometry3d read_transform(FieldCheck& check, const std::string& field, const msg::RigidTransform& message) {
+  Eigen::Isometry3d iso = Eigen::Isometry3d::Identity();
+  iso.translation() = read_xyz(check, field + ".translation_m", message.translation_m(), {-10, 10, "m"});
+  const Eigen::Vector3d turn =
+      read_xyz(check, field + ".rotation_vector_rad", message.rotation_vector_rad(), {-6.3, 6.3, "rad"});
+  if (turn.norm() > 0) iso.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  return iso;
+}
+
+effects::Skin read_skin(FieldCheck& check, const msg::SkinEffect& message) {
+  effects::Skin::Settings skin;
+  double stiffness = 160.0;
+  double at_m = 0.06;
+  TELEPALP_READ(check, "skin.", message, stiffness_n_per_m, stiffness, {1, 5000, "N/m"});
+  TELEPALP_READ(check, "skin.", message, at_indentation_m, at_m, {0.001, 0.2, "m"});
+  skin.law.alpha = effects::alpha_for(stiffness, at_m);
+  if (message.has_alpha_n_per_m2()) {
+    if (message.has_stiffness_n_per_m() || message.has_at_indentation_m())
+      check.complain("skin gives both alpha_N_per_m2 and a stiffness", "give one of the two");
+    TELEPALP_READ(check, "skin.", message, alpha_n_per_m2, skin.law.alpha, {1, 1e6, "N/m^2"});
+  }
+  skin.law.by_axis = message.stiffness_by_axis();
+  if (message.anchor() == msg::SkinEffect::ANCHOR_FIXED) skin.anchor = effects::SkinAnchor::Fixed;
+  if (message.anchor() == msg::SkinEffect::ANCHOR_SLIDING) skin.anchor = effects::SkinAnchor::Sliding;
+  return effects::Skin(skin);
+}
+
+effects::InnerCylinder read_cylinder(FieldCheck& check, const msg::CylinderEffect& message) {
+  effects::InnerCylinder::Settings cylinder;
+  cylinder.top_center.m = read_xyz(check, "cylinder.top_center_m", message.top_center_m(), {-1, 1, "m"});
+  TELEPALP_READ(check, "cylinder.", message, radius_m, cylinder.radius_m, {0.001, 0.3, "m"});
+  TELEPALP_READ(check, "cylinder.", message, height_m, cylinder.height_m, {0.001, 0.5, "m"});
+  TELEPALP_READ(check, "cylinder.", message, stiffness_n_per_m, cylinder.stiffness_N_per_m, {0, 5000, "N/m"});
+  TELEPALP_READ(check, "cylinder.", message, around_m, cylinder.around_m, {0, 0.1, "m"});
+  return effects::InnerCylinder(cylinder);
+}
+
+effects::InnerSphere read_sphere(FieldCheck& check, const msg::SphereEffect& message) {
+  effects::InnerSphere::Settings sphere;
+  sphere.center.m = read_xyz(check, "sphere.center_m", message.center_m(), {-1, 1, "m"});
+  TELEPALP_READ(check, "sphere.", message, radius_m, sphere.radius_m, {0.001, 0.3, "m"});
+  TELEPALP_READ(check, "sphere.", message, stiffness_n_per_m, sphere.stiffness_N_per_m, {0, 5000, "N/m"});
+  TELEPALP_READ(check, "sphere.", message, around_m, sphere.around_m, {0, 0.1, "m"});
+  return effects::InnerSphere(sphere);
+}
+
+void read_effects(FieldCheck& check, const msg::Scene& message, effects::EffectBank& bank) {
+  if (message.effects().empty()) check.complain("names no effect", "add at least effects { skin {} }");
+  for (const msg::Effect& effect : message.effects()) {
+    bool room = true;
+    if (effect.has_skin())
+      room = bank.add(read_skin(check, effect.skin()));
+    else if (effect.has_cylinder())
+      room = bank.add(read_cylinder(check, effect.cylinder()));
+    else if (effect.has_sphere())
+      room = bank.add(read_sphere(check, effect.sphere()));
+    else
+      check.complain("an effect without a kind", "name it, as in effects { skin {} }");
+    if (!room)
+      check.complain("more than " + std::to_string(effects::EffectBank::kMostEffects) + " effects", "name fewer");
+  }
+}
+
+void read_plane_and_transitions(FieldCheck& check, const msg::Scene& message, control::ControlSettings& control) {
+  const msg::Plane& plane = message.plane();
+  TELEPALP_READ(check, "plane.", plane, height_m, control.plane.height_m, {-0.5, 0.5, "m"});
+  TELEPALP_READ(check, "plane.", plane, clearance_m, control.plane.clearance_m, {0.002, 0.3, "m"});
+  TELEPALP_READ(check, "plane.", plane, offset_m, control.plane.offset_m, {0, 0.02, "m"});
+  TELEPALP_READ(check, "plane.", plane, speed_m_per_s, control.plane.speed_m_per_s, {0, 1, "m/s"});
+  const msg::Transitions& change = message.transitions();
+  TELEPALP_READ(check, "transitions.", change, dwell_s, control.transitions.dwell_s, {0, 5, "s"});
+  TELEPALP_READ(check, "transitions.", change, from_body_within_m, control.transitions.from_body_within_m,
+                {0.001, 0.5, "m"});
+  TELEPALP_READ(check, "transitions.", change, offset_fade_s, control.transitions.offset_fade_s, {0.02, 5, "s"});
+  TELEPALP_READ(check, "transitions.", change, hand_rose_m, control.transitions.hand_rose_m, {0.005, 0.3, "m"});
+  TELEPALP_READ(check, "transitions.", change, force_fade_n_per_s, control.transitions.force_fade_N_per_s,
+                {1, 1000, "N/s"});
+}
+
+void read_position_control(FieldCheck& check, const msg::PositionControl& message,
+                           control::PositionControlSettings& position) {
+  TELEPALP_READ(check, "position_control.", message, stiffness_n_per_m, position.stiffness_N_per_m, {1, 5000, "N/m"});
+  TELEPALP_READ(check, "position_control.", message, damping_n_s_per_m, position.damping_N_s_per_m, {0, 100, "N s/m"});
+  TELEPALP_READ(check, "position_control.", message, most_n, position.most_N, {0.1, 10, "N"});
+  TELEPALP_READ(check, "position_control.", message, fastest_m_per_s, position.fastest_m_per_s, {0.01, 3, "m/s"});
+  TELEPALP_READ(check, "position_control.", message, lift_speed_m_per_s, position.lift_speed_m_per_s,
+                {0.005, 0.5, "m/s"});
+  TELEPALP_READ(check, "position_control.", message, lift_damping_n_s_per_m, position.lift_damping_N_s_per_m,
+                {0.1, 100, "N s/m"});
+  TELEPALP_READ(check, "position_control.", message, lift_most_n, position.lift_most_N, {0.1, 5, "N"});
+}
+
+void read_limits(FieldCheck& check, const msg::Scene& message, control::ControlSettings& control) {
+  const msg::AgeLimit& age = message.age_limits();
+  TELEPALP_READ(check, "age_limits.", age, tracker_s, control.ages.tracker_s, {0.01, 10, "s"});
+  TELEPALP_READ(check, "age_limits.", age, surface_s, control.ages.surface_s, {0.01, 10, "s"});
+  TELEPALP_READ(check, "age_limits.", age, device_s, control.ages.device_s, {0.001, 1, "s"});
+  const msg::ForceLimit& limit = message.limits();
+  TELEPALP_READ(check, "limits.", limit, peak_n, control.limits.peak_N, {0, 10, "N"});
+  TELEPALP_READ(check, "limits.", limit, continuous_n, control.limits.continuous_N, {0, 10, "N"});
+  TELEPALP_READ(check, "limits.", limit, thermal_time_s, control.limits.thermal_time_s, {0.1, 600, "s"});
+  TELEPALP_READ(check, "limits.", limit, slew_n_per_s, control.limits.slew_N_per_s, {10, 5000, "N/s"});
+  if (control.limits.continuous_N > control.limits.peak_N)
+    check.complain("limits.continuous_N is above limits.peak_N", "give a peak at least as large");
+}
+
+void read_simulation(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene) {
+  const msg::SimulatedDevice& device = message.simulated_device();
+  TELEPALP_READ(check, "simulated_device.", device, mass_kg, scene.simulated_device.mass_kg, {0.01, 10, "kg"});
+  TELEPALP_READ(check, "simulated_device.", device, damping_n_s_per_m, scene.simulated_device.damping_N_s_per_m,
+                {0, 100, "N s/m"});
+  TELEPALP_READ(check, "simulated_device.", device, encoder_step_m, scene.simulated_device.encoder_step_m,
+                {0, 0.001, "m"});
+  TELEPALP_READ(check, "simulated_device.", device, peak_n, scene.simulated_device.peak_N, {0.1, 50, "N"});
+  const msg::HandIntention& hand = message.hand();
+  TELEPALP_READ(check, "hand.", hand, arm_stiffness_n_per_m, scene.simulated_hand.stiffness_N_per_m, {1, 5000, "N/m"});
+  TELEPALP_READ(check, "hand.", hand, arm_damping_n_s_per_m, scene.simulated_hand.damping_N_s_per_m, {0, 200, "N s/m"});
+  TELEPALP_READ(check, "hand.", hand, hand_mass_kg, scene.simulated_hand.mass_kg, {0.05, 10, "kg"});
+  if (hand.trial() >= msg::HandIntention::TRIAL_INDENT_SEVERAL_POINTS)
+    scene.trial = static_cast<device::Trial>(hand.trial() - msg::HandIntention::TRIAL_INDENT_SEVERAL_POINTS);
+  if (!hand.has_trace()) return;
+  if (hand.trace().file().empty()) check.complain("hand.trace.file is empty", "name a CSV file");
+  scene.hand_trace = folder / hand.trace().file();
+  TELEPALP_READ(check, "hand.trace.", hand.trace(), deepest_m, scene.trace_deepest_m, {0, 0.2, "m"});
+}
+
+#undef TELEPALP_READ
+
+}  // namespace
+
+Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path& name) {
+  FieldCheck check(name.string());
+  Scene scene;
+  scene.message = message;
+  scene.name = message.name().empty() ? name.stem().string() : message.name();
+  if (!message.has_haptic_from_camera())
+    check.complain("haptic_from_camera is missing", "copy it from palpation.scene.textproto");
+  scene.haptic_from_camera.iso = read_transform(check, "haptic_from_camera", message.haptic_from_camera());
+  scene.center_on_surface = message.center_on_surface();
+  scene.haptic_from_tracker.iso.linear() =
+      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();  // S1 eq. (4)
+  if (message.has_haptic_from_tracker())
+    scene.haptic_from_tracker.iso = read_transform(check, "haptic_from_tracker", message.haptic_from_tracker());
+  read_effects(check, message, scene.effects);
+  read_plane_and_transitions(check, message, scene.control);
+  read_position_control(check, message.position_control(), scene.control.position);
+  read_limits(check, message, scene.control);
+  read_simulation(check, message, name.parent_path(), scene);
+  if (check.error()) return *check.error();
+  return scene;
+}
+
+Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& name) {
+  msg::Scene message;
+  const Result<void> parsed = program::parse_text_format(text, name.string(), message);
+  if (!parsed) return parsed.error();
+  return make_scene(message, name);
+}
+
+Result<Scene> read_scene(const std::filesystem::path& file) {
+  msg::Scene message;
+  const Result<void> read = program::read_text_format(file, message);
+  if (!read) return read.error();
+  return make_scene(message, file);
+}
+
+}  // namespace telepalp::scenes

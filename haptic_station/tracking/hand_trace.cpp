@@ -1,0 +1,155 @@
+#include "haptic_station/tracking/hand_trace.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace telepalp::tracking {
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 64u << 20;
+
+std::vector<std::string_view> fields(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  std::vector<std::string_view> out;
+  for (std::size_t start = 0;;) {
+    const std::size_t comma = line.find(',', start);
+    out.push_back(line.substr(start, comma == std::string_view::npos ? comma : comma - start));
+    if (comma == std::string_view::npos) return out;
+    start = comma + 1;
+  }
+}
+
+std::string_view next_line(std::string_view& text) {
+  const std::size_t end = text.find('\n');
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  return line;
+}
+
+enum Column { kTime, kX, kY, kZ, kVx, kVy, kVz, kHand, kColumns };
+constexpr std::array<std::string_view, kColumns> kNames = {"timestamp_us", "palm_x_mm",  "palm_y_mm",  "palm_z_mm",
+                                                           "vel_x_mm_s",   "vel_y_mm_s", "vel_z_mm_s", "hand_id"};
+
+using Columns = std::array<std::optional<std::size_t>, kColumns>;
+
+Columns find_columns(std::string_view header) {
+  Columns columns;
+  const std::vector<std::string_view> names = fields(header);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t c = 0; c < kColumns; ++c)
+      if (names[i] == kNames[c]) columns[c] = i;
+  return columns;
+}
+
+/// The field as a finite number. from_chars knows no locale: a comma is never a decimal point here.
+std::optional<double> number(const std::vector<std::string_view>& row, std::optional<std::size_t> column) {
+  if (!column || *column >= row.size()) return std::nullopt;
+  const std::string_view text = row[*column];
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+struct ParsedRow {
+  double time_us;
+  double hand;
+  TraceSample sample;
+};
+
+std::optional<ParsedRow> parse_row(const std::vector<std::string_view>& row, const Columns& columns) {
+  std::array<std::optional<double>, kColumns> n;
+  for (std::size_t c = 0; c < kColumns; ++c) n[c] = number(row, columns[c]);
+  constexpr double kFurthest_mm = 10'000.0;
+  for (const Column c : {kTime, kX, kY, kZ})
+    if (!n[c]) return std::nullopt;
+  for (const Column c : {kX, kY, kZ})
+    if (std::abs(*n[c]) > kFurthest_mm) return std::nullopt;
+  if (std::abs(*n[kTime]) > 9e15) return std::nullopt;  // past it a double no longer counts microseconds
+  ParsedRow parsed{.time_us = *n[kTime], .hand = n[kHand].value_or(0.0), .sample = {}};
+  parsed.sample.palm.m = Eigen::Vector3d{*n[kX], *n[kY], *n[kZ]} * 1e-3;
+  if (n[kVx] && n[kVy] && n[kVz]) parsed.sample.velocity.v = Eigen::Vector3d{*n[kVx], *n[kVy], *n[kVz]} * 1e-3;
+  return parsed;
+}
+
+}  // namespace
+
+Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name) {
+  const Columns columns = find_columns(next_line(text));
+  for (const Column c : {kTime, kX, kY, kZ})
+    if (!columns[c])
+      return Error{.what = "no column " + std::string(kNames[c]),
+                   .where = std::string(name) + ":1",
+                   .fix = "give a CSV with timestamp_us, palm_x_mm, palm_y_mm and palm_z_mm in its first row"};
+  HandTrace trace;
+  std::optional<ParsedRow> first;
+  double last_us = 0.0;
+  while (!text.empty()) {
+    const std::string_view line = next_line(text);
+    if (line.empty() || line == "\r") continue;
+    std::optional<ParsedRow> row = parse_row(fields(line), columns);
+    if (!row || (first && (row->hand != first->hand || row->time_us <= last_us))) {
+      ++trace.skipped;
+      continue;
+    }
+    if (!first) first = row;
+    last_us = row->time_us;
+    row->sample.at = SessionTime{from_seconds((row->time_us - first->time_us) * 1e-6)};
+    trace.samples.push_back(row->sample);
+  }
+  if (trace.samples.size() < 2)
+    return Error{.what = "fewer than two usable rows (" + std::to_string(trace.skipped) + " skipped)",
+                 .where = std::string(name),
+                 .fix = "give a trace of at least two samples of one hand"};
+  return trace;
+}
+
+Result<HandTrace> read_hand_trace(const std::filesystem::path& file) {
+  std::error_code code;
+  const std::uintmax_t size = std::filesystem::file_size(file, code);
+  if (code) return Error{.what = "cannot be read: " + code.message(), .where = file.string(), .fix = "check the path"};
+  if (size > kMostBytes)
+    return Error{.what = "larger than 64 MiB", .where = file.string(), .fix = "give a shorter hand trace"};
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) return Error{.what = "cannot be read", .where = file.string(), .fix = "check its permissions"};
+  return parse_hand_trace(text.str(), file.string());
+}
+
+RecordedIntention::RecordedIntention(const HandTrace& trace,
+                                     const Transform<HapticBase, HandTracker>& haptic_from_tracker,
+                                     const Point<HapticBase>& skin, double depth_m) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double lowest_m = 1e9;
+  for (const TraceSample& sample : trace.samples) {
+    times_s_.push_back(to_seconds(sample.at.time_since_epoch()));
+    path_m_.push_back((haptic_from_tracker * sample.palm).m);
+    sum += path_m_.back();
+    lowest_m = std::min(lowest_m, path_m_.back().y());
+  }
+  const Eigen::Vector3d mean = sum / static_cast<double>(path_m_.size());
+  const Eigen::Vector3d shift = skin.m - Eigen::Vector3d{mean.x(), lowest_m + depth_m, mean.z()};
+  for (Eigen::Vector3d& point : path_m_) point += shift;
+}
+
+double RecordedIntention::duration_s() const noexcept { return times_s_.back(); }
+
+device::Intention RecordedIntention::at(double time_s) const noexcept {
+  const double there_and_back = std::fmod(std::max(time_s, 0.0), 2.0 * duration_s());
+  const bool back = there_and_back > duration_s();
+  const double t = back ? 2.0 * duration_s() - there_and_back : there_and_back;
+  const auto after = std::upper_bound(times_s_.begin() + 1, times_s_.end() - 1, t);
+  const std::size_t i = static_cast<std::size_t>(after - times_s_.begin());
+  const double span_s = times_s_[i] - times_s_[i - 1];
+  const Eigen::Vector3d way = path_m_[i] - path_m_[i - 1];
+  const double share = std::clamp((t - times_s_[i - 1]) / span_s, 0.0, 1.0);
+  return {.at = {path_m_[i - 1] + way * share}, .velocity = {way * ((back ? -1.0 : 1.0) / span_s)}};
+}
+
+}  // namespace telepalp::tracking

@@ -1,0 +1,63 @@
+#include "haptic_station/scenes/scene.h"
+
+#include <gtest/gtest.h>
+
+namespace telepalp::scenes {
+namespace {
+
+constexpr const char* kLeast = "haptic_from_camera { translation_m { y: 0.8 } } effects { skin {} }\n";
+
+std::string complaint(const std::string& more) {
+  const Result<Scene> scene = parse_scene(kLeast + more, "bad.scene.textproto");
+  return scene.ok() ? "" : to_string(scene.error());
+}
+
+TEST(Scene, EveryShippedSceneLoads) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(TELEPALP_SOURCE_DIR "/haptic_station/scenes")) {
+    if (!entry.path().string().ends_with(".scene.textproto")) continue;
+    const Result<Scene> scene = read_scene(entry.path());
+    EXPECT_TRUE(scene.ok()) << to_string(scene.error());
+    ++count;
+  }
+  EXPECT_GE(count, 2);
+}
+
+TEST(Scene, ThePalpationSceneIsThePapers) {
+  const Result<Scene> scene = read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/palpation.scene.textproto");
+  ASSERT_TRUE(scene.ok());
+  EXPECT_EQ(scene->effects.size(), 2U);
+  const Point<HapticBase> skin = scene->haptic_from_camera * Point<DepthCamera>{{0.0, 0.0, 0.8}};
+  EXPECT_LT(skin.m.norm(), 1e-9) << "0.8 m below the camera is H's origin";
+  const Vector<HapticBase> up = scene->haptic_from_camera * Vector<DepthCamera>{{0.0, 0.0, -1.0}};
+  EXPECT_LT((up.v - Eigen::Vector3d::UnitY()).norm(), 1e-9) << "towards the camera is up";
+  EXPECT_DOUBLE_EQ(scene->control.transitions.dwell_s, 0.3);
+}
+
+TEST(Scene, AnUnknownFieldIsAnErrorWithLineAndColumn) {
+  EXPECT_NE(complaint("plane { hight_m: 0.02 }").find("bad.scene.textproto:2:16"), std::string::npos)
+      << complaint("plane { hight_m: 0.02 }");
+}
+
+TEST(Scene, AValueInAWrongUnitIsNamedWithItsUnitAndRange) {
+  const std::string text = complaint("plane { height_m: 30 }");  // millimetres
+  EXPECT_NE(text.find("plane.height_m is 30 m, outside -0.5 to 0.5 m"), std::string::npos) << text;
+}
+
+TEST(Scene, APeakAboveTheDevicesIsRefused) {
+  EXPECT_NE(complaint("limits { peak_N: 30 }").find("10 N"), std::string::npos);
+}
+
+TEST(Scene, NotANumberIsRefused) { EXPECT_NE(complaint("plane { height_m: nan }"), ""); }
+
+TEST(Scene, ASceneWithoutAnEffectIsRefused) {
+  EXPECT_FALSE(parse_scene("haptic_from_camera {}", "empty.scene.textproto").ok());
+}
+
+TEST(Scene, TwoWaysToGiveTheStiffnessAreOneTooMany) {
+  EXPECT_NE(complaint("effects { skin { alpha_N_per_m2: 1500 stiffness_N_per_m: 160 } }").find("one of the two"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace telepalp::scenes
