@@ -18,7 +18,6 @@ const Eigen::Vector3d kAreola{0.36, 0.17, 0.13};
 const Eigen::Vector3d kCloth{0.10, 0.22, 0.36};
 const Eigen::Vector3d kSheet{0.62, 0.68, 0.66};
 
-constexpr double kClothFrom_m = -0.225;  // along the body from the middle of the picture, negative towards the feet
 constexpr double kAreolaAlong_m = 0.155;
 constexpr double kAreolaAcross_m = 0.108;
 constexpr double kAreolaRadius_m = 0.013;
@@ -43,8 +42,8 @@ double smooth_step(double from, double to, double at) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// `at`: along the body and across it [m].
-Eigen::Vector3d body_albedo(const Eigen::Vector2d& at, const PixelNoise& noise) {
+/// `at`: along the body and across it [m]; `cloth` 0 to 1.
+Eigen::Vector3d body_albedo(const Eigen::Vector2d& at, double cloth, const PixelNoise& noise) {
   const double mottling = 0.6 * value_noise(noise, at / 0.05) + 0.4 * value_noise(noise, at / 0.017);
   const double pores = 0.6 * value_noise(noise, at / 0.0045) + 0.4 * value_noise(noise, at / 0.0022);
   Eigen::Vector3d albedo = kSkin + (0.25 + 0.25 * mottling) * (kFlush - kSkin);
@@ -52,9 +51,7 @@ Eigen::Vector3d body_albedo(const Eigen::Vector2d& at, const PixelNoise& noise) 
   const double ragged = kAreolaRadius_m * (1.0 + 0.15 * value_noise(noise, at / 0.006));
   albedo += 0.7 * (1.0 - smooth_step(0.75 * ragged, 1.15 * ragged, (at - nipple).norm())) * (kAreola - albedo);
   albedo *= 1.0 + 0.07 * pores;
-  const double hem = kClothFrom_m - 0.02 * std::cos(at.y() * 9.0) + 0.002 * value_noise(noise, at / 0.03);
   const double weave = 1.0 + 0.06 * value_noise(noise, at / 0.003) + 0.08 * value_noise(noise, at / 0.04);
-  const double cloth = 1.0 - smooth_step(hem - 0.002, hem + 0.002, at.x());
   return albedo + cloth * (kCloth * weave - albedo);
 }
 
@@ -75,11 +72,14 @@ std::vector<float> openness(const RestShape& rest) {
     for (int u = 0; u < size.width; ++u)
       depth.push_back(
           static_cast<float>(rest.meets_body(u, v) ? rest.body_depth_m.at(u, v).value : rest.table_depth_m));
-  const std::vector<float> wide = blur(depth, size, 20.0);
+  const std::vector<float> wide = blur(depth, size, 24.0);
   const std::vector<float> near = blur(depth, size, 6.0);
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    const float sunk_m = std::max(depth[i] - wide[i], 0.0F) + 4.0F * std::max(depth[i] - near[i], 0.0F);
-    depth[i] = std::clamp(1.0F - 9.0F * sunk_m, 0.35F, 1.0F);
+    const bool table = depth[i] >= static_cast<float>(rest.table_depth_m);
+    const float hollow_m = std::max(depth[i] - wide[i], 0.0F);
+    const float crease_m = std::max(depth[i] - near[i], 0.0F);
+    depth[i] =
+        table ? std::max(1.0F - 4.0F * hollow_m, 0.5F) : std::max(1.0F - 9.0F * hollow_m - 14.0F * crease_m, 0.35F);
   }
   return depth;
 }
@@ -89,7 +89,7 @@ std::vector<float> openness(const RestShape& rest) {
 ColorImage paint(const RestShape& rest, std::uint64_t seed) {
   const TrueSurface surface{std::make_shared<const RestShape>(rest), Breath{}};
   const PixelNoise noise{seed, 0};
-  const Eigen::Vector3d to_light = Eigen::Vector3d{-0.45, -0.5, -1.0}.normalized();
+  const Eigen::Vector3d to_light = Eigen::Vector3d{-0.7, -0.75, -1.0}.normalized();
   const std::vector<float> open = openness(rest);
   ColorImage picture{rest.camera.width, rest.camera.height, {}};
   picture.rgb.reserve(3 * open.size());
@@ -97,10 +97,11 @@ ColorImage paint(const RestShape& rest, std::uint64_t seed) {
     for (int u = 0; u < picture.width; ++u) {
       const TrueSurfacePoint point = surface.at_pixel(u, v);
       const Eigen::Vector2d at = rest.body_coordinates_m(u, v);
-      const Eigen::Vector3d albedo = point.on_body ? body_albedo(at, noise) : sheet_albedo(at, noise);
+      const Eigen::Vector3d albedo =
+          point.on_body ? body_albedo(at, rest.cloth_share(u, v), noise) : sheet_albedo(at, noise);
       // Wrapped Lambert: light that enters skin comes out again around the edge of the shadow.
       const double lambert = std::max(0.0, (point.normal.v.dot(to_light) + 0.25) / 1.25);
-      const double light = static_cast<double>(open[picture.rgb.size() / 3]) * (0.28 + 0.85 * lambert);
+      const double light = static_cast<double>(open[picture.rgb.size() / 3]) * (0.16 + 0.95 * lambert);
       for (int channel = 0; channel < 3; ++channel) picture.rgb.push_back(display(light * albedo[channel]));
     }
   return picture;

@@ -1,6 +1,7 @@
 #include "server/capture/synthetic/rest_shape.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "server/capture/synthetic/rasterise.h"
@@ -10,6 +11,9 @@ namespace telepalp::server {
 namespace {
 
 constexpr double kSmoothing_m = 0.005;       // rounds off facets of 13 mm; a navel stays
+constexpr double kClothSmoothing_m = 0.022;  // cloth spans the hollows of what it covers
+constexpr double kHem_m = -0.225;            // along the body from the picture's middle, negative towards the feet
+constexpr double kHips_m = 0.28;             // to either side: beyond lie the hands
 constexpr double kSilhouette_px = 1.2;       // rounds the stairs of the mask
 constexpr float kBodyAboveTable_m = 0.004F;  // skin nearer to the table than this is not told from it
 constexpr double kSmallestBody_m = 0.1;
@@ -47,6 +51,16 @@ Eigen::Vector2d RestShape::body_coordinates_m(double u, double v) const noexcept
   return {-(u - camera.cx) / camera.fx * view_depth_m, -(v - camera.cy) / camera.fy * view_depth_m};
 }
 
+double RestShape::cloth_share(double u, double v) const noexcept {
+  const Eigen::Vector2d at = body_coordinates_m(u, v);
+  const auto rise = [](double from, double to, double x) {
+    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+  };
+  const double hem = kHem_m - 0.02 * std::cos(9.0 * at.y());
+  return rise(hem + 0.004, hem - 0.004, at.x()) * rise(kHips_m, kHips_m - 0.02, std::abs(at.y()));
+}
+
 ImageField::Sample RestShape::lift_share(double u, double v) const noexcept {
   const Eigen::Vector2d at = body_coordinates_m(u, v);
   const Bump belly = bump(at, {-0.07, 0.0}, {0.085, 0.11});
@@ -78,7 +92,15 @@ Result<RestShape> lay_under_camera(const TriangleMesh& mesh, const Intrinsics& c
   shape.view_depth_m = camera_above_body_m + 0.03;
   const ImageSize size{camera.width, camera.height};
   const double sigma_px = kSmoothing_m * camera.fx / shape.view_depth_m;
-  std::vector<float> smooth = masked_blur(depth, mask, size, sigma_px, static_cast<float>(table_depth_m));
+  const double cloth_sigma_px = kClothSmoothing_m * camera.fx / shape.view_depth_m;
+  const auto elsewhere = static_cast<float>(table_depth_m);
+  std::vector<float> smooth = masked_blur(depth, mask, size, sigma_px, elsewhere);
+  const std::vector<float> cloth = masked_blur(depth, mask, size, cloth_sigma_px, elsewhere);
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    const auto u = static_cast<double>(i % static_cast<std::size_t>(size.width));
+    const auto v = static_cast<double>(i / static_cast<std::size_t>(size.width));
+    smooth[i] += static_cast<float>(shape.cloth_share(u, v)) * (cloth[i] - smooth[i]);
+  }
   shape.body_depth_m = ImageField{size.width, size.height, std::move(smooth)};
   shape.body_cover = ImageField{size.width, size.height, blur(std::move(mask), size, kSilhouette_px)};
   if (!shape.meets_body(camera.cx, camera.cy)) return unusable(where, "has nothing below the camera's middle");

@@ -22,13 +22,16 @@ struct RestShape {
   /// fading to nothing at neck, arms and thighs. Smooth everywhere.
   [[nodiscard]] ImageField::Sample lift_share(double u, double v) const noexcept;
 
+  /// 1 where cloth covers the body (from the hips down, not on the hands), 0 on bare skin, in between along the hem.
+  [[nodiscard]] double cloth_share(double u, double v) const noexcept;
+
   /// Where the ray through pixel (u, v) lies at the belly's depth [m]: towards the patient's head and right side.
   [[nodiscard]] Eigen::Vector2d body_coordinates_m(double u, double v) const noexcept;
 };
 
 /// Lays the patient of `mesh` (metres, y towards the head, +z front) on a table under the camera, head at the image's
 /// left: the middle of the mesh below the pinhole, its highest point `camera_above_body_m` away. `where` names the mesh
-/// in errors. The mesh's facets are rounded off by a Gaussian of 5 mm.
+/// in errors. The mesh's facets are rounded off by a Gaussian of 5 mm; the cloth rounds off more.
 [[nodiscard]] Result<RestShape> lay_under_camera(const TriangleMesh& mesh, const Intrinsics& camera,
                                                  double camera_above_body_m, const std::string& where);
 

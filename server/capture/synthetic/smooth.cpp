@@ -18,18 +18,34 @@ std::vector<float> gaussian_kernel(double sigma_px) {
   return kernel;
 }
 
-/// One direction of the separable blur, over lines of `length` samples `step` apart.
-void blur_lines(const std::vector<float>& in, std::vector<float>& out, const std::vector<float>& kernel, int lines,
-                int line_step, int length, int step) {
+void blur_rows(const std::vector<float>& in, std::vector<float>& out, const std::vector<float>& kernel,
+               ImageSize size) {
   const int radius = static_cast<int>(kernel.size()) / 2;
-  for (int line = 0; line < lines; ++line)
-    for (int i = 0; i < length; ++i) {
-      float sum = 0.0F;
-      for (int k = -radius; k <= radius; ++k)
-        sum += kernel[static_cast<std::size_t>(k + radius)] *
-               in[static_cast<std::size_t>(line * line_step + std::clamp(i + k, 0, length - 1) * step)];
-      out[static_cast<std::size_t>(line * line_step + i * step)] = sum;
+  std::vector<float> padded(static_cast<std::size_t>(size.width + 2 * radius));
+  for (int row = 0; row < size.height; ++row) {
+    const float* from = &in[static_cast<std::size_t>(row * size.width)];
+    float* to = &out[static_cast<std::size_t>(row * size.width)];
+    for (int i = 0; i < size.width + 2 * radius; ++i)
+      padded[static_cast<std::size_t>(i)] = from[std::clamp(i - radius, 0, size.width - 1)];
+    std::fill(to, to + size.width, 0.0F);
+    for (std::size_t k = 0; k < kernel.size(); ++k)
+      for (int i = 0; i < size.width; ++i) to[i] += kernel[k] * padded[static_cast<std::size_t>(i) + k];
+  }
+}
+
+/// Row by row as well, so that memory is read in order.
+void blur_columns(const std::vector<float>& in, std::vector<float>& out, const std::vector<float>& kernel,
+                  ImageSize size) {
+  const int radius = static_cast<int>(kernel.size()) / 2;
+  for (int row = 0; row < size.height; ++row) {
+    float* to = &out[static_cast<std::size_t>(row * size.width)];
+    std::fill(to, to + size.width, 0.0F);
+    for (std::size_t k = 0; k < kernel.size(); ++k) {
+      const int source = std::clamp(row + static_cast<int>(k) - radius, 0, size.height - 1);
+      const float* from = &in[static_cast<std::size_t>(source * size.width)];
+      for (int i = 0; i < size.width; ++i) to[i] += kernel[k] * from[i];
     }
+  }
 }
 
 }  // namespace
@@ -37,8 +53,8 @@ void blur_lines(const std::vector<float>& in, std::vector<float>& out, const std
 std::vector<float> blur(std::vector<float> image, ImageSize size, double sigma_px) {
   const std::vector<float> kernel = gaussian_kernel(sigma_px);
   std::vector<float> across(image.size());
-  blur_lines(image, across, kernel, size.height, size.width, size.width, 1);
-  blur_lines(across, image, kernel, size.width, 1, size.height, size.width);
+  blur_rows(image, across, kernel, size);
+  blur_columns(across, image, kernel, size);
   return image;
 }
 
