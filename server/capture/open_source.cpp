@@ -15,8 +15,8 @@ struct Kind {
 };
 
 constexpr Kind kKinds[] = {
-    {"openni2", open_camera, false},
-    {"oni", open_oni, true},
+    {"openni2", open_camera, false},      {"oni", open_oni, true},
+    {"images", open_images, true},        {"pcd", open_pcd, true},
     {"synthetic", open_synthetic, false},
 };
 

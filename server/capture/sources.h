@@ -12,5 +12,8 @@ namespace telepalp::server {
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_oni(const std::string& file, const SourceOptions& options);
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_synthetic(const std::string& model,
                                                                     const SourceOptions& options);
+[[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_images(const std::string& folder,
+                                                                 const SourceOptions& options);
+[[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_pcd(const std::string& file, const SourceOptions& options);
 
 }  // namespace telepalp::server

@@ -1,0 +1,82 @@
+#include "server/capture/images/camera_file.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "messages/camera.pb.h"
+#include "proto/program/text_format.h"
+
+namespace telepalp::server {
+namespace {
+
+constexpr double kAssumedFocalAt640 = 525.0;
+constexpr std::uint16_t kAssumedFurthest_mm = 10'000;
+
+Intrinsics intrinsics_of(const msg::CameraFile::Pinhole& pinhole) {
+  return {static_cast<int>(std::min<std::uint32_t>(pinhole.width(), kMaxImageSide + 1)),
+          static_cast<int>(std::min<std::uint32_t>(pinhole.height(), kMaxImageSide + 1)),
+          pinhole.fx(),
+          pinhole.fy(),
+          pinhole.cx(),
+          pinhole.cy()};
+}
+
+std::string size_text(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
+
+Result<RecordedCamera> checked(const msg::CameraFile& file, const std::string& where, int width, int height) {
+  const auto wrong = [&where](std::string what, std::string fix) {
+    return Error{.what = std::move(what), .where = where, .fix = std::move(fix)};
+  };
+  RecordedCamera camera;
+  camera.model.depth = intrinsics_of(file.depth());
+  camera.model.color = file.has_color() ? intrinsics_of(file.color()) : camera.model.depth;
+  camera.model.color_registered = file.color_registered();
+  if (!is_well_formed(camera.model.depth) || !is_well_formed(camera.model.color))
+    return wrong("has no usable pinhole", "give depth { width: … height: … fx: … fy: … cx: … cy: … } in pixels");
+  if (camera.model.depth.width != width || camera.model.depth.height != height)
+    return wrong("is for " + size_text(camera.model.depth.width, camera.model.depth.height) +
+                     " pixels, the depth images have " + size_text(width, height),
+                 "give the intrinsics of the size that was recorded");
+  camera.depth_unit_m = file.depth_unit_m();
+  if (!(camera.depth_unit_m >= 1e-5 && camera.depth_unit_m <= 0.1))
+    return wrong("depth_unit_m is " + std::to_string(file.depth_unit_m()),
+                 "give metres for one step of a sample: 0.001 for millimetres");
+  camera.frames_per_s = file.frames_per_s() == 0.0 ? 30.0 : file.frames_per_s();
+  if (!(camera.frames_per_s >= 0.1 && camera.frames_per_s <= 1000.0))
+    return wrong("frames_per_s is " + std::to_string(file.frames_per_s()), "give 0.1 to 1000");
+  if (file.ignore_above() > 65535) return wrong("ignore_above is beyond 16 bits", "give at most 65535");
+  if (file.ignore_above() != 0) camera.ignore_above = static_cast<std::uint16_t>(file.ignore_above());
+  return camera;
+}
+
+std::string text_of(const RecordedCamera& camera) {
+  const Intrinsics& pinhole = camera.model.depth;
+  std::ostringstream text;
+  text << "depth { width: " << pinhole.width << " height: " << pinhole.height << " fx: " << pinhole.fx
+       << " fy: " << pinhole.fy << " cx: " << pinhole.cx << " cy: " << pinhole.cy << " } color_registered: true"
+       << " depth_unit_m: " << camera.depth_unit_m << " frames_per_s: " << camera.frames_per_s
+       << " ignore_above: " << camera.ignore_above;
+  return text.str();
+}
+
+}  // namespace
+
+Result<RecordedCamera> read_camera_file(const std::filesystem::path& file, int width, int height) {
+  msg::CameraFile message;
+  if (const Result<void> read = program::read_text_format(file, message); !read) return read.error();
+  return checked(message, file.string(), width, height);
+}
+
+RecordedCamera assumed_camera(const std::filesystem::path& file, int width, int height) {
+  const double focal = kAssumedFocalAt640 * width / 640.0;
+  RecordedCamera camera;
+  camera.model.depth = {width, height, focal, focal, 0.5 * (width - 1), 0.5 * (height - 1)};
+  camera.model.color = camera.model.depth;
+  camera.ignore_above = kAssumedFurthest_mm;
+  camera.warning = "WARNING: no " + file.filename().string() +
+                   ", so shape and size are guesses. fix: write the camera's own values to " + file.string() +
+                   "; assumed was: " + text_of(camera);
+  return camera;
+}
+
+}  // namespace telepalp::server

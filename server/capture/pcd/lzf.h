@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace telepalp::server {
+
+/// Most bytes that LZF can make of `compressed` ones: a back reference of 3 bytes gives at most 264.
+[[nodiscard]] constexpr std::size_t lzf_most(std::size_t compressed) noexcept { return compressed * 88 + 264; }
+
+/// Decompresses LZF, the format of PCD's binary_compressed. True when `compressed` fills `out` exactly.
+[[nodiscard]] bool lzf_decompress(std::span<const std::byte> compressed, std::span<std::byte> out) noexcept;
+
+}  // namespace telepalp::server
