@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -28,7 +26,7 @@ program::Usage usage() {
                       {"loop", "yes|no", "a recording starts again at its end", "yes"},
                       {"seconds", "S", "stop after so long; 0: run on", "0"},
                       {"bind", "ADDRESS", "loopback address to listen on", "127.0.0.1"},
-                      {"port", "PORT", "for stations and recorders; 0: any free one", "8764"},
+                      {"port", "PORT", "for stations and recorders; 0: any free one", "7400"},
                       {"ready-file", "FILE", "write the ports there once it listens"},
                       {"depth-mode", "MODE", "how depth is compressed", "fast"},
                       {"jpeg-quality", "1..100", "of colour", "85"},
@@ -53,8 +51,8 @@ Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view opt
 
 Result<codec::DepthMode> depth_mode(const program::Arguments& arguments) {
   const std::string text = arguments.text("depth-mode");
-  if (text == codec::name(codec::DepthMode::Fast)) return codec::DepthMode::Fast;
-  return Error{.what = "'" + text + "' is no depth mode", .where = "--depth-mode", .fix = "give fast"};
+  if (const std::optional<codec::DepthMode> mode = codec::depth_mode(text)) return *mode;
+  return Error{.what = "'" + text + "' is no depth mode", .where = "--depth-mode", .fix = "see telepalp-codec --help"};
 }
 
 Result<Asked> read_asked(const program::Arguments& arguments) {
@@ -111,6 +109,7 @@ int run(const Asked& asked) {
     if (std::exchange(stopped, true)) return;
     program::log(kProgram, "stopping: " + reason);
     boost::system::error_code ignored;
+    signals.cancel(ignored);
     signals.clear(ignored);  // a second Ctrl-C ends the process at once
     time_is_up.cancel();
     server.stop(reason);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
+#include <limits>
 #include <utility>
 
 #include "proto/words/demand.h"
@@ -54,7 +55,8 @@ ClientLink::ClientLink(boost::asio::io_context& io, Options options, Handlers ha
       retry_(io),
       probe_(io),
       back_off_(kFirstRetry),
-      offset_ns_(SessionClock::anchored_to_wall_clock().offset().count()) {}
+      offset_target_ns_(SessionClock::anchored_to_wall_clock().offset().count()),
+      offset_line_at_zero_ns_(std::numeric_limits<std::int64_t>::min() / 2) {}
 
 ClientLink::~ClientLink() {
   if (connection_) connection_->abandon();
@@ -91,6 +93,13 @@ bool ClientLink::publish(Message message) {
   if (outgoing_.push(message)) ++counts_.not_sent;
   if (connected) connection_->wake();
   return connected;
+}
+
+SessionClock ClientLink::clock() const noexcept {
+  const Nanoseconds target{offset_target_ns_.load(std::memory_order_acquire)};
+  const Nanoseconds line_at_zero{offset_line_at_zero_ns_.load(std::memory_order_acquire)};
+  const SlewedOffset offset{.target = target, .line_at_zero = line_at_zero};
+  return SessionClock{offset.at(std::chrono::steady_clock::now().time_since_epoch())};
 }
 
 std::map<std::string_view, ReceivedCount> ClientLink::received() const {
@@ -170,7 +179,9 @@ void ClientLink::probe_later() {
 
 void ClientLink::on_clock(const ClockSample& sample) {
   if (!clock_sync_.add(sample)) return;
-  offset_ns_.store(clock_sync_.offset()->count());
+  // In this order, a reader between the two stores still sees the old target, or a line no higher than the old offset.
+  offset_line_at_zero_ns_.store(clock_sync_.offset()->line_at_zero.count(), std::memory_order_release);
+  offset_target_ns_.store(clock_sync_.offset()->target.count(), std::memory_order_release);
   if (state_ != LinkState::Connecting) return;
   back_off_ = kFirstRetry;
   ++counts_.connections;

@@ -74,8 +74,9 @@ class ClientLink : private ConnectionOwner {
   bool publish(Message message);
 
   /// The session clock as known now; before the first connection, this machine's wall-clock guess. Any thread.
-  [[nodiscard]] SessionClock clock() const noexcept { return SessionClock{Nanoseconds{offset_ns_.load()}}; }
-  /// The truth is this near clock(), drift aside.
+  /// Ask again for each reading: the offset within is slewed, and so changes with time.
+  [[nodiscard]] SessionClock clock() const noexcept;
+  /// How far clock() may be from the truth.
   [[nodiscard]] Nanoseconds clock_uncertainty() const noexcept { return clock_sync_.uncertainty(); }
 
   [[nodiscard]] LinkState state() const noexcept { return state_; }
@@ -122,8 +123,9 @@ class ClientLink : private ConnectionOwner {
   boost::asio::steady_timer probe_;
   std::chrono::milliseconds back_off_;
   ClockSync clock_sync_;
-  std::atomic<std::int64_t> offset_ns_;  // written by the network thread, read by any
-  int probes_ = 0;                       // on this connection
+  std::atomic<std::int64_t> offset_target_ns_;           // SlewedOffset, written by the network thread, read by any:
+  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // written before the target and read after it
+  int probes_ = 0;                                       // on this connection
   SendQueue outgoing_;
   std::map<std::string_view, std::uint64_t> sequences_;  // last number given, by topic
   std::map<std::string_view, ReceivedCount> received_before_;

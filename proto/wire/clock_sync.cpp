@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <iterator>
 
-#include "proto/words/demand.h"
-
 namespace telepalp::wire {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t kWindow = 32;    // half a minute of probes: two crystals drift apart by a millisecond at most
+constexpr std::size_t kWindow = 32;    // half a minute of probes, one a second
 constexpr Nanoseconds kStep = 1s;      // beyond any network delay: another session, or a machine that slept
 constexpr std::size_t kAgreeing = 3;   // samples that must contradict the old ones before these are dropped
-constexpr double kDrift = 200e-6;      // two crystals of 100 ppm, in opposite directions
+constexpr double kDrift = 200e-6;      // two crystals of 100 ppm that err in opposite directions
 constexpr Nanoseconds kSlack = 100us;  // of the stamps themselves: scheduling between stamp and socket
 
 /// True when no offset lies within both samples' bounds, even allowing for drift: the clocks have jumped between them.
@@ -24,15 +22,24 @@ bool contradict(const ClockSample& a, const ClockSample& b) noexcept {
   return std::chrono::abs(difference) > a.round_trip() / 2 + b.round_trip() / 2 + std::chrono::abs(drift) + kSlack;
 }
 
-}  // namespace
-
-const ClockSample& ClockSync::best() const noexcept {
-  return *std::min_element(window_.begin(), window_.end(),
-                           [](const ClockSample& a, const ClockSample& b) { return a.round_trip() < b.round_trip(); });
+/// How far `sample` may be from the truth at local time `now`: NTP's root distance, without the root.
+Nanoseconds distance(const ClockSample& sample, Nanoseconds now) noexcept {
+  const auto age = static_cast<double>((now - sample.heard).count());
+  return sample.round_trip() / 2 + Nanoseconds{static_cast<std::int64_t>(kDrift * age)};
 }
 
+using Samples = std::deque<ClockSample>;
+const ClockSample& nearest(Samples::const_iterator from, Samples::const_iterator to, Nanoseconds now) noexcept {
+  return *std::min_element(
+      from, to, [now](const ClockSample& a, const ClockSample& b) { return distance(a, now) < distance(b, now); });
+}
+
+}  // namespace
+
 Nanoseconds ClockSync::uncertainty() const noexcept {
-  return window_.empty() ? Nanoseconds::max() : best().round_trip() / 2;
+  if (window_.empty()) return Nanoseconds::max();
+  const Nanoseconds now = window_.back().heard;
+  return distance(nearest(window_.begin(), window_.end(), now), now);
 }
 
 bool ClockSync::add(const ClockSample& sample) {
@@ -40,26 +47,23 @@ bool ClockSync::add(const ClockSample& sample) {
   window_.push_back(sample);
   if (window_.size() > kWindow) window_.pop_front();
   drop_what_a_jump_has_outdated();
-  follow(best().offset(), sample.heard);
+  follow(nearest(window_.begin(), window_.end(), sample.heard).offset(), sample.heard);
   return true;
 }
 
 void ClockSync::drop_what_a_jump_has_outdated() {
   if (window_.size() <= kAgreeing) return;
   const auto newest = window_.end() - static_cast<std::ptrdiff_t>(kAgreeing);
-  const ClockSample& old_best =
-      *std::min_element(window_.begin(), newest,
-                        [](const ClockSample& a, const ClockSample& b) { return a.round_trip() < b.round_trip(); });
+  const ClockSample& old_best = nearest(window_.begin(), newest, window_.back().heard);
   if (std::all_of(newest, window_.end(), [&](const ClockSample& sample) { return contradict(old_best, sample); }))
     window_.erase(window_.begin(), newest);
 }
 
 void ClockSync::follow(Nanoseconds estimate, Nanoseconds local_now) noexcept {
-  const bool is_step = !given_ || std::chrono::abs(estimate - *given_) >= kStep;
-  if (given_ && is_step) ++steps_;
-  const Nanoseconds lowest = is_step ? estimate : *given_ - std::max(0ns, (local_now - given_at_) / 2);
-  given_ = std::max(estimate, lowest);
-  given_at_ = local_now;
+  const Nanoseconds current = given_ ? given_->at(local_now) : estimate;
+  const bool is_step = std::chrono::abs(estimate - current) >= kStep;
+  if (is_step) ++steps_;
+  given_ = SlewedOffset{.target = estimate, .line_at_zero = (is_step ? estimate : current) + local_now / 2};
 }
 
 }  // namespace telepalp::wire

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -21,12 +22,21 @@ struct ClockSample {
   [[nodiscard]] Nanoseconds offset() const noexcept { return ((received - asked) + (replied - heard)) / 2; }
 };
 
+/// Session minus local time as a function of local time: `target`, or, above it, a line that falls by half. Time
+/// read through it never runs backwards: a second here is at least half a second there.
+struct SlewedOffset {
+  Nanoseconds target{0};
+  Nanoseconds line_at_zero{0};  ///< what the falling line would be at local time 0
+
+  [[nodiscard]] Nanoseconds at(Nanoseconds local) const noexcept { return std::max(target, line_at_zero - local / 2); }
+};
+
 /// Estimates session time minus local steady time from probes. Pure: it is told what time it is.
 ///
 /// The sample of the shortest round trip among the recent ones is believed: queueing only ever lengthens a round
-/// trip, so that sample has the least room for asymmetry (NTP's clock filter, RFC 5905 §10). The offset given
-/// out never turns time back: it falls by at most half of the local time that has passed. Two things end a
-/// session's time line and are taken at once: a change of a second or more, and the first sample.
+/// trip, so that sample has the least room for asymmetry. Age counts against it, since crystals drift (NTP's clock
+/// filter and distance, RFC 5905 §10 and §11.2.1). A correction upwards is taken at once; one downwards is slewed, so
+/// that time never runs backwards; one of a second or more is another time line, and is taken at once.
 class ClockSync {
  public:
   /// False: the sample contradicts itself (time ran backwards) and is dropped.
@@ -36,20 +46,18 @@ class ClockSync {
   void forget_samples() noexcept { window_.clear(); }
 
   /// Session minus local, as given out; nullopt before the first sample.
-  [[nodiscard]] std::optional<Nanoseconds> offset() const noexcept { return given_; }
-  /// The truth is this near the estimate, drift aside: half the best round trip.
+  [[nodiscard]] const std::optional<SlewedOffset>& offset() const noexcept { return given_; }
+  /// How far the estimate may be from the truth: half its round trip, and what crystals may have drifted since.
   [[nodiscard]] Nanoseconds uncertainty() const noexcept;
   /// Changes that were taken at once, after the first.
   [[nodiscard]] std::uint64_t steps() const noexcept { return steps_; }
 
  private:
-  [[nodiscard]] const ClockSample& best() const noexcept;
   void drop_what_a_jump_has_outdated();
   void follow(Nanoseconds estimate, Nanoseconds local_now) noexcept;
 
   std::deque<ClockSample> window_;  // oldest first
-  std::optional<Nanoseconds> given_;
-  Nanoseconds given_at_{0};  // local
+  std::optional<SlewedOffset> given_;
   std::uint64_t steps_ = 0;
 };
 

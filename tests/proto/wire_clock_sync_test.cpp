@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "proto/wire/clock_sync.h"
+
+namespace telepalp::wire {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A probe asked at local time `at`, when the session clock is ahead by `offset`.
+ClockSample probe(Nanoseconds at, Nanoseconds offset, Nanoseconds up, Nanoseconds down, Nanoseconds served = 50us) {
+  return {.asked = at,
+          .received = at + up + offset,
+          .replied = at + up + served + offset,
+          .heard = at + up + served + down};
+}
+
+/// The offset once every correction has been slewed in.
+Nanoseconds given(const ClockSync& sync) { return sync.offset()->target; }
+
+TEST(ClockSync, KnowsNothingBeforeTheFirstProbe) {
+  EXPECT_FALSE(ClockSync().offset().has_value());
+  EXPECT_EQ(ClockSync().uncertainty(), Nanoseconds::max());
+}
+
+TEST(ClockSync, ASymmetricPathGivesTheExactOffset) {
+  ClockSync sync;
+  ASSERT_TRUE(sync.add(probe(1s, 3600s, 20ms, 20ms)));
+  EXPECT_EQ(given(sync), 3600s);
+  EXPECT_EQ(sync.uncertainty(), 20ms);
+}
+
+TEST(ClockSync, AnAsymmetricPathErrsByNoMoreThanItSays) {
+  ClockSync sync;
+  ASSERT_TRUE(sync.add(probe(1s, -5s, 1ms, 39ms)));
+  EXPECT_LE(std::chrono::abs(given(sync) - -5s), sync.uncertainty());
+}
+
+TEST(ClockSync, TheQuickestProbeIsBelievedThroughOneSidedQueueing) {
+  // Images queue on the way down only: most replies are late by up to 80 ms, one in eight is not.
+  std::mt19937 random(7);
+  ClockSync sync;
+  for (int i = 0; i < 60; ++i) {
+    const Nanoseconds queue = i % 8 == 3 ? 0us : Nanoseconds{random() % 80'000'000};
+    ASSERT_TRUE(sync.add(probe(1s * i, 100s, 5ms, 5ms + queue)));
+  }
+  EXPECT_LT(std::chrono::abs(given(sync) - 100s), 1ms);
+  EXPECT_EQ(sync.steps(), 0u);
+}
+
+TEST(ClockSync, OneAbsurdProbeChangesNothing) {
+  ClockSync sync;
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(sync.add(probe(1s * i, 100s, 5ms, 5ms)));
+  ASSERT_TRUE(sync.add(probe(10s, 100s, 4s, 5ms)));
+  EXPECT_EQ(given(sync), 100s);
+}
+
+TEST(ClockSync, AProbeThatContradictsItselfIsRefused) {
+  ClockSync sync;
+  EXPECT_FALSE(sync.add({.asked = 10s, .received = 5s, .replied = 4s, .heard = 11s}));  // server's time ran backwards
+  EXPECT_FALSE(sync.add({.asked = 10s, .received = 5s, .replied = 5s, .heard = 9s}));   // ours did
+  EXPECT_FALSE(sync.add({.asked = 10s, .received = 5s, .replied = 8s, .heard = 11s}));  // served longer than it took
+  EXPECT_FALSE(sync.offset().has_value());
+}
+
+TEST(ClockSync, AJumpOfTheClocksIsFollowedAfterThreeAgreeingProbes) {
+  // A machine slept: its steady clock stood still for an hour, the session's did not.
+  ClockSync sync;
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(sync.add(probe(1s * i, 100s, 1ms, 1ms)));
+  for (int i = 20; i < 22; ++i) {
+    ASSERT_TRUE(sync.add(probe(1s * i, 3700s, 2ms, 2ms)));
+    EXPECT_EQ(given(sync), 100s);
+  }
+  ASSERT_TRUE(sync.add(probe(22s, 3700s, 2ms, 2ms)));
+  EXPECT_EQ(given(sync), 3700s);
+  EXPECT_EQ(sync.steps(), 1u);
+}
+
+TEST(ClockSync, TimeGivenOutNeverRunsBackwardsWhileTheEstimateIsCorrected) {
+  std::mt19937 random(11);
+  ClockSync sync;
+  Nanoseconds last = Nanoseconds::min();
+  for (int i = 0; i < 2000; ++i) {
+    const Nanoseconds at = 200ms * i;
+    const Nanoseconds up{random() % 60'000'000};
+    const Nanoseconds down{random() % 60'000'000};
+    const ClockSample sample = probe(at, 100s, up, down);
+    const Nanoseconds before = sync.offset() ? sample.heard + sync.offset()->at(sample.heard) : Nanoseconds::min();
+    EXPECT_GE(before, last);
+    ASSERT_TRUE(sync.add(sample));
+    const Nanoseconds after = sample.heard + sync.offset()->at(sample.heard);
+    EXPECT_GE(after, before) << "probe " << i;
+    last = after;
+    if (random() % 50 == 0) sync.forget_samples();
+  }
+  EXPECT_EQ(sync.steps(), 0u);
+}
+
+TEST(ClockSync, ACorrectionDownwardsIsSlewedInTwiceItsOwnTime) {
+  ClockSync sync;
+  ASSERT_TRUE(sync.add(probe(1s, 100s, 60ms, 0ms)));  // estimated 30 ms too high
+  ASSERT_TRUE(sync.add(probe(2s, 100s, 1ms, 1ms)));
+  const Nanoseconds heard = 2s + 1ms + 50us + 1ms;
+  EXPECT_EQ(sync.offset()->at(heard), 100s + 30ms);
+  EXPECT_EQ(sync.offset()->at(heard + 30ms), 100s + 15ms);
+  EXPECT_EQ(sync.offset()->at(heard + 60ms), 100s);
+  EXPECT_EQ(sync.offset()->at(heard + 10s), 100s);
+}
+
+TEST(ClockSync, ADriftingCrystalIsFollowedAndTheErrorStaysWithinWhatIsSaid) {
+  // 100 ppm: ten minutes drift 60 ms apart. Queueing noise of up to 30 ms on each way.
+  std::mt19937 random(3);
+  ClockSync sync;
+  for (int i = 0; i < 600; ++i) {
+    const Nanoseconds truth = 100s + Nanoseconds{100'000} * i;
+    const Nanoseconds noise_up{random() % 4 == 0 ? 0 : random() % 30'000'000};
+    const Nanoseconds noise_down{random() % 4 == 0 ? 0 : random() % 30'000'000};
+    ASSERT_TRUE(sync.add(probe(1s * i, truth, 2ms + noise_up, 2ms + noise_down)));
+    if (i > 40) {
+      EXPECT_LE(std::chrono::abs(given(sync) - truth), sync.uncertainty()) << "at " << i << " s";
+      EXPECT_LT(std::chrono::abs(given(sync) - truth), 4ms) << "at " << i << " s";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace telepalp::wire
