@@ -1,0 +1,142 @@
+#include "clients/ar/augmented_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "clients/ar/canvas.h"
+#include "clients/ar/depth_mesh.h"
+#include "clients/ar/hand_avatar.h"
+#include "clients/ar/shapes.h"
+
+namespace telepalp::ar {
+namespace {
+
+constexpr float kBallRadius_m = 0.03F;  // S1 §II.A: the end-effector is a ball of 6 cm diameter
+constexpr float kArrow_m_per_N = 0.016F;
+constexpr float kDegree = std::numbers::pi_v<float> / 180.0F;
+constexpr Ink kProxyInk{0, 158, 115}, kDeviceInk{0, 114, 178}, kForceInk{240, 228, 66};
+
+Eigen::Vector3f linear(const Ink& ink) { return linear_from_srgb(ink.red, ink.green, ink.blue); }
+
+bool is_finite(const Touch& touch) {
+  return touch.hand.m.allFinite() && touch.proxy.m.allFinite() && touch.device.m.allFinite() &&
+         touch.force.N.allFinite() && std::isfinite(touch.indentation_m);
+}
+
+/// The middle of what is seen: the median in each direction, which stray pixels do not move.
+Eigen::Vector3f middle_of(const Mesh& mesh) {
+  std::vector<float> values;
+  Eigen::Vector3f middle(0.0F, 0.0F, 1.0F);
+  for (int axis = 0; axis < 3; ++axis) {
+    values.clear();
+    for (const auto& triangle : mesh.triangles) values.push_back(mesh.vertices[triangle[0]].at[axis]);
+    if (values.empty()) return middle;
+    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), half, values.end());
+    middle[axis] = *half;
+  }
+  return middle;
+}
+
+/// Mean normal of the surface within `reach` of `at`; towards the camera where nothing is near.
+Eigen::Vector3f surface_normal(const Mesh& mesh, const Eigen::Vector3f& at, float reach) {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (const auto& triangle : mesh.triangles) {
+    const Mesh::Vertex& vertex = mesh.vertices[triangle[0]];
+    if ((vertex.at - at).squaredNorm() < reach * reach) sum += vertex.normal;
+  }
+  return sum.norm() > 1e-3F ? sum.normalized() : Eigen::Vector3f(0.0F, 0.0F, -1.0F);
+}
+
+/// From the patient's side, above and behind the doctor's hand: a three-quarter view of what the camera sees from
+/// straight above.
+ViewCamera three_quarter_view(const Eigen::Vector3f& target, float distance_m, int width_px, int height_px) {
+  const Eigen::Matrix3f tilt = (Eigen::AngleAxisf(-28.0F * kDegree, Eigen::Vector3f::UnitY()) *
+                                Eigen::AngleAxisf(42.0F * kDegree, Eigen::Vector3f::UnitX()))
+                                   .toRotationMatrix();
+  const Eigen::Vector3f away = tilt * Eigen::Vector3f(0.0F, 0.0F, -1.0F);
+  return look_at(target + distance_m * away, target, tilt * Eigen::Vector3f(0.0F, -1.0F, 0.0F), 40.0F * kDegree,
+                 width_px, height_px);
+}
+
+/// Stands the avatar on the surface: its fingers point up the image, its back along the surface's normal, halfway
+/// between that and the view from above so that a steep flank does not turn the hand over.
+Eigen::Matrix3f scene_from_hand(const Eigen::Vector3f& surface_normal) {
+  const Eigen::Vector3f z = (surface_normal + Eigen::Vector3f(0.0F, 0.0F, -1.0F)).normalized();
+  const Eigen::Vector3f ahead(0.25F, -1.0F, 0.0F);
+  const Eigen::Vector3f y = (ahead - z * ahead.dot(z)).normalized();
+  Eigen::Matrix3f rotation;
+  rotation << y.cross(z), y, z;
+  return rotation;
+}
+
+struct Scene {
+  Canvas& canvas;
+  const ViewCamera& camera;
+  const Lights& lights;
+  ShadowMap& shadow;
+
+  void draw(const Mesh& mesh, const Paint& paint) const { canvas.draw(mesh, camera, lights, shadow, paint); }
+};
+
+/// Draws the touch over the body, which is on the canvas already. What lies beneath the skin shimmers through it.
+void draw_touch(const Scene& scene, const Touch& touch, const Mesh& skin, const Mesh& sleeve) {
+  const Eigen::Vector3f proxy = touch.proxy.m.cast<float>(), device = touch.device.m.cast<float>();
+  const Eigen::Vector3f force = touch.force.N.cast<float>();
+  scene.draw(skin, {.shine = 0.10F});
+  scene.draw(sleeve, {.shine = 0.04F});
+  scene.draw(painted(ball(device, kBallRadius_m), linear(kDeviceInk)),
+             {.opacity = 0.30F, .behind = 0.34F, .shine = 0.6F, .rim = 0.65F, .takes_shadow = false});
+  const Mesh rod = painted(frustum(device, proxy, 0.0022F, 0.0022F), linear({255, 255, 255}));
+  const Mesh tip = painted(ball(proxy, 0.0075F), linear(kProxyInk));
+  const Mesh push = painted(arrow(proxy, proxy + kArrow_m_per_N * force, 0.0048F), linear(kForceInk));
+  scene.draw(rod, {.behind = 0.75F, .takes_shadow = false});
+  scene.draw(push, {.behind = 0.45F, .shine = 0.25F, .takes_shadow = false});
+  scene.draw(tip, {.behind = 0.6F, .shine = 0.3F, .takes_shadow = false});
+}
+
+std::vector<PanelLine> key_to_colours(const Touch& touch) {
+  const Eigen::Vector3f skin = avatar_color(touch.indentation_m);
+  const Ink hand{srgb_from_linear(skin.x()), srgb_from_linear(skin.y()), srgb_from_linear(skin.z())};
+  return {{"doctor's hand (redder: deeper)", "", hand},
+          {"device ball, 6 cm", "", kDeviceInk},
+          {"proxy on the skin", "", kProxyInk},
+          {"force, 16 mm for 1 N", "", kForceInk}};
+}
+
+}  // namespace
+
+ColorImage draw(const AugmentedView& view) {
+  const Mesh body = depth_mesh(view.frame);
+  const Eigen::Vector3f middle = middle_of(body);
+  const Touch* const touch = view.touch && is_finite(*view.touch) ? &*view.touch : nullptr;
+  const Eigen::Vector3f target = touch ? Eigen::Vector3f(touch->proxy.m.cast<float>()) : middle;
+  const ViewCamera camera = three_quarter_view(
+      target, touch ? std::clamp(0.85F * target.z(), 0.6F, 1.1F) : 0.95F * target.z(), view.width_px, view.height_px);
+  const Lights lights{Eigen::Vector3f(-0.45F, -0.30F, -0.84F).normalized(), Eigen::Vector3f(0.0F, 0.0F, -1.0F)};
+  ShadowMap shadow(target, lights.key, 0.5F);
+  Canvas canvas(view.width_px, view.height_px, linear_from_srgb(226, 233, 240), linear_from_srgb(150, 163, 177));
+
+  Mesh skin, sleeve;
+  if (touch) {
+    const HandAvatar avatar = hand_avatar();
+    const Eigen::Vector3f at = touch->hand.m.cast<float>();
+    const Eigen::Matrix3f pose = scene_from_hand(surface_normal(body, target, 0.04F));
+    skin = painted(moved(avatar.skin, pose, at), avatar_color(touch->indentation_m));
+    sleeve = moved(avatar.sleeve, pose, at);
+    shadow.add(skin);
+    shadow.add(sleeve);
+  }
+  const Scene scene{canvas, camera, lights, shadow};
+  scene.draw(body, {.two_sided = true});
+  if (touch) draw_touch(scene, *touch, skin, sleeve);
+
+  ColorImage image = canvas.resolved();
+  draw_panel(image, Corner::TopLeft, view.figures);
+  if (touch) draw_panel(image, Corner::BottomLeft, key_to_colours(*touch));
+  return image;
+}
+
+}  // namespace telepalp::ar

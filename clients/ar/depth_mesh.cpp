@@ -1,0 +1,144 @@
+#include "clients/ar/depth_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "proto/words/demand.h"
+
+namespace telepalp::ar {
+namespace {
+
+/// Depth [m] on a grid of at most about 400 000 pixels; 0 where nothing was measured.
+struct Grid {
+  int width = 0, height = 0, stride = 1;
+  std::vector<float> z;
+
+  [[nodiscard]] std::size_t index(int x, int y) const noexcept {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+  [[nodiscard]] float at(int x, int y) const noexcept {
+    return x < 0 || y < 0 || x >= width || y >= height ? 0.0F : z[index(x, y)];
+  }
+};
+
+/// Depths whose difference is below this belong to one surface. Kinect v1's own step grows with the square of depth.
+float jump_m(float z) { return 0.012F + 0.012F * z * z; }
+
+Grid grid_of(const DepthImage& depth) {
+  Grid grid;
+  while (depth.width / grid.stride * (depth.height / grid.stride) > 400'000) ++grid.stride;
+  grid.width = depth.width / grid.stride;
+  grid.height = depth.height / grid.stride;
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x)
+      grid.z.push_back(static_cast<float>(depth.at(x * grid.stride, y * grid.stride) * depth.unit_m));
+  return grid;
+}
+
+/// Mean over a square of pixels of the same surface; a pixel with too few of them is dropped.
+Grid smoothed(const Grid& grid, int reach, int least_neighbours) {
+  Grid out = grid;
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x) {
+      const float z = grid.at(x, y);
+      if (z <= 0.0F) continue;
+      float sum = 0.0F;
+      int count = 0;
+      for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx) {
+          const float other = grid.at(x + dx, y + dy);
+          if (other > 0.0F && std::abs(other - z) < jump_m(z)) {
+            sum += other;
+            ++count;
+          }
+        }
+      out.z[grid.index(x, y)] = count > least_neighbours ? sum / static_cast<float>(count) : 0.0F;
+    }
+  return out;
+}
+
+Eigen::Vector3f place(const Grid& grid, const Intrinsics& camera, int x, int y) {
+  const float z = grid.at(x, y);
+  const auto u = static_cast<float>(x * grid.stride), v = static_cast<float>(y * grid.stride);
+  return {(u - static_cast<float>(camera.cx)) / static_cast<float>(camera.fx) * z,
+          (v - static_cast<float>(camera.cy)) / static_cast<float>(camera.fy) * z, z};
+}
+
+/// The neighbour `(dx, dy)` steps away, or the nearest on the way that is on the same surface.
+Eigen::Vector3f neighbour(const Grid& grid, const Intrinsics& camera, int x, int y, int dx, int dy) {
+  const float z = grid.at(x, y);
+  for (int step = 3; step > 0; --step) {
+    const float other = grid.at(x + step * dx, y + step * dy);
+    if (other > 0.0F && std::abs(other - z) < 2.0F * jump_m(z))
+      return place(grid, camera, x + step * dx, y + step * dy);
+  }
+  return place(grid, camera, x, y);
+}
+
+Eigen::Vector3f normal_at(const Grid& grid, const Intrinsics& camera, int x, int y) {
+  const Eigen::Vector3f along = neighbour(grid, camera, x, y, 1, 0) - neighbour(grid, camera, x, y, -1, 0);
+  const Eigen::Vector3f down = neighbour(grid, camera, x, y, 0, 1) - neighbour(grid, camera, x, y, 0, -1);
+  const Eigen::Vector3f normal = down.cross(along);
+  const float length = normal.norm();
+  return length > 0.0F ? Eigen::Vector3f(normal / length) : Eigen::Vector3f(0.0F, 0.0F, -1.0F);
+}
+
+/// Colour of a point: where the colour camera sees it. Registered images share their pixels, but for their size.
+Eigen::Vector3f color_at(const RgbdFrame& frame, int column, int row) {
+  const ColorImage& color = frame.color;
+  if (color.rgb.empty()) return linear_from_srgb(205, 200, 194);
+  double u = column, v = row;
+  if (frame.camera.color_registered) {
+    u *= static_cast<double>(color.width) / frame.depth.width;
+    v *= static_cast<double>(color.height) / frame.depth.height;
+  } else {  // two pinholes side by side; the few centimetres between them are unknown here
+    const Intrinsics &from = frame.camera.depth, &to = frame.camera.color;
+    u = (u - from.cx) / from.fx * to.fx + to.cx;
+    v = (v - from.cy) / from.fy * to.fy + to.cy;
+  }
+  const int x = std::clamp(static_cast<int>(std::lround(u)), 0, color.width - 1);
+  const int y = std::clamp(static_cast<int>(std::lround(v)), 0, color.height - 1);
+  const std::uint8_t* rgb = &color.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(color.width) +
+                                            static_cast<std::size_t>(x))];
+  return linear_from_srgb(rgb[0], rgb[1], rgb[2]);
+}
+
+bool one_surface(const Grid& grid, const std::array<std::array<int, 2>, 3>& corners) {
+  float least = 1e9F, most = 0.0F;
+  for (const auto& [x, y] : corners) {
+    const float z = grid.at(x, y);
+    if (z <= 0.0F) return false;
+    least = std::min(least, z);
+    most = std::max(most, z);
+  }
+  return most - least < 2.0F * jump_m(least);
+}
+
+}  // namespace
+
+Mesh depth_mesh(const RgbdFrame& frame) {
+  demand(is_well_formed(frame.depth) && is_well_formed(frame.camera.depth), "depth_mesh is given a well-formed frame");
+  const Grid grid = smoothed(smoothed(grid_of(frame.depth), 1, 4), 2, 8);
+  Mesh mesh;
+  mesh.vertices.reserve(grid.z.size());
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x)
+      mesh.vertices.push_back({place(grid, frame.camera.depth, x, y), normal_at(grid, frame.camera.depth, x, y),
+                               color_at(frame, x * grid.stride, y * grid.stride)});
+  const auto add = [&](const std::array<std::array<int, 2>, 3>& corners) {
+    if (!one_surface(grid, corners)) return;
+    std::array<std::uint32_t, 3> triangle{};
+    for (std::size_t i = 0; i < 3; ++i)
+      triangle[i] = static_cast<std::uint32_t>(grid.index(corners[i][0], corners[i][1]));
+    mesh.triangles.push_back(triangle);
+  };
+  for (int y = 0; y + 1 < grid.height; ++y)
+    for (int x = 0; x + 1 < grid.width; ++x) {
+      add({{{x, y}, {x, y + 1}, {x + 1, y}}});
+      add({{{x + 1, y}, {x, y + 1}, {x + 1, y + 1}}});
+    }
+  return mesh;
+}
+
+}  // namespace telepalp::ar

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace telepalp::ar {
+
+/// A triangle mesh in the depth camera's frame. Floats: it is looked at, nothing is computed from it.
+struct Mesh {
+  struct Vertex {
+    Eigen::Vector3f at;      ///< [m]
+    Eigen::Vector3f normal;  ///< unit, outwards
+    Eigen::Vector3f color;   ///< linear RGB, 0 to 1
+  };
+  std::vector<Vertex> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// Adds the triangles of `more` to `mesh`.
+void append(Mesh& mesh, const Mesh& more);
+
+/// Moves a mesh by rotation and translation.
+[[nodiscard]] Mesh moved(Mesh mesh, const Eigen::Matrix3f& rotation, const Eigen::Vector3f& translation);
+
+/// The same mesh in one colour.
+[[nodiscard]] Mesh painted(Mesh mesh, const Eigen::Vector3f& color);
+
+/// 8-bit sRGB to linear light and back. Source: IEC 61966-2-1, with its power approximated by 2.2.
+[[nodiscard]] Eigen::Vector3f linear_from_srgb(int red, int green, int blue) noexcept;
+[[nodiscard]] std::uint8_t srgb_from_linear(float value) noexcept;
+
+}  // namespace telepalp::ar

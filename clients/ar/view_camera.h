@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace telepalp::ar {
+
+/// A vertex on the image: pixels, and the depth that the z-buffer compares (smaller is nearer).
+struct Projected {
+  float x = 0.0F;
+  float y = 0.0F;
+  float depth = 0.0F;
+  bool visible = false;  ///< in front of the near plane
+};
+
+/// From where the scene is looked at: a pinhole. All vectors are in the depth camera's frame.
+struct ViewCamera {
+  Eigen::Vector3f eye;
+  Eigen::Matrix3f view_from_scene;  ///< rows: right, down, forward
+  float focal_px = 1.0F;
+  int width_px = 0;
+  int height_px = 0;
+
+  [[nodiscard]] Projected project(const Eigen::Vector3f& at) const noexcept;
+};
+
+/// Looks from `eye` to `target` with `up` upright. `height_rad` is the vertical angle of view.
+[[nodiscard]] ViewCamera look_at(const Eigen::Vector3f& eye, const Eigen::Vector3f& target, const Eigen::Vector3f& up,
+                                 float height_rad, int width_px, int height_px);
+
+}  // namespace telepalp::ar
