@@ -1,0 +1,75 @@
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "clients/ar/png.h"
+#include "clients/report/report_html.h"
+#include "clients/report/report_json.h"
+#include "clients/report/session_file.h"
+#include "clients/report/view.h"
+#include "proto/program/options.h"
+
+using namespace telepalp;
+
+namespace {
+
+const program::Usage kUsage{
+    .program = "telepalp-report",
+    .purpose = "Tells what a session file holds: report.html for people, report.json for programs, view.png.",
+    .positional = "SESSION.mcap",
+    .options =
+        {{.name = "out", .argument = "DIR", .help = "folder for the three files; made when missing", .initial = "."}},
+    .example = "telepalp-report out/session.mcap --out out"};
+
+Result<void> write_file(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out << bytes;
+  out.close();
+  if (!out)
+    return Error{
+        .what = "cannot be written", .where = file.string(), .fix = "check the folder's rights and free space"};
+  return {};
+}
+
+Result<void> write_report(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  const Result<report::Session> session = report::read_session(file);
+  if (!session) return session.error();
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    return Error{
+        .what = failed.message(), .where = folder.string(), .fix = "name a folder that can be made: --out DIR"};
+
+  const report::Summary summary = report::summarise(*session);
+  const report::Verdict verdict = report::judge(summary);
+  const std::int64_t moment_ns = report::telling_moment_ns(*session);
+  const auto frame = report::read_frame(file, *session, moment_ns);
+  if (!frame) return frame.error();
+  const std::string png = *frame ? ar::encode_png(report::draw_view(*session, **frame, moment_ns)) : std::string();
+
+  if (auto done = write_file(folder / "report.json", report::report_json(*session, summary, verdict)); !done)
+    return done;
+  if (auto done = write_file(folder / "report.html", report::report_html(*session, summary, verdict, png)); !done)
+    return done;
+  if (!png.empty()) {
+    if (auto done = write_file(folder / "view.png", png); !done) return done;
+  } else {
+    std::cerr << "view.png: not drawn, the session holds no depth frame with its calibration\n";
+  }
+  std::cout << verdict.headline << "\n" << verdict.account << "\n" << (folder / "report.html").string() << "\n";
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto arguments = program::read_arguments(kUsage, argc, argv);
+  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
+  if (!*arguments) return program::kDone;
+  const auto& given = **arguments;
+  if (given.positional().size() != 1)
+    return program::fail({.what = "name one session file", .where = "telepalp-report", .fix = "telepalp-report --help"},
+                         program::kAskedWrongly);
+  const Result<void> done = write_report(given.positional().front(), given.text("out"));
+  return done ? program::kDone : program::fail(done.error());
+}

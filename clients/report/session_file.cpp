@@ -1,0 +1,122 @@
+#include "clients/report/session_file.h"
+
+#include <cmath>
+#include <span>
+
+#include "codec/color_codec.h"
+#include "codec/depth_codec.h"
+#include "foxglove/CompressedImage.pb.h"
+#include "proto/wire/mcap/reader.h"
+#include "proto/wire/topics.h"
+
+namespace telepalp::report {
+namespace {
+
+/// A frame is logged within this time of its capture: bounds how much of a long file is read again for one picture.
+constexpr Nanoseconds kReach = std::chrono::seconds(2);
+
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+std::optional<std::int64_t> nearest(const std::vector<std::int64_t>& times, std::int64_t at) {
+  std::optional<std::int64_t> best;
+  for (const std::int64_t time : times)
+    if (!best || std::abs(time - at) < std::abs(*best - at)) best = time;
+  return best;
+}
+
+std::int64_t captured_ns(const foxglove::CompressedImage& image) {
+  return image.timestamp().seconds() * 1'000'000'000 + image.timestamp().nanos();
+}
+
+/// Calibration of the frame called `name`; else the only one there is.
+std::optional<Intrinsics> camera_named(const Session& session, const std::string& name) {
+  const auto found = session.calibrations.find(name);
+  if (found != session.calibrations.end()) return intrinsics(found->second);
+  if (session.calibrations.size() == 1) return intrinsics(session.calibrations.begin()->second);
+  return std::nullopt;
+}
+
+/// The model for a depth image of this size. A calibration of another size is scaled: pixel centres are whole numbers.
+Intrinsics fitted(Intrinsics camera, int width, int height) {
+  const double across = static_cast<double>(width) / camera.width, down = static_cast<double>(height) / camera.height;
+  return {width,
+          height,
+          camera.fx * across,
+          camera.fy * down,
+          (camera.cx + 0.5) * across - 0.5,
+          (camera.cy + 0.5) * down - 0.5};
+}
+
+void take_depth(RgbdFrame& frame, const msg::DepthImage& image, std::int64_t wanted_ns) {
+  if (static_cast<std::int64_t>(image.captured_ns()) != wanted_ns) return;
+  Result<DepthImage> depth = codec::decode_depth(bytes_of(image.data()));
+  if (!depth) return;
+  frame.captured = session_time(wanted_ns);
+  frame.sequence = image.sequence();
+  frame.depth = std::move(depth).value();
+}
+
+void take_color(RgbdFrame& frame, const foxglove::CompressedImage& image, std::optional<std::int64_t> wanted_ns) {
+  if (captured_ns(image) != wanted_ns || image.format() != "jpeg") return;
+  Result<ColorImage> color = codec::decode_color(bytes_of(image.data()));
+  if (color) frame.color = std::move(color).value();
+}
+
+}  // namespace
+
+Result<Session> read_session(const std::filesystem::path& file) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  Session session;
+  session.name = file.filename().string();
+  if (const auto info = reader->session()) session.origin = info->source;
+  for (;;) {
+    Result<std::optional<wire::Message>> message = reader->next();
+    if (!message) return message.error();
+    if (!message.value()) break;
+    add(session, **message);
+  }
+  if (session.messages == 0)
+    return Error{.what = "holds no message of telepalp",
+                 .where = file.string(),
+                 .fix = "record again while the server runs: telepalp-record --help"};
+  return session;
+}
+
+Result<std::optional<RgbdFrame>> read_frame(const std::filesystem::path& file, const Session& session,
+                                            std::int64_t at_ns) {
+  const auto depth_ns = nearest(session.depth_captured_ns, at_ns);
+  const auto camera = camera_named(session, "camera_depth");
+  if (!depth_ns || !camera) return std::optional<RgbdFrame>();
+  const auto color_ns = nearest(session.color_captured_ns, *depth_ns);
+
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  reader->select({.topics = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraColor.name)},
+                  .from = session_time(*depth_ns) - kReach,
+                  .until = session_time(*depth_ns) + kReach});
+  RgbdFrame frame;
+  for (;;) {
+    Result<std::optional<wire::Message>> message = reader->next();
+    if (!message) return message.error();
+    if (!message.value()) break;
+    const std::string& payload = *(**message).payload;
+    msg::DepthImage depth;
+    foxglove::CompressedImage color;
+    if ((**message).topic.name == wire::kCameraDepth.name) {
+      if (depth.ParseFromString(payload)) take_depth(frame, depth, *depth_ns);
+    } else if (color.ParseFromString(payload)) {
+      take_color(frame, color, color_ns);
+    }
+  }
+  if (frame.depth.samples.empty()) return std::optional<RgbdFrame>();
+  frame.camera.depth = fitted(*camera, frame.depth.width, frame.depth.height);
+  const auto color_camera = camera_named(session, "camera_color");
+  frame.camera.color = frame.color.rgb.empty()
+                           ? frame.camera.depth
+                           : fitted(color_camera.value_or(*camera), frame.color.width, frame.color.height);
+  frame.camera.color_registered = !session.capture || session.capture->color_registered();
+  return std::optional(std::move(frame));
+}
+
+}  // namespace telepalp::report

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "proto/wire/message.h"
+
+namespace telepalp::report {
+
+/// A session of `seconds` as a server and a station would publish it: a cushion under the camera, 30 frames a second,
+/// a hand that presses into it and leaves again every two seconds, a cylinder found on the second touch.
+struct MadeSession {
+  double seconds = 4.0;
+  bool with_station = true;
+  bool with_camera = true;
+};
+[[nodiscard]] std::vector<wire::Message> made_messages(const MadeSession& made);
+
+inline constexpr std::int64_t kMadeStart_ns = 1'800'000'000'000'000'000;
+
+}  // namespace telepalp::report

@@ -1,0 +1,298 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "clients/report/html.h"
+#include "clients/report/json.h"
+#include "clients/report/motion_figures.h"
+#include "clients/report/phases.h"
+#include "clients/report/report_html.h"
+#include "clients/report/report_json.h"
+#include "clients/report/session_file.h"
+#include "clients/report/view.h"
+#include "proto/wire/mcap/writer.h"
+#include "tests/clients/report/made_session.h"
+
+namespace telepalp::report {
+namespace {
+
+Session session_of(const MadeSession& made) {
+  Session session;
+  session.name = "made.mcap";
+  for (const wire::Message& message : made_messages(made)) add(session, message);
+  return session;
+}
+
+std::filesystem::path written(const MadeSession& made, const std::string& name) {
+  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / name;
+  std::filesystem::remove(file);
+  auto writer = wire::McapWriter::open(
+      file, {.program = "report_test", .version = {}, .commit = {}, .source = "made", .scene = {}});
+  EXPECT_TRUE(writer.ok());
+  for (const wire::Message& message : made_messages(made)) EXPECT_TRUE(writer->write(message).ok());
+  EXPECT_TRUE(writer->close().ok());
+  return file;
+}
+
+std::string json_of(const Session& session) {
+  const Summary summary = summarise(session);
+  return report_json(session, summary, judge(summary));
+}
+
+std::string html_of(const Session& session) {
+  const Summary summary = summarise(session);
+  return report_html(session, summary, judge(summary), "");
+}
+
+TEST(Quantiles, AreByNearestRankAndLeaveOutWhatIsNoNumber) {
+  std::vector<double> samples;
+  for (int i = 1; i <= 1000; ++i) samples.push_back(i);
+  samples.push_back(std::nan(""));
+  const Quantiles q = quantiles(samples);
+  EXPECT_EQ(q.p50, 500.0);
+  EXPECT_EQ(q.p99, 990.0);
+  EXPECT_EQ(q.p999, 999.0);
+  EXPECT_EQ(q.samples, 1000U);
+  EXPECT_TRUE(std::isnan(quantiles({}).p50));
+}
+
+TEST(Summary, CountsTicksContactAndStatesAsTheyWerePublished) {
+  const Summary s = summarise(session_of({.seconds = 4.0}));
+  EXPECT_EQ(s.ticks, 8000U);
+  EXPECT_EQ(s.touches, 2U);
+  EXPECT_NEAR(s.contact_s, 2.0, 0.01);
+  EXPECT_NEAR(s.ticks_per_s, 2000.0, 0.5);
+  EXPECT_NEAR(s.camera_depth_per_s, 30.0, 0.01);
+  EXPECT_NEAR(s.states_per_s, 100.0, 0.01);
+  EXPECT_NEAR(s.indentation_max_mm, 35.0, 0.1);
+  EXPECT_EQ(s.deadlines_missed, 3U);
+  EXPECT_EQ(s.non_finite, 0U);
+  double total = 0.0;
+  for (const Dwell& dwell : s.dwells) total += dwell.seconds;
+  EXPECT_NEAR(total, 4.0, 1e-6);
+}
+
+TEST(Summary, FramesAreThoseOfTheStationNotOfEverySubscriber) {
+  const Summary s = summarise(session_of({}));
+  EXPECT_EQ(s.frames_sent, 118U);
+  EXPECT_EQ(s.frames_dropped, 2U);
+  EXPECT_EQ(s.frames_received, 118U);
+}
+
+TEST(Summary, LatencyStagesAddUpToTheWhole) {
+  const Summary s = summarise(session_of({}));
+  EXPECT_NEAR(s.capture_to_encoded_ms.p50, 3.0, 0.001);
+  EXPECT_NEAR(s.received_to_decoded_ms.p50 + s.encoded_to_received_ms.p50, 4.5, 0.2);
+  EXPECT_GE(s.capture_to_touchable_ms.p50, 19.0);
+  EXPECT_LE(s.capture_to_touchable_ms.p99, 23.1);
+}
+
+TEST(Summary, AStageThatWasNotStampedIsUnknownRatherThanHuge) {
+  Session session;
+  msg::SurfaceReport surface;
+  surface.set_captured_ns(1'800'000'000'000'000'000);
+  session.surfaces.push_back(surface);
+  EXPECT_TRUE(std::isnan(summarise(session).capture_to_touchable_ms.p50));
+}
+
+TEST(Session, ABatchWithColumnsOfDifferentLengthIsCountedAsDamaged) {
+  Session session;
+  msg::StationTicks batch;
+  batch.add_late_ns(1);
+  batch.add_work_us(1.0F);
+  add(session, wire::make_message(wire::kStationTicks, session_time(5), batch));
+  EXPECT_EQ(session.damaged, 1U);
+  EXPECT_EQ(session.ticks.size(), 0U);
+}
+
+TEST(Session, APayloadThatIsNoProtobufIsCountedAsDamaged) {
+  Session session;
+  add(session, {wire::kStationState, session_time(5), std::make_shared<const std::string>("\xff\xff\xff")});
+  EXPECT_EQ(session.damaged, 1U);
+}
+
+TEST(Json, NumbersThatAreNotFiniteBecomeNull) {
+  Json json;
+  json.begin_object();
+  json.add("a", std::nan(""));
+  json.add("b", INFINITY);
+  json.add("c\"\n", 0.5);
+  json.end_object();
+  EXPECT_EQ(std::move(json).finish(), "{\n  \"a\": null,\n  \"b\": null,\n  \"c\\\"\\u000a\": 0.5\n}\n");
+}
+
+TEST(ReportJson, HasEveryKeyThatOthersReadEvenOfASessionWithoutStation) {
+  for (const bool with_station : {true, false}) {
+    const std::string json = json_of(session_of({.seconds = 1.0, .with_station = with_station}));
+    for (const char* key :
+         {"ticks", "tick_us", "p50", "p99", "p999", "deadlines_missed", "frames", "sent", "received", "dropped",
+          "latency_ms", "capture_to_touchable", "states", "entries", "seconds", "contact_s", "force_N", "max"})
+      EXPECT_NE(json.find('"' + std::string(key) + "\":"), std::string::npos) << key;
+    for (const PhaseWords& words : kPhases)
+      EXPECT_NE(json.find('"' + std::string(words.key) + "\": {"), std::string::npos) << words.key;
+    EXPECT_EQ(json.find("nan"), std::string::npos);
+    EXPECT_EQ(json.find("inf"), std::string::npos);
+  }
+}
+
+TEST(ReportJson, AForceThatIsNoNumberIsCountedAndNeverPrinted) {
+  Session session = session_of({.seconds = 1.0});
+  session.ticks.force[1][700] = std::nanf("");
+  const Summary summary = summarise(session);
+  EXPECT_EQ(summary.non_finite, 1U);
+  EXPECT_FALSE(judge(summary).good);
+  EXPECT_EQ(json_of(session).find("nan"), std::string::npos);
+  EXPECT_EQ(html_of(session).find(">nan"), std::string::npos);
+}
+
+TEST(Verdict, ARunWithinEveryBudgetIsCalledGood) {
+  const Verdict verdict = judge(summarise(session_of({})));
+  EXPECT_TRUE(verdict.good) << verdict.headline;
+  EXPECT_NE(verdict.account.find("2 times"), std::string::npos) << verdict.account;
+}
+
+TEST(Verdict, AForceBeyondThePeakIsNamedFirst) {
+  Summary summary = summarise(session_of({}));
+  summary.force_max_N = 10.2;
+  const Verdict verdict = judge(summary);
+  EXPECT_FALSE(verdict.good);
+  EXPECT_NE(verdict.headline.find("peak force"), std::string::npos);
+}
+
+TEST(Verdict, WithoutAStationThereIsNothingToJudge) {
+  const Verdict verdict = judge(summarise(session_of({.with_station = false})));
+  EXPECT_FALSE(verdict.good);
+  EXPECT_NE(verdict.headline.find("no station"), std::string::npos) << verdict.headline;
+}
+
+TEST(MotionFigures, TheCylinderIsShownOnlyWhenVisited) {
+  EXPECT_TRUE(around_the_cylinder(session_of({.seconds = 2.0})).empty());
+  EXPECT_EQ(around_the_cylinder(session_of({.seconds = 4.0})).size(), 3U);
+}
+
+TEST(MotionFigures, IndentationIsCountedFromTheFirstContact) {
+  const auto charts = force_against_indentation(session_of({.seconds = 2.0}));
+  ASSERT_EQ(charts.size(), 4U);
+  double deepest = 0.0;
+  for (const double d : charts[1].series[0].x)
+    if (std::isfinite(d)) deepest = std::min(deepest, d);
+  EXPECT_NEAR(deepest, -34.0, 0.1);
+}
+
+TEST(ReportHtml, NeedsNothingButItself) {
+  const std::string html = html_of(session_of({}));
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(html.find("src=\"http"), std::string::npos);
+  EXPECT_EQ(html.find("href="), std::string::npos);
+  EXPECT_LT(html.size(), 3'000'000U);
+  for (const char* words : {"The run was good", "Force against indentation", "The whole run", "The 2 kHz loop"})
+    EXPECT_NE(html.find(words), std::string::npos) << words;
+}
+
+TEST(ReportHtml, WordsFromTheSessionCannotBreakThePage) {
+  Session session = session_of({.seconds = 1.0});
+  session.name = "<script>alert(1)</script>.mcap";
+  msg::StationEvent event;
+  event.set_kind(msg::EVENT_KIND_FAULT);
+  event.set_text("<img src=x onerror=alert(1)>");
+  session.events.push_back(event);
+  const std::string html = html_of(session);
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(html.find("<img src=x"), std::string::npos);
+}
+
+TEST(Base64, IsThatOfTheStandard) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(TellingMoment, IsThatOfTheGreatestIndentation) {
+  EXPECT_NEAR(static_cast<double>(telling_moment_ns(session_of({.seconds = 1.9})) - kMadeStart_ns) * 1e-9, 1.0, 0.011);
+}
+
+TEST(SessionFile, GivesBackTheFrameNearestToAMoment) {
+  const auto file = written({.seconds = 2.0}, "report_nearest.mcap");
+  const auto session = read_session(file);
+  ASSERT_TRUE(session.ok()) << to_string(session.error());
+  EXPECT_EQ(session->origin, "made");
+  const auto frame = read_frame(file, *session, kMadeStart_ns + 1'010'000'000);
+  ASSERT_TRUE(frame.ok() && frame->has_value());
+  EXPECT_NEAR(static_cast<double>(to_nanoseconds((*frame)->captured) - kMadeStart_ns) * 1e-9, 1.0, 1e-6);
+  EXPECT_EQ((*frame)->color.width, 320);
+  EXPECT_TRUE(is_well_formed(**frame));
+}
+
+TEST(SessionFile, WithoutACameraThereIsNoFrameAndNoError) {
+  const auto file = written({.seconds = 1.0, .with_camera = false}, "report_no_camera.mcap");
+  const auto session = read_session(file);
+  ASSERT_TRUE(session.ok());
+  const auto frame = read_frame(file, *session, kMadeStart_ns);
+  ASSERT_TRUE(frame.ok());
+  EXPECT_FALSE(frame->has_value());
+}
+
+TEST(SessionFile, OneThatWasCutOffSaysHowToMendIt) {
+  const auto file = written({.seconds = 1.0}, "report_cut.mcap");
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+  const auto session = read_session(file);
+  ASSERT_FALSE(session.ok());
+  EXPECT_NE(to_string(session.error()).find("telepalp-record --repair"), std::string::npos)
+      << to_string(session.error());
+}
+
+TEST(SessionFile, AnEmptyOneIsAnErrorThatSaysSo) {
+  const auto file = written({.seconds = 0.0, .with_station = false, .with_camera = false}, "report_empty.mcap");
+  const auto session = read_session(file);
+  ASSERT_FALSE(session.ok());
+  EXPECT_NE(to_string(session.error()).find("holds no message"), std::string::npos) << to_string(session.error());
+}
+
+TEST(SessionFile, OneThatIsNotThereIsAnError) {
+  const auto session = read_session("/no/such/session.mcap");
+  ASSERT_FALSE(session.ok());
+  EXPECT_NE(to_string(session.error()).find("/no/such/session.mcap"), std::string::npos);
+}
+
+std::string output_of(const std::string& command, int& code) {
+  std::string text;
+  std::array<char, 512> block{};
+  FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+  while (std::fgets(block.data(), static_cast<int>(block.size()), pipe) != nullptr) text += block.data();
+  code = WEXITSTATUS(::pclose(pipe));
+  return text;
+}
+
+const std::string kProgram = std::string(TELEPALP_BINARY_DIR) + "/bin/telepalp-report ";
+
+TEST(Program, WritesItsThreeFiles) {
+  const auto file = written({.seconds = 2.0}, "report_program.mcap");
+  const std::filesystem::path out = std::filesystem::path(::testing::TempDir()) / "report_program_out";
+  std::filesystem::remove_all(out);
+  int code = -1;
+  const std::string said = output_of(kProgram + file.string() + " --out " + out.string(), code);
+  EXPECT_EQ(code, 0) << said;
+  for (const char* name : {"report.json", "report.html", "view.png"})
+    EXPECT_GT(std::filesystem::file_size(out / name), 1000U) << name;
+  std::stringstream png;
+  png << std::ifstream(out / "view.png", std::ios::binary).rdbuf();
+  EXPECT_EQ(png.str().substr(1, 3), "PNG");
+}
+
+TEST(Program, SaysWhatIsWrongAndLeavesWithItsCode) {
+  int code = -1;
+  EXPECT_NE(output_of(kProgram, code).find("fix:"), std::string::npos);
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(output_of(kProgram + "/no/such/session.mcap", code).find("fix:"), std::string::npos);
+  EXPECT_EQ(code, 1);
+}
+
+}  // namespace
+}  // namespace telepalp::report
