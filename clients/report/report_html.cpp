@@ -109,10 +109,10 @@ std::string timing_sections(const Session& session, const Summary& summary) {
   if (summary.bill.empty()) return out;
   std::vector<std::vector<std::string>> rows;
   for (const msg::EffectCost& cost : summary.bill)
-    rows.push_back({cost.name(), readable(cost.mean_us()), readable(cost.p99_us()),
+    rows.push_back({cost.name(), readable(cost.mean_us()), readable(cost.max_us()),
                     readable(100.0 * cost.mean_us() / (session.ticks.period_ns * 1e-3)) + " %"});
   return out + section("The bill of effects", "What each effect of the scene costs in every tick of 500 µs.",
-                       table({"effect", "mean [µs]", "p99 [µs]", "of the period"}, rows));
+                       table({"effect", "mean [µs]", "max [µs]", "of the period"}, rows));
 }
 
 std::string events_section(const Session& session) {

@@ -45,7 +45,7 @@ void add_bill(Json& json, const Summary& summary) {
     json.begin_object();
     json.add("name", cost.name());
     json.add("mean_us", cost.mean_us());
-    json.add("p99_us", cost.p99_us());
+    json.add("max_us", cost.max_us());
     json.end_object();
   }
   json.end_list();

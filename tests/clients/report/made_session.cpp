@@ -183,7 +183,7 @@ void add_station(std::vector<wire::Message>& out, double seconds) {
   auto& skin = *stats.add_bill();
   skin.set_name("skin");
   skin.set_mean_us(3.2);
-  skin.set_p99_us(6.1);
+  skin.set_max_us(6.1);
   out.push_back(wire::make_message(wire::kStationStats, time_of(seconds), stats));
 }
 
