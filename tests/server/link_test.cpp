@@ -1,69 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <boost/asio/io_context.hpp>
-#include <memory>
-#include <string>
-#include <vector>
+#include <algorithm>
 
-#include "messages/station.pb.h"
-#include "proto/wire/client_link.h"
-#include "server/hub/peer_listener.h"
+#include "tests/server/loopback_site.h"
 
 namespace telepalp::server {
 namespace {
-
-using namespace std::chrono_literals;
-
-/// A server and its clients on one io_context, all on this thread, over real sockets on loopback.
-struct Site {
-  boost::asio::io_context io;
-  Hub hub;
-  wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
-  std::unique_ptr<PeerListener> listener = listen(0);
-
-  std::unique_ptr<PeerListener> listen(std::uint16_t port) {
-    auto made = PeerListener::listen(io, hub, clock, {.port = port});
-    EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
-    return std::move(made).value();
-  }
-
-  /// Runs the network until `done`, at most `patience`. Returns whether it was done.
-  template <class Done>
-  bool run_until(Done done, std::chrono::milliseconds patience = 5s) {
-    const auto limit = std::chrono::steady_clock::now() + patience;
-    while (!done() && std::chrono::steady_clock::now() < limit) io.run_one_for(5ms);
-    return done();
-  }
-};
-
-struct Client {
-  std::vector<wire::Message> messages;
-  std::vector<std::string> states;
-  wire::ClientLink link;
-
-  Client(Site& site, std::vector<std::string> topics, std::string name = "test")
-      : link(site.io,
-             {.port = site.listener->port(),
-              .name = std::move(name),
-              .subscribes = std::move(topics),
-              .publishes = {wire::kStationState, wire::kStationEvents}},
-             {.on_message = [this](const wire::Message& message) { messages.push_back(message); },
-              .on_state = [this](wire::LinkState state,
-                                 const std::string&) { states.emplace_back(wire::name(state)); }}) {
-    link.start();
-  }
-  bool connected() const { return link.state() == wire::LinkState::Connected; }
-};
-
-wire::Message message(const wire::Topic& topic, const std::string& payload) {
-  return {topic, session_time(1), std::make_shared<const std::string>(payload)};
-}
-
-wire::Message station_state(std::int64_t stamp_ns) {
-  msg::StationState state;
-  state.set_stamp_ns(static_cast<std::uint64_t>(stamp_ns));
-  return wire::make_message(wire::kStationState, session_time(stamp_ns), state);
-}
 
 TEST(Link, AMessageReachesOnlyThoseWhoAskedForItsTopic) {
   Site site;
@@ -121,6 +63,72 @@ TEST(Link, AServerThatGoesAwayAndComesBackIsFoundAgain) {
   ASSERT_TRUE(site.run_until([&] { return client.messages.size() == 1; }));
   EXPECT_EQ(client.link.counts().connections, 2u);
   EXPECT_NE(std::find(client.states.begin(), client.states.end(), "lost"), client.states.end());
+}
+
+TEST(Link, WhatTheHubDroppedForASubscriberIsSeenAsAGapInTheNumbers) {
+  Site site;
+  Client client(site, {"/camera/depth"});
+  ASSERT_TRUE(site.run_until([&] { return client.connected(); }));
+  site.hub.publish(message(wire::kCameraDepth, "1"));
+  ASSERT_TRUE(site.run_until([&] { return client.messages.size() == 1; }));
+  // Nobody runs the network meanwhile: one goes to the socket at once, two wait, the rest is overtaken.
+  for (int number = 2; number <= 10; ++number) site.hub.publish(message(wire::kCameraDepth, std::to_string(number)));
+  ASSERT_TRUE(site.run_until([&] { return client.messages.size() == 4; }));
+  EXPECT_EQ(*client.messages.back().payload, "10");
+  EXPECT_EQ(client.messages.back().sequence, 10u);
+  EXPECT_EQ(client.link.received().at(wire::kCameraDepth.name).missed, 6u);
+  EXPECT_EQ(site.hub.subscriber_counts().front().dropped(), 6u);
+}
+
+TEST(Link, AnEventPublishedWhileThereIsNoConnectionWaitsAndAStateDoesNot) {
+  Site site;
+  const std::uint16_t port = site.listener->port();
+  site.listener.reset();
+  Client station(site, {}, "station", port);
+  EXPECT_FALSE(station.link.publish(station_state(1)));
+  EXPECT_FALSE(station.link.publish(wire::make_message(wire::kStationEvents, session_time(2), msg::StationEvent())));
+  site.listener = site.listen(port);
+  ASSERT_TRUE(site.run_until([&] { return site.hub.topic_counts().contains(wire::kStationEvents.name); }));
+  EXPECT_FALSE(site.hub.topic_counts().contains(wire::kStationState.name));
+  EXPECT_EQ(station.link.counts().not_sent, 1u);
+}
+
+TEST(Link, StopSendsWhatIsQueuedBeforeItsGoodbye) {
+  Site site;
+  Client station(site, {}, "station");
+  ASSERT_TRUE(site.run_until([&] { return station.connected(); }));
+  for (int number = 1; number <= 50; ++number) EXPECT_TRUE(station.link.publish(station_state(number)));
+  station.link.stop("the examination is over");
+  ASSERT_TRUE(site.run_until([&] { return site.listener->peers() == 0; }));
+  EXPECT_EQ(site.hub.topic_counts().at(wire::kStationState.name).published, 50u);
+  EXPECT_EQ(site.notes.back(),
+            "station at " + site.address_of("station") + " left: peer left: the examination is over");
+}
+
+TEST(Link, AServerOfAnotherProtocolVersionIsNamedAsSuch) {
+  Site site;
+  boost::asio::ip::tcp::acceptor other(site.io, {boost::asio::ip::make_address("127.0.0.1"), 0});
+  boost::asio::ip::tcp::socket accepted(site.io);
+  msg::Control hello;
+  hello.mutable_hello()->set_protocol(7);
+  const std::string bytes = control_frame(hello);
+  other.async_accept(
+      accepted, [&](const boost::system::error_code&) { boost::asio::write(accepted, boost::asio::buffer(bytes)); });
+  Client client(site, {}, "test", other.local_endpoint().port());
+  ASSERT_TRUE(site.run_until([&] {
+    return !client.details.empty() &&
+           client.details.back().find("speaks protocol 7, this end speaks 1") != std::string::npos;
+  }));
+}
+
+TEST(Link, ALinkThatIsDestroyedWhileItConnectsLeavesNothingBehind) {
+  Site site;
+  for (int round = 0; round < 20; ++round) {
+    auto client = std::make_unique<Client>(site, std::vector<std::string>{"*"});
+    for (int i = 0; i < round; ++i) site.io.run_one_for(1ms);
+    client.reset();
+  }
+  EXPECT_TRUE(site.run_until([&] { return site.listener->peers() == 0; }));
 }
 
 }  // namespace
