@@ -27,7 +27,7 @@ class RunTotals {
     std::uint8_t from = 0;
   };
   Change add(const TickSample& sample);
-  void add_missed(std::uint64_t deadlines) noexcept { missed_ += deadlines; }
+  void set_missed(std::uint64_t deadlines) noexcept { missed_ = deadlines; }
   void frame_received() noexcept { ++frames_received_; }
   void set_frames_dropped(std::uint64_t frames) noexcept { frames_dropped_ = frames; }
   void set_telemetry_dropped(std::uint64_t ticks) noexcept { telemetry_dropped_ = ticks; }

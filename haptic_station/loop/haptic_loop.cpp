@@ -1,0 +1,82 @@
+#include "haptic_station/loop/haptic_loop.h"
+
+#include <limits>
+
+namespace telepalp::station {
+namespace {
+
+std::array<float, 3> packed(const Eigen::Vector3d& v) noexcept {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+}  // namespace
+
+void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcept {
+  if (!surface.snapshot) return;
+  haptic_from_camera_ = surface.haptic_from_camera;
+  camera_from_haptic_ = surface.haptic_from_camera.inverse();
+  touch_.adopt(*surface.snapshot, now);
+  surface_captured_ = surface.snapshot->captured;
+  has_surface_ = true;
+}
+
+void HapticLoop::hand_sampled(SessionTime at, const Point<HapticBase>& hand) noexcept {
+  const tracking::Taken taken = hand_.update(at, hand);
+  if (taken == tracking::Taken::Used || taken == tracking::Taken::Restarted) hand_sampled_ = at;
+}
+
+control::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) const noexcept {
+  return {.proxy = haptic_from_camera_ * touch.proxy,
+          .normal = haptic_from_camera_ * Vector<DepthCamera>{touch.normal},
+          .distance_m = touch.distance_m,
+          .in_body = touch.in_body,
+          .valid = touch.valid,
+          .surface_speed_m_per_s = touch.surface_velocity_m_per_s,
+          .age_s = has_surface_ ? touch.age_s : std::numeric_limits<double>::infinity()};
+}
+
+HapticLoop::Act HapticLoop::tick(const DeviceReading& device, SessionTime now, double dt_s) noexcept {
+  // Sense.
+  const surface::TouchSample touch = touch_.step(camera_from_haptic_ * device.at, now, dt_s);
+  const tracking::HandPrediction hand = hand_.predict(now);
+  const control::ControlInput in{.device = device.at,
+                                 .device_velocity = device.velocity,
+                                 .device_age_s = device.age_s,
+                                 .hand = hand.at,
+                                 .hand_velocity = hand.velocity,
+                                 .hand_valid = hand.valid,
+                                 .hand_age_s = hand.age_s,
+                                 .contact = contact_of(touch),
+                                 .rearm = rearm_};
+  rearm_ = false;
+  // Decide.
+  const control::ControlOutput out = controller_.step(in, dt_s);
+  // Act: the caller applies the force.
+  return {.force = out.force, .contact = in.contact, .control = out, .told = tell(device, in, out)};
+}
+
+TickSample HapticLoop::tell(const DeviceReading& device, const control::ControlInput& in,
+                            const control::ControlOutput& out) const noexcept {
+  TickSample told;
+  told.phase = static_cast<std::uint8_t>(out.phase);
+  told.in_body = in.contact.in_body;
+  told.surface_stale = !in.contact.valid;
+  told.limited = out.limited;
+  told.hand = packed(in.hand.m);
+  told.device = packed(device.at.m);
+  told.proxy = packed(in.contact.proxy.m);
+  told.normal = packed(in.contact.normal.v);
+  told.force = packed(out.force.N);
+  told.displayed_hand_camera = packed((camera_from_haptic_ * out.displayed_hand).m);
+  told.proxy_camera = packed((camera_from_haptic_ * in.contact.proxy).m);
+  told.device_camera = packed((camera_from_haptic_ * device.at).m);
+  told.force_camera = packed((camera_from_haptic_ * out.force).N);
+  told.indentation_m = static_cast<float>(out.indentation.v.norm());
+  told.distance_m = static_cast<float>(in.contact.distance_m);
+  told.passivity_J = static_cast<float>(out.passivity_J);
+  told.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
+  told.hand_sampled_ns = to_nanoseconds(hand_sampled_);
+  return told;
+}
+
+}  // namespace telepalp::station

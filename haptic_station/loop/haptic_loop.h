@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+
+#include "haptic_station/control/encountered_controller.h"
+#include "haptic_station/loop/rig.h"
+#include "haptic_station/loop/tick_sample.h"
+#include "haptic_station/surface/touch.h"
+#include "haptic_station/tracking/hand_estimate.h"
+#include "proto/words/frames.h"
+#include "proto/words/time.h"
+
+namespace telepalp::station {
+
+/// A surface and where it lies before the haptic device. Handed from the surface thread to the haptic thread.
+struct TouchableSurface {
+  std::shared_ptr<const surface::SurfaceSnapshot> snapshot;  // shared: the hand-off's slot keeps it alive while in use
+  Transform<HapticBase, DepthCamera> haptic_from_camera;
+};
+
+/// One tick of the haptic station: sense, decide, act. Joins the surface's touch, the hand's estimate and the
+/// encountered controller; knows no clock, no thread and no device, so that the same tick runs live at 2 kHz, in
+/// virtual time, and in a test. Owner: the haptic thread. Nothing here allocates, locks, throws or calls the system.
+class HapticLoop {
+ public:
+  struct Settings {
+    surface::TouchSettings touch;
+    tracking::HandEstimateSettings hand;
+  };
+
+  HapticLoop(const Settings& settings, const control::EncounteredController& controller) noexcept
+      : touch_(settings.touch), hand_(settings.hand), controller_(controller) {}
+
+  /// A newer surface. Its snapshot must stay alive until the next adopt().
+  void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
+
+  /// A sample of the hand tracker, at the tracker's own time.
+  void hand_sampled(SessionTime at, const Point<HapticBase>& hand) noexcept;
+
+  /// An operator asks to re-arm; counts for the next tick.
+  void rearm() noexcept { rearm_ = true; }
+
+  /// The force to apply until the next tick [N, in H], already limited, and all that is told of the tick, but for its
+  /// number and times.
+  struct Act {
+    Force<HapticBase> force;
+    control::SurfaceContact contact;
+    control::ControlOutput control;
+    TickSample told;
+  };
+  [[nodiscard]] Act tick(const DeviceReading& device, SessionTime now, double dt_s) noexcept;
+
+  [[nodiscard]] const control::EncounteredController& controller() const noexcept { return controller_; }
+  [[nodiscard]] control::EncounteredController& controller() noexcept { return controller_; }
+
+ private:
+  [[nodiscard]] control::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
+  [[nodiscard]] TickSample tell(const DeviceReading& device, const control::ControlInput& in,
+                                const control::ControlOutput& out) const noexcept;
+
+  surface::Touch touch_;
+  tracking::HandEstimate hand_;
+  control::EncounteredController controller_;
+  Transform<HapticBase, DepthCamera> haptic_from_camera_;
+  Transform<DepthCamera, HapticBase> camera_from_haptic_;
+  SessionTime surface_captured_{};
+  SessionTime hand_sampled_{};
+  bool has_surface_ = false;
+  bool rearm_ = false;
+};
+
+}  // namespace telepalp::station

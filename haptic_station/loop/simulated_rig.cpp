@@ -1,0 +1,32 @@
+#include "haptic_station/loop/simulated_rig.h"
+
+#include <utility>
+
+namespace telepalp::station {
+
+SimulatedRig::SimulatedRig(const Settings& settings, Person person) noexcept
+    : pair_(settings.device, settings.hand), tracker_(settings.tracker, settings.seed), person_(std::move(person)) {
+  pair_.place(settings.rest, settings.rest);
+}
+
+DeviceReading SimulatedRig::read() noexcept {
+  return {.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0};
+}
+
+std::optional<HandSample> SimulatedRig::hand(SessionTime now) noexcept {
+  const std::optional<Point<HapticBase>> sample = tracker_.sample(time_s_, pair_.true_hand());
+  if (!sample) return std::nullopt;
+  return HandSample{now, *sample};
+}
+
+void SimulatedRig::apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept {
+  device::Intention intention;
+  if (auto* scripted = std::get_if<device::ScriptedIntention>(&person_))
+    intention = scripted->step({.time_s = time_s_, .contact = contact, .device = pair_.device()}, dt_s);
+  else if (const auto* recorded = std::get_if<tracking::RecordedIntention>(&person_))
+    intention = recorded->at(time_s_);
+  pair_.step(force, intention, dt_s);
+  time_s_ += dt_s;
+}
+
+}  // namespace telepalp::station

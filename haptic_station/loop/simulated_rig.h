@@ -1,0 +1,41 @@
+#pragma once
+
+#include <variant>
+
+#include "haptic_station/device/simulated_pair.h"
+#include "haptic_station/device/simulated_tracker.h"
+#include "haptic_station/device/trial.h"
+#include "haptic_station/loop/rig.h"
+#include "haptic_station/tracking/hand_trace.h"
+
+namespace telepalp::station {
+
+/// A simulated device held by a simulated hand that carries out a trial or repeats a recorded movement, seen by a
+/// simulated tracker. Live it runs on the haptic thread, in virtual time in a test.
+class SimulatedRig final : public Rig {
+ public:
+  struct Settings {
+    device::SimulatedDeviceSettings device;
+    device::SimulatedHandSettings hand;
+    device::SimulatedTrackerSettings tracker;
+    Point<HapticBase> rest;  ///< where the device and the hand begin
+    std::uint64_t seed = 1;
+  };
+  using Person = std::variant<device::ScriptedIntention, tracking::RecordedIntention>;
+
+  SimulatedRig(const Settings& settings, Person person) noexcept;
+
+  [[nodiscard]] DeviceReading read() noexcept override;
+  [[nodiscard]] std::optional<HandSample> hand(SessionTime now) noexcept override;
+  void apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept override;
+
+  [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
+
+ private:
+  device::SimulatedPair pair_;
+  device::SimulatedTracker tracker_;
+  Person person_;
+  double time_s_ = 0.0;
+};
+
+}  // namespace telepalp::station

@@ -1,0 +1,69 @@
+#include "haptic_station/station/haptic_thread.h"
+
+#include <algorithm>
+#include <future>
+
+#include "haptic_station/station/tick_timer.h"
+
+namespace telepalp::station {
+namespace {
+
+using Clock = TickTimer::Clock;
+
+constexpr double kTick_s = std::chrono::duration<double>(kTickPeriod).count();
+constexpr std::uint64_t kTicksPerBill = 2000;
+// A thread that was away for longer does not make the simulated world catch up in one burst.
+constexpr std::uint64_t kMostStepsToCatchUp = 20;
+
+}  // namespace
+
+Result<bool> HapticThread::start(Realtime realtime) {
+  std::promise<Result<bool>> entered;
+  std::future<Result<bool>> granted = entered.get_future();
+  running_ = true;
+  thread_ = std::thread([this, realtime, entered = std::move(entered)]() mutable {
+    Result<bool> result = enter_realtime(realtime);
+    const bool go = result.ok();
+    entered.set_value(std::move(result));
+    if (go) run();
+  });
+  Result<bool> result = granted.get();
+  if (!result) stop();
+  return result;
+}
+
+void HapticThread::stop() {
+  running_ = false;
+  if (thread_.joinable()) thread_.join();
+}
+
+void HapticThread::run() noexcept {
+  TickTimer timer(Clock::now() + kTickPeriod, kTickPeriod);
+  while (running_.load(std::memory_order_relaxed)) {
+    const TickTimer::Tick due = timer.wait();
+    if (due.missed > 0) counts_.deadlines_missed.fetch_add(due.missed, std::memory_order_relaxed);
+    tick(due);
+  }
+}
+
+void HapticThread::tick(const TickTimer::Tick& due) noexcept {
+  const Clock::time_point began = Clock::now();
+  const SessionTime now{due.deadline.time_since_epoch() +
+                        Nanoseconds{clock_offset_ns_.load(std::memory_order_relaxed)}};
+  const double dt_s = kTick_s * static_cast<double>(1 + std::min(due.missed, kMostStepsToCatchUp));
+
+  if (surfaces_.take()) loop_.adopt(surfaces_.current(), now);
+  if (const std::optional<HandSample> sample = rig_.hand(now)) loop_.hand_sampled(sample->at, sample->hand);
+  HapticLoop::Act act = loop_.tick(rig_.read(), now, dt_s);
+  const Clock::time_point decided = Clock::now();
+  rig_.apply(act.force, act.contact, dt_s);
+
+  act.told.tick = tick_++;
+  act.told.stamp_ns = to_nanoseconds(now);
+  act.told.late_ns = static_cast<std::uint32_t>(due.late.count());
+  act.told.work_us = std::chrono::duration<float, std::micro>(decided - began).count();
+  if (tick_ % kTicksPerBill == 0) bill_.put(bill_of(loop_.controller().effects()));
+  if (!ticks_.try_push(act.told)) counts_.ticks_untold.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,78 @@
+#include <cstdio>
+#include <string>
+
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/station.h"
+#include "proto/program/address.h"
+#include "proto/program/options.h"
+#include "proto/program/shipped.h"
+
+namespace {
+
+using namespace telepalp;
+
+program::Usage usage() {
+  return {.program = "telepalp-station",
+          .purpose = "turns a served depth stream into a surface that can be touched, at 2 kHz",
+          .positional = "",
+          .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:7400"},
+                      {"scene", "FILE", "what can be felt: a *.scene.textproto; left out: palpation"},
+                      {"seconds", "S", "how long to tick; 0: until Ctrl-C", "0"},
+                      {"realtime", "require|prefer", "whether to run without real-time priority", "prefer"}},
+          .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10"};
+}
+
+Result<station::Realtime> realtime_of(const std::string& word) {
+  if (word == "require") return station::Realtime::Require;
+  if (word == "prefer") return station::Realtime::Prefer;
+  return Error{
+      .what = "'" + word + "' is neither require nor prefer", .where = "--realtime", .fix = "give one of them"};
+}
+
+Result<station::StationOptions> options_of(const program::Arguments& arguments) {
+  const Result<program::Address> server = program::parse_address(arguments.text("connect"), "--connect");
+  if (!server) return server.error();
+  const Result<double> seconds = arguments.number("seconds", 0.0, 1e6);
+  if (!seconds) return seconds.error();
+  const Result<station::Realtime> realtime = realtime_of(arguments.text("realtime"));
+  if (!realtime) return realtime.error();
+  return station::StationOptions{
+      .host = server->host, .port = server->port, .seconds = *seconds, .realtime = *realtime};
+}
+
+Result<std::optional<tracking::HandTrace>> trace_of(const scenes::Scene& scene) {
+  if (!scene.hand_trace) return std::optional<tracking::HandTrace>{};
+  Result<tracking::HandTrace> trace = tracking::read_hand_trace(*scene.hand_trace);
+  if (!trace) return trace.error();
+  return std::optional{std::move(trace).value()};
+}
+
+Result<std::filesystem::path> scene_of(const program::Arguments& arguments) {
+  if (arguments.has("scene")) return std::filesystem::path(arguments.text("scene"));
+  if (const auto file = program::shipped_file("haptic_station/scenes/palpation.scene.textproto")) return *file;
+  return Error{.what = "the scene that ships is not found",
+               .where = "telepalp-station",
+               .fix = "name one by --scene, or set TELEPALP_HOME"};
+}
+
+int run(const station::StationOptions& options, const std::filesystem::path& scene_file) {
+  const Result<scenes::Scene> scene = scenes::read_scene(scene_file);
+  if (!scene) return program::fail(scene.error());
+  Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
+  if (!trace) return program::fail(trace.error());
+  station::Station station(options, *scene, std::move(trace).value());
+  const Result<void> done = station.run();
+  return done ? program::kDone : program::fail(done.error());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  if (!*read) return program::kDone;
+  const Result<station::StationOptions> options = options_of(**read);
+  if (!options) return program::fail(options.error(), program::kAskedWrongly);
+  const Result<std::filesystem::path> scene = scene_of(**read);
+  return scene ? run(*options, *scene) : program::fail(scene.error());
+}

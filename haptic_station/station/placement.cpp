@@ -1,0 +1,36 @@
+#include "haptic_station/station/placement.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace telepalp::station {
+namespace {
+
+constexpr int kSmallestHalf_px = 4;
+
+/// The measured samples of the centred window of half side `half`.
+std::vector<std::uint16_t> measured(const DepthImage& depth, int half) {
+  std::vector<std::uint16_t> samples;
+  for (int row = depth.height / 2 - half; row < depth.height / 2 + half; ++row)
+    for (int column = depth.width / 2 - half; column < depth.width / 2 + half; ++column)
+      if (const std::uint16_t sample = depth.at(column, row); sample != 0) samples.push_back(sample);
+  return samples;
+}
+
+}  // namespace
+
+std::optional<Point<DepthCamera>> point_under_center(const DepthImage& depth, const Intrinsics& camera) {
+  const int largest = std::min(depth.width, depth.height) / 2;
+  for (int half = std::min(kSmallestHalf_px, largest); half > 0 && half <= largest; half *= 2) {
+    std::vector<std::uint16_t> samples = measured(depth, half);
+    if (samples.size() < 2 * static_cast<std::size_t>(half) * static_cast<std::size_t>(half)) continue;
+    const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
+    std::nth_element(samples.begin(), middle, samples.end());
+    const double z_m = *middle * depth.unit_m;
+    return Point<DepthCamera>{
+        {(depth.width / 2 - camera.cx) / camera.fx * z_m, (depth.height / 2 - camera.cy) / camera.fy * z_m, z_m}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,220 @@
+#include "haptic_station/station/station.h"
+
+#include <boost/asio/post.hpp>
+#include <csignal>
+
+#include "foxglove/CameraCalibration.pb.h"
+#include "haptic_station/control/scene_centering.h"
+#include "haptic_station/station/bill.h"
+#include "haptic_station/station/cost_clock.h"
+#include "haptic_station/station/placement.h"
+#include "proto/program/log.h"
+
+namespace telepalp::station {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kName = "telepalp-station";
+constexpr auto kTellPeriod = 10ms;  // /station/state at 100 Hz
+constexpr auto kTotalsPeriod = 1s;  // /station/stats
+constexpr auto kSayStillWaiting = 5s;
+constexpr double kRestHeight_m = 0.10;  // above the skin, where the simulated hand begins
+
+void say(const std::string& text) { program::log(kName, text); }
+
+HapticLoop make_loop(const scenes::Scene& scene) {
+  control::EncounteredController controller(scene.control, scene.effects);
+  controller.book_costs_with(&cycles_now);
+  return HapticLoop({}, controller);
+}
+
+wire::ClientLink::Options link_options(const StationOptions& options) {
+  return {.host = options.host,
+          .port = options.port,
+          .name = kName,
+          .role = "doctor",
+          .subscribes = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraInfo.name)},
+          .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface, wire::kStationEvents,
+                        wire::kStationStats}};
+}
+
+std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration) {
+  if (calibration.k_size() != 9 || calibration.width() > kMaxImageSide || calibration.height() > kMaxImageSide)
+    return std::nullopt;
+  const Intrinsics intrinsics{.width = static_cast<int>(calibration.width()),
+                              .height = static_cast<int>(calibration.height()),
+                              .fx = calibration.k(0),
+                              .fy = calibration.k(4),
+                              .cx = calibration.k(2),
+                              .cy = calibration.k(5)};
+  return is_well_formed(intrinsics) ? std::optional(intrinsics) : std::nullopt;
+}
+
+std::optional<Transform<HapticBase, DepthCamera>> place(const scenes::Scene& scene, const DepthImage& depth,
+                                                        const Intrinsics& camera) {
+  if (!scene.center_on_surface) return scene.haptic_from_camera;
+  const std::optional<Point<DepthCamera>> skin = point_under_center(depth, camera);
+  if (!skin) return std::nullopt;
+  return control::centered_on(scene.haptic_from_camera, *skin);
+}
+
+/// The skin under the middle of the image, or where the scene says that the patient is: H's origin.
+constexpr double kSkin_m = 0.0;
+
+SimulatedRig::Settings rig_settings(const scenes::Scene& scene) {
+  return {.device = scene.simulated_device,
+          .hand = scene.simulated_hand,
+          .tracker = {},
+          .rest = {{0.0, kSkin_m + kRestHeight_m, 0.0}}};
+}
+
+SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
+  const Point<HapticBase> skin{{0.0, kSkin_m, 0.0}};
+  if (trace) return tracking::RecordedIntention(*trace, scene.haptic_from_tracker, skin, scene.trace_deepest_m);
+  return device::ScriptedIntention(device::waypoints(scene.trial), skin);
+}
+
+}  // namespace
+
+Station::Station(StationOptions options, const scenes::Scene& scene, std::optional<tracking::HandTrace> trace)
+    : options_(std::move(options)),
+      scene_(scene),
+      trace_(std::move(trace)),
+      fast_timer_(io_),
+      slow_timer_(io_),
+      signals_(io_, SIGINT, SIGTERM),
+      link_(io_, link_options(options_),
+            {.on_message = [this](const wire::Message& message) { on_message(message); },
+             .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); }}),
+      loop_(make_loop(scene)),
+      telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }) {
+  const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
+    return place(scene_, depth, camera);
+  };
+  worker_.emplace(surface::SurfaceSettings{}, placement,
+                  SurfaceWorker::Handlers{.now = [this] { return now(); },
+                                          .on_report =
+                                              [this](const msg::SurfaceReport& report) {
+                                                boost::asio::post(io_, [this, report] { on_surface(report); });
+                                              },
+                                          .on_bad_frame =
+                                              [this](const Error& error) {
+                                                boost::asio::post(
+                                                    io_, [error] { say("frame dropped: " + to_string(error)); });
+                                              }},
+                  surfaces_);
+}
+
+Result<void> Station::run() {
+  signals_.async_wait([this](const boost::system::error_code& error, int) {
+    if (!error) stop("asked to end");
+  });
+  started_ = std::chrono::steady_clock::now();
+  link_.start();
+  every_10_ms();
+  every_second();
+  io_.run();
+  if (haptic_) haptic_->stop();
+  if (failure_) return *failure_;
+  return {};
+}
+
+void Station::stop(const std::string& reason) {
+  if (haptic_) haptic_->stop();
+  telemetry_.drain(now());
+  tell_totals();
+  say("ending: " + reason);
+  if (!costs_.empty())
+    say("effects in contact: " + line_of(costs_, std::chrono::duration<double, std::micro>(kTickPeriod).count()));
+  fast_timer_.cancel();
+  slow_timer_.cancel();
+  signals_.cancel();
+  link_.stop(reason);
+}
+
+void Station::publish(wire::Message message) { (void)link_.publish(std::move(message)); }
+
+void Station::on_link(wire::LinkState state, const std::string& detail) {
+  say("link " + std::string(wire::name(state)) + (detail.empty() ? "" : ": " + detail));
+  if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
+  if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
+    telemetry_.tell_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
+}
+
+void Station::on_message(const wire::Message& message) {
+  if (message.topic.name == wire::kCameraDepth.name) on_depth(message);
+  if (message.topic.name == wire::kCameraInfo.name) on_camera_info(message);
+}
+
+void Station::on_camera_info(const wire::Message& message) {
+  foxglove::CameraCalibration calibration;
+  if (!calibration.ParseFromString(*message.payload)) return;
+  const std::optional<Intrinsics> intrinsics = intrinsics_of(calibration);
+  if (!intrinsics)
+    return say("/camera/info dropped: its intrinsics are not finite and positive. fix: camera.textproto");
+  camera_ = intrinsics;
+}
+
+void Station::on_depth(const wire::Message& message) {
+  telemetry_.frame_received();
+  if (!camera_) return;  // its model comes within the second
+  std::optional<Point<DepthCamera>> device;
+  if (telemetry_.has_ticked()) {
+    const std::array<float, 3>& at = telemetry_.last().device_camera;
+    device = Point<DepthCamera>{{at[0], at[1], at[2]}};
+  }
+  worker_->offer({.depth = message, .camera = *camera_, .received = now(), .device = device});
+}
+
+void Station::on_surface(const msg::SurfaceReport& report) {
+  publish(wire::make_message(wire::kStationSurface, now(), report));
+  if (!haptic_) start_haptic_thread();
+}
+
+void Station::start_haptic_thread() {
+  rig_.emplace(rig_settings(scene_), person_of(scene_, trace_));
+  haptic_.emplace(loop_, *rig_, surfaces_, ticks_);
+  haptic_->set_clock_offset(link_.clock().offset());
+  const Result<bool> granted = haptic_->start(options_.realtime);
+  if (!granted) {
+    failure_ = granted.error();
+    return stop("no real time");
+  }
+  realtime_granted_ = *granted;
+  ticking_since_ = std::chrono::steady_clock::now();
+  const std::string realtime = realtime_granted_ ? "with real-time priority" : "without real-time priority";
+  say("touchable; ticking at 2 kHz " + realtime);
+  telemetry_.tell_event(now(), msg::EVENT_KIND_SCENE, "scene " + scene_.name + ", " + realtime);
+}
+
+void Station::every_10_ms() {
+  telemetry_.drain(now());
+  if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
+  const bool time_is_up = haptic_ && options_.seconds > 0.0 &&
+                          std::chrono::steady_clock::now() - ticking_since_ >= from_seconds(options_.seconds);
+  if (time_is_up) return stop("done");
+  fast_timer_.expires_after(kTellPeriod);
+  fast_timer_.async_wait([this](const boost::system::error_code& error) {
+    if (!error) every_10_ms();
+  });
+}
+
+void Station::every_second() {
+  if (haptic_)
+    tell_totals();
+  else if (const auto waited = std::chrono::steady_clock::now() - started_; waited % kSayStillWaiting < kTotalsPeriod)
+    say(link_.state() == wire::LinkState::Connected ? "waiting for the first depth image" : "waiting for the server");
+  slow_timer_.expires_after(kTotalsPeriod);
+  slow_timer_.async_wait([this](const boost::system::error_code& error) {
+    if (!error) every_second();
+  });
+}
+
+void Station::tell_totals() {
+  if (!haptic_) return;
+  if (haptic_->bill().take()) costs_ = costs_of(haptic_->bill().current(), cycles_per_us());
+  telemetry_.tell_totals(now(), haptic_->counts(), worker_->dropped(), realtime_granted_, costs_);
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "haptic_station/loop/simulated_rig.h"
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/haptic_thread.h"
+#include "haptic_station/station/surface_worker.h"
+#include "haptic_station/station/telemetry_publisher.h"
+#include "proto/wire/client_link.h"
+
+namespace telepalp::station {
+
+/// What the operator asked for.
+struct StationOptions {
+  std::string host = "127.0.0.1";
+  std::uint16_t port = 0;
+  double seconds = 0.0;  ///< of ticking, then end; 0: until asked to end
+  Realtime realtime = Realtime::Prefer;
+};
+
+/// The station: a link to the server, the surface thread and the haptic thread, joined by hand-offs. Runs on the
+/// calling thread, which becomes the network thread, until the time is up or a signal asks it to end.
+class Station {
+ public:
+  /// `trace`: the recorded hand that the scene names, if it names one.
+  Station(StationOptions options, const scenes::Scene& scene, std::optional<tracking::HandTrace> trace);
+
+  /// Done, or why the station could not do its work.
+  [[nodiscard]] Result<void> run();
+
+ private:
+  void on_message(const wire::Message& message);
+  void on_camera_info(const wire::Message& message);
+  void on_depth(const wire::Message& message);
+  void on_link(wire::LinkState state, const std::string& detail);
+  void on_surface(const msg::SurfaceReport& report);
+  void start_haptic_thread();
+  void every_10_ms();
+  void every_second();
+  void tell_totals();
+  void stop(const std::string& reason);
+  void publish(wire::Message message);
+  [[nodiscard]] SessionTime now() const noexcept { return link_.clock().now(); }
+
+  StationOptions options_;
+  scenes::Scene scene_;
+  std::optional<tracking::HandTrace> trace_;
+  boost::asio::io_context io_{1};
+  boost::asio::steady_timer fast_timer_;
+  boost::asio::steady_timer slow_timer_;
+  boost::asio::signal_set signals_;
+  wire::ClientLink link_;
+  std::optional<Intrinsics> camera_;
+  std::optional<Error> failure_;
+
+  LatestValue<TouchableSurface> surfaces_;  // surface thread to haptic thread
+  TickRing ticks_;                          // haptic thread to network thread
+  HapticLoop loop_;                         // owner: haptic thread, once it runs
+  std::optional<SimulatedRig> rig_;         // owner: haptic thread, once it runs
+  std::optional<HapticThread> haptic_;
+  TelemetryPublisher telemetry_;
+  std::optional<SurfaceWorker> worker_;  // declared last: its thread ends before what it calls
+  std::chrono::steady_clock::time_point started_;
+  std::chrono::steady_clock::time_point ticking_since_;
+  std::vector<msg::EffectCost> costs_;
+  bool realtime_granted_ = false;
+};
+
+}  // namespace telepalp::station

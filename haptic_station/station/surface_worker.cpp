@@ -1,0 +1,100 @@
+#include "haptic_station/station/surface_worker.h"
+
+#include <boost/asio/post.hpp>
+
+#include "codec/depth_codec.h"
+#include "messages/camera.pb.h"
+
+namespace telepalp::station {
+namespace {
+
+// A hand at 2 m/s goes 0.13 m in two frame times; the rest is the support of the implicit function around it.
+constexpr double kReach_m = 0.16;
+
+Result<DepthImage> decode(const msg::DepthImage& message) {
+  Result<DepthImage> depth = codec::decode_depth(std::as_bytes(std::span(message.data())));
+  if (!depth) return depth;
+  if (depth->width != static_cast<int>(message.width()) || depth->height != static_cast<int>(message.height()))
+    return Error{.what = "the image's size is not the one that its message declares",
+                 .where = "/camera/depth " + std::to_string(message.sequence()),
+                 .fix = "check that both ends were built from the same version"};
+  return depth;
+}
+
+Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
+  return {.what = "the image is " + std::to_string(depth.width) + " x " + std::to_string(depth.height) +
+                  " pixels, its camera model is for " + std::to_string(camera.width) + " x " +
+                  std::to_string(camera.height),
+          .where = "/camera/depth",
+          .fix = "correct camera.textproto at the server"};
+}
+
+std::optional<surface::Reach> reach_of(const SurfaceWorker::Work& work) {
+  if (!work.device) return std::nullopt;
+  return surface::Reach{.centre = *work.device, .radius_m = kReach_m};
+}
+
+}  // namespace
+
+SurfaceWorker::SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
+                             LatestValue<TouchableSurface>& to_haptic)
+    : builder_(settings),
+      placement_(std::move(placement)),
+      handlers_(std::move(handlers)),
+      to_haptic_(to_haptic),
+      stay_(boost::asio::make_work_guard(io_)),
+      thread_([this] { io_.run(); }) {}
+
+SurfaceWorker::~SurfaceWorker() {
+  io_.stop();
+  thread_.join();
+}
+
+void SurfaceWorker::offer(Work work) {
+  ++offered_;
+  newest_.put(std::move(work));
+  boost::asio::post(io_, [this] { work_off_newest(); });
+}
+
+void SurfaceWorker::work_off_newest() {
+  if (!newest_.take()) return;  // a task before this one took it: this one's message was overtaken
+  const Result<msg::SurfaceReport> report = build(newest_.current());
+  if (!report) return handlers_.on_bad_frame(report.error());
+  built_.fetch_add(1, std::memory_order_relaxed);
+  handlers_.on_report(*report);
+}
+
+Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work) {
+  msg::DepthImage message;
+  if (!message.ParseFromString(*work.depth.payload))
+    return Error{.what = "not a DepthImage", .where = "/camera/depth", .fix = "check that both ends match"};
+  const Result<DepthImage> depth = decode(message);
+  if (!depth) return depth.error();
+  if (depth->width != work.camera.width || depth->height != work.camera.height)
+    return other_camera(*depth, work.camera);
+  const SessionTime decoded = handlers_.now();
+  if (!haptic_from_camera_) haptic_from_camera_ = placement_(*depth, work.camera);
+  if (!haptic_from_camera_)
+    return Error{.what = "nothing is measured around the image's centre, where the patient should be",
+                 .where = "/camera/depth " + std::to_string(message.sequence()),
+                 .fix = "aim the camera at the patient"};
+  const auto snapshot =
+      builder_.add(*depth, work.camera, session_time(static_cast<std::int64_t>(message.captured_ns())), reach_of(work));
+  if (!snapshot)
+    return Error{.what = "the image is not newer than the last one, or not well formed",
+                 .where = "/camera/depth " + std::to_string(message.sequence()),
+                 .fix = "check the camera's time stamps"};
+  to_haptic_.put({snapshot, *haptic_from_camera_});
+  msg::SurfaceReport report;
+  report.set_captured_ns(message.captured_ns());
+  report.set_encoded_ns(message.encoded_ns());
+  report.set_received_ns(static_cast<std::uint64_t>(to_nanoseconds(work.received)));
+  report.set_decoded_ns(static_cast<std::uint64_t>(to_nanoseconds(decoded)));
+  report.set_touchable_ns(static_cast<std::uint64_t>(to_nanoseconds(handlers_.now())));
+  report.set_sequence(message.sequence());
+  report.set_points(snapshot->points);
+  report.set_index(snapshot->index_name);
+  return report;
+}
+
+}  // namespace telepalp::station

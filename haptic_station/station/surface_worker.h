@@ -1,0 +1,68 @@
+#pragma once
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/surface/surface_builder.h"
+#include "messages/station.pb.h"
+#include "proto/wire/message.h"
+#include "proto/wire/session_clock.h"
+#include "proto/words/latest_value.h"
+#include "proto/words/result.h"
+#include "proto/words/rgbd_frame.h"
+
+namespace telepalp::station {
+
+/// The surface thread: newest depth message in, newest touchable surface out. A message that is overtaken while an
+/// older one is being built is dropped and counted; the 2 kHz thread is never waited for.
+class SurfaceWorker {
+ public:
+  /// Where the patient lies before the device; asked with each image until it is known.
+  using Placement =
+      std::function<std::optional<Transform<HapticBase, DepthCamera>>(const DepthImage&, const Intrinsics&)>;
+  struct Handlers {
+    std::function<SessionTime()> now;                          ///< session clock; called on the surface thread
+    std::function<void(const msg::SurfaceReport&)> on_report;  ///< called on the surface thread
+    std::function<void(const Error&)> on_bad_frame;            ///< called on the surface thread
+  };
+
+  SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
+                LatestValue<TouchableSurface>& to_haptic);
+  ~SurfaceWorker();
+  SurfaceWorker(const SurfaceWorker&) = delete;
+  SurfaceWorker& operator=(const SurfaceWorker&) = delete;
+
+  /// A depth message with the camera's model and where the device is. Network thread only.
+  struct Work {
+    wire::Message depth;
+    Intrinsics camera;
+    SessionTime received;
+    std::optional<Point<DepthCamera>> device;  ///< the hand can reach only around it
+  };
+  void offer(Work work);
+
+  [[nodiscard]] std::uint64_t dropped() const noexcept { return offered_ - built_.load(std::memory_order_relaxed); }
+
+ private:
+  void work_off_newest();
+  Result<msg::SurfaceReport> build(const Work& work);
+
+  surface::SurfaceBuilder builder_;  // owner: surface thread
+  Placement placement_;
+  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
+  Handlers handlers_;
+  LatestValue<TouchableSurface>& to_haptic_;
+  LatestValue<Work> newest_;   // written by: network thread, read by: surface thread
+  std::uint64_t offered_ = 0;  // owner: network thread
+  std::atomic<std::uint64_t> built_{0};
+  boost::asio::io_context io_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> stay_;
+  std::thread thread_;
+};
+
+}  // namespace telepalp::station

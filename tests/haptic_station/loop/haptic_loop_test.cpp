@@ -1,0 +1,110 @@
+// The whole station in virtual time: a breathing synthetic patient, seen by a noisy camera 30 times a second, is built
+// into surfaces and touched by a simulated hand at 2 kHz. The same loop runs on the haptic thread.
+
+#include "haptic_station/loop/haptic_loop.h"
+
+#include <gtest/gtest.h>
+
+#include "haptic_station/control/scene_centering.h"
+#include "haptic_station/loop/simulated_rig.h"
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/placement.h"
+#include "haptic_station/surface/surface_builder.h"
+#include "proto/words/latest_value.h"
+#include "server/capture/synthetic/mesh.h"
+#include "server/capture/synthetic/synthetic_patient.h"
+#include "tests/support/no_heap_scope.h"
+
+namespace telepalp::station {
+namespace {
+
+constexpr double kTick_s = 0.0005;
+constexpr int kTicksPerFrame = 67;  // 30 Hz
+
+SessionTime at_tick(int tick) { return session_time(1'000'000'000 + std::int64_t{tick} * 500'000); }
+
+server::SyntheticPatient breathing_patient() {
+  const auto mesh = server::read_ply(TELEPALP_SOURCE_DIR "/deploy/demo_data/torso/visible_human_torso.ply");
+  auto patient = server::SyntheticPatient::make(mesh.value(), {});
+  return std::move(patient).value();
+}
+
+scenes::Scene palpation() {
+  auto scene = scenes::read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/palpation.scene.textproto");
+  return std::move(scene).value();
+}
+
+struct Outcome {
+  int in_body = 0;
+  int out_body = 0;
+  double largest_force_N = 0.0;
+  double largest_step_N = 0.0;  ///< of the force, from tick to tick, within the body
+  bool finite = true;
+
+  void add(const HapticLoop::Act& act, const HapticLoop::Act& before) {
+    if (act.control.phase == control::Phase::OutBody) ++out_body;
+    finite = finite && act.force.N.allFinite() && act.control.displayed_hand.m.allFinite();
+    largest_force_N = std::max(largest_force_N, act.force.N.norm());
+    if (!control::is_inside(act.control.phase)) return;
+    ++in_body;
+    if (control::is_inside(before.control.phase))
+      largest_step_N = std::max(largest_step_N, (act.force.N - before.force.N).norm());
+  }
+};
+
+/// `seconds` of the station over `patient`. Ticks are run in a scope without a heap.
+Outcome run(const server::SyntheticPatient& patient, double seconds) {
+  const scenes::Scene scene = palpation();
+  const RgbdFrame first = patient.frame_at(at_tick(0), 0);
+  const Point<DepthCamera> skin = point_under_center(first.depth, first.camera.depth).value();
+  const auto haptic_from_camera = control::centered_on(scene.haptic_from_camera, skin);
+
+  surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
+  LatestValue<TouchableSurface> surfaces;
+  HapticLoop loop({}, control::EncounteredController(scene.control, scene.effects));
+  SimulatedRig rig(
+      {.device = scene.simulated_device, .hand = scene.simulated_hand, .tracker = {}, .rest = {{0.0, 0.1, 0.0}}},
+      device::ScriptedIntention(device::waypoints(scene.trial), {}));
+  Outcome outcome;
+  HapticLoop::Act before;
+  std::optional<surface::Reach> reach;
+  for (int tick = 0; tick * kTick_s < seconds;) {
+    const RgbdFrame frame = patient.frame_at(at_tick(tick), static_cast<std::uint64_t>(tick));
+    surfaces.put({builder.add(frame.depth, frame.camera.depth, frame.captured, reach), haptic_from_camera});
+    const test::NoHeapScope no_heap;
+    for (int in_frame = 0; in_frame < kTicksPerFrame; ++in_frame, ++tick) {
+      const SessionTime now = at_tick(tick);
+      if (surfaces.take()) loop.adopt(surfaces.current(), now);
+      if (const auto sample = rig.hand(now)) loop.hand_sampled(sample->at, sample->hand);
+      const HapticLoop::Act act = loop.tick(rig.read(), now, kTick_s);
+      rig.apply(act.force, act.contact, kTick_s);
+      outcome.add(act, before);
+      before = act;
+    }
+    reach = surface::Reach{.centre = haptic_from_camera.inverse() * before.contact.proxy, .radius_m = 0.16};
+  }
+  return outcome;
+}
+
+TEST(HapticLoop, TouchesABreathingPatientThroughANoisyCameraWithoutAHeap) {
+  const Outcome outcome = run(breathing_patient(), 8.0);
+  EXPECT_TRUE(outcome.finite);
+  EXPECT_GT(outcome.in_body, 2000) << "one second of contact in eight";
+  EXPECT_GT(outcome.out_body, 1000);
+  EXPECT_LE(outcome.largest_force_N, 10.0);
+  EXPECT_GT(outcome.largest_force_N, 0.3);
+  // The limiter lets 0.2 N a tick through; a live surface must stay far from leaning on it.
+  EXPECT_LE(outcome.largest_step_N, 0.1);
+}
+
+TEST(HapticLoop, WithoutASurfaceThereIsNoForce) {
+  const scenes::Scene scene = palpation();
+  HapticLoop loop({}, control::EncounteredController(scene.control, scene.effects));
+  for (int tick = 0; tick < 2000; ++tick) {
+    loop.hand_sampled(at_tick(tick), {{0.0, 0.02, 0.0}});
+    EXPECT_EQ(loop.tick({.at = {{0.0, -0.02, 0.0}}, .velocity = {}}, at_tick(tick), kTick_s).force.N.norm(), 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace telepalp::station
