@@ -14,9 +14,10 @@ namespace telepalp::codec {
 
 /// How depth is compressed; the name is what the command line and DepthImage.format say.
 enum class DepthMode : std::uint8_t {
-  Fast = 0,  ///< without loss; runs and zstd's entropy stage: the cheapest to decode
+  Fast = 0,   ///< without loss; runs and zstd's entropy stage: the cheapest to decode
+  Intra = 1,  ///< without loss; context-modelled, every frame stands alone
 };
-inline constexpr std::uint8_t kLastDepthMode = 0;
+inline constexpr std::uint8_t kLastDepthMode = 1;
 
 [[nodiscard]] std::string_view name(DepthMode mode) noexcept;
 

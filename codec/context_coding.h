@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codec/context_kernel.h"
+#include "codec/depth_packet.h"
+#include "codec/level_palette.h"
+
+namespace telepalp::codec {
+
+/// Ranks of a whole frame, rows from top to bottom.
+using Ranks = std::vector<std::uint16_t>;
+
+/// The best kernel that this processor runs.
+[[nodiscard]] const ContextKernel& context_kernel();
+
+/// Bands of equal height, but for the last, that a frame is cut into. Why: they decode side by side, within one core
+/// and across several.
+struct Slicing {
+  int slices = 1;
+  int rows = 0;  ///< of each but the last
+
+  /// Four for a frame of any size worth cutting, more for large ones; a slice's models start from the trained tables.
+  [[nodiscard]] static Slicing for_frame(int width, int height) noexcept;
+  /// nullopt when so many slices cannot be had of so many rows.
+  [[nodiscard]] static std::optional<Slicing> declared(int height, int slices) noexcept;
+  [[nodiscard]] int rows_of(int slice, int height) const noexcept;
+};
+
+/// `samples` as ranks in `palette`, which must have them all.
+[[nodiscard]] Ranks ranks_in(const LevelPalette& palette, std::span<const std::uint16_t> samples);
+
+/// Palette and slices. nullopt when that takes more bytes than the samples themselves.
+[[nodiscard]] std::optional<std::string> encode_contexts(const Ranks& ranks, int width, const LevelPalette& palette,
+                                                         const Slicing& slicing, const ContextKernel& kernel);
+
+/// Fills `samples` from such a body. False when it is damaged.
+[[nodiscard]] bool decode_contexts(const Packet& packet, std::span<std::uint16_t> samples, const ContextKernel& kernel);
+
+}  // namespace telepalp::codec

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "codec/depth_contexts.h"
+
+namespace telepalp::codec {
+
+/// How many slices a kernel works on at once: what one waits for, another does meanwhile.
+inline constexpr int kLanes = 4;
+
+/// A band of whole rows, coded apart from the others.
+struct EncodeSlice {
+  const uint16_t* ranks = nullptr;  ///< rows x width; 0 is "not measured"
+  int rows = 0;
+  uint8_t* bytes = nullptr;  ///< written here
+  size_t room = 0;
+  size_t size = 0;  ///< bytes written; 0 when there was no room
+};
+
+struct DecodeSlice {
+  const uint8_t* bytes = nullptr;
+  size_t size = 0;
+  uint16_t* ranks = nullptr;  ///< rows x width, written here; any number when the bytes are damaged
+  int rows = 0;
+};
+
+/// One implementation of the coder. All give the same bytes for the same ranks. At most kLanes slices at once, of
+/// equal `rows` but for the last, which may have fewer. `scratch` has scratch_bytes(), aligned to 32.
+struct ContextKernel {
+  const char* name;
+  void (*encode)(EncodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch);
+  void (*decode)(DecodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch);
+};
+
+[[nodiscard]] size_t scratch_bytes(int width, const ContextTables& tables);
+
+[[nodiscard]] const ContextKernel& portable_context_kernel();
+
+/// nullptr where the build or the processor has none.
+[[nodiscard]] const ContextKernel* v3_context_kernel();
+
+}  // namespace telepalp::codec

@@ -1,0 +1,229 @@
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#endif
+
+// Everything here has internal linkage, and nothing here comes from the C++ library. Why: this header is compiled for
+// more than one instruction set, and the linker must never pick one file's copy for another.
+
+namespace telepalp::codec {
+
+/// Symbols of a model: 0 … 14.
+inline constexpr int kSymbols = 15;
+inline constexpr uint32_t kModelTotal = 32767;
+
+/// Cumulative frequencies of 15 symbols: symbol s has cdf[s + 1] - cdf[s] of 32 767. cdf[0] = 0, cdf[15] = 32 767.
+struct alignas(32) Model {
+  uint16_t cdf[16];
+};
+
+namespace {
+
+/// Where a model moves to when symbol s is seen: each symbol keeps at least one part in 32 767, as the steps between
+/// the places are at least 1 and rounding down cannot close one.
+struct alignas(32) ModelTargets {
+  int16_t of[16][16];
+};
+
+constexpr ModelTargets make_targets() {
+  ModelTargets targets{};
+  for (int symbol = 0; symbol < 16; ++symbol)
+    for (int place = 0; place < 16; ++place)
+      targets.of[symbol][place] =
+          static_cast<int16_t>(place <= symbol ? place : static_cast<int>(kModelTotal) - 15 + place);
+  return targets;
+}
+
+constexpr ModelTargets kTargets = make_targets();
+
+constexpr Model kFlatModel = [] {
+  Model model{};
+  for (int place = 0; place < 16; ++place) model.cdf[place] = static_cast<uint16_t>(place * kModelTotal / 15);
+  return model;
+}();
+
+/// Moves 1/2^kRate of the way. 16 additions that any compiler turns into vectors.
+template <int kRate>
+inline void learn(Model& model, int symbol) {
+  const int16_t* const target = kTargets.of[symbol];
+  for (int place = 0; place < 16; ++place) {
+    const auto way = static_cast<int16_t>(target[place] - model.cdf[place]);
+    model.cdf[place] = static_cast<uint16_t>(model.cdf[place] + (way >> kRate));
+  }
+}
+
+/// The symbol of a model that a cumulative frequency falls on.
+inline int symbol_at(const Model& model, uint32_t frequency) {
+#if defined(__SSE2__)
+  const auto* const at = reinterpret_cast<const __m128i*>(model.cdf);
+  const __m128i bound = _mm_set1_epi16(static_cast<int16_t>(frequency));
+  const __m128i above =
+      _mm_packs_epi16(_mm_cmpgt_epi16(_mm_load_si128(at), bound), _mm_cmpgt_epi16(_mm_load_si128(at + 1), bound));
+  return __builtin_ctz(static_cast<uint32_t>(_mm_movemask_epi8(above)) | 0x8000U) - 1;
+#elif defined(__wasm_simd128__)
+  const v128_t bound = wasm_i16x8_splat(static_cast<int16_t>(frequency));
+  const v128_t above = wasm_i8x16_narrow_i16x8(wasm_i16x8_gt(wasm_v128_load(model.cdf), bound),
+                                               wasm_i16x8_gt(wasm_v128_load(model.cdf + 8), bound));
+  return __builtin_ctz(wasm_i8x16_bitmask(above) | 0x8000U) - 1;
+#else
+  int symbol = 0;
+  for (int place = 1; place < kSymbols; ++place) symbol += model.cdf[place] <= frequency ? 1 : 0;
+  return symbol;
+#endif
+}
+
+/// The part of a range of 16 bits that lies below a cumulative frequency.
+inline uint32_t part(uint32_t range, uint32_t frequency) { return (range * 2 * frequency) >> 16; }
+
+inline int leading_zeros16(uint32_t value) { return __builtin_clz(value) - 16; }
+
+/// Writes symbols of known probability, likely ones in a fraction of a bit (range coding: Martin 1979; a range of 16
+/// bits, as in Daala, so that the products of a whole model fit one AVX2 register). One pass, forwards, no division.
+struct RangeEncoder {
+  uint64_t low = 0;  // 16 bits of the present range, above them `pending` bits, above those one for a carry
+  uint32_t range = 0xffff;
+  int pending = 0;
+  uint8_t* begin = nullptr;
+  uint8_t* at = nullptr;
+  uint8_t* limit = nullptr;
+  bool overflowed = false;
+
+  void start(uint8_t* bytes, size_t room) {
+    begin = at = bytes;
+    limit = bytes + room;
+  }
+
+  void encode(const Model& model, int symbol) {
+    encode_part(part(range, model.cdf[symbol]), part(range, model.cdf[symbol + 1]));
+  }
+
+  /// `count` bits, at most 8, of which nothing is known.
+  void encode_bits(uint32_t value, int count) { encode_part((range * value) >> count, (range * (value + 1)) >> count); }
+
+  /// How many bytes were written, once nothing more comes; 0 when they had no room. Zero bits may be thought behind.
+  size_t finish() {
+    uint64_t rest = (low + 0x7fff) >> 15;  // any number within the range will do: the one with most zeros
+    const int bits = pending + 1;
+    if ((rest >> bits) != 0) carry();
+    rest <<= 64 - bits;
+    if (overflowed || limit - at < 8) return 0;
+    for (int left = bits; left > 0; left -= 8, rest <<= 8) *at++ = static_cast<uint8_t>(rest >> 56);
+    return static_cast<size_t>(at - begin);
+  }
+
+  void encode_part(uint32_t from, uint32_t to) {
+    range = to - from;
+    const int shift = leading_zeros16(range);
+    range <<= shift;
+    low = (low + from) << shift;
+    pending += shift;
+    if (pending >= 32) [[unlikely]]
+      put_word();
+  }
+
+  void put_word() {
+    pending -= 32;
+    const uint64_t word = low >> (16 + pending);
+    low &= (uint64_t{1} << (16 + pending)) - 1;
+    if ((word >> 32) != 0) carry();
+    if (limit - at < 8) {
+      overflowed = true;
+      at = begin;
+    }
+    for (int byte = 0; byte < 4; ++byte) *at++ = static_cast<uint8_t>(word >> (24 - 8 * byte));
+  }
+
+  void carry() {
+    for (uint8_t* byte = at; byte != begin && ++*--byte == 0;) {
+    }
+  }
+};
+
+/// Reads what RangeEncoder wrote. A damaged stream gives symbols too: never an over-read, never an end.
+struct RangeDecoder {
+  uint64_t window = 0;  // 16 bits of the code, then `spare` bits that come next
+  uint32_t range = 0xffff;
+  int spare = 0;
+  const uint8_t* at = nullptr;
+  const uint8_t* end = nullptr;
+
+  void start(const uint8_t* bytes, size_t size) {
+    at = bytes;
+    end = bytes + size;
+    window = uint64_t{next_word()} << 32;
+    spare = 16;
+  }
+
+  [[nodiscard]] uint32_t code() const { return static_cast<uint32_t>(window >> 48); }
+
+  [[nodiscard]] int decode(const Model& model) {
+    const uint32_t frequency = (((code() + 1) << 15) - 1) / range;  // the largest whose part is not above the code
+    const int symbol = symbol_at(model, frequency < kModelTotal ? frequency : kModelTotal - 1);
+    took(part(range, model.cdf[symbol]), part(range, model.cdf[symbol + 1]));
+    return symbol;
+  }
+
+  [[nodiscard]] uint32_t decode_bits(int count) {
+    const uint32_t most = (uint32_t{1} << count) - 1;
+    uint32_t value = (((code() + 1) << count) - 1) / range;
+    if (value > most) value = most;
+    took((range * value) >> count, (range * (value + 1)) >> count);
+    return value;
+  }
+
+  void took(uint32_t from, uint32_t to) {
+    window -= uint64_t{from} << 48;
+    range = to - from;
+    const int shift = leading_zeros16(range);
+    range <<= shift;
+    window <<= shift;
+    spare -= shift;
+    if (spare < 16) [[unlikely]] {
+      window |= uint64_t{next_word()} << (16 - spare);
+      spare += 32;
+    }
+  }
+
+  [[nodiscard]] uint32_t next_word() {
+    if (end - at >= 4) [[likely]] {
+      uint32_t word = 0;
+      memcpy(&word, at, 4);
+      at += 4;
+      return __builtin_bswap32(word);
+    }
+    uint32_t word = 0;
+    for (int byte = 0; byte < 4; ++byte) word = word << 8 | (at != end ? *at++ : 0U);
+    return word;
+  }
+};
+
+/// A whole number of any size, in as many symbols and bits as its length asks for.
+inline void encode_number(RangeEncoder& coder, Model& length_model, uint32_t value) {
+  int length = 0;
+  while (((value + 1) >> (length + 1)) != 0 && length < kSymbols - 1) ++length;
+  coder.encode(length_model, length);
+  learn<4>(length_model, length);
+  const uint32_t below = value + 1 - (uint32_t{1} << length);
+  const int bits = length == kSymbols - 1 ? 16 : length;  // the longest length stands for all beyond
+  if (bits > 8) coder.encode_bits(below >> 8, bits - 8);
+  coder.encode_bits(below & (bits > 8 ? 0xffU : (uint32_t{1} << bits) - 1), bits > 8 ? 8 : bits);
+}
+
+[[nodiscard]] inline uint32_t decode_number(RangeDecoder& coder, Model& length_model) {
+  const int length = coder.decode(length_model);
+  learn<4>(length_model, length);
+  const int bits = length == kSymbols - 1 ? 16 : length;
+  uint32_t below = bits > 8 ? coder.decode_bits(bits - 8) << 8 : 0;
+  below |= coder.decode_bits(bits > 8 ? 8 : bits);
+  return below + (uint32_t{1} << length) - 1;
+}
+
+}  // namespace
+}  // namespace telepalp::codec
