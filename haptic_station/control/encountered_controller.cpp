@@ -118,10 +118,16 @@ void EncounteredController::enter(Phase phase, const ControlInput& in) noexcept 
 }
 
 Vector3d EncounteredController::effects_force_N(const ControlInput& in, double dt_s) noexcept {
-  const effects::EffectInput felt{in.device, in.device_velocity, in.contact};
+  const Vector3d moved = in.device.m - last_device_.m;
+  const effects::EffectInput felt{in.device, in.device_velocity, in.contact, {moved}};
   const Vector3d force_N = effects_.step(felt, dt_s, cost_clock_).N;
   const Vector3d relative = in.device_velocity.v - in.contact.surface_speed_m_per_s * in.contact.normal.v;
-  damping_ = passivity_.step(effects_.absorbed_W(), effects_.energy_J(), {relative}, dt_s);
+  const Vector3d moved_on_surface = moved - in.contact.surface_speed_m_per_s * dt_s * in.contact.normal.v;
+  damping_ = passivity_.step({.absorbed_J = effects_.absorbed_J(),
+                              .stored_J = effects_.energy_J(),
+                              .moved = {moved_on_surface},
+                              .velocity = {relative}},
+                             dt_s);
   return force_N + damping_.N;
 }
 
@@ -201,7 +207,8 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   const bool touching = in_body(in) && (is_inside(phase_) || phase_ == Phase::BodyToPlane);
   const bool contact_changed = touching != touching_;
   if (touching && !touching_) {
-    effects_.begin({in.device, in.device_velocity, in.contact});
+    effects_.begin({in.device, in.device_velocity, in.contact, {}});
+    last_device_ = in.device;
     passivity_.begin(0.0);
   }
   touching_ = touching;
@@ -213,6 +220,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   const bool outer_change = phase_ != out.previous && !(is_inside(phase_) && is_inside(out.previous));
   wanted_N_ = faded_N(raw_N, outer_change || contact_changed, dt_s);
 
+  last_device_ = in.device;
   out.phase = phase_;
   out.force = limiter_.limit({wanted_N_}, dt_s);
   out.limited = limiter_.limited();

@@ -92,6 +92,7 @@ class EncounteredController {
   Point<HapticBase> last_proxy_;
   Force<HapticBase> damping_;
   Point<HapticBase> target_;
+  Point<HapticBase> last_device_;
 };
 
 }  // namespace telepalp::control

@@ -9,6 +9,15 @@ struct PassivitySettings {
   bool enabled = true;
   double most_damping_N_s_per_m = 20.0;
   double tolerance_J = 1e-5;  ///< excess below it is rounding and quantisation
+  double reaction_s = 0.01;   ///< the damping comes and goes over about so long, for it must not kick
+};
+
+/// What passed between the effects and the hand over one tick.
+struct Exchange {
+  double absorbed_J = 0.0;      ///< work that the effects took from the hand
+  double stored_J = 0.0;        ///< energy in the effects now
+  Vector<HapticBase> moved;     ///< of the device, relative to the surface [m]
+  Vector<HapticBase> velocity;  ///< of the device, relative to the surface [m/s]
 };
 
 /// Watches the energy that the effects give to the hand, and damps what should not be there.
@@ -24,10 +33,8 @@ class PassivityController {
   /// Contact begins with `stored_J` in the effects, taken as paid for.
   void begin(double stored_J) noexcept;
 
-  /// The damping force to add, over `dt_s`. `absorbed_W`: power that the effects take from the hand; `stored_J`: their
-  /// energy; the damping acts on `velocity_relative_to_surface`.
-  [[nodiscard]] Force<HapticBase> step(double absorbed_W, double stored_J,
-                                       const Vector<HapticBase>& velocity_relative_to_surface, double dt_s) noexcept;
+  /// Books the last tick and answers with the damping force to add for the next, `dt_s` long.
+  [[nodiscard]] Force<HapticBase> step(const Exchange& exchange, double dt_s) noexcept;
 
   /// Energy taken from the hand since the contact began, less what is stored [J]; below zero, the display is active.
   [[nodiscard]] double balance_J() const noexcept { return taken_J_ - stored_J_; }
@@ -37,6 +44,8 @@ class PassivityController {
 
  private:
   PassivitySettings settings_;
+  Force<HapticBase> damping_;  ///< of the tick that ends
+  double coefficient_N_s_per_m_ = 0.0;
   double taken_J_ = 0.0;
   double stored_J_ = 0.0;
   double least_J_ = 0.0;

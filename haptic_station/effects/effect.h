@@ -10,6 +10,7 @@ struct EffectInput {
   Point<HapticBase> device;
   Vector<HapticBase> device_velocity;  ///< [m/s]
   control::SurfaceContact contact;     ///< of `device`; valid, unless said otherwise
+  Vector<HapticBase> moved;            ///< of the device since the last tick [m]
 };
 
 /// Where the device point is with respect to an inner object. Ordered by nearness.

@@ -28,18 +28,20 @@ bool EffectBank::add(const Effect& effect) noexcept {
 }
 
 void EffectBank::begin(const EffectInput& in) noexcept {
+  held_ = {};
   for (std::size_t i = 0; i < count_; ++i) with(effects_[i], [&](auto& e) noexcept { e.begin(in); });
 }
 
 Force<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, CostClock clock) noexcept {
   Force<HapticBase> sum;
-  absorbed_W_ = 0.0;
+  absorbed_J_ = 0.0;
   for (std::size_t i = 0; i < count_; ++i) {
     const std::uint64_t before = clock != nullptr ? clock() : 0;
     with(effects_[i], [&](auto& e) noexcept {
-      const Eigen::Vector3d force_N = e.step(in, dt_s).N;
-      sum.N += force_N;
-      absorbed_W_ -= force_N.dot(in.device_velocity.v - e.carried_at(in).v);
+      const Eigen::Vector3d carried_at = e.carried_at(in).v;
+      absorbed_J_ -= held_[i].force_N.dot(in.moved.v - 0.5 * dt_s * (held_[i].carried_at + carried_at));
+      held_[i] = {e.step(in, dt_s).N, carried_at};
+      sum.N += held_[i].force_N;
     });
     const std::uint64_t cost = clock != nullptr ? clock() - before : 0;
     ++bill_[i].steps;

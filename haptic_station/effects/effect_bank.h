@@ -36,18 +36,26 @@ class EffectBank {
   /// The sum of all effects' forces on the hand.
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s, CostClock clock = nullptr) noexcept;
   [[nodiscard]] double energy_J() const noexcept;
-  /// Power taken from the hand at the last step, each effect counted relative to what it is fixed to [W].
-  [[nodiscard]] double absorbed_W() const noexcept { return absorbed_W_; }
+  /// Work taken from the hand since the step before: what each effect's force, held over the tick, did against the
+  /// device's way relative to what the effect is fixed to. Exact, so that it also sees what sampling leaks [J].
+  [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
   [[nodiscard]] ObjectTouch touch() const noexcept;               ///< the nearest of all inner objects
   [[nodiscard]] Vector<HapticBase> indentation() const noexcept;  ///< of the first skin, S1 eq. (8); zero without
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
   [[nodiscard]] static const char* name(const Effect& effect) noexcept;
 
  private:
+  /// What an effect gave over the tick that ends now.
+  struct Held {
+    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+    Eigen::Vector3d carried_at = Eigen::Vector3d::Zero();
+  };
+
   std::array<Effect, kMostEffects> effects_{};
   std::array<EffectBill, kMostEffects> bill_{};
+  std::array<Held, kMostEffects> held_{};
   std::size_t count_ = 0;
-  double absorbed_W_ = 0.0;
+  double absorbed_J_ = 0.0;
 };
 
 }  // namespace telepalp::effects

@@ -5,9 +5,8 @@
 namespace telepalp::effects {
 namespace {
 
-double energy_along_J(double alpha, double distance_m) noexcept {
-  const double cube = distance_m * distance_m * distance_m;
-  return alpha * (cube * distance_m / 4.0 + cube / 3.0);
+double energy_along_J(const SkinLaw& law, double d) noexcept {
+  return d * d * (law.constant_N_per_m / 2.0 + d * (law.slope_N_per_m2 / 3.0 + d * law.curve_N_per_m3 / 4.0));
 }
 
 }  // namespace
@@ -20,9 +19,9 @@ Eigen::Vector3d skin_force_N(const SkinLaw& law, const Eigen::Vector3d& d_m) noe
 }
 
 double skin_energy_J(const SkinLaw& law, const Eigen::Vector3d& d_m) noexcept {
-  if (!law.by_axis) return energy_along_J(law.alpha, d_m.norm());
-  return energy_along_J(law.alpha, std::abs(d_m.x())) + energy_along_J(law.alpha, std::abs(d_m.y())) +
-         energy_along_J(law.alpha, std::abs(d_m.z()));
+  if (!law.by_axis) return energy_along_J(law, d_m.norm());
+  return energy_along_J(law, std::abs(d_m.x())) + energy_along_J(law, std::abs(d_m.y())) +
+         energy_along_J(law, std::abs(d_m.z()));
 }
 
 }  // namespace telepalp::effects

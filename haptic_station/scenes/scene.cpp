@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/scenes/field_check.h"
 #include "proto/program/text_format.h"
 
@@ -30,18 +31,43 @@ Eigen::Isometry3d read_transform(FieldCheck& check, const std::string& field, co
   return iso;
 }
 
+std::string tissue_names() {
+  std::string names;
+  for (const effects::TissuePreset& preset : effects::kTissuePresets)
+    names += (names.empty() ? "" : ", ") + std::string(preset.name);
+  return names;
+}
+
+/// Instead of S1's law: a linear spring, or a tissue's curve.
+void read_tissue(FieldCheck& check, const msg::SkinEffect& message, effects::SkinLaw& law) {
+  if (message.has_linear_stiffness_n_per_m() && message.has_tissue())
+    check.complain("skin gives both a linear stiffness and a tissue", "give one of the two");
+  if (message.has_linear_stiffness_n_per_m()) {
+    law = effects::linear_law(0.0);
+    TELEPALP_READ(check, "skin.", message, linear_stiffness_n_per_m, law.constant_N_per_m, {0, 5000, "N/m"});
+  }
+  if (!message.has_tissue()) return;
+  const effects::TissuePreset* preset = effects::find_tissue(message.tissue());
+  if (preset == nullptr)
+    check.complain("skin.tissue \"" + message.tissue() + "\" is not known", "use one of: " + tissue_names());
+  else
+    law = preset->law;
+}
+
 effects::Skin read_skin(FieldCheck& check, const msg::SkinEffect& message) {
   effects::Skin::Settings skin;
   double stiffness = 160.0;
   double at_m = 0.06;
   TELEPALP_READ(check, "skin.", message, stiffness_n_per_m, stiffness, {1, 5000, "N/m"});
   TELEPALP_READ(check, "skin.", message, at_indentation_m, at_m, {0.001, 0.2, "m"});
-  skin.law.alpha = effects::alpha_for(stiffness, at_m);
+  double alpha = effects::alpha_for(stiffness, at_m);
   if (message.has_alpha_n_per_m2()) {
     if (message.has_stiffness_n_per_m() || message.has_at_indentation_m())
       check.complain("skin gives both alpha_N_per_m2 and a stiffness", "give one of the two");
-    TELEPALP_READ(check, "skin.", message, alpha_n_per_m2, skin.law.alpha, {1, 1e6, "N/m^2"});
+    TELEPALP_READ(check, "skin.", message, alpha_n_per_m2, alpha, {1, 1e6, "N/m^2"});
   }
+  skin.law = effects::paper_law(alpha);
+  read_tissue(check, message, skin.law);
   skin.law.by_axis = message.stiffness_by_axis();
   if (message.anchor() == msg::SkinEffect::ANCHOR_FIXED) skin.anchor = effects::SkinAnchor::Fixed;
   if (message.anchor() == msg::SkinEffect::ANCHOR_SLIDING) skin.anchor = effects::SkinAnchor::Sliding;

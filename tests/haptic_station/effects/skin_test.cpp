@@ -22,12 +22,12 @@ EffectInput over_plane(const Eigen::Vector3d& device) {
 TEST(SkinLaw, TheDefaultFollowsTheStatedStiffness) {
   const SkinLaw law;
   EXPECT_NEAR(law.stiffness_N_per_m(0.06), 160.0, 1e-9);
-  EXPECT_NEAR(law.alpha, 2516.0, 1.0);
+  EXPECT_NEAR(law.slope_N_per_m2, 2516.0, 1.0);
   EXPECT_NEAR(skin_force_N(law, {0.0, -0.06, 0.0}).norm(), 9.6, 1e-9);  // the text rounds it to 9.5 N
 }
 
 TEST(SkinLaw, ThePrintedAlphaGivesThePrintedEquation) {
-  const SkinLaw law{.alpha = 1500.0};
+  const SkinLaw law = paper_law(1500.0);
   EXPECT_NEAR(law.stiffness_N_per_m(0.06), 95.4, 1e-9);
   EXPECT_NEAR(skin_force_N(law, {0.0, -0.06, 0.0}).y(), 5.724, 1e-9);
 }

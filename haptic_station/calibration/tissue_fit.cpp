@@ -1,0 +1,96 @@
+#include "haptic_station/calibration/tissue_fit.h"
+
+#include <Eigen/Dense>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string>
+
+namespace telepalp::calibration {
+namespace {
+
+constexpr std::size_t kMostSamples = 1'000'000;
+
+Eigen::RowVector3d force_basis(double d) { return {d, d * d, d * d * d}; }
+
+double rms(const Eigen::MatrixXd& basis, const Eigen::VectorXd& load, const Eigen::Vector3d& c) {
+  return std::sqrt((basis * c - load).squaredNorm() / static_cast<double>(load.size()));
+}
+
+/// Least squares over the columns that `chosen` names (bit i: column i); nullopt when one would be negative.
+std::optional<Eigen::Vector3d> solve_over(const Eigen::MatrixXd& basis, const Eigen::VectorXd& load, unsigned chosen) {
+  std::vector<int> columns;
+  for (int i = 0; i < 3; ++i)
+    if ((chosen >> i) & 1u) columns.push_back(i);
+  const Eigen::VectorXd some = Eigen::MatrixXd(basis(Eigen::all, columns)).colPivHouseholderQr().solve(load);
+  Eigen::Vector3d all = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < columns.size(); ++i) all[columns[i]] = some[static_cast<Eigen::Index>(i)];
+  if (!all.allFinite() || all.minCoeff() < 0.0) return std::nullopt;
+  return all;
+}
+
+}  // namespace
+
+std::vector<CompressionSample> under_hand(std::span<const CompressionSample> test, const Specimen& specimen,
+                                          const TissueUnderHand& tissue) {
+  const double length = tissue.thickness_m / specimen.height_m;
+  const double diameter = tissue.contact_diameter_m / specimen.diameter_m;
+  std::vector<CompressionSample> out;
+  for (const CompressionSample& sample : test)
+    out.push_back({sample.compression_m * length, sample.load_N * diameter * diameter});
+  return out;
+}
+
+Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
+  if (samples.size() < 4 || samples.size() > kMostSamples)
+    return Error{.what = std::to_string(samples.size()) + " samples",
+                 .where = "fit_tissue",
+                 .fix = "give between 4 and a million"};
+  const auto rows = static_cast<Eigen::Index>(samples.size());
+  Eigen::MatrixXd basis(rows, 3);
+  Eigen::VectorXd load(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    basis.row(i) = force_basis(samples[static_cast<std::size_t>(i)].compression_m);
+    load[i] = samples[static_cast<std::size_t>(i)].load_N;
+  }
+  if (!basis.allFinite() || !load.allFinite() || load.maxCoeff() <= 0.0)
+    return Error{.what = "no load, or a number that is not finite",
+                 .where = "fit_tissue",
+                 .fix = "give compression in metres and load in newtons, both growing"};
+  std::optional<Eigen::Vector3d> best;
+  for (unsigned chosen = 1; chosen < 8; ++chosen)  // three columns: trying all is the exact answer
+    if (const auto c = solve_over(basis, load, chosen); c && (!best || rms(basis, load, *c) < rms(basis, load, *best)))
+      best = c;
+  if (!best)
+    return Error{.what = "the load falls with depth", .where = "fit_tissue", .fix = "check the signs of the samples"};
+  TissueFit fit;
+  fit.law = {.constant_N_per_m = (*best)[0], .slope_N_per_m2 = (*best)[1], .curve_N_per_m3 = (*best)[2]};
+  fit.rms_error_N = rms(basis, load, *best);
+  fit.rms_error_share = fit.rms_error_N / load.maxCoeff();
+  fit.samples = samples.size();
+  return fit;
+}
+
+Result<std::vector<CompressionSample>> read_compression_test(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  if (!std::getline(stream, line))
+    return Error{.what = "cannot be read, or is empty", .where = file.string(), .fix = "check the path"};
+  std::vector<CompressionSample> samples;
+  for (std::size_t number = 2; std::getline(stream, line) && samples.size() < kMostSamples; ++number) {
+    double mm = 0.0;
+    double load_N = 0.0;
+    const char* end = line.data() + line.size();
+    const auto first = std::from_chars(line.data(), end, mm);
+    const bool comma = first.ec == std::errc{} && first.ptr != end && *first.ptr == ',';
+    if (!comma || std::from_chars(first.ptr + 1, end, load_N).ec != std::errc{})
+      return Error{.what = "not two numbers",
+                   .where = file.string() + ":" + std::to_string(number),
+                   .fix = "give rows compression_mm,load_N with a decimal point"};
+    samples.push_back({mm * 1e-3, load_N});
+  }
+  return samples;
+}
+
+}  // namespace telepalp::calibration
