@@ -7,7 +7,7 @@ namespace telepalp::effects {
 
 /// Where the skin's indentation vector d starts.
 enum class SkinAnchor {
-  FollowsSurface,  ///< at the first contact point, carried along the first normal as the surface rises and falls
+  FollowsSurface,  ///< at the first contact point, carried along the first normal as fast as the surface moves
   Fixed,           ///< at the first contact point, S1 eq. (8) to the letter
   Sliding,         ///< at the proxy, S1's extension: the hand slides, without friction
 };
@@ -36,6 +36,7 @@ class Skin {
   Settings settings_;
   Point<HapticBase> first_contact_;  ///< S1's p_p^0
   Vector<HapticBase> first_normal_;
+  double rise_m_ = 0.0;             ///< of the skin under the first contact point since then, along its normal
   Vector<HapticBase> indentation_;  ///< S1's d, eq. (8)
 };
 

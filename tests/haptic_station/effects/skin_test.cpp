@@ -77,9 +77,23 @@ TEST(Skin, AnchoredItBreathesWithThePatientAndFixedItDoesNot) {
   fixed.begin(over_plane({0.0, 0.0, 0.0}));
   const double before_N = follows.step(in, 0.0005).N.y();
   const double fixed_before_N = fixed.step(in, 0.0005).N.y();
-  in.contact.proxy.m.y() = 0.005;  // breathes in by 5 mm
-  EXPECT_GT(follows.step(in, 0.0005).N.y(), 1.2 * before_N);
+  in.contact.surface_speed_m_per_s = 0.01;  // breathes in by 5 mm in half a second
+  double after_N = 0.0;
+  for (int tick = 0; tick < 1000; ++tick) {
+    in.contact.proxy.m.y() += 0.01 * 0.0005;
+    after_N = follows.step(in, 0.0005).N.y();
+  }
+  EXPECT_GT(after_N, 1.2 * before_N);
   EXPECT_DOUBLE_EQ(fixed.step(in, 0.0005).N.y(), fixed_before_N);
+}
+
+TEST(Skin, AProxyThatSlidesDownTheBodysCurvatureDoesNotMoveTheAnchor) {
+  EffectInput in = over_plane({0.0, -0.03, 0.0});
+  Skin skin;
+  skin.begin(over_plane({0.0, 0.0, 0.0}));
+  const double before_N = skin.step(in, 0.0005).N.y();
+  in.contact.proxy.m = {0.02, -0.002, 0.0};  // another part of the skin is now the nearest; the patient lies still
+  EXPECT_DOUBLE_EQ(skin.step(in, 0.0005).N.y(), before_N);
 }
 
 TEST(Skin, NeverPullsTheHandIntoTheBody) {
