@@ -4,7 +4,7 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstring>
+#include <thread>
 #include <utility>
 
 #include "server/capture/color_depth_pairing.h"
@@ -12,6 +12,8 @@
 
 namespace telepalp::server {
 namespace {
+
+constexpr std::chrono::milliseconds kTwoPeriods{70};
 
 /// OpenNI's own words for its last failure, on one line.
 std::string last_words() {
@@ -90,6 +92,7 @@ class OpenNiDevice final : public CameraDevice {
   openni::VideoStream color_;
   ColorDepthPairing pairing_;
   CameraModel camera_;
+  std::chrono::steady_clock::time_point started_;
   int frames_in_recording_ = 0;
   bool reached_end_ = false;
   std::string description_ = "OpenNI2 camera";
@@ -126,10 +129,13 @@ Result<void> OpenNiDevice::start_streams() {
   // Both together: the player stalls after a frame when it waits for a stream that nobody started.
   if (depth_.start() != openni::STATUS_OK) return failed("its depth stream does not start");
   if (color_.isValid() && color_.start() != openni::STATUS_OK) color_.destroy();
+  started_ = std::chrono::steady_clock::now();
   camera_ = camera_of(device_, depth_, color_);
-  if (!is_well_formed(camera_.depth)) return failed("its depth stream has no size or no field of view");
-  description_ = std::string(device_.getDeviceInfo().getName()) + " " + std::to_string(camera_.depth.width) + "x" +
-                 std::to_string(camera_.depth.height) + (color_.isValid() ? " depth and colour" : " depth") +
+  if (!is_well_formed(camera_.depth)) return failed("its depth stream has no size");
+  const std::string name = device_.getDeviceInfo().getName();
+  description_ = (name.empty() ? "camera " + std::string(device_.getDeviceInfo().getUri()) : name) + " " +
+                 std::to_string(camera_.depth.width) + "x" + std::to_string(camera_.depth.height) +
+                 (color_.isValid() ? " depth and colour" : " depth") +
                  (camera_.color_registered || !color_.isValid() ? "" : ", not registered");
   return {};
 }
@@ -199,6 +205,14 @@ CameraDevice::Read OpenNiDevice::paired() {
 }
 
 void OpenNiDevice::close() {
+  if (depth_.isValid()) {
+    // A driver's thread may start after start() and outlast stop() by the frame it is making, and then run in memory
+    // that destroy() freed, or in a library that shutdown() unloaded: OpenNI2's own Dummy driver does both.
+    std::this_thread::sleep_until(started_ + kTwoPeriods);
+    depth_.stop();
+    color_.stop();
+    std::this_thread::sleep_for(kTwoPeriods);
+  }
   color_.destroy();
   depth_.destroy();
   device_.close();

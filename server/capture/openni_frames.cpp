@@ -26,13 +26,19 @@ void copy_rows(const openni::VideoFrameRef& frame, std::size_t bytes_per_row, vo
                 static_cast<const char*>(frame.getData()) + row * frame.getStrideInBytes(), bytes_per_row);
 }
 
+/// Half the pixels over the tangent of half the angle; a driver that states no angle is taken for a Kinect.
+double focal_px(int pixels, float angle_rad, int width) {
+  if (angle_rad > 0.1F && angle_rad < 3.0F) return 0.5 * pixels / std::tan(0.5 * static_cast<double>(angle_rad));
+  return 525.0 * width / kWidth;
+}
+
 Intrinsics pinhole_of(const openni::VideoStream& stream) {
   const openni::VideoMode mode = stream.getVideoMode();
   Intrinsics pinhole;
   pinhole.width = mode.getResolutionX();
   pinhole.height = mode.getResolutionY();
-  pinhole.fx = 0.5 * pinhole.width / std::tan(0.5 * static_cast<double>(stream.getHorizontalFieldOfView()));
-  pinhole.fy = 0.5 * pinhole.height / std::tan(0.5 * static_cast<double>(stream.getVerticalFieldOfView()));
+  pinhole.fx = focal_px(pinhole.width, stream.getHorizontalFieldOfView(), pinhole.width);
+  pinhole.fy = focal_px(pinhole.height, stream.getVerticalFieldOfView(), pinhole.width);
   pinhole.cx = 0.5 * (pinhole.width - 1);
   pinhole.cy = 0.5 * (pinhole.height - 1);
   return pinhole;
