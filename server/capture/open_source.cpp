@@ -15,9 +15,8 @@ struct Kind {
 };
 
 constexpr Kind kKinds[] = {
-    {"openni2", open_camera, false},      {"oni", open_oni, true},
-    {"images", open_images, true},        {"pcd", open_pcd, true},
-    {"synthetic", open_synthetic, false},
+    {"openni2", open_camera, false}, {"oni", open_oni, true},         {"images", open_images, true},
+    {"pcd", open_pcd, true},         {"session", open_session, true}, {"synthetic", open_synthetic, false},
 };
 
 constexpr std::string_view kForms =

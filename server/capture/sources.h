@@ -15,5 +15,7 @@ namespace telepalp::server {
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_images(const std::string& folder,
                                                                  const SourceOptions& options);
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_pcd(const std::string& file, const SourceOptions& options);
+[[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_session(const std::string& file,
+                                                                  const SourceOptions& options);
 
 }  // namespace telepalp::server

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "foxglove/CameraCalibration.pb.h"
+#include "foxglove/CompressedImage.pb.h"
+#include "messages/camera.pb.h"
+#include "proto/wire/mcap/reader.h"
+#include "proto/words/rgbd_frame.h"
+
+namespace telepalp::server {
+
+/// The frames of a recorded session in order, with the times at which they were captured then. Depth leads; each gets
+/// the colour of the same capture, and the camera model last published.
+class SessionFrames {
+ public:
+  /// Refused: no session file, one without depth, or one without a camera model.
+  [[nodiscard]] static Result<SessionFrames> open(const std::filesystem::path& file);
+
+  /// When the next frame was captured; nullopt at the end. A damaged chunk or message is passed over and counted.
+  [[nodiscard]] std::optional<SessionTime> peek();
+
+  /// The next frame, decoded; nullopt when it turns out to be damaged. Only after peek() named it.
+  [[nodiscard]] std::optional<RgbdFrame> take();
+
+  /// Passes over the frame that peek() named, at no cost.
+  void skip() { next_.reset(); }
+
+  /// Starts again from the beginning.
+  void rewind();
+
+  [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
+
+ private:
+  explicit SessionFrames(wire::McapReader reader) : reader_(std::move(reader)) { rewind(); }
+  void read_on();
+  void note(const wire::Message& message);
+
+  struct Encoded {
+    msg::DepthImage depth;
+    std::optional<foxglove::CompressedImage> color;
+    Intrinsics pinhole;
+  };
+  wire::McapReader reader_;
+  std::optional<Intrinsics> pinhole_;
+  std::optional<foxglove::CompressedImage> color_;  // the last one seen
+  std::optional<Encoded> gathering_;                // a depth image whose colour may still come
+  std::optional<Encoded> next_;
+  std::uint64_t damaged_ = 0;
+};
+
+}  // namespace telepalp::server
