@@ -3,6 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "proto/wire/mcap/writer.h"
+#include "server/capture/images/image_file.h"
+#include "server/capture/session_frames.h"
+#include "server/pipeline/camera_messages.h"
 namespace telepalp::server {
 namespace {
 
@@ -68,6 +75,219 @@ TEST(OniSource, EndsWhereTheRecordingEndsWhenNotLooped) {
   EXPECT_EQ((*source)->state(), CaptureState::Ended);
   EXPECT_GE(frames, 10);
   EXPECT_LE(frames, 12);
+}
+
+const std::string kData = TELEPALP_SOURCE_DIR "/tests/data/";
+
+struct Played {
+  std::optional<RgbdFrame> last;
+  std::string detail;
+};
+Played play_some(const std::string& spec, int frames) {
+  const auto source = open_source(spec, options());
+  if (!source) return {std::nullopt, to_string(source.error())};
+  Played played;
+  for (int i = 0; i < frames; ++i) {
+    played.last = (*source)->next(kPatience);
+    if (!played.last) break;
+    EXPECT_TRUE(is_well_formed(*played.last)) << spec;
+  }
+  played.detail = (*source)->detail();
+  return played;
+}
+
+TEST(CameraSource, DriverPathWorksWithOpenNisOwnDummyDevice) {
+  const Played played = play_some("openni2:Dummy", 5);
+  ASSERT_TRUE(played.last) << played.detail;
+  EXPECT_EQ(played.last->depth.width, 320);
+  EXPECT_EQ(played.last->sequence, 4u);
+}
+
+TEST(CameraSource, IsClosedCleanlyBeforeItsFirstFrame) {
+  for (int i = 0; i < 3; ++i) {
+    const auto source = open_source("openni2:Dummy", options());
+    ASSERT_TRUE(source.ok()) << to_string(source.error());
+  }
+}
+
+TEST(ImagesSource, PlaysFoldersOfColourAndDepthAndLoops) {
+  const Played played = play_some("images:" + kData + "images_rgb_depth", 5);
+  ASSERT_TRUE(played.last) << played.detail;
+  EXPECT_FALSE(played.last->color.rgb.empty());
+  EXPECT_LE(*std::max_element(played.last->depth.samples.begin(), played.last->depth.samples.end()), 10'000);
+  EXPECT_NE(played.detail.find("WARNING: no camera.textproto"), std::string::npos) << played.detail;
+}
+
+TEST(ImagesSource, PlaysTiffPairs) {
+  const Played played = play_some("images:" + kData + "images_tiff_pairs", 3);
+  ASSERT_TRUE(played.last) << played.detail;
+  EXPECT_EQ(played.last->color.width, 640);
+}
+
+TEST(ImagesSource, TakesUnitAndIntrinsicsFromTheCameraFile) {
+  const Played played = play_some("images:" + kData + "images_depth_only", 2);
+  ASSERT_TRUE(played.last) << played.detail;
+  EXPECT_EQ(played.last->depth.unit_m, 0.000125);
+  EXPECT_EQ(played.last->camera.depth.fx, 476.007);
+  EXPECT_EQ(played.detail.find("WARNING"), std::string::npos) << played.detail;
+}
+
+TEST(PcdSource, IsAStillCamera) {
+  const Played played = play_some("pcd:" + kData + "pcd/person.pcd", 3);
+  ASSERT_TRUE(played.last) << played.detail;
+  EXPECT_EQ(played.last->sequence, 2u);
+  EXPECT_NEAR(played.last->camera.depth.fx, 525.0, 0.5);
+}
+
+TEST(SyntheticSource, TakesItsSettingsFromTheCommandLine) {
+  const Played exact = play_some("synthetic:torso,amplitude_mm=0,noise=none,steps=off,holes=off,unit_mm=0.1", 2);
+  ASSERT_TRUE(exact.last) << exact.detail;
+  EXPECT_EQ(exact.last->depth.unit_m, 0.0001);
+  EXPECT_EQ(valid_share(exact.last->depth), 1.0);
+}
+
+/// A folder of its own for each test, gone at the end.
+class SourceFolder : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& name, const std::string& bytes) {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+  }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      ("telepalp_source_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+std::string bytes_in(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST_F(SourceFolder, EachBadSourceIsNamedWithWhereAndFix) {
+  write("hello.txt", "hello");
+  write("cut.oni", bytes_in(shipped("oni/3dj_test.oni")).substr(0, 40));
+  std::filesystem::create_directories(folder_ / "empty");
+  std::filesystem::create_directories(folder_ / "gap");
+  std::filesystem::create_directories(folder_ / "sizes");
+  std::filesystem::create_directories(folder_ / "damaged");
+  std::filesystem::create_directories(folder_ / "field");
+  const std::string png = encode_png(GrayImage16{4, 2, std::vector<std::uint16_t>(8, 500)});
+  for (const char* name : {"gap/1.png", "gap/2.png", "gap/4.png", "sizes/1.png", "damaged/1.png", "field/1.png"})
+    write(name, png);
+  write("sizes/2.png", encode_png(GrayImage16{2, 2, std::vector<std::uint16_t>(4, 500)}));
+  write("damaged/2.png", png.substr(0, png.size() / 2));
+  write("field/camera.textproto", "depth {\n  focal: 3\n}\n");
+  const std::pair<std::string, std::string> kBad[] = {
+      {"webcam", "'webcam' is not a kind of source"},
+      {"oni:", "nothing stands behind the colon"},
+      {"oni:" + file("no.oni"), "cannot be read"},
+      {"oni:" + file("hello.txt"), "is not an .oni recording"},
+      {"oni:" + file("cut.oni"), "cannot be played"},
+      {"oni:" + folder_.string(), "is not an .oni recording"},
+      {"pcd:" + file("no.pcd"), "cannot be read"},
+      {"pcd:" + file("hello.txt"), "is not a PCD file"},
+      {"pcd:" + kData + "pcd/milk_color.pcd", "is not organised"},
+      {"images:" + file("no"), "cannot be listed"},
+      {"images:" + file("hello.txt"), "cannot be listed"},
+      {"images:" + file("empty"), "holds no depth images"},
+      {"images:" + file("gap"), "3.png is missing"},
+      {"images:" + file("sizes"), "is 2 x 2 pixels"},
+      {"images:" + file("damaged"), "cannot be decoded"},
+      {"images:" + file("field"), "focal"},
+      {"synthetic:" + file("no.ply"), "cannot be read"},
+      {"synthetic:" + file("hello.txt"), "is not a PLY file"},
+      {"synthetic:torso,depth=3", "'depth' is not a setting"},
+      {"synthetic:torso,amplitude_mm=500", "amplitude_mm takes another value"},
+      {"synthetic:torso,noise=loud", "noise takes another value"},
+      {"synthetic:torso,seed", "seed takes another value"},
+      {"session:" + file("no.mcap"), "no.mcap"},
+      {"session:" + file("hello.txt"), "hello.txt"},
+  };
+  for (const auto& [spec, says] : kBad) {
+    const auto source = open_source(spec, options());
+    ASSERT_FALSE(source.ok()) << spec;
+    EXPECT_NE(to_string(source.error()).find(says), std::string::npos) << spec << " -> " << to_string(source.error());
+    EXPECT_FALSE(source.error().where.empty()) << spec;
+    EXPECT_FALSE(source.error().fix.empty()) << spec;
+  }
+}
+
+TEST_F(SourceFolder, ADamagedRecordingNeitherCrashesNorHangs) {
+  std::string bytes = bytes_in(shipped("oni/3dj_test.oni"));
+  write("half.oni", bytes.substr(0, bytes.size() / 2));
+  SourceOptions once = options();
+  once.loop = false;
+  const auto source = open_source("oni:" + file("half.oni"), once);
+  if (!source) return;  // refusing it is as good
+  for (int i = 0; i < 20; ++i) (void)(*source)->next(Nanoseconds{100'000'000});
+}
+
+/// Records what a source gives, as the server publishes it.
+void record(const std::string& spec, const std::string& to, int frames) {
+  auto source = open_source(spec, options());
+  ASSERT_TRUE(source.ok());
+  auto writer = wire::McapWriter::open(to, {});
+  ASSERT_TRUE(writer.ok()) << to_string(writer.error());
+  for (int i = 0; i < frames; ++i) {
+    const auto frame = (*source)->next(kPatience);
+    ASSERT_TRUE(frame);
+    const SessionTime at = frame->captured;
+    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraInfo, at, calibration_message(*frame))).ok());
+    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraColor, at, color_message(*frame, 85))).ok());
+    ASSERT_TRUE(
+        writer->write(wire::make_message(wire::kCameraDepth, at, depth_message(*frame, codec::DepthMode::Fast))).ok());
+  }
+  ASSERT_TRUE(writer->close().ok());
+}
+
+TEST_F(SourceFolder, ARecordedSessionPlaysTheSameDepthAgainAtItsPace) {
+  constexpr int kFrames = 6;
+  record("synthetic:torso,rate_hz=0.25", file("run.mcap"), kFrames);
+  auto first = SessionFrames::open(file("run.mcap"));
+  ASSERT_TRUE(first.ok()) << to_string(first.error());
+  SourceOptions once = options();
+  once.loop = false;
+  once.paced = false;  // a paced source drops what a busy machine fetches late
+  const auto source = open_source("session:" + file("run.mcap"), once);
+  ASSERT_TRUE(source.ok()) << to_string(source.error());
+  std::optional<SessionTime> then_before;
+  std::optional<SessionTime> now_before;
+  for (int i = 0; i < kFrames; ++i) {
+    const auto then = first->peek();
+    ASSERT_TRUE(then);
+    const auto recorded = first->take();
+    const auto played = (*source)->next(kPatience);
+    ASSERT_TRUE(recorded && played) << (*source)->detail();
+    EXPECT_EQ(played->depth.samples, recorded->depth.samples);
+    EXPECT_EQ(played->color.width, 640);
+    EXPECT_TRUE(played->camera.color_registered);
+    EXPECT_EQ(played->camera.depth.fx, 525.0);
+    if (then_before) {
+      EXPECT_EQ(played->captured - *now_before, *then - *then_before);
+    }
+    then_before = then;
+    now_before = played->captured;
+  }
+  EXPECT_FALSE((*source)->next(Nanoseconds{1'000'000}));
+  EXPECT_EQ((*source)->state(), CaptureState::Ended);
+}
+
+TEST_F(SourceFolder, ARecordedSessionLoopsForward) {
+  record("synthetic", file("run.mcap"), 3);
+  const auto source = open_source("session:" + file("run.mcap"), options());
+  ASSERT_TRUE(source.ok()) << to_string(source.error());
+  SessionTime last{};
+  for (int i = 0; i < 8; ++i) {
+    const auto frame = (*source)->next(kPatience);
+    ASSERT_TRUE(frame);
+    EXPECT_GT(frame->captured, last);
+    last = frame->captured;
+  }
 }
 
 }  // namespace

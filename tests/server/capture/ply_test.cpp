@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "server/capture/synthetic/mesh.h"
+
+namespace telepalp::server {
+namespace {
+
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span{text}); }
+
+const std::string kSquare =
+    "ply\nformat ascii 1.0\ncomment a unit square\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0 9\n1 0 0 9\n1 1 0 9\n0 1 0 9\n4 0 1 2 3\n";
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), with);
+}
+
+TEST(Ply, APolygonBecomesAFanAndOtherPropertiesAreSkipped) {
+  const auto mesh = parse_ply(bytes_of(kSquare), "square.ply");
+  ASSERT_TRUE(mesh.ok()) << to_string(mesh.error());
+  ASSERT_EQ(mesh->vertices.size(), 4u);
+  ASSERT_EQ(mesh->triangles.size(), 2u);
+  EXPECT_EQ(mesh->triangles[1], (std::array<std::uint32_t, 3>{0, 2, 3}));
+  for (const Eigen::Vector3f& normal : vertex_normals(*mesh)) EXPECT_EQ(normal, Eigen::Vector3f::UnitZ());
+}
+
+TEST(Ply, EachFaultIsNamedWithAFix) {
+  const std::pair<std::string, std::string> kBad[] = {
+      {"", "is not a PLY file"},
+      {"solid", "is not a PLY file"},
+      {"ply\nend_header", "ends inside its header"},
+      {replaced(kSquare, "format ascii", "format binary_big_endian"), "binary_big_endian"},
+      {replaced(kSquare, "element vertex 4", "element vertex four"), "bad line"},
+      {replaced(kSquare, "element vertex 4", "element vertex 4000000000"), "shorter than its vertex count"},
+      {replaced(kSquare, "element face 1", "element face 99"), "shorter than its face count"},
+      {replaced(kSquare, "element face 1", "element face 2"), "ends before its last face"},
+      {replaced(kSquare, "4 0 1 2 3", "4 0 1 2 7"), "bad corner"},
+      {replaced(kSquare, "4 0 1 2 3", "4 0 1 2 -1"), "bad corner"},
+      {replaced(kSquare, "4 0 1 2 3", "200 0 1 2"), "bad corner"},
+      {replaced(kSquare, "1 1 0 9", "1 nan 0 9"), "not finite"},
+      {replaced(kSquare, "4 0 1 2 3", "2 0 1 2 3"), "no triangles"},
+  };
+  for (const auto& [text, says] : kBad) {
+    const auto mesh = parse_ply(bytes_of(text), "bad.ply");
+    ASSERT_FALSE(mesh.ok()) << says;
+    EXPECT_NE(mesh.error().what.find(says), std::string::npos) << mesh.error().what;
+    EXPECT_EQ(mesh.error().where, "bad.ply");
+    EXPECT_FALSE(mesh.error().fix.empty());
+  }
+}
+
+TEST(Ply, FlippedBytesNeverCrash) {
+  constexpr unsigned kSeed = 4;
+  std::mt19937 random{kSeed};
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = kSquare;
+    if (i % 2 == 0) text = replaced(text, "ascii", "binary_little_endian");
+    for (int k = 0; k < 3; ++k) text[random() % text.size()] = static_cast<char>(random());
+    (void)parse_ply(bytes_of(text), "flipped.ply");
+  }
+  SUCCEED() << "seed " << kSeed;
+}
+
+}  // namespace
+}  // namespace telepalp::server
