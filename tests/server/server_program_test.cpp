@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <boost/asio/io_context.hpp>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "messages/camera.pb.h"
+#include "proto/wire/client_link.h"
+#include "tests/support/child_process.h"
+
+namespace telepalp::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::filesystem::path kServer = TELEPALP_BINARY_DIR "/bin/telepalp-server";
+
+/// telepalp-server, run with a port of its own.
+struct RunningServer {
+  support::TemporaryFolder folder;
+  std::filesystem::path log = folder.path() / "log";
+  std::filesystem::path ready = folder.path() / "ready";
+  support::ChildProcess process;
+
+  explicit RunningServer(std::vector<std::string> arguments)
+      : process(kServer, with_ports(std::move(arguments)), log) {}
+
+  std::uint16_t port() const {
+    const std::optional<std::string> port = support::await_ready(ready, "port");
+    EXPECT_TRUE(port) << logged();
+    return port ? static_cast<std::uint16_t>(std::stoi(*port)) : 0;
+  }
+  std::string logged() const {
+    std::ifstream file(log);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+ private:
+  std::vector<std::string> with_ports(std::vector<std::string> arguments) const {
+    for (const std::string& word :
+         {std::string("--port"), std::string("0"), std::string("--ready-file"), ready.string()})
+      arguments.push_back(word);
+    return arguments;
+  }
+};
+
+/// Runs the program to its end; its exit code and what it said on stderr.
+std::pair<int, std::string> outcome(const std::vector<std::string>& arguments) {
+  const support::TemporaryFolder folder;
+  support::ChildProcess process(kServer, arguments, folder.path() / "log");
+  const std::optional<int> code = process.wait(20s);
+  std::ifstream log(folder.path() / "log");
+  return {code.value_or(-1), {std::istreambuf_iterator<char>(log), {}}};
+}
+
+TEST(ServerProgram, ServesASyntheticPatientUntilItIsStoppedAndThenSaysGoodbye) {
+  RunningServer server({"--source", "synthetic"});
+  boost::asio::io_context io;
+  std::set<std::string_view> topics;
+  std::string lost;
+  bool stopped = false;
+  wire::ClientLink link(io, {.port = server.port(), .name = "test", .subscribes = {"*"}},
+                        {.on_message =
+                             [&](const wire::Message& message) {
+                               topics.insert(message.topic.name);
+                               if (topics.size() == 6 && !std::exchange(stopped, true)) server.process.signal(SIGINT);
+                             },
+                         .on_state =
+                             [&](wire::LinkState state, const std::string& detail) {
+                               if (state != wire::LinkState::Lost) return;
+                               lost = detail;
+                               link.stop();
+                             }});
+  link.start();
+  io.run_for(20s);
+  EXPECT_EQ(topics.size(), 6u) << "color, depth, info, status, clock, stats";
+  EXPECT_EQ(lost, "peer left: the operator stopped the server");
+  EXPECT_EQ(server.process.wait(5s), 0) << server.logged();
+  EXPECT_NE(server.logged().find("listening on 127.0.0.1:"), std::string::npos);
+  EXPECT_NE(server.logged().find("frames captured"), std::string::npos);
+}
+
+TEST(ServerProgram, StopsByItselfAfterTheSecondsAskedFor) {
+  RunningServer server({"--source", "synthetic", "--seconds", "0.5"});
+  EXPECT_EQ(server.process.wait(20s), 0) << server.logged();
+}
+
+TEST(ServerProgram, NamesThePortThatIsInUse) {
+  RunningServer first({"--source", "synthetic"});
+  const std::string port = std::to_string(first.port());
+  const auto [code, said] = outcome({"--source", "synthetic", "--port", port});
+  EXPECT_EQ(code, 1);
+  EXPECT_EQ(said, "error: 127.0.0.1:" + port +
+                      ": the port is in use. fix: stop what listens there, or give another --port\n");
+}
+
+TEST(ServerProgram, BadInputIsOneLineWithItsFixAndItsExitCode) {
+  struct Case {
+    std::vector<std::string> arguments;
+    int code;
+    std::string part;
+  };
+  const Case cases[] = {
+      {{"--source", "oni:/no/such/file.oni", "--port", "0"}, 1, "/no/such/file.oni"},
+      {{"--source", "teleporter", "--port", "0"}, 1, "teleporter"},
+      {{"--source", "synthetic", "--port", "0", "--ready-file", "/no/such/folder/ready"}, 1, "/no/such/folder/ready"},
+      {{"--bind", "0.0.0.0"}, 2, "no keys"},
+      {{"--port", "70000"}, 2, "--port"},
+      {{"--jpeg-quality", "0"}, 2, "--jpeg-quality"},
+      {{"--seconds", "soon"}, 2, "--seconds"},
+      {{"--loop", "maybe"}, 2, "--loop"},
+      {{"--depth-mode", "magic"}, 2, "--depth-mode"},
+      {{"--sauce", "synthetic"}, 2, "sauce"}};
+  for (const Case& asked : cases) {
+    const auto [code, said] = outcome(asked.arguments);
+    EXPECT_EQ(code, asked.code) << said;
+    EXPECT_NE(said.find(asked.part), std::string::npos) << said;
+    EXPECT_NE(said.find("fix: "), std::string::npos) << said;
+  }
+}
+
+}  // namespace
+}  // namespace telepalp::server
