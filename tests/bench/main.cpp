@@ -3,6 +3,7 @@
 
 #include "tests/bench/benches.h"
 #include "tests/bench/pipeline_bench.h"
+#include "tests/bench/synthetic_bench.h"
 
 namespace {
 
@@ -12,6 +13,7 @@ using namespace telepalp;
 constexpr std::array kBenches{
     bench::Bench{"pipeline", "a frame's way from the camera to the hand, and the 2 kHz loop's time",
                  bench::run_pipeline},
+    bench::Bench{"synthetic", "what the synthetic patient costs, and how true it is", bench::run_synthetic},
 };
 
 program::Usage usage() {

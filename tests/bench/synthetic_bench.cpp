@@ -1,0 +1,77 @@
+#include "tests/bench/synthetic_bench.h"
+
+#include <cmath>
+#include <ctime>
+
+#include "proto/program/shipped.h"
+#include "server/capture/synthetic/synthetic_patient.h"
+#include "tests/bench/distribution.h"
+
+namespace telepalp::bench {
+namespace {
+
+constexpr double kFramesPerSecond = 30.0;
+constexpr int kFrames = 300;
+constexpr const char* kTorso = "deploy/demo_data/torso/visible_human_torso.ply";
+
+/// CPU time of this thread [s]: a busy machine does not lengthen it as it does wall time.
+double cpu_s() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+SessionTime instant(int frame) { return SessionTime{from_seconds(frame / kFramesPerSecond)}; }
+
+/// The largest distance between noise-free depth and the true surface, over a breath [mm].
+Result<double> worst_error_mm(const server::TriangleMesh& torso) {
+  server::SyntheticSettings exact;
+  exact.noise = server::DepthNoise::None;
+  exact.disparity_steps = false;
+  exact.depth_unit_m = 0.0001;
+  const Result<server::SyntheticPatient> patient = server::SyntheticPatient::make(torso, exact);
+  if (!patient) return patient.error();
+  double worst_m = 0.0;
+  for (int frame = 0; frame < 120; frame += 20) {
+    const RgbdFrame seen = patient->frame_at(instant(frame), 0);
+    const server::TrueSurface truth = patient->true_surface(instant(frame));
+    for (int v = 0; v < seen.depth.height; v += 2)
+      for (int u = 0; u < seen.depth.width; u += 2)
+        if (const std::uint16_t sample = seen.depth.at(u, v); sample != 0)
+          worst_m = std::max(worst_m, std::abs(sample * seen.depth.unit_m - truth.depth_m(u, v)));
+  }
+  return 1000.0 * worst_m;
+}
+
+}  // namespace
+
+Result<Report> run_synthetic(const program::Arguments& /*arguments*/) {
+  const std::optional<std::filesystem::path> file = program::shipped_file(kTorso);
+  if (!file) return Error{.what = "is not there", .where = kTorso, .fix = "run from the source tree"};
+  const Result<server::TriangleMesh> torso = server::read_ply(*file);
+  if (!torso) return torso.error();
+  const double before_s = cpu_s();
+  const Result<server::SyntheticPatient> patient = server::SyntheticPatient::make(*torso, {});
+  if (!patient) return patient.error();
+  const double making_ms = 1000.0 * (cpu_s() - before_s);
+
+  Distribution frame_ms;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    const double start_s = cpu_s();
+    const RgbdFrame seen = patient->frame_at(instant(frame), 0);
+    frame_ms.add(1000.0 * (cpu_s() - start_s));
+  }
+  const Result<double> worst_mm = worst_error_mm(*torso);
+  if (!worst_mm) return worst_mm.error();
+  const double share_of_ms = kFramesPerSecond / 1000.0;
+  return Report{
+      .bench = "synthetic",
+      .rows = {measured("frame, CPU p50", frame_ms.p50(), "ms"), measured("frame, CPU p99", frame_ms.p99(), "ms"),
+               measured("making the patient, CPU", making_ms, "ms"),
+               at_most("share of a core at 30 Hz, p50", frame_ms.p50() * share_of_ms, "", 0.25),
+               at_most("share of a core at 30 Hz, p99", frame_ms.p99() * share_of_ms, "", 0.5),
+               at_most("noise-free depth from the truth, max", *worst_mm, "mm", 0.1)},
+      .notes = {"640x480 depth and colour, Kinect noise, steps and holes; 300 frames of a breathing torso"}};
+}
+
+}  // namespace telepalp::bench
