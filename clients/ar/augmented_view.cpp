@@ -88,7 +88,7 @@ void draw_touch(const Scene& scene, const Touch& touch, const Mesh& skin, const 
   scene.draw(skin, {.shine = 0.10F});
   scene.draw(sleeve, {.shine = 0.04F});
   scene.draw(painted(ball(device, kBallRadius_m), linear(kDeviceInk)),
-             {.opacity = 0.30F, .behind = 0.34F, .shine = 0.6F, .rim = 0.65F, .takes_shadow = false});
+             {.opacity = 0.38F, .behind = 0.44F, .shine = 0.6F, .rim = 0.6F, .takes_shadow = false});
   const Mesh rod = painted(frustum(device, proxy, 0.0022F, 0.0022F), linear({255, 255, 255}));
   const Mesh tip = painted(ball(proxy, 0.0075F), linear(kProxyInk));
   const Mesh push = painted(arrow(proxy, proxy + kArrow_m_per_N * force, 0.0048F), linear(kForceInk));

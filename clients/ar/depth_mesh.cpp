@@ -12,6 +12,7 @@ namespace {
 /// Depth [m] on a grid of at most about 400 000 pixels; 0 where nothing was measured.
 struct Grid {
   int width = 0, height = 0, stride = 1;
+  float pixel_rad = 0.0F;
   std::vector<float> z;
 
   [[nodiscard]] std::size_t index(int x, int y) const noexcept {
@@ -22,12 +23,15 @@ struct Grid {
   }
 };
 
-/// Depths whose difference is below this belong to one surface. Kinect v1's own step grows with the square of depth.
-float jump_m(float z) { return 0.012F + 0.012F * z * z; }
+/// Neighbouring depths whose difference is below this belong to one surface: it is steeper than about 80 degrees
+/// otherwise, or a silhouette. `pixel_rad` is the angle between neighbours; Kinect v1's own steps, 2.85 mm at 1 m and
+/// growing with the square of depth, stay below it within the sensor's range.
+float jump_m(float z, float pixel_rad) { return 0.005F + 5.0F * pixel_rad * z + 0.002F * z * z; }
 
-Grid grid_of(const DepthImage& depth) {
+Grid grid_of(const DepthImage& depth, const Intrinsics& camera) {
   Grid grid;
   while (depth.width / grid.stride * (depth.height / grid.stride) > 400'000) ++grid.stride;
+  grid.pixel_rad = static_cast<float>(grid.stride / camera.fx);
   grid.width = depth.width / grid.stride;
   grid.height = depth.height / grid.stride;
   for (int y = 0; y < grid.height; ++y)
@@ -48,7 +52,7 @@ Grid smoothed(const Grid& grid, int reach, int least_neighbours) {
       for (int dy = -reach; dy <= reach; ++dy)
         for (int dx = -reach; dx <= reach; ++dx) {
           const float other = grid.at(x + dx, y + dy);
-          if (other > 0.0F && std::abs(other - z) < jump_m(z)) {
+          if (other > 0.0F && std::abs(other - z) < jump_m(z, grid.pixel_rad)) {
             sum += other;
             ++count;
           }
@@ -70,7 +74,7 @@ Eigen::Vector3f neighbour(const Grid& grid, const Intrinsics& camera, int x, int
   const float z = grid.at(x, y);
   for (int step = 3; step > 0; --step) {
     const float other = grid.at(x + step * dx, y + step * dy);
-    if (other > 0.0F && std::abs(other - z) < 2.0F * jump_m(z))
+    if (other > 0.0F && std::abs(other - z) < 3.0F * jump_m(z, grid.pixel_rad))
       return place(grid, camera, x + step * dx, y + step * dy);
   }
   return place(grid, camera, x, y);
@@ -112,14 +116,14 @@ bool one_surface(const Grid& grid, const std::array<std::array<int, 2>, 3>& corn
     least = std::min(least, z);
     most = std::max(most, z);
   }
-  return most - least < 2.0F * jump_m(least);
+  return most - least < jump_m(least, grid.pixel_rad);
 }
 
 }  // namespace
 
 Mesh depth_mesh(const RgbdFrame& frame) {
   demand(is_well_formed(frame.depth) && is_well_formed(frame.camera.depth), "depth_mesh is given a well-formed frame");
-  const Grid grid = smoothed(smoothed(grid_of(frame.depth), 1, 4), 2, 8);
+  const Grid grid = smoothed(smoothed(grid_of(frame.depth, frame.camera.depth), 1, 3), 2, 7);
   Mesh mesh;
   mesh.vertices.reserve(grid.z.size());
   for (int y = 0; y < grid.height; ++y)

@@ -14,11 +14,11 @@ h1 { font-size: 26px; margin: 0 0 2px; } h2 { font-size: 20px; margin: 0 0 2px; 
 .verdict { border-left: 10px solid #009e73; } .verdict.look { border-left-color: #d55e00; }
 .verdict.none { border-left-color: #8a8f98; }
 .verdict p { margin: 8px 0 0; } .headline { font-size: 21px; font-weight: 650; }
-.checks { display: grid; grid-template-columns: repeat(auto-fill, minmax(175px, 1fr)); gap: 10px; margin-top: 16px; }
+.checks { display: grid; grid-template-columns: repeat(auto-fill, minmax(170px, 1fr)); gap: 10px; margin-top: 16px; }
 .check { border: 1px solid #e1e5ea; border-top: 4px solid #009e73; border-radius: 6px; padding: 8px 10px; }
 .check.misses { border-top-color: #d55e00; background: #fff6ef; } .check.unknown { border-top-color: #b5bbc4; }
 .check .name { font-size: 13px; color: #566070; } .check .value { font-size: 20px; font-weight: 600; }
-.check .budget { font-size: 12.5px; color: #667080; }
+.check .budget { font-size: 12px; color: #667080; }
 section > p { color: #566070; margin: 0 0 12px; font-size: 14.5px; }
 svg { display: block; width: 100%; height: auto; margin: 6px 0; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 10px 16px; }

@@ -37,9 +37,9 @@ std::string check_card(const Check& check) {
       standing == Standing::NotMeasured ? "not measured" : readable(check.value) + " " + check.unit;
   return "<div class=\"check" + std::string(look) + "\"><div class=\"name\">" + escaped(check.name) +
          "</div><div class=\"value\">" + escaped(value) + "</div><div class=\"budget\">" +
-         (standing == Standing::Misses  ? "✗ budget: "
-          : standing == Standing::Holds ? "✓ budget: "
-                                        : "budget: ") +
+         (standing == Standing::Misses  ? "✗ asked: "
+          : standing == Standing::Holds ? "✓ asked: "
+                                        : "asked: ") +
          escaped(budget) + "</div></div>\n";
 }
 

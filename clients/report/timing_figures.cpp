@@ -14,7 +14,8 @@ using plot::Series;
 using plot::Style;
 
 Chart tick_histogram(std::string title, std::string label, const std::vector<float>& values_us, double budget_us) {
-  const plot::Histogram histogram = plot::logarithmic_histogram(std::vector<double>(values_us.begin(), values_us.end()), 12);
+  const plot::Histogram histogram =
+      plot::logarithmic_histogram(std::vector<double>(values_us.begin(), values_us.end()), 12);
   Series series{"", {}, {}, std::string(plot::kBlue), Style::Area};
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     series.x.push_back(histogram.edges[i]);

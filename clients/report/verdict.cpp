@@ -22,19 +22,19 @@ std::vector<Check> checks_of(const Summary& s) {
   const double faulted = s.ticks > 0 ? static_cast<double>(s.dwells.back().entries) : kUnknown;
   return {
       {"largest force", s.force_max_N, 10.0, "N", true, "the device was asked for more than its peak force"},
-      {"values that are no numbers", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
+      {"not a number", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
        "a computation broke down"},
       {"faults", faulted, 0.0, "", true, "the station let go and stayed so"},
       {"control rate", s.ticks_per_s, 1990.0, "Hz", false, "the loop ran slower than its 2 kHz"},
-      {"missed deadlines", percent(known(s.deadlines_missed), static_cast<double>(s.ticks)), 0.1, "% of ticks", true,
+      {"missed deadlines, of ticks", percent(known(s.deadlines_missed), static_cast<double>(s.ticks)), 0.1, "%", true,
        "the force was late more often than one tick in a thousand"},
       {"tick time, p99.9", s.tick_us.p999, 500.0, "µs", true, "a tick took longer than its period"},
-      {"camera to touchable, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
+      {"camera to hand, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
        "frames became touchable after the next one had come"},
-      {"camera to touchable, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true, "the surface was old at times"},
-      {"depth frames", s.camera_depth_per_s, 25.0, "a second", false, "the surface was renewed too seldom"},
-      {"frames lost on the way", percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped)), 5.0,
-       "%", true, "the link or the station did not keep up"},
+      {"camera to hand, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true, "the surface was old at times"},
+      {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, "the surface was renewed too seldom"},
+      {"frames lost", percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped)), 5.0, "%", true,
+       "the link or the station did not keep up"},
   };
 }
 
