@@ -14,7 +14,7 @@ namespace telepalp::ar {
 namespace {
 
 constexpr float kBallRadius_m = 0.03F;  // S1 §II.A: the end-effector is a ball of 6 cm diameter
-constexpr float kArrow_m_per_N = 0.016F;
+constexpr float kArrow_m_per_N = 0.025F;
 constexpr float kDegree = std::numbers::pi_v<float> / 180.0F;
 constexpr Ink kProxyInk{0, 158, 115}, kDeviceInk{0, 114, 178}, kForceInk{240, 228, 66};
 
@@ -48,6 +48,26 @@ Eigen::Vector3f surface_normal(const Mesh& mesh, const Eigen::Vector3f& at, floa
     if ((vertex.at - at).squaredNorm() < reach * reach) sum += vertex.normal;
   }
   return sum.norm() > 1e-3F ? sum.normalized() : Eigen::Vector3f(0.0F, 0.0F, -1.0F);
+}
+
+/// Without what stands between the eye and the touch, and with a dark room brightened: the median of what is near
+/// `target` is to be a mid grey, by at most twofold, so that black stays dark.
+Mesh cleared(Mesh mesh, const ViewCamera& camera, const Eigen::Vector3f& target) {
+  constexpr float kRoom_m = 0.5F, kMidGrey = 0.2F, kMostGain = 2.0F;
+  const Eigen::Vector3f forward = camera.view_from_scene.row(2).transpose();
+  const float nearest = (target - camera.eye).norm() - kRoom_m;
+  std::vector<float> brightness;
+  std::erase_if(mesh.triangles, [&](const auto& triangle) {
+    const Mesh::Vertex& vertex = mesh.vertices[triangle[0]];
+    if ((vertex.at - target).squaredNorm() < kRoom_m * kRoom_m) brightness.push_back(vertex.color.mean());
+    return forward.dot(vertex.at - camera.eye) < nearest;
+  });
+  if (brightness.empty()) return mesh;
+  const auto half = brightness.begin() + static_cast<std::ptrdiff_t>(brightness.size() / 2);
+  std::nth_element(brightness.begin(), half, brightness.end());
+  const float gain = std::clamp(kMidGrey / std::max(*half, 1e-3F), 1.0F, kMostGain);
+  for (Mesh::Vertex& vertex : mesh.vertices) vertex.color *= gain;
+  return mesh;
 }
 
 /// From the patient's side, above and behind the doctor's hand: a three-quarter view of what the camera sees from
@@ -103,7 +123,7 @@ std::vector<PanelLine> key_to_colours(const Touch& touch) {
   return {{"doctor's hand (redder: deeper)", "", hand},
           {"device ball, 6 cm", "", kDeviceInk},
           {"proxy on the skin", "", kProxyInk},
-          {"force, 16 mm for 1 N", "", kForceInk}};
+          {"force, 25 mm for 1 N", "", kForceInk}};
 }
 
 }  // namespace
@@ -130,12 +150,12 @@ ColorImage draw(const AugmentedView& view) {
     shadow.add(sleeve);
   }
   const Scene scene{canvas, camera, lights, shadow};
-  scene.draw(body, {.two_sided = true});
+  scene.draw(cleared(body, camera, target), {.two_sided = true});
   if (touch) draw_touch(scene, *touch, skin, sleeve);
 
   ColorImage image = canvas.resolved();
   draw_panel(image, Corner::TopLeft, view.figures);
-  if (touch) draw_panel(image, Corner::BottomLeft, key_to_colours(*touch));
+  if (touch) draw_panel(image, Corner::BottomRight, key_to_colours(*touch));
   return image;
 }
 

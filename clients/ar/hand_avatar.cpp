@@ -81,8 +81,8 @@ HandAvatar hand_avatar() {
   const Eigen::AlignedBox3f box(Eigen::Vector3f(-90, -300, -12), Eigen::Vector3f(70, 30, 135));
   Mesh skin = isosurface([&](const Eigen::Vector3f& at) { return hand_distance(fingers, hand, at); }, box, 2.5F);
   for (Mesh::Vertex& vertex : skin.vertices) vertex.at *= 1e-3F;
-  const Eigen::Vector3f cuff(0.0062F, -0.235F, 0.083F), elbow(0.016F, -0.40F, 0.143F);
-  Mesh sleeve = frustum(cuff, elbow, 0.036F, 0.047F);
+  const Eigen::Vector3f cuff(0.0062F, -0.235F, 0.083F), elbow(0.029F, -0.62F, 0.222F);
+  Mesh sleeve = frustum(cuff, elbow, 0.036F, 0.052F);
   return {std::move(skin), painted(std::move(sleeve), linear_from_srgb(236, 240, 245))};
 }
 
