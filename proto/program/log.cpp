@@ -6,8 +6,6 @@
 #include <string>
 
 namespace telepalp::program {
-namespace {
-
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char letter : text) {
@@ -22,8 +20,6 @@ std::string escaped(std::string_view text) {
   }
   return out;
 }
-
-}  // namespace
 
 void log(std::string_view program, std::string_view text) {
   const auto now = std::chrono::system_clock::now();

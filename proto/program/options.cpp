@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstdio>
 
+#include "proto/program/log.h"
+
 namespace telepalp::program {
 namespace {
 
@@ -121,7 +123,7 @@ Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, co
 }
 
 int fail(const Error& error, int code) {
-  std::fprintf(stderr, "error: %s\n", to_string(error).c_str());
+  std::fprintf(stderr, "error: %s\n", escaped(to_string(error)).c_str());
   return code;
 }
 

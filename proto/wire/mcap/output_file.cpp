@@ -80,6 +80,12 @@ void OutputFile::cut(std::uint64_t size) noexcept {
   if (::ftruncate(descriptor_, static_cast<off_t>(size)) == 0) (void)::lseek(descriptor_, 0, SEEK_END);
 }
 
+void OutputFile::discard() noexcept {
+  if (descriptor_ < 0) return;
+  ::close(std::exchange(descriptor_, -1));
+  (void)::unlink((name_.string() + ".partial").c_str());
+}
+
 Result<void> OutputFile::publish() {
   const bool synced = ::fsync(descriptor_) == 0;
   const int sync_error = errno;

@@ -22,6 +22,8 @@ class OutputFile {
   void cut(std::uint64_t size) noexcept;
   /// Puts it on the disk and gives it its name.
   [[nodiscard]] Result<void> publish();
+  /// Closes and removes it.
+  void discard() noexcept;
 
   [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }
   [[nodiscard]] const std::filesystem::path& name() const noexcept { return name_; }

@@ -24,11 +24,6 @@ std::uint64_t stored_time(SessionTime at) {
   return static_cast<std::uint64_t>(std::max<std::int64_t>(to_nanoseconds(at), 0));
 }
 
-std::string value_or_empty(const mcap::TextMap& values, const char* key) {
-  const auto place = values.find(key);
-  return place == values.end() ? std::string{} : place->second;
-}
-
 }  // namespace
 
 Result<McapReader> McapReader::open(const std::filesystem::path& file) {
@@ -182,10 +177,7 @@ Result<SessionInfo> McapReader::session() {
     if (index.name != kSessionMetadata) continue;
     const Result<mcap::Metadata> metadata = read(index);
     if (!metadata) return metadata.error();
-    const mcap::TextMap& values = metadata->values;
-    return SessionInfo{value_or_empty(values, "program"), value_or_empty(values, "version"),
-                       value_or_empty(values, "commit"), value_or_empty(values, "source"),
-                       value_or_empty(values, "scene")};
+    return session_info(*metadata);
   }
   return SessionInfo{};
 }

@@ -38,7 +38,21 @@ mcap::Metadata as_metadata(const SessionInfo& info) {
            {"scene", info.scene}}};
 }
 
+std::string value_or_empty(const mcap::TextMap& values, const char* key) {
+  const auto place = values.find(key);
+  return place == values.end() ? std::string{} : place->second;
+}
+
 }  // namespace
+
+SessionInfo session_info(const mcap::Metadata& metadata) {
+  const mcap::TextMap& values = metadata.values;
+  return {.program = value_or_empty(values, "program"),
+          .version = value_or_empty(values, "version"),
+          .commit = value_or_empty(values, "commit"),
+          .source = value_or_empty(values, "source"),
+          .scene = value_or_empty(values, "scene")};
+}
 
 Result<McapWriter> McapWriter::open(const std::filesystem::path& name, const SessionInfo& info,
                                     mcap::ChunkLimits limits) {
@@ -138,6 +152,7 @@ Result<void> McapWriter::close() {
     mcap::OutputFile left_partial = std::move(file_);
     return failed_ ? *failed_ : appended.error();
   }
+  final_bytes_ = encoder_.committed_bytes() + last.size();
   if (const Result<void> published = file_.publish(); !published) return published;
   if (failed_) return *failed_;
   return {};

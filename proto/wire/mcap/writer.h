@@ -23,6 +23,9 @@ struct SessionInfo {
 };
 inline constexpr std::string_view kSessionMetadata = "telepalp.session";
 
+/// Reads that record; empty texts where it says nothing.
+[[nodiscard]] SessionInfo session_info(const mcap::Metadata& metadata);
+
 /// Writes a session file. Owner: one thread, which may block on the disk. The file grows as NAME.partial, in which
 /// every flushed chunk survives a crash, and gets its name at close(). Leaving scope closes too, errors unseen.
 class McapWriter {
@@ -50,8 +53,13 @@ class McapWriter {
   /// Summary, fsync, final name.
   [[nodiscard]] Result<void> close();
 
-  /// Bytes and messages in finished chunks.
-  [[nodiscard]] std::uint64_t bytes() const noexcept { return encoder_.committed_bytes(); }
+  /// Removes the file: there was nothing to write.
+  void discard() noexcept { file_.discard(); }
+
+  /// Bytes and messages in finished chunks; after close(), in all.
+  [[nodiscard]] std::uint64_t bytes() const noexcept {
+    return final_bytes_ > 0 ? final_bytes_ : encoder_.committed_bytes();
+  }
   [[nodiscard]] std::uint64_t messages() const noexcept { return encoder_.statistics().message_count; }
   [[nodiscard]] const std::filesystem::path& name() const noexcept { return file_.name(); }
 
@@ -67,6 +75,7 @@ class McapWriter {
   mcap::Encoder encoder_;
   std::string ready_;  // encoded, not yet in the file
   std::optional<Error> failed_;
+  std::uint64_t final_bytes_ = 0;
   std::map<std::string_view, Known> topics_;  // keys live in wire::kTopics
   std::map<std::string, std::uint16_t> schemas_;
   std::map<std::string, std::uint16_t> copied_channels_;  // by the channel's own bytes

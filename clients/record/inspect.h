@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "proto/words/result.h"
+
+namespace telepalp::record {
+
+/// What a session file holds, for people: length, size, what made it, and by topic how many messages at what rate.
+/// Reads the file's index alone.
+[[nodiscard]] Result<std::string> inspect(const std::filesystem::path& file);
+
+}  // namespace telepalp::record

@@ -1,0 +1,216 @@
+#include "clients/record/recording.h"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <csignal>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "clients/record/disk_thread.h"
+#include "proto/program/log.h"
+#include "proto/program/ready_file.h"
+#include "proto/program/version.h"
+#include "proto/wire/client_link.h"
+#include "proto/wire/mcap/writer.h"
+
+namespace telepalp::record {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using boost::system::error_code;
+
+constexpr const char* kProgram = "telepalp-record";
+constexpr auto kProgressEvery = std::chrono::milliseconds(500);
+
+std::string address_text(const program::Address& address) { return address.host + ":" + std::to_string(address.port); }
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::string fixed(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::uint64_t total(const std::map<std::string_view, std::uint64_t>& by_topic) {
+  std::uint64_t sum = 0;
+  for (const auto& [topic, count] : by_topic) sum += count;
+  return sum;
+}
+
+/// Goes into the file, so that who reads it later knows what it lacks.
+wire::mcap::Metadata what_is_missing(const RecordingReport& report,
+                                     const std::map<std::string_view, std::uint64_t>& dropped) {
+  wire::mcap::Metadata metadata{"telepalp.recording",
+                                {{"gaps", std::to_string(report.gaps)}, {"gap_s", fixed(report.gap_s, 3)}}};
+  for (const auto& [topic, count] : dropped) metadata.values["dropped" + std::string(topic)] = std::to_string(count);
+  return metadata;
+}
+
+/// One recording in progress. All but what `disk_` runs is on the network thread.
+class Recording {
+ public:
+  Recording(const RecordingOptions& options, wire::McapWriter writer)
+      : options_(options),
+        writer_(std::move(writer)),
+        disk_({.write = [this](const wire::Message& message) { return writer_.write(message); },
+               .flush = [this] { return writer_.flush(); }}),
+        link_(
+            io_,
+            {.host = options.server.host, .port = options.server.port, .name = kProgram, .subscribes = options.topics},
+            {.on_message = [this](const wire::Message& message) { disk_.offer(message); },
+             .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); }}) {}
+
+  Result<RecordingReport> run() {
+    signals_.async_wait([this](const error_code& cancelled, int) {
+      if (!cancelled) stop("stopped by the operator");
+    });
+    deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.patience));
+    deadline_.async_wait([this](const error_code& cancelled) {
+      if (!cancelled)
+        fail({"does not answer", address_text(options_.server), "start telepalp-server, or see --connect"});
+    });
+    watch();
+    link_.start();
+    io_.run();
+    return finish();
+  }
+
+ private:
+  void on_state(wire::LinkState state, const std::string& detail) {
+    if (state == wire::LinkState::Connected) return on_connected();
+    if (state == wire::LinkState::Lost && !stopping_) {
+      away_since_ = Clock::now();
+      say("the server is away (" + detail + "); the recording goes on when it is back");
+    }
+  }
+
+  void on_connected() {
+    if (away_since_) {
+      const double away_s = seconds_since(*std::exchange(away_since_, std::nullopt));
+      ++report_.gaps;
+      report_.gap_s += away_s;
+      say("the server is back after " + fixed(away_s, 1) + " s, which the recording lacks");
+    }
+    if (std::exchange(started_, started_.value_or(Clock::now()))) return;
+    say("recording " + address_text(options_.server) + " to " + options_.file.string());
+    if (const Result<void> told =
+            program::write_ready_file(options_.ready_file, "recording=" + options_.file.string() + "\n");
+        !told)
+      return fail(told.error());
+    deadline_.cancel();
+    if (options_.seconds.count() <= 0) return;
+    deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.seconds));
+    deadline_.async_wait([this](const error_code& cancelled) {
+      if (!cancelled) stop("the time is up");
+    });
+  }
+
+  /// Looks after the disk, and shows how it goes.
+  void watch() {
+    watch_.expires_after(kProgressEvery);
+    watch_.async_wait([this](const error_code& cancelled) {
+      if (cancelled || stopping_) return;
+      const DiskThread::Counts counts = disk_.counts();
+      if (counts.failed) return fail(*counts.failed);
+      const std::uint64_t dropped = total(counts.dropped);
+      if (dropped > dropped_told_)
+        say("the disk does not keep up: " + std::to_string(dropped) + " messages dropped so far");
+      dropped_told_ = dropped;
+      if (options_.progress && started_) show(counts);
+      watch();
+    });
+  }
+
+  void show(const DiskThread::Counts& counts) {
+    std::fprintf(stderr, "\r\x1b[K%s s  %s MB  %llu messages  %llu dropped%s",
+                 fixed(seconds_since(*started_), 1).c_str(),
+                 fixed(static_cast<double>(counts.stored_bytes) / 1e6, 1).c_str(),
+                 static_cast<unsigned long long>(counts.stored), static_cast<unsigned long long>(total(counts.dropped)),
+                 away_since_ ? "  (server away)" : "");
+    line_shown_ = true;
+  }
+
+  void say(const std::string& text) {
+    if (std::exchange(line_shown_, false)) std::fputs("\r\x1b[K", stderr);
+    program::log(kProgram, text);
+  }
+
+  void stop(const std::string& reason) {
+    if (std::exchange(stopping_, true)) return;
+    say("finishing the file: " + reason);
+    error_code ignored;
+    signals_.clear(ignored);  // a second Ctrl-C ends the process at once; the file is then left as NAME.partial
+    deadline_.cancel();
+    watch_.cancel();
+    link_.stop(reason);
+  }
+
+  void fail(const Error& error) {
+    if (!failed_) failed_ = error;
+    stop("it cannot go on");
+  }
+
+  Result<RecordingReport> finish() {
+    if (std::exchange(line_shown_, false)) std::fputs("\n", stderr);
+    const Result<void> stored = disk_.finish();
+    if (!stored && !failed_) failed_ = stored.error();
+    const DiskThread::Counts counts = disk_.counts();
+    if (!started_) {
+      writer_.discard();
+    } else {
+      report_.seconds = seconds_since(*started_);
+      report_.dropped = total(counts.dropped);
+      if (stored)
+        if (const Result<void> told = writer_.add(what_is_missing(report_, counts.dropped)); !told && !failed_)
+          failed_ = told.error();
+      if (const Result<void> closed = writer_.close(); !closed && !failed_) failed_ = closed.error();
+      report_.messages = writer_.messages();
+      report_.file_bytes = writer_.bytes();
+    }
+    if (!failed_) return report_;
+    if (started_) say("until then: " + describe(report_));
+    return *failed_;
+  }
+
+  const RecordingOptions& options_;
+  wire::McapWriter writer_;  // disk thread, until finish()
+  DiskThread disk_;
+  boost::asio::io_context io_;
+  boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
+  boost::asio::steady_timer deadline_{io_};
+  boost::asio::steady_timer watch_{io_};
+  wire::ClientLink link_;
+  RecordingReport report_;
+  std::optional<Clock::time_point> started_;
+  std::optional<Clock::time_point> away_since_;
+  std::optional<Error> failed_;
+  std::uint64_t dropped_told_ = 0;
+  bool line_shown_ = false;
+  bool stopping_ = false;
+};
+
+}  // namespace
+
+std::string describe(const RecordingReport& report) {
+  std::string text = fixed(report.seconds, 1) + " s, " + std::to_string(report.messages) + " messages, " +
+                     fixed(static_cast<double>(report.file_bytes) / 1e6, 1) + " MB";
+  if (report.dropped > 0) text += ", " + std::to_string(report.dropped) + " messages dropped by a slow disk";
+  if (report.gaps > 0) text += ", the server was away " + fixed(report.gap_s, 1) + " s";
+  return text;
+}
+
+Result<RecordingReport> record(const RecordingOptions& options) {
+  Result<wire::McapWriter> writer = wire::McapWriter::open(options.file, {.program = kProgram,
+                                                                          .version = program::version(),
+                                                                          .commit = program::commit(),
+                                                                          .source = address_text(options.server),
+                                                                          .scene = {}});
+  if (!writer) return writer.error();
+  Recording recording(options, std::move(writer).value());
+  return recording.run();
+}
+
+}  // namespace telepalp::record
