@@ -142,6 +142,7 @@ class Recording {
     if (std::exchange(stopping_, true)) return;
     say("finishing the file: " + reason);
     error_code ignored;
+    signals_.cancel(ignored);
     signals_.clear(ignored);  // a second Ctrl-C ends the process at once; the file is then left as NAME.partial
     deadline_.cancel();
     watch_.cancel();

@@ -77,10 +77,7 @@ Result<void> copy_the_rest(wire::McapStreamReader& stream, wire::McapWriter& wri
 
 std::filesystem::path repaired_name(const std::filesystem::path& file) {
   std::string name = file.string();
-  if (name.ends_with(kPartial)) {
-    name.resize(name.size() - kPartial.size());
-    if (!std::filesystem::exists(name)) return name;
-  }
+  if (name.ends_with(kPartial)) name.resize(name.size() - kPartial.size());
   return std::filesystem::path(name).replace_extension(".repaired.mcap");
 }
 

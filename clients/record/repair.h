@@ -16,8 +16,8 @@ struct RepairReport {
   std::vector<std::string> damages;
 };
 
-/// Where the repaired copy of `file` goes when nobody says: the name without `.partial` if it is free, else
-/// `NAME.repaired.mcap`.
+/// Where the repaired copy of `file` goes when nobody says: `session.mcap`, and `session.mcap.partial` too, become
+/// `session.repaired.mcap`.
 [[nodiscard]] std::filesystem::path repaired_name(const std::filesystem::path& file);
 
 /// Writes to `out` every message of `file` that can be read, whatever its topic, with an index. `file` is not

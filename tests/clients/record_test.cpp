@@ -1,0 +1,276 @@
+// telepalp-record as its user runs it: the program itself, and a real hub on loopback.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <csignal>
+#include <fstream>
+#include <future>
+#include <thread>
+
+#include "clients/record/disk_thread.h"
+#include "clients/record/inspect.h"
+#include "clients/record/repair.h"
+#include "proto/wire/mcap/reader.h"
+#include "proto/wire/mcap/stream_reader.h"
+#include "server/hub/peer_listener.h"
+#include "tests/proto/mcap_samples.h"
+#include "tests/support/child_process.h"
+
+namespace telepalp::record {
+namespace {
+
+using namespace std::chrono_literals;
+using wire::samples::bytes_of;
+
+const std::filesystem::path kRecorder = TELEPALP_BINARY_DIR "/bin/telepalp-record";
+
+/// A hub on a free loopback port, with its own thread.
+class Server {
+ public:
+  explicit Server(std::uint16_t port = 0) {
+    auto made = server::PeerListener::listen(io_, hub_, clock_, {.port = port});
+    EXPECT_TRUE(made) << to_string(made.error());
+    listener_ = std::move(made).value();
+    port_ = listener_->port();
+    thread_ = std::thread([this] { io_.run(); });
+  }
+  ~Server() {
+    boost::asio::post(io_, [this] { listener_->close("end of the test"); });
+    thread_.join();
+  }
+  void publish(const wire::Message& message) {
+    boost::asio::post(io_, [this, message] { hub_.publish(message); });
+  }
+  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+
+ private:
+  boost::asio::io_context io_;
+  server::Hub hub_;
+  wire::SessionClock clock_ = wire::SessionClock::anchored_to_wall_clock();
+  std::unique_ptr<server::PeerListener> listener_;
+  std::uint16_t port_ = 0;
+  std::thread thread_;
+};
+
+class Recorder : public testing::Test {
+ protected:
+  std::filesystem::path in(const std::string& name) const { return folder_.path() / name; }
+  std::filesystem::path session() const { return in("session.mcap"); }
+
+  std::unique_ptr<support::ChildProcess> start(const Server& server, std::vector<std::string> more = {}) {
+    std::vector<std::string> words{"--connect", server.address(), "--out", session(), "--ready-file", in("ready")};
+    words.insert(words.end(), more.begin(), more.end());
+    auto recorder = std::make_unique<support::ChildProcess>(kRecorder, words, in("log"));
+    EXPECT_EQ(support::await_ready(in("ready"), "recording"), session().string()) << bytes_of(in("log"));
+    return recorder;
+  }
+  int run(const std::vector<std::string>& words) const {
+    support::ChildProcess recorder(kRecorder, words, in("log"));
+    return recorder.wait(20s).value_or(-1);
+  }
+  std::string log() const { return bytes_of(in("log")); }
+  template <class Done>
+  static bool wait_for(Done done) {
+    for (int tries = 0; tries < 1000 && !done(); ++tries) std::this_thread::sleep_for(10ms);
+    return done();
+  }
+  /// What can be read from front to back of the file as it stands.
+  std::size_t flushed_messages(const std::filesystem::path& file) const {
+    auto stream = wire::McapStreamReader::open(file);
+    std::size_t count = 0;
+    if (stream)
+      for (auto next = stream->next(); next && *next; next = stream->next()) ++count;
+    return count;
+  }
+  support::TemporaryFolder folder_;
+};
+
+/// Paced, since a subscriber's queue holds only a short history.
+void publish_slowly(Server& server, const std::vector<wire::Message>& messages) {
+  for (const wire::Message& message : messages) {
+    server.publish(message);
+    std::this_thread::sleep_for(1ms);
+  }
+}
+
+std::vector<wire::Message> states(double seconds) {
+  std::vector<wire::Message> all = wire::samples::session(seconds, 5000);
+  std::erase_if(all, [](const wire::Message& message) { return message.topic.name != wire::kStationState.name; });
+  return all;
+}
+
+TEST_F(Recorder, WritesWhatIsPublishedUntilItIsAskedToEnd) {
+  Server server;
+  const auto recorder = start(server);
+  const auto messages = states(1);
+  publish_slowly(server, messages);
+  ASSERT_TRUE(wait_for([&] { return flushed_messages(session().string() + ".partial") == messages.size(); }));
+  recorder->signal(SIGINT);
+  EXPECT_EQ(recorder->wait(10s), 0) << log();
+  auto reader = wire::McapReader::open(session());
+  ASSERT_TRUE(reader) << to_string(reader.error());
+  for (const wire::Message& message : messages) {
+    const auto next = reader->next();
+    ASSERT_TRUE(next && *next);
+    ASSERT_EQ(*(*next)->payload, *message.payload);
+    ASSERT_EQ((*next)->published, message.published);
+  }
+  EXPECT_EQ(reader->session()->source, server.address());
+  EXPECT_FALSE(std::filesystem::exists(session().string() + ".partial"));
+}
+
+TEST_F(Recorder, RecordsOnlyTheTopicsAskedForAndStopsWhenTheTimeIsUp) {
+  Server server;
+  const auto recorder = start(server, {"--topics", "/station/*,/clock", "--seconds", "0.6"});
+  publish_slowly(server, wire::samples::session(0.1, 500));
+  EXPECT_EQ(recorder->wait(10s), 0) << log();
+  auto reader = wire::McapReader::open(session());
+  ASSERT_TRUE(reader) << log();
+  ASSERT_EQ(reader->summary().channels.all().size(), 1u);
+  EXPECT_EQ(reader->summary().channels.all().begin()->second.channel.topic, "/station/state");
+  EXPECT_EQ(reader->summary().statistics.message_count, 10u);
+}
+
+TEST_F(Recorder, SurvivesAServerThatGoesAwayAndComesBackAndTellsOfTheGap) {
+  auto server = std::make_unique<Server>();
+  const std::uint16_t port = server->port();
+  const auto recorder = start(*server);
+  publish_slowly(*server, states(0.1));
+  ASSERT_TRUE(wait_for([&] { return flushed_messages(session().string() + ".partial") == 10; }));
+  server.reset();
+  ASSERT_TRUE(wait_for([&] { return log().find("the server is away") != std::string::npos; })) << log();
+  Server again(port);
+  ASSERT_TRUE(wait_for([&] { return log().find("the server is back") != std::string::npos; })) << log();
+  publish_slowly(again, states(0.1));
+  ASSERT_TRUE(wait_for([&] { return flushed_messages(session().string() + ".partial") == 20; }));
+  recorder->signal(SIGTERM);
+  EXPECT_EQ(recorder->wait(10s), 0);
+  auto reader = wire::McapReader::open(session());
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(reader->summary().statistics.message_count, 20u);
+  for (const wire::mcap::MetadataIndex& index : reader->summary().metadata)
+    if (index.name == "telepalp.recording") {
+      EXPECT_EQ(reader->read(index)->values.at("gaps"), "1");
+    }
+}
+
+TEST_F(Recorder, KilledWhileRecordingLosesNothingThatWasFlushedAndTheRepairFindsIt) {
+  Server server;
+  const auto recorder = start(server);
+  const auto messages = states(0.5);
+  publish_slowly(server, messages);
+  const auto partial = session().string() + ".partial";
+  ASSERT_TRUE(wait_for([&] { return flushed_messages(partial) == messages.size(); }));
+  recorder->signal(SIGKILL);
+  EXPECT_EQ(recorder->wait(10s), 128 + SIGKILL);
+  EXPECT_FALSE(std::filesystem::exists(session()));
+  EXPECT_EQ(run({"--info", partial}), 1);
+  EXPECT_NE(log().find("fix: telepalp-record --repair " + partial), std::string::npos) << log();
+  EXPECT_EQ(run({"--repair", partial}), 0) << log();
+  EXPECT_NE(log().find("recovered 50 messages to " + in("session.repaired.mcap").string()), std::string::npos) << log();
+  auto reader = wire::McapReader::open(in("session.repaired.mcap"));
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(reader->summary().statistics.message_count, messages.size());
+  EXPECT_EQ(reader->session()->program, "telepalp-record");
+}
+
+TEST_F(Recorder, WithoutAServerItGivesUpAndLeavesNothingBehind) {
+  EXPECT_EQ(run({"--connect", "127.0.0.1:1", "--out", session(), "--patience-s", "0.3"}), 1);
+  EXPECT_NE(log().find("error: 127.0.0.1:1: does not answer"), std::string::npos) << log();
+  EXPECT_FALSE(std::filesystem::exists(session()));
+  EXPECT_FALSE(std::filesystem::exists(session().string() + ".partial"));
+}
+
+TEST_F(Recorder, AskedWronglyItExitsWithTwo) {
+  EXPECT_EQ(run({}), 2);
+  EXPECT_EQ(run({"--out", session(), "--connect", "nowhere"}), 2);
+  EXPECT_EQ(run({"--out", session(), "--seconds", "soon"}), 2);
+  EXPECT_EQ(run({"--no-such-option"}), 2);
+}
+
+TEST_F(Recorder, AnExistingFileIsNotOverwritten) {
+  std::ofstream(session()) << "mine";
+  EXPECT_EQ(run({"--out", session(), "--connect", "127.0.0.1:1"}), 1);
+  EXPECT_NE(log().find("exists already"), std::string::npos) << log();
+  EXPECT_EQ(bytes_of(session()), "mine");
+}
+
+TEST_F(Recorder, TellsWhatAFileHolds) {
+  ASSERT_TRUE(wire::samples::write_file(session(), wire::samples::session(10, 500)));
+  const auto text = inspect(session());
+  ASSERT_TRUE(text) << to_string(text.error());
+  EXPECT_NE(text->find("10.0 s, 1600 messages"), std::string::npos) << *text;
+  EXPECT_NE(text->find("made by telepalp-test 0.1.0 (abc1234) from synthetic"), std::string::npos) << *text;
+  EXPECT_NE(text->find("/station/state  telepalp.msg.StationState      1000    100.0"), std::string::npos) << *text;
+}
+
+TEST_F(Recorder, ARepairLeavesOutOnlyTheDamagedChunk) {
+  ASSERT_TRUE(wire::samples::write_file(session(), wire::samples::session(4, 500), {.bytes = 5000}));
+  std::string bytes = bytes_of(session());
+  auto whole = wire::McapReader::open(session());
+  ASSERT_TRUE(whole);
+  const auto& chunk = whole->summary().chunks[4];
+  bytes[chunk.chunk_start_offset + chunk.chunk_length - 20] ^= 0x55;
+  std::ofstream(session(), std::ios::binary) << bytes;
+  const auto report = repair(session(), repaired_name(session()));
+  ASSERT_TRUE(report) << to_string(report.error());
+  ASSERT_EQ(report->damages.size(), 1u);
+  EXPECT_TRUE(report->damages[0].starts_with("chunk 4: ")) << report->damages[0];
+  EXPECT_EQ(report->file, in("session.repaired.mcap"));
+  auto repaired = wire::McapReader::open(report->file);
+  ASSERT_TRUE(repaired);
+  EXPECT_EQ(repaired->summary().statistics.message_count, report->messages);
+  EXPECT_LT(report->messages, whole->summary().statistics.message_count);
+  EXPECT_GT(report->messages, whole->summary().statistics.message_count * 3 / 4);
+  EXPECT_EQ(bytes_of(session()), bytes);  // the damaged file is as it was
+}
+
+TEST_F(Recorder, AWholeFileNeedsNoRepair) {
+  ASSERT_TRUE(wire::samples::write_file(session(), wire::samples::session(1, 500)));
+  EXPECT_EQ(run({"--repair", session()}), 0);
+  EXPECT_NE(log().find("is whole"), std::string::npos) << log();
+  EXPECT_FALSE(std::filesystem::exists(in("session.repaired.mcap")));
+}
+
+TEST(DiskThread, ASlowDiskDropsWhatDoesNotFitCountsItByTopicAndNeverBlocksTheLink) {
+  std::promise<void> disk_is_back;
+  auto back = disk_is_back.get_future().share();
+  std::atomic<int> written = 0;
+  DiskThread disk({.write = [&](const wire::Message&) -> Result<void> {
+                     back.wait();
+                     ++written;
+                     return {};
+                   },
+                   .flush = [] { return Result<void>{}; }},
+                  10'000);
+  const auto payload = std::make_shared<const std::string>(872, 'x');  // with its share of overhead, 1000
+  int accepted = 0;
+  for (int number = 0; number < 25; ++number)
+    accepted += disk.offer({wire::kCameraDepth, session_time(number), payload}) ? 1 : 0;
+  EXPECT_EQ(accepted, 10);
+  EXPECT_EQ(disk.counts().dropped.at("/camera/depth"), 15u);
+  disk_is_back.set_value();
+  EXPECT_TRUE(disk.finish());
+  EXPECT_EQ(written, 10);
+}
+
+TEST(DiskThread, AFailedStoreIsToldOnceAndTakesNoMore) {
+  DiskThread disk({.write = [](const wire::Message&) -> Result<void> {
+                     return Error{.what = "full", .where = "disk", .fix = "free space"};
+                   },
+                   .flush = [] { return Result<void>{}; }});
+  const wire::Message message{wire::kClock, session_time(1), std::make_shared<const std::string>("x")};
+  EXPECT_TRUE(disk.offer(message));
+  for (int tries = 0; tries < 500 && !disk.counts().failed; ++tries) std::this_thread::sleep_for(10ms);
+  EXPECT_FALSE(disk.offer(message));
+  const auto finished = disk.finish();
+  ASSERT_FALSE(finished);
+  EXPECT_EQ(finished.error().what, "full");
+}
+
+}  // namespace
+}  // namespace telepalp::record
