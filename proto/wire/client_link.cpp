@@ -119,7 +119,7 @@ void ClientLink::connect() {
 void ClientLink::resolve() {
   resolver_.async_resolve(options_.host, std::to_string(options_.port),
                           while_alive([this](const error_code& code, const tcp::resolver::results_type& found) {
-                            if (code == boost::asio::error::operation_aborted) return;
+                            if (state_ == LinkState::Stopped) return;
                             if (code) return on_connect_failed(code.message());
                             connect_to(found.begin()->endpoint());
                           }));
@@ -134,7 +134,7 @@ void ClientLink::connect_to(const tcp::endpoint& endpoint) {
   }));
   connecting_.async_connect(
       endpoint, while_alive([this](const error_code& code) {
-        if (code == boost::asio::error::operation_aborted && state_ == LinkState::Stopped) return;
+        if (state_ == LinkState::Stopped) return;  // it may have been done already when stop() came
         retry_.cancel();
         if (code) return on_connect_failed(code.message());
         ConnectionOwner& owner = *this;
@@ -154,7 +154,7 @@ void ClientLink::retry_later() {
   retry_.expires_after(back_off_);
   back_off_ = std::min(2 * back_off_, kLongestRetry);
   retry_.async_wait(while_alive([this](const error_code& code) {
-    if (!code) connect();
+    if (!code && state_ != LinkState::Stopped) connect();  // the timer may have fired already when stop() came
   }));
 }
 
