@@ -57,8 +57,11 @@ std::string first_screen(const Session& session, const Summary& summary, const V
   return out + "</div></div>\n";
 }
 
-std::string view_section(const std::string& view_png) {
+std::string view_section(const Session& session, const std::string& view_png) {
   if (view_png.empty()) return "";
+  if (session.states.empty())
+    return section("The patient", "What the camera saw. No station took part in this session.",
+                   "<img alt=\"the patient\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
   return section(
       "The augmented view at the deepest touch",
       "What the camera saw, with the doctor's hand displaced to the proxy on the skin and reddened with depth.",
@@ -142,7 +145,7 @@ std::string report_html(const Session& session, const Summary& summary, const Ve
   return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>telepalp: " +
          escaped(session.name) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n" +
-         first_screen(session, summary, verdict) + view_section(view_png) + motion_sections(session) +
+         first_screen(session, summary, verdict) + view_section(session, view_png) + motion_sections(session) +
          states_section(summary) + timing_sections(session, summary) + events_section(session) + "</body></html>\n";
 }
 

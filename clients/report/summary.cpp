@@ -103,7 +103,11 @@ void add_ticks(Summary& summary, const Ticks& ticks) {
   summary.tick_us = quantiles({ticks.work_us.begin(), ticks.work_us.end()});
   summary.lateness_us = quantiles({ticks.late_us.begin(), ticks.late_us.end()});
   summary.ticks_per_s = mean_rate(ticks.at_ns);
-  summary.force_max_N = greatest(force_norm_N(ticks));
+  std::vector<double> force_N = force_norm_N(ticks);
+  summary.force_max_N = greatest(force_N);
+  for (std::size_t i = 0; i < force_N.size(); ++i)
+    if (!words_for(ticks.phase[i]).contact) force_N[i] = kUnknown;
+  summary.force_in_contact_max_N = greatest(force_N);
   summary.indentation_max_mm = 1e3 * greatest({ticks.indentation_m.begin(), ticks.indentation_m.end()});
   summary.non_finite = count_non_finite(ticks);
   summary.deadlines_missed = count_overruns(ticks);

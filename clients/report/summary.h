@@ -42,7 +42,8 @@ struct Summary {
   std::vector<Dwell> dwells;  ///< in the order of kPhases
   std::uint64_t touches = 0;  ///< times that contact began
   double contact_s = 0.0;
-  double force_max_N = kUnknown;
+  double force_max_N = kUnknown;  ///< in any state; out of the body it moves the free device
+  double force_in_contact_max_N = kUnknown;
   double indentation_max_mm = kUnknown;
   std::uint64_t non_finite = 0;  ///< forces, positions or depths that are no numbers
   std::uint64_t damaged_messages = 0;

@@ -103,7 +103,7 @@ Chart frame_rate(const Session& session) {
           .x = {"time [s]"},
           .y = {"frames a second", plot::Range{0.0, 30.0}},
           .series = {rate_series("depth", session.depth_captured_ns, origin, plot::kBlue, Style::Step),
-                     rate_series("colour", session.color_captured_ns, origin, plot::kOrange, Style::Dashed)},
+                     rate_series("colour", session.color_captured_ns, origin, plot::kVermilion, Style::Step)},
           .height_px = 240.0};
 }
 

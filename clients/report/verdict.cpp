@@ -46,14 +46,14 @@ std::string account_of(const Summary& s) {
   } else {
     text = "In " + number(s.seconds, 1) + " s the doctor touched the patient" +
            (s.touches > 0 ? (s.touches == 1 ? " once" : " " + std::to_string(s.touches) + " times") : "") + ", for " +
-           number(s.contact_s, 1) + " s in all, pressed in as deep as " + readable(s.indentation_max_mm) +
-           " mm and felt up to " + readable(s.force_max_N) + " N.";
+           number(s.contact_s, 1) + " s in all, pressed in as deep as " + readable(s.indentation_max_mm) + " mm" +
+           (std::isfinite(s.force_in_contact_max_N) ? " and felt up to " + readable(s.force_in_contact_max_N) + " N."
+                                                    : ".");
   }
   if (std::isfinite(s.surface_age_ms.p50))
     text += " The surface under the hand was typically " + readable(s.surface_age_ms.p50) + " ms old.";
   if (s.deadlines_missed)
-    text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) +
-            (*s.deadlines_missed == 1 ? " came" : " came") + " too late.";
+    text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) + " came too late.";
   if (s.realtime && !*s.realtime) text += " The station ran without real-time rights.";
   return text;
 }

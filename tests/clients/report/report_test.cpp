@@ -156,6 +156,14 @@ TEST(Verdict, ARunWithinEveryBudgetIsCalledGood) {
   EXPECT_NE(verdict.account.find("2 times"), std::string::npos) << verdict.account;
 }
 
+TEST(Summary, TheForceThatWasFeltIsToldApartFromTheOneThatMovesTheFreeDevice) {
+  Session session = session_of({.seconds = 2.0});
+  session.ticks.force[0][0] = 7.0F;  // at the start the hand is out of the body
+  const Summary s = summarise(session);
+  EXPECT_EQ(s.force_max_N, 7.0);
+  EXPECT_LT(s.force_in_contact_max_N, 6.0);
+}
+
 TEST(Verdict, AForceBeyondThePeakIsNamedFirst) {
   Summary summary = summarise(session_of({}));
   summary.force_max_N = 10.2;
