@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t kMaxHelloBytes = 4096;
 constexpr std::size_t kMaxWaitingControl = 64;
+constexpr std::size_t kMaxProbes = 64;  // under way: a way of a second, probed each 20 ms
 constexpr std::size_t kMaxChannels = 256;
 constexpr int kMaxSubscriptions = 64;
 constexpr std::size_t kMaxNameBytes = 128;
@@ -222,8 +223,11 @@ Result<void> Connection::on_subscription(const msg::Subscribe& subscribe) {
 
 void Connection::on_clock_reply(const msg::ClockReply& reply) {
   const Nanoseconds heard = local_now();
-  const Nanoseconds asked = std::exchange(asked_, 0ns);
-  if (asked == 0ns || reply.asked_ns() != stamp(asked)) return;  // not the answer to our question
+  const auto question =
+      std::find_if(asked_.begin(), asked_.end(), [&](Nanoseconds asked) { return stamp(asked) == reply.asked_ns(); });
+  if (question == asked_.end()) return;  // not the answer to a question of ours
+  const Nanoseconds asked = *question;
+  asked_.erase(asked_.begin(), question + 1);  // answers come in order
   if (reply.received_ns() > kLatestStamp || reply.replied_ns() > kLatestStamp) return;
   owner_->on_clock({.asked = asked,
                     .received = Nanoseconds{static_cast<std::int64_t>(reply.received_ns())},
@@ -279,8 +283,9 @@ void Connection::write() {
 void Connection::write_control(msg::Control control) {
   // Stamped here, not when it was queued: the wait behind an image is no part of the way.
   if (control.has_clock_probe()) {
-    asked_ = local_now();
-    control.mutable_clock_probe()->set_asked_ns(stamp(asked_));
+    asked_.push_back(local_now());
+    if (asked_.size() > kMaxProbes) asked_.pop_front();
+    control.mutable_clock_probe()->set_asked_ns(stamp(asked_.back()));
   }
   if (control.has_clock_reply())
     control.mutable_clock_reply()->set_replied_ns(stamp(owner_->session_now().time_since_epoch()));

@@ -122,7 +122,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool said_goodbye_ = false;
   HeaderBytes header_being_written_{};
   std::shared_ptr<const std::string> payload_being_written_;
-  Nanoseconds asked_{0};  // of the clock probe under way; 0: none
+  std::deque<Nanoseconds> asked_;  // of the clock probes under way, oldest first; bounded
 };
 
 }  // namespace telepalp::wire

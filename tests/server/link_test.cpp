@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tests/server/delay_relay.h"
 #include "tests/server/loopback_site.h"
 
 namespace telepalp::server {
@@ -27,6 +28,18 @@ TEST(Link, TheSessionClockIsKnownWithinAMillisecondOnceConnected) {
   Client client(site, {});
   ASSERT_TRUE(site.run_until([&] { return client.connected(); }));
   EXPECT_LT(std::chrono::abs(client.link.clock().offset() - site.clock.offset()), 1ms);
+}
+
+TEST(Link, AWayOfATenthOfASecondIsConnectedAtItsSecondRoundTripAndItsClockIsRight) {
+  Site site;
+  site.clock = wire::SessionClock{site.clock.offset() + 1h};
+  site.listener = site.listen(0);
+  DelayRelay relay(site.io, site.listener->port(), 100ms);
+  Client client(site, {}, "far", relay.port());
+  ASSERT_TRUE(site.run_until([&] { return client.connected(); }, 1200ms));
+  site.run_until([] { return false; }, 300ms);  // the other eager probes
+  EXPECT_LT(std::chrono::abs(client.link.clock().offset() - site.clock.offset()), 10ms);
+  EXPECT_GE(client.link.clock_uncertainty(), 100ms);
 }
 
 TEST(Link, WhatAStationPublishesComesToTheOtherSubscribers) {
