@@ -1,0 +1,55 @@
+#include <cstdint>
+#include <string>
+
+#include "proto/wire/mcap/records.h"
+#include "proto/wire/mcap/stream_reader.h"
+#include "proto/wire/mcap/summary.h"
+#include "proto/words/demand.h"
+
+namespace {
+
+using namespace telepalp::wire;
+
+/// Reads all of `bytes` from front to back, over all damages; every message stands on a channel.
+void read_stream(const std::string& bytes) {
+  auto reader = McapStreamReader::open(mcap::in_memory(bytes, "fuzzed.mcap"));
+  if (!reader) return;
+  for (;;) {
+    const auto next = reader->next();
+    if (!next) continue;
+    if (!*next) return;
+    telepalp::demand((*next)->channel != nullptr, "a message stands on a channel");
+  }
+}
+
+/// A summary that is taken points into the file alone.
+void read_summary_of(const std::string& bytes) {
+  auto source = mcap::in_memory(bytes, "fuzzed.mcap");
+  const auto summary = mcap::read_summary(*source);
+  if (!summary) return;
+  for (const mcap::ChunkIndex& chunk : summary->chunks)
+    telepalp::demand(
+        chunk.chunk_start_offset < bytes.size() && chunk.chunk_length <= bytes.size() - chunk.chunk_start_offset,
+        "a chunk index points into the file");
+}
+
+/// What is taken for a chunk index is written back to bytes that read as the same.
+void round_trip(const std::string& bytes) {
+  const auto index = mcap::parse<mcap::ChunkIndex>(bytes);
+  if (!index) return;
+  std::string again;
+  mcap::append(again, *index);
+  std::string twice;
+  mcap::append(twice, *mcap::parse<mcap::ChunkIndex>(std::string_view(again).substr(mcap::kRecordHeadBytes)));
+  telepalp::demand(again == twice, "writing and reading again changes nothing");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  read_stream(bytes);
+  read_summary_of(bytes);
+  round_trip(bytes);
+  return 0;
+}
