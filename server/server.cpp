@@ -62,6 +62,7 @@ void Server::start(std::unique_ptr<CaptureSource> source, const std::string& sou
 }
 
 void Server::stop(const std::string& reason) {
+  stopped_ = true;
   if (capture_) capture_->stop();
   second_.cancel();
   publish_clock_and_stats();
@@ -77,7 +78,7 @@ void Server::publish_every_second() {
   publish_clock_and_stats();
   second_.expires_after(1s);
   second_.async_wait([this](const boost::system::error_code& stopped) {
-    if (!stopped) publish_every_second();
+    if (!stopped && !stopped_) publish_every_second();
   });
 }
 

@@ -59,6 +59,7 @@ class Server {
   Hub hub_;
   std::unique_ptr<PeerListener> listener_;
   boost::asio::steady_timer second_;
+  bool stopped_ = false;  // a timer that has fired cannot be cancelled: its handler looks here
   std::string last_state_;  // as last logged
   std::chrono::steady_clock::time_point started_{};
   std::unique_ptr<CaptureThread> capture_;

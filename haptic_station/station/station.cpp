@@ -2,6 +2,7 @@
 
 #include <boost/asio/post.hpp>
 #include <csignal>
+#include <utility>
 
 #include "foxglove/CameraCalibration.pb.h"
 #include "haptic_station/control/scene_centering.h"
@@ -121,6 +122,7 @@ Result<void> Station::run() {
 }
 
 void Station::stop(const std::string& reason) {
+  if (std::exchange(stopped_, true)) return;
   if (haptic_) haptic_->stop();
   telemetry_.drain(now());
   tell_totals();
@@ -196,7 +198,7 @@ void Station::every_10_ms() {
   if (time_is_up) return stop("done");
   fast_timer_.expires_after(kTellPeriod);
   fast_timer_.async_wait([this](const boost::system::error_code& error) {
-    if (!error) every_10_ms();
+    if (!error && !stopped_) every_10_ms();
   });
 }
 
@@ -207,7 +209,7 @@ void Station::every_second() {
     say(link_.state() == wire::LinkState::Connected ? "waiting for the first depth image" : "waiting for the server");
   slow_timer_.expires_after(kTotalsPeriod);
   slow_timer_.async_wait([this](const boost::system::error_code& error) {
-    if (!error) every_second();
+    if (!error && !stopped_) every_second();
   });
 }
 

@@ -70,6 +70,7 @@ class Station {
   std::chrono::steady_clock::time_point ticking_since_;
   std::vector<msg::EffectCost> costs_;
   bool realtime_granted_ = false;
+  bool stopped_ = false;  // a timer that has fired cannot be cancelled: its handler looks here
 };
 
 }  // namespace telepalp::station
