@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <cmath>
+#include <functional>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -48,18 +50,19 @@ class Unplugged final : public openni::OpenNI::DeviceDisconnectedListener {
   Unplugged& operator=(const Unplugged&) = delete;
 
   void onDeviceDisconnected(const openni::DeviceInfo* info) override {
-    if (uri_ == info->getUri()) gone_ = true;
+    if (watched_ == hash_of(info->getUri())) gone_ = true;
   }
-  /// Before streams start: no other thread asks for the URI then.
-  void watch(std::string uri) {
+  void watch(const char* uri) {
     gone_ = false;
-    uri_ = std::move(uri);
+    watched_ = hash_of(uri);
   }
   [[nodiscard]] bool gone() const noexcept { return gone_; }
 
  private:
-  std::string uri_;
-  std::atomic<bool> gone_{false};  // written by: OpenNI's thread
+  static std::size_t hash_of(std::string_view uri) { return std::hash<std::string_view>{}(uri); }
+
+  std::atomic<std::size_t> watched_{0};  // of the URI, since two threads cannot share a text without a lock
+  std::atomic<bool> gone_{false};        // set by: OpenNI's thread
 };
 
 class OpenNiDevice final : public CameraDevice {
