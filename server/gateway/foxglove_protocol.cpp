@@ -1,0 +1,108 @@
+#include "server/gateway/foxglove_protocol.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include "messages/foxglove_websocket.pb.h"
+#include "proto/wire/mcap/schemas.h"
+#include "proto/words/demand.h"
+
+namespace telepalp::server::foxglove {
+namespace {
+
+namespace json = google::protobuf::util;
+namespace texts = telepalp::foxglove_websocket;
+
+std::string to_json(const google::protobuf::Message& message) {
+  json::JsonPrintOptions options;
+  options.always_print_primitive_fields = true;  // clients read `capabilities` without asking whether it is there
+  options.preserve_proto_field_names = true;
+  std::string text;
+  demand(json::MessageToJsonString(message, &text, options).ok(), "our own messages can be written as JSON");
+  return text;
+}
+
+Error refused(std::string what) {
+  return {.what = std::move(what), .where = "client's text", .fix = "send subscribe or unsubscribe, as JSON"};
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+std::optional<std::string_view> choose_subprotocol(std::string_view offered) {
+  while (!offered.empty()) {
+    const std::size_t comma = offered.find(',');
+    const std::string_view offer = trimmed(offered.substr(0, comma));
+    for (const std::string_view spoken : kSubprotocols)
+      if (offer == spoken) return spoken;
+    offered = comma == std::string_view::npos ? std::string_view{} : offered.substr(comma + 1);
+  }
+  return std::nullopt;
+}
+
+std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept {
+  if (channel == 0 || channel > wire::kTopics.size()) return std::nullopt;
+  return wire::kTopics[channel - 1];
+}
+
+std::string server_info(std::string_view name, std::string_view session_id) {
+  texts::ServerInfo info;
+  info.set_op("serverInfo");
+  info.set_name(std::string(name));
+  info.set_sessionid(std::string(session_id));
+  return to_json(info);
+}
+
+std::string advertise_all_topics() {
+  texts::Advertise advertise;
+  advertise.set_op("advertise");
+  for (const wire::Topic& topic : wire::kTopics) {
+    auto& channel = *advertise.add_channels();
+    channel.set_id(static_cast<std::uint32_t>(advertise.channels_size()));
+    channel.set_topic(std::string(topic.name));
+    channel.set_encoding("protobuf");
+    channel.set_schemaname(std::string(topic.schema));
+    channel.set_schema(wire::file_descriptor_set(*wire::descriptor_of(topic)));
+    channel.set_schemaencoding("protobuf");
+  }
+  return to_json(advertise);
+}
+
+std::string status(Level level, std::string_view text) {
+  texts::Status status;
+  status.set_op("status");
+  status.set_level(static_cast<std::uint32_t>(level));
+  status.set_message(std::string(text));
+  return to_json(status);
+}
+
+std::array<std::uint8_t, kMessageHeaderBytes> message_header(std::uint32_t subscription, SessionTime at) {
+  std::array<std::uint8_t, kMessageHeaderBytes> header{0x01};
+  const auto nanoseconds = static_cast<std::uint64_t>(to_nanoseconds(at));
+  for (std::size_t byte = 0; byte < 4; ++byte) header[1 + byte] = static_cast<std::uint8_t>(subscription >> (8 * byte));
+  for (std::size_t byte = 0; byte < 8; ++byte) header[5 + byte] = static_cast<std::uint8_t>(nanoseconds >> (8 * byte));
+  return header;
+}
+
+Result<Request> read_request(const std::string& text) {
+  json::JsonParseOptions options;
+  options.ignore_unknown_fields = true;
+  texts::ClientText client;
+  if (const auto read = json::JsonStringToMessage(text, &client, options); !read.ok())
+    return refused("no JSON of the Foxglove protocol: " + read.ToString());
+  Request request;
+  if (client.op() == "subscribe") {
+    for (const auto& wanted : client.subscriptions()) request.subscribe.push_back({wanted.id(), wanted.channelid()});
+  } else if (client.op() == "unsubscribe") {
+    request.unsubscribe.assign(client.subscriptionids().begin(), client.subscriptionids().end());
+  } else {
+    return refused("operation '" + client.op().substr(0, 64) + "' is not offered here");
+  }
+  return request;
+}
+
+}  // namespace telepalp::server::foxglove

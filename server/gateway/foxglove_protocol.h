@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "proto/wire/topics.h"
+#include "proto/words/result.h"
+#include "proto/words/time.h"
+
+namespace telepalp::server::foxglove {
+
+/// The subprotocols that we speak. Both mean the same for a server that clients only listen to.
+inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1", "foxglove.websocket.v1"};
+
+/// The first of the client's offers (a Sec-WebSocket-Protocol header) that we speak.
+[[nodiscard]] std::optional<std::string_view> choose_subprotocol(std::string_view offered);
+
+/// The channel that a topic is advertised as: its place in wire::kTopics, counted from 1.
+[[nodiscard]] std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept;
+
+/// The texts that a server sends. `session_id` tells one start of the server from the next.
+[[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id);
+[[nodiscard]] std::string advertise_all_topics();
+enum class Level : std::uint32_t { Info = 0, Warning = 1, Error = 2 };
+[[nodiscard]] std::string status(Level level, std::string_view text);
+
+/// The header of a binary message: 01 | subscription u32 | time u64 [ns], little-endian. The payload follows.
+inline constexpr std::size_t kMessageHeaderBytes = 13;
+[[nodiscard]] std::array<std::uint8_t, kMessageHeaderBytes> message_header(std::uint32_t subscription, SessionTime at);
+
+/// What a client's text asks for.
+struct Request {
+  struct Subscription {
+    std::uint32_t id;
+    std::uint32_t channel;
+  };
+  std::vector<Subscription> subscribe;
+  std::vector<std::uint32_t> unsubscribe;
+};
+
+/// Reads a client's text. An error for what is no JSON object of the protocol, or an operation that is not offered.
+/// `text` is bounded by the connection.
+[[nodiscard]] Result<Request> read_request(const std::string& text);
+
+}  // namespace telepalp::server::foxglove

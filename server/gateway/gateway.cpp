@@ -1,0 +1,94 @@
+#include "server/gateway/gateway.h"
+
+#include <utility>
+
+#include "server/gateway/http_connection.h"
+
+namespace telepalp::server {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+
+Error cannot_listen(const GatewayOptions& options, const boost::system::error_code& failed) {
+  return {.what = "cannot listen: " + failed.message(),
+          .where = options.address + ":" + std::to_string(options.port),
+          .fix = "choose another --http-port, 0 for any free one, and an address of this machine"};
+}
+
+Result<tcp::acceptor> listen(asio::io_context& io, const GatewayOptions& options) {
+  boost::system::error_code failed;
+  const asio::ip::address address = asio::ip::make_address(options.address, failed);
+  if (failed) return cannot_listen(options, failed);
+  const tcp::endpoint endpoint{address, options.port};
+  tcp::acceptor acceptor(io);
+  acceptor.open(endpoint.protocol(), failed);
+  if (!failed) acceptor.set_option(tcp::acceptor::reuse_address(true), failed);
+  if (!failed) acceptor.bind(endpoint, failed);
+  if (!failed) acceptor.listen(tcp::acceptor::max_listen_connections, failed);
+  if (failed) return cannot_listen(options, failed);
+  return acceptor;
+}
+
+}  // namespace
+
+Connection::Connection(std::shared_ptr<GatewayContext> context) : context_(std::move(context)) {
+  context_->connections.insert(this);
+}
+
+Connection::~Connection() { context_->connections.erase(this); }
+
+Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, Hub& hub, std::function<SessionTime()> now,
+                                               GatewayOptions options) {
+  StaticFiles files;
+  if (!options.viewer_files.empty()) {
+    auto read = StaticFiles::read(options.viewer_files);
+    if (!read) return read.error();
+    files = std::move(read).value();
+  }
+  auto acceptor = listen(io, options);
+  if (!acceptor) return acceptor.error();
+  const std::string session_id = std::to_string(to_nanoseconds(now()));
+  auto context = std::make_shared<GatewayContext>(
+      GatewayContext{hub, std::move(options), std::move(files), std::move(now), session_id, {}});
+  return std::unique_ptr<Gateway>(new Gateway(std::move(acceptor).value(), std::move(context)));
+}
+
+Gateway::Gateway(tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context)
+    : acceptor_(std::move(acceptor)),
+      accept_again_(acceptor_.get_executor()),
+      context_(std::move(context)),
+      port_(acceptor_.local_endpoint().port()) {
+  accept();
+}
+
+Gateway::~Gateway() {
+  boost::system::error_code ignored;
+  acceptor_.close(ignored);
+  const std::unordered_set<Connection*> open = context_->connections;  // close() may take them out
+  for (Connection* const connection : open) connection->close();
+}
+
+std::string Gateway::url() const {
+  const std::string& address = context_->options.address;
+  const bool is_v6 = address.find(':') != std::string::npos;
+  return "http://" + (is_v6 ? "[" + address + "]" : address) + ":" + std::to_string(port_) + "/";
+}
+
+void Gateway::accept() {
+  acceptor_.async_accept([this](boost::system::error_code failed, tcp::socket socket) {
+    if (failed == asio::error::operation_aborted) return;
+    if (failed) {  // out of descriptors, most likely: trying at once would spin until one is free
+      accept_again_.expires_after(std::chrono::milliseconds(100));
+      accept_again_.async_wait([this](boost::system::error_code cancelled) {
+        if (!cancelled) accept();
+      });
+      return;
+    }
+    if (context_->connections.size() < context_->options.max_connections)
+      start_http_connection(std::move(socket), context_);
+    accept();  // past the limit the socket is closed here: whoever came before is served
+  });
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <unordered_set>
+
+#include "proto/words/result.h"
+#include "proto/words/time.h"
+#include "server/gateway/request_policy.h"
+#include "server/gateway/static_files.h"
+#include "server/hub/hub.h"
+
+namespace telepalp::server {
+
+struct GatewayOptions {
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 8080;             ///< 0: any free one, see Gateway::port()
+  std::filesystem::path viewer_files{};  ///< empty: only the stream is served
+  std::string server_name = "telepalp";  ///< shown by viewers
+  RequestPolicy policy{};
+  std::size_t max_connections = 64;
+  std::chrono::milliseconds request_timeout{10'000};  ///< to send a request or the upgrade's headers
+  std::chrono::milliseconds idle_timeout{30'000};     ///< a viewer that answers no ping for so long is dropped
+};
+
+class Connection;
+
+/// What all connections of a gateway share. Owner: the server's network thread.
+struct GatewayContext {
+  Hub& hub;
+  GatewayOptions options;
+  StaticFiles files;
+  std::function<SessionTime()> now;
+  std::string session_id;                       ///< tells one start of the server from the next
+  std::unordered_set<Connection*> connections;  ///< open ones, at most options.max_connections
+};
+
+/// One accepted socket. It keeps itself alive by its pending reads and writes.
+class Connection {
+ public:
+  explicit Connection(std::shared_ptr<GatewayContext> context);
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  virtual ~Connection();
+  /// Ends it at once. Afterwards it touches the hub no more.
+  virtual void close() = 0;
+
+ protected:
+  [[nodiscard]] const std::shared_ptr<GatewayContext>& context() const noexcept { return context_; }
+
+ private:
+  std::shared_ptr<GatewayContext> context_;  // shared: the last handler may run after the gateway is gone
+};
+
+/// The hub for browsers: HTTP for the viewer's files and, on the same port at any path, the Foxglove WebSocket
+/// protocol. Every viewer is a subscriber of the hub with its own bounded queue: one that stalls loses its own frames.
+/// Lives on `io`'s one thread, as the hub does.
+class Gateway {
+ public:
+  /// Listens. `now` reads the session clock. An error when the viewer's files or the port cannot be had.
+  [[nodiscard]] static Result<std::unique_ptr<Gateway>> open(boost::asio::io_context& io, Hub& hub,
+                                                             std::function<SessionTime()> now, GatewayOptions options);
+  Gateway(const Gateway&) = delete;
+  Gateway& operator=(const Gateway&) = delete;
+  /// Stops listening and closes every connection.
+  ~Gateway();
+
+  [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
+  /// What to open in a browser: "http://127.0.0.1:8080/".
+  [[nodiscard]] std::string url() const;
+  [[nodiscard]] std::size_t connections() const noexcept { return context_->connections.size(); }
+
+ private:
+  Gateway(boost::asio::ip::tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context);
+  void accept();
+
+  boost::asio::ip::tcp::acceptor acceptor_;
+  boost::asio::steady_timer accept_again_;
+  std::shared_ptr<GatewayContext> context_;  // shared with the connections
+  std::uint16_t port_ = 0;
+};
+
+}  // namespace telepalp::server

@@ -1,0 +1,108 @@
+#include "server/gateway/http_connection.h"
+
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <optional>
+#include <utility>
+
+#include "server/gateway/foxglove_protocol.h"
+#include "server/gateway/http_reply.h"
+#include "server/gateway/viewer_connection.h"
+
+namespace telepalp::server {
+namespace {
+
+namespace beast = boost::beast;
+namespace http = beast::http;
+using boost::asio::ip::tcp;
+
+constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
+constexpr std::uint64_t kMaxBodyBytes = 1024;  // nothing asked here needs a body
+
+std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+
+/// A parser's complaint about the bytes, not about their end.
+bool is_malformed(beast::error_code failed) {
+  return failed.category() == http::make_error_code(http::error::bad_method).category() &&
+         failed != http::error::end_of_stream && failed != http::error::partial_message;
+}
+
+class HttpConnection final : public Connection, public std::enable_shared_from_this<HttpConnection> {
+ public:
+  HttpConnection(tcp::socket socket, std::shared_ptr<GatewayContext> context)
+      : Connection(std::move(context)), stream_(std::move(socket)) {}
+
+  void read() {
+    parser_.emplace();
+    parser_->header_limit(kMaxHeaderBytes);
+    parser_->body_limit(kMaxBodyBytes);
+    stream_.expires_after(context()->options.request_timeout);
+    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code failed, std::size_t) {
+      if (failed) return self->refuse_unreadable(failed);
+      self->answer(self->parser_->release());
+    });
+  }
+
+  void close() override {
+    beast::error_code ignored;
+    stream_.socket().close(ignored);
+  }
+
+ private:
+  void refuse_unreadable(beast::error_code failed) {
+    HttpRequest nothing;
+    nothing.keep_alive(false);
+    if (failed == http::error::header_limit || failed == http::error::body_limit)
+      write(refuse(nothing, http::status::payload_too_large, "the request is larger than any that is answered here"));
+    else if (is_malformed(failed))
+      write(refuse(nothing, http::status::bad_request, "this is no HTTP request"));
+    else
+      close();
+  }
+
+  void answer(HttpRequest request) {
+    if (beast::websocket::is_upgrade(request)) return upgrade(request);
+    write(reply_to(request, context()->files, context()->options.policy, context()->now()));
+  }
+
+  void upgrade(const HttpRequest& request) {
+    beast::error_code failed;
+    const tcp::endpoint peer = stream_.socket().remote_endpoint(failed);
+    if (failed) return close();
+    const RequestPolicy& policy = context()->options.policy;
+    const std::string_view host = view(request[http::field::host]);
+    if (!host_is_ours(policy, host))
+      return write(refuse(request, http::status::misdirected_request, "this server is not known by that name"));
+    if (!origin_is_allowed(policy, view(request[http::field::origin]), host, peer.address().is_loopback()))
+      return write(refuse(request, http::status::forbidden, "pages from that origin may not open the stream"));
+    const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));
+    if (!subprotocol)
+      return write(refuse(request, http::status::bad_request, "offer the subprotocol foxglove.websocket.v1"));
+    start_viewer_connection(stream_.release_socket(), request, *subprotocol, peer, context());
+  }
+
+  void write(HttpReply reply) {
+    reply_ = std::move(reply);
+    stream_.expires_after(context()->options.request_timeout);
+    http::async_write(stream_, reply_, [self = shared_from_this()](beast::error_code failed, std::size_t) {
+      if (!failed && self->reply_.keep_alive()) return self->read();
+      beast::error_code ignored;
+      self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+    });
+  }
+
+  beast::tcp_stream stream_;
+  beast::flat_buffer buffer_{kMaxHeaderBytes + kMaxBodyBytes};
+  std::optional<http::request_parser<http::string_body>> parser_;
+  HttpReply reply_;
+};
+
+}  // namespace
+
+void start_http_connection(tcp::socket socket, std::shared_ptr<GatewayContext> context) {
+  // shared: the connection is owned by whichever read or write is pending
+  std::make_shared<HttpConnection>(std::move(socket), std::move(context))->read();
+}
+
+}  // namespace telepalp::server

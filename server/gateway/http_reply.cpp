@@ -1,0 +1,77 @@
+#include "server/gateway/http_reply.h"
+
+#include <string>
+
+namespace telepalp::server {
+namespace {
+
+namespace http = boost::beast::http;
+
+std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
+
+/// Everything from this server and nothing from elsewhere; no text that is run as code. `blob:` images are the
+/// camera's pictures, 'wasm-unsafe-eval' lets a decoder be a WebAssembly module from this server.
+constexpr const char* kContentSecurityPolicy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; "
+    "img-src 'self' blob: data:; font-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'; "
+    "frame-ancestors 'none'";
+
+HttpReply with_security(HttpReply reply, const HttpRequest& request) {
+  reply.version(11);
+  reply.keep_alive(request.keep_alive());
+  reply.set("Content-Security-Policy", kContentSecurityPolicy);
+  reply.set("X-Content-Type-Options", "nosniff");
+  reply.set("X-Frame-Options", "DENY");
+  reply.set("Referrer-Policy", "no-referrer");
+  reply.set("Cross-Origin-Opener-Policy", "same-origin");
+  reply.set("Cross-Origin-Resource-Policy", "same-origin");
+  reply.set("Permissions-Policy", "camera=(), microphone=(), geolocation=()");
+  if (request.method() == http::verb::head) {
+    reply.content_length(reply.body().size());
+    reply.body().clear();
+  } else {
+    reply.prepare_payload();
+  }
+  return reply;
+}
+
+HttpReply clock(const HttpRequest& request, SessionTime now) {
+  HttpReply reply{http::status::ok, 11};
+  reply.set(http::field::content_type, "text/plain; charset=utf-8");
+  reply.set(http::field::cache_control, "no-store");
+  reply.body() = std::to_string(to_nanoseconds(now));
+  return with_security(std::move(reply), request);
+}
+
+}  // namespace
+
+HttpReply refuse(const HttpRequest& request, http::status status, std::string_view reason) {
+  HttpReply reply{status, 11};
+  reply.set(http::field::content_type, "text/plain; charset=utf-8");
+  reply.set(http::field::cache_control, "no-store");
+  if (status == http::status::method_not_allowed) reply.set(http::field::allow, "GET, HEAD");
+  reply.body() = std::string(reason) + "\n";
+  return with_security(std::move(reply), request);
+}
+
+HttpReply reply_to(const HttpRequest& request, const StaticFiles& files, const RequestPolicy& policy, SessionTime now) {
+  if (!host_is_ours(policy, view(request[http::field::host])))
+    return refuse(request, http::status::misdirected_request,
+                  "this server is not known by that name: use its address, or let the server allow the name");
+  if (request.method() != http::verb::get && request.method() != http::verb::head)
+    return refuse(request, http::status::method_not_allowed, "only GET and HEAD are answered here");
+  if (view(request.target()) == kClockTarget) return clock(request, now);
+  const StaticFile* const file = files.find(view(request.target()));
+  if (file == nullptr) return refuse(request, http::status::not_found, "there is no such file here");
+
+  // Files keep their names from build to build, so a browser asks each time; the ETag spares it the bytes.
+  const bool has_it = view(request[http::field::if_none_match]) == file->etag;
+  HttpReply reply{has_it ? http::status::not_modified : http::status::ok, 11};
+  reply.set(http::field::content_type, file->content_type);
+  reply.set(http::field::cache_control, "no-cache");
+  reply.set(http::field::etag, file->etag);
+  if (!has_it) reply.body() = file->bytes;
+  return with_security(std::move(reply), request);
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,42 @@
+#include "server/gateway/request_policy.h"
+
+#include <algorithm>
+#include <boost/asio/ip/address.hpp>
+
+namespace telepalp::server {
+namespace {
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// "127.0.0.1:8080" -> "127.0.0.1", "[::1]:8080" -> "::1"
+std::string_view without_port(std::string_view host) {
+  if (host.starts_with('[')) return host.substr(1, host.find(']') - 1);
+  return host.substr(0, host.find(':'));
+}
+
+bool is_address(std::string_view host) {
+  boost::system::error_code failed;
+  boost::asio::ip::make_address(std::string(host), failed);
+  return !failed;
+}
+
+}  // namespace
+
+bool host_is_ours(const RequestPolicy& policy, std::string_view host) {
+  const std::string_view name = without_port(host);
+  return name == "localhost" || is_address(name) || contains(policy.allowed_hosts, name) ||
+         contains(policy.allowed_hosts, host);
+}
+
+bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,
+                       bool peer_is_loopback) {
+  if (origin.empty()) return peer_is_loopback;
+  if (contains(policy.allowed_origins, origin)) return true;
+  const std::size_t scheme = origin.find("://");
+  if (scheme == std::string_view::npos) return false;
+  return origin.substr(scheme + 3) == host && host_is_ours(policy, host);
+}
+
+}  // namespace telepalp::server

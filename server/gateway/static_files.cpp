@@ -1,0 +1,89 @@
+#include "server/gateway/static_files.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+namespace telepalp::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ContentType {
+  std::string_view extension;
+  std::string_view type;
+};
+constexpr std::array kContentTypes{
+    ContentType{".html", "text/html; charset=utf-8"},
+    ContentType{".js", "text/javascript; charset=utf-8"},
+    ContentType{".css", "text/css; charset=utf-8"},
+    ContentType{".svg", "image/svg+xml"},
+    ContentType{".png", "image/png"},
+    ContentType{".wasm", "application/wasm"},
+    ContentType{".json", "application/json"},
+    ContentType{".txt", "text/plain; charset=utf-8"},
+    ContentType{".woff2", "font/woff2"},
+};
+
+Error cannot_serve(const fs::path& folder, std::string what) {
+  return {.what = std::move(what),
+          .where = folder.string(),
+          .fix = "name the folder that the telepalp_viewer target builds, the one with index.html in it"};
+}
+
+/// FNV-1a, 64 bits: tells builds apart, and nothing more is asked of an ETag.
+std::string etag_of(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  std::array<char, 19> text{};
+  std::snprintf(text.data(), text.size(), "\"%016llx\"", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+bool is_hidden(const fs::path& file) { return file.filename().string().starts_with('.'); }
+
+}  // namespace
+
+std::string_view content_type_of(std::string_view file_name) noexcept {
+  for (const ContentType& known : kContentTypes)
+    if (file_name.ends_with(known.extension)) return known.type;
+  return {};
+}
+
+Result<StaticFiles> StaticFiles::read(const fs::path& folder) {
+  std::error_code failed;
+  StaticFiles files;
+  std::size_t total_bytes = 0;
+  for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    const fs::path& path = entry->path();
+    const std::string_view type = content_type_of(path.native());
+    if (is_hidden(path)) entry.disable_recursion_pending();
+    if (is_hidden(path) || entry->is_symlink() || !entry->is_regular_file() || type.empty()) continue;
+    const std::uintmax_t size = entry->file_size(failed);
+    if (failed) break;
+    if (size > kMaxBytes - total_bytes || files.files_.size() == kMaxFiles)
+      return cannot_serve(folder, "holds more than a viewer's files");
+    std::ostringstream bytes;
+    bytes << std::ifstream(path, std::ios::binary).rdbuf();
+    StaticFile file{std::string(type), {}, std::move(bytes).str()};
+    if (file.bytes.size() != size) return cannot_serve(path, "cannot be read");
+    total_bytes += file.bytes.size();
+    file.etag = etag_of(file.bytes);
+    files.files_.emplace("/" + path.lexically_relative(folder).generic_string(), std::move(file));
+  }
+  if (failed) return cannot_serve(folder, "cannot be read: " + failed.message());
+  if (files.find("/") == nullptr) return cannot_serve(folder, "has no index.html");
+  return files;
+}
+
+const StaticFile* StaticFiles::find(std::string_view target) const {
+  target = target.substr(0, target.find_first_of("?#"));
+  const auto found = files_.find(target == "/" ? std::string_view("/index.html") : target);
+  return found == files_.end() ? nullptr : &found->second;
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,180 @@
+#include "server/gateway/viewer_connection.h"
+
+#include <boost/beast/core.hpp>
+#include <boost/beast/websocket.hpp>
+#include <deque>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "server/gateway/foxglove_protocol.h"
+
+namespace telepalp::server {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using asio::ip::tcp;
+
+constexpr std::size_t kMaxTextBytes = 64 * 1024;  // of a client's message; a larger one closes with 1009
+constexpr std::size_t kMaxSubscriptions = 256;
+constexpr std::size_t kMaxWaitingTexts = 32;
+/// Bounds how old a frame can get between us and a slow viewer: what waits in the kernel can no longer be overtaken.
+constexpr int kSendBufferBytes = 256 * 1024;
+
+std::string to_text(const tcp::endpoint& peer) {
+  std::ostringstream text;
+  text << peer;
+  return text.str();
+}
+
+class ViewerConnection final : public Connection, public std::enable_shared_from_this<ViewerConnection> {
+ public:
+  ViewerConnection(tcp::socket socket, std::shared_ptr<GatewayContext> context)
+      : Connection(std::move(context)), stream_(std::move(socket)) {}
+  ~ViewerConnection() override { leave(); }
+
+  void start(const HttpRequest& upgrade, std::string_view subprotocol, const tcp::endpoint& peer) {
+    beast::error_code ignored;
+    socket().set_option(tcp::no_delay(true), ignored);
+    socket().set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
+    stream_.read_message_max(kMaxTextBytes);
+    stream_.auto_fragment(false);
+    stream_.set_option(
+        websocket::stream_base::timeout{context()->options.request_timeout, context()->options.idle_timeout, true});
+    stream_.set_option(websocket::stream_base::decorator([subprotocol](websocket::response_type& reply) {
+      reply.set(beast::http::field::sec_websocket_protocol, beast::string_view(subprotocol.data(), subprotocol.size()));
+    }));
+    stream_.async_accept(upgrade, [self = shared_from_this(), name = to_text(peer)](beast::error_code failed) {
+      if (!failed) self->greet(name);
+    });
+  }
+
+  void close() override {
+    leave();
+    beast::error_code ignored;
+    socket().close(ignored);
+  }
+
+ private:
+  tcp::socket& socket() { return beast::get_lowest_layer(stream_).socket(); }
+
+  void leave() {
+    if (!subscriber_) return;
+    context()->hub.leave(*subscriber_);
+    subscriber_.reset();
+  }
+
+  void greet(const std::string& peer) {
+    if (!socket().is_open()) return;  // the gateway was closed meanwhile, and the hub may be gone
+    subscriber_ = context()->hub.join("viewer", peer, [this] { write_next(); });
+    say(foxglove::server_info(context()->options.server_name, context()->session_id));
+    say(foxglove::advertise_all_topics());
+    read();
+  }
+
+  void read() {
+    stream_.async_read(incoming_, [self = shared_from_this()](beast::error_code failed, std::size_t) {
+      if (failed) return self->leave();  // Beast has answered a close, or closed with 1009 what was too long
+      self->handle(beast::buffers_to_string(self->incoming_.data()));
+      self->incoming_.consume(self->incoming_.size());
+      self->read();
+    });
+  }
+
+  void handle(const std::string& message) {
+    if (!subscriber_) return;
+    if (!stream_.got_text()) return warn("this server takes no data from viewers");
+    const Result<foxglove::Request> request = foxglove::read_request(message);
+    if (!request) return warn(to_string(request.error()));
+    for (const std::uint32_t id : request->unsubscribe) subscriptions_.erase(id);
+    for (const auto& wanted : request->subscribe) subscribe(wanted);
+    std::vector<std::string> topics;
+    for (const auto& [id, topic] : subscriptions_) topics.emplace_back(topic);
+    context()->hub.subscribe(*subscriber_, topics);
+  }
+
+  void subscribe(const foxglove::Request::Subscription& wanted) {
+    const std::optional<wire::Topic> topic = foxglove::topic_of_channel(wanted.channel);
+    if (!topic) return warn("there is no channel " + std::to_string(wanted.channel));
+    if (subscriptions_.size() >= kMaxSubscriptions) return warn("too many subscriptions");
+    if (!subscriptions_.emplace(wanted.id, topic->name).second)
+      warn("subscription " + std::to_string(wanted.id) + " is in use: choose another id");
+  }
+
+  void warn(const std::string& text) { say(foxglove::status(foxglove::Level::Warning, text)); }
+
+  /// A viewer that asks for nonsense faster than it reads the answers gets only some of them.
+  void say(std::string text) {
+    if (texts_.size() >= kMaxWaitingTexts) return;
+    texts_.push_back(std::move(text));
+    write_next();
+  }
+
+  void write_next() {
+    if (writing_) return;
+    if (!texts_.empty()) return write_text();
+    while (subscriber_) {
+      std::optional<wire::Message> message = context()->hub.next(*subscriber_);
+      if (!message) return;
+      if (start_message(std::move(*message))) return write_message();
+    }
+  }
+
+  /// Makes `message` the one to write to each of its topic's subscriptions; false when it was unsubscribed meanwhile.
+  bool start_message(wire::Message message) {
+    for (const auto& [id, topic] : subscriptions_)
+      if (topic == message.topic.name) to_.push_back(id);
+    message_ = std::move(message);
+    return !to_.empty();
+  }
+
+  void write_text() {
+    writing_ = true;
+    stream_.text(true);
+    stream_.async_write(asio::buffer(texts_.front()),
+                        [self = shared_from_this()](beast::error_code failed, std::size_t) {
+                          if (failed) return self->leave();
+                          self->texts_.pop_front();
+                          self->writing_ = false;
+                          self->write_next();
+                        });
+  }
+
+  void write_message() {
+    writing_ = true;
+    header_ = foxglove::message_header(to_.front(), message_->published);
+    stream_.binary(true);
+    const std::array<asio::const_buffer, 2> parts{asio::buffer(header_), asio::buffer(*message_->payload)};
+    stream_.async_write(parts, [self = shared_from_this()](beast::error_code failed, std::size_t) {
+      if (failed) return self->leave();
+      self->to_.pop_front();
+      if (!self->to_.empty()) return self->write_message();
+      self->message_.reset();
+      self->writing_ = false;
+      self->write_next();
+    });
+  }
+
+  websocket::stream<beast::tcp_stream> stream_;
+  beast::flat_buffer incoming_{kMaxTextBytes};
+  std::optional<SubscriberId> subscriber_;                   // from the greeting until the end
+  std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics
+  std::deque<std::string> texts_;                            // to write before data
+  bool writing_ = false;
+  std::optional<wire::Message> message_;  // being written
+  std::deque<std::uint32_t> to_;          // subscriptions that it still goes to
+  std::array<std::uint8_t, foxglove::kMessageHeaderBytes> header_{};
+};
+
+}  // namespace
+
+void start_viewer_connection(tcp::socket socket, const HttpRequest& upgrade, std::string_view subprotocol,
+                             const tcp::endpoint& peer, std::shared_ptr<GatewayContext> context) {
+  // shared: the connection is owned by whichever read or write is pending
+  std::make_shared<ViewerConnection>(std::move(socket), std::move(context))->start(upgrade, subprotocol, peer);
+}
+
+}  // namespace telepalp::server
