@@ -1,0 +1,56 @@
+import type {SceneView} from './scene/scene_view';
+
+const TURN_RAD = 0.09;
+const ZOOM = 1.12;
+
+interface Toggle {
+  button: string;
+  key: string;
+  apply: (shown: boolean) => void;
+}
+
+function button(id: string): HTMLButtonElement {
+  const found = document.getElementById(id);
+  if (!(found instanceof HTMLButtonElement)) throw new Error(`index.html has no button #${id}`);
+  return found;
+}
+
+/** Wires buttons and keys to the view. */
+export function wireControls(view: SceneView): void {
+  const help = document.getElementById('help') as HTMLDialogElement;
+  const toggles: Toggle[] = [
+    {button: 'show-hand', key: 'h', apply: (shown) => view.hand.setShown(shown)},
+    {button: 'show-ball', key: 'b', apply: (shown) => view.probe.setBallVisible(shown)},
+    {button: 'show-forces', key: 'f', apply: (shown) => view.probe.setForcesVisible(shown)},
+    {button: 'show-color', key: 'c', apply: (shown) => view.surface.setColored(shown)},
+  ];
+  const flip = ({button: id, apply}: Toggle) => {
+    const shown = button(id).getAttribute('aria-pressed') !== 'true';
+    button(id).setAttribute('aria-pressed', String(shown));
+    apply(shown);
+    view.invalidate();
+  };
+  for (const toggle of toggles) button(toggle.button).addEventListener('click', () => flip(toggle));
+  button('reset').addEventListener('click', () => view.resetView());
+  button('help-open').addEventListener('click', () => help.showModal());
+
+  const keys: Record<string, () => void> = {
+    ArrowLeft: () => view.orbit(-TURN_RAD, 0),
+    ArrowRight: () => view.orbit(TURN_RAD, 0),
+    ArrowUp: () => view.orbit(0, -TURN_RAD),
+    ArrowDown: () => view.orbit(0, TURN_RAD),
+    '+': () => view.orbit(0, 0, 1 / ZOOM),
+    '=': () => view.orbit(0, 0, 1 / ZOOM),
+    '-': () => view.orbit(0, 0, ZOOM),
+    r: () => view.resetView(),
+    '?': () => help.showModal(),
+  };
+  for (const toggle of toggles) keys[toggle.key] = () => flip(toggle);
+  window.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || help.open) return;
+    const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (act === undefined) return;
+    event.preventDefault();
+    act();
+  });
+}

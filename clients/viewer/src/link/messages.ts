@@ -1,0 +1,100 @@
+// The messages that the viewer reads, as @bufbuild/protobuf hands them over: field names in camelCase, 64-bit
+// integers as bigint, an absent message as undefined. The types are declared in proto/messages and proto/foxglove.
+
+export interface Vec3 {
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** telepalp.msg.Phase */
+export enum Phase {
+  Unspecified,
+  InBody,
+  BodyToPlane,
+  OutBody,
+  PlaneToBody,
+  CylinderLateral,
+  AroundCylinder,
+  CylinderUpper,
+  Released,
+  Faulted,
+}
+
+/** telepalp.msg.CaptureState */
+export enum CaptureState {
+  Unspecified,
+  Live,
+  Waiting,
+  Lost,
+  Ended,
+}
+
+export interface DepthImage {
+  capturedNs: bigint;
+  sequence: bigint;
+  data: Uint8Array;
+}
+
+export interface CompressedImage {
+  data: Uint8Array;
+  format: string;
+}
+
+export interface CameraCalibration {
+  width: number;
+  height: number;
+  K: number[];
+}
+
+export interface CaptureStatus {
+  state: CaptureState;
+  source: string;
+  detail: string;
+  framesPerS: number;
+  colorRegistered: boolean;
+}
+
+export interface StationState {
+  stampNs: bigint;
+  surfaceCapturedNs: bigint;
+  phase: Phase;
+  forceN?: Vec3;
+  displayedHandCamera?: Vec3;
+  proxyCamera?: Vec3;
+  deviceCamera?: Vec3;
+  forceCameraN?: Vec3;
+  normalCamera?: Vec3;
+  indentationM: number;
+  inBody: boolean;
+  surfaceStale: boolean;
+  limited: boolean;
+}
+
+export interface StationEvent {
+  stampNs: bigint;
+  text: string;
+  from: Phase;
+  to: Phase;
+}
+
+export interface StationStats {
+  deadlinesMissed: bigint;
+  tickUsP99: number;
+}
+
+export interface Clock {
+  sessionNs: bigint;
+}
+
+/** Topic name -> what its messages hold. */
+export interface Topics {
+  '/clock': Clock;
+  '/camera/depth': DepthImage;
+  '/camera/color': CompressedImage;
+  '/camera/info': CameraCalibration;
+  '/camera/status': CaptureStatus;
+  '/station/state': StationState;
+  '/station/events': StationEvent;
+  '/station/stats': StationStats;
+}

@@ -1,0 +1,99 @@
+import {FoxgloveClient, type Channel, type SubscriptionId} from '@foxglove/ws-protocol';
+
+import type {Topics} from './messages';
+import {decoderFor, type Decode} from './schemas';
+
+const FIRST_RETRY_MS = 500;
+const SLOWEST_RETRY_MS = 5000;
+/** Neither a message nor a word for so long: the connection is taken for dead, though no end was heard. */
+const SILENCE_MS = 10_000;
+
+type Handlers = {[Topic in keyof Topics]?: (message: Topics[Topic], published_ns: bigint, bytes: number) => void};
+
+interface Subscription {
+  topic: keyof Topics;
+  decode: Decode;
+}
+
+/** The server's messages, decoded. Connects, and connects again by itself for as long as the page is open. */
+export class Stream {
+  connected = false;
+  /** When the next attempt begins, on performance.now(); undefined while connected or connecting. */
+  retryAt_ms: number | undefined;
+  undecodable = 0;
+
+  private readonly subscriptions = new Map<SubscriptionId, Subscription>();
+  private client: FoxgloveClient | undefined;
+  private retry_ms = FIRST_RETRY_MS;
+  private heard_ms = 0;
+
+  constructor(
+      private readonly url: string,
+      private readonly handlers: Handlers,
+      private readonly onConnected: () => void,
+  ) {
+    window.setInterval(() => this.endIfSilent(), 1000);
+    this.connect();
+  }
+
+  private connect(): void {
+    this.retryAt_ms = undefined;
+    this.subscriptions.clear();
+    this.heard_ms = performance.now();
+    const client = new FoxgloveClient({ws: new WebSocket(this.url, [FoxgloveClient.SUPPORTED_SUBPROTOCOL])});
+    this.client = client;
+    client.on('serverInfo', () => {
+      this.connected = true;
+      this.retry_ms = FIRST_RETRY_MS;
+      this.onConnected();
+    });
+    client.on('advertise', (channels) => channels.forEach((channel) => this.subscribe(client, channel)));
+    client.on('message', ({subscriptionId, timestamp, data}) => {
+      this.heard_ms = performance.now();
+      this.deliver(subscriptionId, timestamp, new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
+    });
+    client.on('error', (problem) => console.warn('stream:', problem.message));
+    client.on('close', () => {
+      if (this.client === client) this.retry();
+    });
+  }
+
+  private subscribe(client: FoxgloveClient, channel: Channel): void {
+    if (!(channel.topic in this.handlers) || channel.encoding !== 'protobuf') return;
+    try {
+      const decode = decoderFor(channel.schemaName, channel.schema);
+      const topic = channel.topic as keyof Topics;
+      this.subscriptions.set(client.subscribe(channel.id), {topic, decode});
+    } catch (problem) {
+      console.error(`${channel.topic}: ${String(problem)}`);
+    }
+  }
+
+  private deliver(id: SubscriptionId, published_ns: bigint, payload: Uint8Array): void {
+    const subscription = this.subscriptions.get(id);
+    if (subscription === undefined) return;
+    try {
+      const message = subscription.decode(payload);
+      const handle = this.handlers[subscription.topic] as (message: unknown, at: bigint, bytes: number) => void;
+      handle(message, published_ns, payload.byteLength);
+    } catch (problem) {
+      if (this.undecodable++ === 0) console.error(`${subscription.topic}: ${String(problem)}`);
+    }
+  }
+
+  /** A cable that was pulled ends no connection: without this a frozen picture would look alive to the stream. */
+  private endIfSilent(): void {
+    const silent = this.client;
+    if (silent === undefined || performance.now() - this.heard_ms < SILENCE_MS) return;
+    this.retry();
+    silent.close();
+  }
+
+  private retry(): void {
+    this.connected = false;
+    this.client = undefined;
+    this.retryAt_ms = performance.now() + this.retry_ms;
+    window.setTimeout(() => this.connect(), this.retry_ms);
+    this.retry_ms = Math.min(2 * this.retry_ms, SLOWEST_RETRY_MS);
+  }
+}

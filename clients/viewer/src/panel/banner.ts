@@ -1,0 +1,57 @@
+import {CaptureState, type CaptureStatus, Phase} from '../link/messages';
+
+/** What the banner depends on. Ages in milliseconds; undefined: nothing came yet. */
+export interface Health {
+  connected: boolean;
+  retryIn_ms: number | undefined;
+  everConnected: boolean;
+  capture: CaptureStatus | undefined;
+  picture_ms: number | undefined;
+  station_ms: number | undefined;
+  surfaceStale: boolean;
+  surface_ms: number | undefined;
+  phase: Phase;
+}
+
+export interface Banner {
+  level: 'wait' | 'warn' | 'alarm';
+  title: string;
+  text: string;
+}
+
+const STALE_MS = 1000;
+
+const seconds = (ms: number) => `${(ms / 1000).toFixed(1)} s`;
+
+/** The one thing that matters most now, or undefined when all is well. The worst comes first. */
+export function bannerFor(health: Health): Banner | undefined {
+  if (!health.connected) {
+    const wait = health.retryIn_ms === undefined ? 'Connecting…' : `Trying again in ${seconds(health.retryIn_ms)}`;
+    return health.everConnected
+        ? {level: 'alarm', title: 'Disconnected', text: `${wait}. What you see is old.`}
+        : {level: 'wait', title: 'Connecting to the patient’s site', text: wait};
+  }
+  if (health.phase === Phase.Faulted && isRecent(health.station_ms))
+    return {level: 'alarm', title: 'Station faulted', text: 'The device has let go. An operator must re-arm it.'};
+  if (health.capture?.state === CaptureState.Lost)
+    return {level: 'alarm', title: 'Camera lost', text: health.capture.detail || 'The server keeps trying.'};
+  if (health.picture_ms === undefined)
+    return {level: 'wait', title: 'Waiting for the camera', text: health.capture?.detail || 'No depth image yet.'};
+  if (health.capture?.state === CaptureState.Ended)
+    return {level: 'wait', title: 'The recording has ended', text: 'The last picture stays.'};
+  if (health.picture_ms > STALE_MS)
+    return {level: 'warn', title: 'Stale picture', text: `Nothing new for ${seconds(health.picture_ms)}.`};
+  if (health.surfaceStale)
+    return {
+      level: 'warn',
+      title: 'The hand feels an old surface',
+      text: health.surface_ms === undefined ? '' : `It is ${seconds(health.surface_ms)} old.`,
+    };
+  if (health.station_ms !== undefined && health.station_ms > STALE_MS)
+    return {level: 'warn', title: 'Station silent', text: `No word for ${seconds(health.station_ms)}.`};
+  return undefined;
+}
+
+function isRecent(age_ms: number | undefined): boolean {
+  return age_ms !== undefined && age_ms <= STALE_MS;
+}

@@ -1,0 +1,25 @@
+import {Phase} from '../link/messages';
+
+export interface PhaseLook {
+  name: string;  // S1 Fig. 4's
+  tone: 'quiet' | 'free' | 'between' | 'contact' | 'inner' | 'alarm';
+  says: string;
+}
+
+const LOOKS: Record<Phase, PhaseLook> = {
+  [Phase.Unspecified]: {name: 'No station', tone: 'quiet', says: 'no haptic station is heard'},
+  [Phase.InBody]: {name: 'In body', tone: 'contact', says: 'the hand presses the skin: force control'},
+  [Phase.BodyToPlane]: {name: 'Body to plane', tone: 'between', says: 'leaving the skin: pushed away from the body'},
+  [Phase.OutBody]: {name: 'Out body', tone: 'free', says: 'the device follows the hand above the body'},
+  [Phase.PlaneToBody]: {name: 'Plane to body', tone: 'between', says: 'waiting to be pushed to the skin'},
+  [Phase.CylinderLateral]: {name: 'Cylinder lateral area', tone: 'inner', says: 'against the side of the inner object'},
+  [Phase.AroundCylinder]: {name: 'Around the cylinder', tone: 'inner', says: 'beside the inner object'},
+  [Phase.CylinderUpper]: {name: 'Cylinder upper area', tone: 'inner', says: 'upon the inner object'},
+  [Phase.Released]: {name: 'Released', tone: 'quiet', says: 'let go, no force: waiting for valid data'},
+  [Phase.Faulted]: {name: 'Faulted', tone: 'alarm', says: 'let go until an operator re-arms'},
+};
+
+/** How a phase is named and toned; a number from a newer station is shown as it came. */
+export function lookOf(phase: Phase): PhaseLook {
+  return LOOKS[phase] ?? {name: `State ${Number(phase)}`, tone: 'quiet', says: 'a state that this viewer does not know'};
+}

@@ -1,0 +1,87 @@
+import {CaptureState} from '../link/messages';
+import {forceColor} from '../scene/force_color';
+import type {Reading} from '../viewer_state';
+import {type Banner, bannerFor} from './banner';
+import {lookOf} from './phases';
+import {Plot} from './plot';
+
+function element<Kind extends HTMLElement = HTMLElement>(id: string): Kind {
+  const found = document.getElementById(id);
+  if (found === null) throw new Error(`index.html has no #${id}`);
+  return found as Kind;
+}
+
+const milliseconds = (ms: number | undefined) =>
+    ms === undefined ? '–' : ms < 10_000 ? `${Math.max(0, Math.round(ms))} ms` : `${(ms / 1000).toFixed(0)} s`;
+
+const OLD_MS = 250;
+
+/** Writes what is known to the page. The only place that knows the page's elements by name, but for the buttons. */
+export class Readouts {
+  readonly force = new Plot(element('force-plot'), {color: '#ffab5e', unit: 'N', least: 5, step: 5});
+  readonly indentation = new Plot(element('indentation-plot'), {color: '#5ad1e6', unit: 'mm', least: 40, step: 20});
+
+  show(reading: Reading): void {
+    this.showLink(reading);
+    this.showPhase(reading);
+    this.showTouch(reading);
+    this.showFreshness(reading);
+    this.showBanner(reading);
+    this.force.draw();
+    this.indentation.draw();
+  }
+
+  private showLink({connected, everConnected, capture}: Reading): void {
+    element('link').dataset['state'] = connected ? 'live' : everConnected ? 'lost' : 'wait';
+    setText('link-text', connected ? 'connected' : everConnected ? 'disconnected' : 'connecting');
+    const away = capture === undefined || capture.state === CaptureState.Unspecified;
+    setText('source', away ? '' : capture.source + (capture.colorRegistered ? '' : ' · colour not aligned'));
+  }
+
+  private showPhase({phase}: Reading): void {
+    const look = lookOf(phase);
+    element('badge').dataset['tone'] = look.tone;
+    setText('phase-name', look.name);
+    setText('phase-says', look.says);
+  }
+
+  private showTouch({force_N, indentation_mm, limited}: Reading): void {
+    setText('force', force_N === undefined ? '–' : force_N.toFixed(1));
+    setText('indentation', indentation_mm === undefined ? '–' : indentation_mm.toFixed(0));
+    element('force').style.color = force_N === undefined || force_N < 0.05 ? '' : forceColor(force_N).getStyle();
+    element('limited').hidden = !limited;
+  }
+
+  private showFreshness(reading: Reading): void {
+    showAge('surface-age', reading.surface_ms);
+    showAge('picture-age', reading.picture_ms);
+    showAge('link-age', reading.link_ms);
+    setText('fps', reading.picture_ms === undefined ? '–' : `${reading.fps.toFixed(0)} /s`);
+    setText('dropped', String(reading.dropped));
+    setText('late', reading.lateTicks === undefined ? '–' : String(reading.lateTicks));
+  }
+
+  private showBanner(reading: Reading): void {
+    document.body.dataset['old'] = String(!reading.connected && reading.everConnected);
+    this.tell(bannerFor(reading));
+  }
+
+  tell(banner: Banner | undefined): void {
+    element('banner').hidden = banner === undefined;
+    if (banner === undefined) return;
+    element('banner').dataset['level'] = banner.level;
+    setText('banner-title', banner.title);
+    setText('banner-text', banner.text);
+  }
+}
+
+function showAge(id: string, ms: number | undefined): void {
+  setText(id, milliseconds(ms));
+  element(id).dataset['old'] = String(ms !== undefined && ms > OLD_MS);
+}
+
+/** Writes only what changed: a screen reader is told of every write to a live region. */
+function setText(id: string, text: string): void {
+  const target = element(id);
+  if (target.textContent !== text) target.textContent = text;
+}

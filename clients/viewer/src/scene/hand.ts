@@ -1,0 +1,39 @@
+import {Color, Mesh, MeshStandardMaterial, type Vector3} from 'three';
+
+import {handGeometry} from './hand_shape';
+
+const CALM = new Color('#e8c9b4');
+const DEEPEST = new Color('#d4142a');
+/** The indentation at which the hand is all red: the depth at which S1 III.A states its forces. */
+const ALL_RED_M = 0.06;
+
+/**
+ * S1 II.E: an avatar of the doctor's hand, at the displayed hand position, whose colour shifts gradually to red the
+ * deeper the end-effector is inside the surface. It keeps one attitude: the tracked rotation is not on the wire.
+ */
+export class Hand {
+  private readonly material = new MeshStandardMaterial(
+      {color: CALM, roughness: 0.62, metalness: 0, vertexColors: true, transparent: true});
+  readonly mesh = new Mesh(handGeometry(), this.material);
+
+  private known = false;
+  private shown = true;
+
+  constructor() {
+    this.mesh.visible = false;
+  }
+
+  show(at: Vector3 | undefined, indentation_m: number): void {
+    if (at !== undefined) this.mesh.position.copy(at);  // held where it was while it is not known, as S1 does
+    this.known ||= at !== undefined;
+    this.mesh.visible = this.known && this.shown;
+    const red = Math.min(1, Math.max(0, indentation_m / ALL_RED_M));
+    this.material.color.copy(CALM).lerp(DEEPEST, red);
+    this.material.emissive.copy(DEEPEST).multiplyScalar(0.25 * red);
+  }
+
+  setShown(wanted: boolean): void {
+    this.shown = wanted;
+    this.mesh.visible = this.known && wanted;
+  }
+}

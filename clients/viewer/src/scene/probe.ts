@@ -1,0 +1,82 @@
+import {
+  BufferGeometry,
+  type Color,
+  GreaterDepth,
+  Group,
+  Line,
+  LineDashedMaterial,
+  Mesh,
+  MeshBasicMaterial,
+  MeshPhysicalMaterial,
+  SphereGeometry,
+  type Vector3,
+} from 'three';
+
+import {Arrow} from './arrow';
+
+const BALL_RADIUS_M = 0.03;  // of the device's end-effector
+const ARROW_M_PER_N = 0.012;
+const NORMAL_M = 0.045;
+
+export interface ProbePlace {
+  device: Vector3 | undefined;
+  proxy: Vector3 | undefined;
+  normal: Vector3 | undefined;
+  force_N: Vector3 | undefined;
+}
+
+/** The device's ball, the proxy on the surface, the line between them, the surface's normal and the force. */
+export class Probe {
+  readonly group = new Group();
+  private readonly ball = new Group();
+  private readonly proxy = new Mesh(
+      new SphereGeometry(0.0045, 24, 16), new MeshBasicMaterial({color: '#ffffff', depthTest: false}));
+  private readonly between = new Line(
+      new BufferGeometry(),
+      new LineDashedMaterial({color: '#ffffff', dashSize: 0.004, gapSize: 0.003, depthTest: false, transparent: true,
+                              opacity: 0.8}));
+  private readonly normal = new Arrow('#63c7ff', 0.0011);
+  private readonly force = new Arrow('#4fd6a5', 0.0034);
+
+  constructor() {
+    const shape = new SphereGeometry(BALL_RADIUS_M, 48, 32);
+    const glass = new MeshPhysicalMaterial(
+        {color: '#8fb4d9', roughness: 0.25, metalness: 0, clearcoat: 0.6, transparent: true, opacity: 0.5});
+    // Where the skin hides the ball it shows through faintly: how deep the device is, is what the eye looks for.
+    const hidden = new MeshBasicMaterial(
+        {color: '#8fc4ff', transparent: true, opacity: 0.2, depthFunc: GreaterDepth, depthWrite: false});
+    const seen = new Mesh(shape, glass);
+    const through = new Mesh(shape, hidden);
+    seen.renderOrder = 2;
+    through.renderOrder = 1;
+    this.ball.add(seen, through);
+    this.proxy.renderOrder = 12;
+    this.between.renderOrder = 9;
+    this.group.add(this.ball, this.proxy, this.between, this.normal.group, this.force.group);
+    this.group.visible = false;
+  }
+
+  show({device, proxy, normal, force_N}: ProbePlace, forceColor: Color): void {
+    this.group.visible = true;
+    this.ball.visible = device !== undefined;
+    this.proxy.visible = proxy !== undefined;
+    if (device !== undefined) this.ball.position.copy(device);
+    if (proxy !== undefined) this.proxy.position.copy(proxy);
+    this.between.visible = device !== undefined && proxy !== undefined;
+    if (device !== undefined && proxy !== undefined) {
+      this.between.geometry.setFromPoints([proxy, device]);
+      this.between.computeLineDistances();
+    }
+    this.normal.show(proxy, normal?.clone().multiplyScalar(NORMAL_M));
+    this.force.show(proxy, force_N?.clone().multiplyScalar(ARROW_M_PER_N), forceColor);
+  }
+
+  setBallVisible(wanted: boolean): void {
+    this.ball.traverse((part) => part.layers.set(wanted ? 0 : 31));
+  }
+
+  setForcesVisible(wanted: boolean): void {
+    for (const part of [this.force.group, this.normal.group, this.proxy, this.between])
+      part.traverse((child) => child.layers.set(wanted ? 0 : 31));
+  }
+}

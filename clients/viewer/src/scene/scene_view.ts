@@ -1,0 +1,134 @@
+import {
+  AmbientLight,
+  Color,
+  DirectionalLight,
+  HemisphereLight,
+  PerspectiveCamera,
+  Scene,
+  Spherical,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
+
+import type {DepthSummary} from '../depth/depth_summary';
+import {type Detail, FramePacer} from './frame_pacer';
+import {drawsInSoftware} from './graphics';
+import {Hand} from './hand';
+import {Probe} from './probe';
+import {Surface} from './surface';
+
+const BACKGROUND = new Color('#070b10');
+/** From the finest; a browser without a graphics card begins at SOFTWARE_LEVEL. */
+const DETAILS: readonly Detail[] = [
+  {stride: 1, pixelRatio: 2},
+  {stride: 1, pixelRatio: 1},
+  {stride: 1, pixelRatio: 0.7},
+  {stride: 2, pixelRatio: 0.7},
+  {stride: 2, pixelRatio: 0.5},
+];
+const SOFTWARE_LEVEL = 2;
+
+/** The 3D view: what is in it, the eye that looks at it, and when it is drawn (only when something changed). */
+export class SceneView {
+  readonly surface = new Surface();
+  readonly hand = new Hand();
+  readonly probe = new Probe();
+
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(42, 1, 0.01, 20);
+  private readonly controls: OrbitControls;
+  private readonly home = {target: new Vector3(0, 0, -1), distance_m: 0.9};
+  private placed = false;
+  private readonly pacer: FramePacer;
+
+  /** Throws when the browser has no WebGL 2. */
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    const software = drawsInSoftware();
+    this.renderer = new WebGLRenderer({canvas, antialias: !software, powerPreference: 'high-performance'});
+    this.pacer = new FramePacer(
+        this.renderer.getContext() as WebGL2RenderingContext, DETAILS.length, () => this.draw(),
+        (level) => this.setDetail(DETAILS[level] as Detail));
+    this.pacer.level = software ? SOFTWARE_LEVEL : 0;
+    this.setDetail(DETAILS[this.pacer.level] as Detail);
+    this.scene.background = BACKGROUND;
+    const lamp = new DirectionalLight('#fff4e6', 2.1);
+    lamp.position.set(-0.45, 0.65, 0.85);
+    this.scene.add(
+        this.surface.mesh, this.hand.mesh, this.probe.group, new HemisphereLight('#cfe3ff', '#3a2a22', 1.1),
+        new AmbientLight('#ffffff', 0.25), lamp);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.12;
+    this.controls.minDistance = 0.12;
+    this.controls.maxDistance = 4;
+    this.controls.maxPolarAngle = 0.93 * Math.PI;
+    this.controls.addEventListener('change', () => this.invalidate());
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.resize();
+    this.resetView();
+  }
+
+  /** Asks for the view to be drawn with the next picture of the screen. */
+  invalidate(): void {
+    this.pacer.ask();
+  }
+
+  /** What the last drawing took on the graphics card, and how coarsely the view is drawn for it (0: finest). */
+  get drawn_ms(): number {
+    return this.pacer.drawn_ms;
+  }
+  get coarseness(): number {
+    return this.pacer.level;
+  }
+
+  /** Where the view returns to: in front of what the middle of the picture shows. The first frame moves the eye there. */
+  setHome({near_m, middle_m}: DepthSummary): void {
+    if (middle_m <= 0) return;
+    this.home.target.set(0, 0, -0.5 * (near_m + middle_m));
+    this.home.distance_m = Math.min(2.2, Math.max(0.45, 0.88 * middle_m));
+    if (!this.placed) this.resetView();
+    this.placed = true;
+  }
+
+  resetView(): void {
+    this.controls.target.copy(this.home.target);
+    const away = new Vector3().setFromSpherical(new Spherical(this.home.distance_m, Math.PI / 2 + 0.52, 0.22));
+    this.camera.position.copy(this.home.target).add(away);
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /** Turns the eye around what it looks at [rad], and moves it nearer (`zoom` < 1) or away. */
+  orbit(azimuth: number, polar: number, zoom = 1): void {
+    const away = this.camera.position.clone().sub(this.controls.target);
+    const place = new Spherical().setFromVector3(away);
+    place.theta += azimuth;
+    place.phi = Math.min(0.93 * Math.PI, Math.max(0.07, place.phi + polar));
+    place.radius = Math.min(this.controls.maxDistance, Math.max(this.controls.minDistance, place.radius * zoom));
+    this.camera.position.copy(this.controls.target).add(away.setFromSpherical(place));
+    this.controls.update();
+    this.invalidate();
+  }
+
+  private draw(): void {
+    if (this.controls.update()) this.invalidate();
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private setDetail({stride, pixelRatio}: Detail): void {
+    this.surface.setStride(stride);
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, pixelRatio));
+    this.invalidate();
+  }
+
+  private resize(): void {
+    const {clientWidth, clientHeight} = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+}

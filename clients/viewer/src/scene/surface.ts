@@ -1,0 +1,152 @@
+import {
+  BufferGeometry,
+  BufferAttribute,
+  Color,
+  DataTexture,
+  GLSL3,
+  LinearFilter,
+  Mesh,
+  NearestFilter,
+  RedIntegerFormat,
+  ShaderMaterial,
+  SRGBColorSpace,
+  Texture,
+  UnsignedShortType,
+  Vector2,
+  Vector3,
+  Vector4,
+} from 'three';
+
+import type {DepthFrame} from '../depth/decode_depth';
+import type {DepthSummary} from '../depth/depth_summary';
+import {SURFACE_FRAGMENT, SURFACE_VERTEX} from './surface_shaders';
+
+/** Two triangles for each square of `stride` pixels, wound to face the camera. */
+function gridTriangles(width: number, height: number, stride: number): Uint32Array {
+  const [columns, rows] = [Math.floor((width - 1) / stride), Math.floor((height - 1) / stride)];
+  const corners = new Uint32Array(6 * columns * rows);
+  let next = 0;
+  for (let row = 0; row < rows; ++row)
+    for (let column = 0; column < columns; ++column) {
+      const at = stride * (row * width + column);
+      const below = at + stride * width;
+      for (const corner of [at, below, at + stride, at + stride, below, below + stride]) corners[next++] = corner;
+    }
+  return corners;
+}
+
+/** S1 II.E: the remote scene as a 3D mesh in the camera's colours. Nothing spans a break in depth. */
+export class Surface {
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+
+  private measured = 0;
+  private stride = 1;
+  private depth: DataTexture | undefined;
+  private readonly color = new Texture();
+  private picture: ImageBitmap | undefined;
+  private showColor = true;
+
+  private readonly uniforms = {
+    depthSamples: {value: null as DataTexture | null},
+    size: {value: new Vector2(2, 2)},
+    stride: {value: 1},
+    unit_m: {value: 0.001},
+    intrinsics: {value: new Vector4(1, 1, 0, 0)},
+    colorPicture: {value: this.color},
+    colored: {value: 0},
+    range_m: {value: new Vector3(0.5, 1, 1.5)},
+    touchedAt: {value: new Vector3()},
+    touched: {value: 0},
+    touchColor: {value: new Color()},
+    eye: {value: new Vector3()},
+  };
+
+  /** Vertices that are on the measured surface in the frame shown, about; 0 before the first. */
+  get meshVertices(): number {
+    return Math.round(this.measured / this.stride ** 2);
+  }
+
+  constructor() {
+    this.color.colorSpace = SRGBColorSpace;
+    this.color.flipY = false;
+    this.color.generateMipmaps = false;
+    this.color.minFilter = LinearFilter;
+    const material = new ShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: SURFACE_VERTEX,
+      fragmentShader: SURFACE_FRAGMENT,
+      uniforms: this.uniforms,
+    });
+    this.mesh = new Mesh(new BufferGeometry(), material);
+    this.mesh.frustumCulled = false;  // the vertices have their places on the graphics card alone
+    this.mesh.visible = false;
+    this.mesh.onBeforeRender = (_renderer, _scene, camera) => this.uniforms.eye.value.copy(camera.position);
+  }
+
+  /** `k`: the camera matrix, row-major; without one, what a Kinect's lens would be for the frame's size. */
+  showDepth(frame: DepthFrame, summary: DepthSummary, k: readonly number[] | undefined): void {
+    const {width, height} = frame;
+    const size = this.uniforms.size.value;
+    if (this.depth === undefined || size.x !== width || size.y !== height) this.resize(frame);
+    else this.depth.image.data = frame.samples;
+    if (this.depth !== undefined) this.depth.needsUpdate = true;
+    const [fx, , cx, , fy, cy] = k ?? [];
+    const usual = width * 0.9;
+    this.uniforms.intrinsics.value.set(fx || usual, fy || usual, cx ?? width / 2, cy ?? height / 2);
+    this.uniforms.unit_m.value = frame.unit_m;
+    this.uniforms.range_m.value.set(summary.near_m, summary.middle_m, summary.far_m);
+    this.measured = summary.measured;
+    this.mesh.visible = true;
+  }
+
+  showPicture(picture: ImageBitmap): void {
+    this.picture?.close();
+    this.picture = picture;
+    this.color.image = picture;
+    this.color.needsUpdate = true;
+    this.applyColor();
+  }
+
+  /** False: coloured by depth, as it is without a picture. */
+  setColored(wanted: boolean): void {
+    this.showColor = wanted;
+    this.applyColor();
+  }
+
+  /** Marks where the surface is touched. `strength` 0 … 1. */
+  setTouch(at: Vector3 | undefined, strength: number, color: Color): void {
+    if (at !== undefined) this.uniforms.touchedAt.value.copy(at);
+    this.uniforms.touched.value = at === undefined ? 0 : strength;
+    this.uniforms.touchColor.value.copy(color);
+  }
+
+  private applyColor(): void {
+    this.uniforms.colored.value = this.showColor && this.picture !== undefined ? 1 : 0;
+  }
+
+  private resize({width, height, samples}: DepthFrame): void {
+    this.depth?.dispose();
+    this.depth = new DataTexture(samples, width, height, RedIntegerFormat, UnsignedShortType);
+    this.depth.internalFormat = 'R16UI';
+    this.depth.minFilter = this.depth.magFilter = NearestFilter;
+    this.depth.unpackAlignment = 2;
+    this.uniforms.depthSamples.value = this.depth;
+    this.uniforms.size.value.set(width, height);
+    this.layGrid();
+  }
+
+  /** Draws every `stride`-th pixel of the depth image only. */
+  setStride(stride: number): void {
+    if (stride === this.stride) return;
+    this.stride = stride;
+    this.uniforms.stride.value = stride;
+    if (this.depth !== undefined) this.layGrid();
+  }
+
+  private layGrid(): void {
+    const {x: width, y: height} = this.uniforms.size.value;
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = new BufferGeometry();
+    this.mesh.geometry.setIndex(new BufferAttribute(gridTriangles(width, height, this.stride), 1));
+  }
+}

@@ -1,0 +1,59 @@
+import {lookOf} from './panel/phases';
+import type {Reading} from './viewer_state';
+
+interface Facts extends Reading {
+  meshVertices: number;
+  handPosition: number[] | undefined;
+  undecodable: number;
+  overtaken: number;
+  drawn_ms: number;
+  coarseness: number;
+}
+
+/** What `window.telepalp` tells: for tests and for the curious, to read and not to set. */
+export interface ViewerStatus {
+  readonly connected: boolean;
+  readonly frames: number;
+  readonly fps: number;
+  readonly dropped: number;
+  readonly meshVertices: number;
+  readonly force_N: number;
+  readonly indentation_m: number;
+  readonly phase: string;
+  readonly handPosition_m: readonly number[] | undefined;
+  readonly pictureAge_ms: number | undefined;
+  readonly linkAge_ms: number | undefined;
+  readonly surfaceAge_ms: number | undefined;
+  readonly undecodable: number;
+  readonly decode_ms: number;
+  readonly drawn_ms: number;
+  readonly coarseness: number;
+}
+
+/** Puts a live, read-only status on the window; what is returned is for figures that are set from outside. */
+export function publishStatus(facts: () => Facts): {decode_ms: number} {
+  const own = {decode_ms: 0};
+  const snapshot = (): ViewerStatus => {
+    const now = facts();
+    return Object.freeze({
+      connected: now.connected,
+      frames: now.frames,
+      fps: now.fps,
+      dropped: now.dropped + now.overtaken,
+      meshVertices: now.meshVertices,
+      force_N: now.force_N ?? 0,
+      indentation_m: (now.indentation_mm ?? 0) / 1000,
+      phase: lookOf(now.phase).name,
+      handPosition_m: now.handPosition,
+      pictureAge_ms: now.picture_ms,
+      linkAge_ms: now.link_ms,
+      surfaceAge_ms: now.surface_ms,
+      undecodable: now.undecodable,
+      decode_ms: own.decode_ms,
+      drawn_ms: now.drawn_ms,
+      coarseness: now.coarseness,
+    });
+  };
+  Object.defineProperty(window, 'telepalp', {get: snapshot, enumerable: true});
+  return own;
+}
