@@ -8,6 +8,8 @@
 
 #include "proto/program/log.h"
 #include "proto/program/options.h"
+#include "proto/program/shipped.h"
+#include "server/gateway/gateway.h"
 #include "server/server.h"
 
 namespace {
@@ -27,6 +29,8 @@ program::Usage usage() {
                       {"seconds", "S", "stop after so long; 0: run on", "0"},
                       {"bind", "ADDRESS", "loopback address to listen on", "127.0.0.1"},
                       {"port", "PORT", "for stations and recorders; 0: any free one", "7400"},
+                      {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; left out: none"},
+                      {"viewer", "DIR", "the web viewer's files; left out: those built beside this program"},
                       {"ready-file", "FILE", "write the ports there once it listens"},
                       {"depth-mode", "MODE", "how depth is compressed", "fast"},
                       {"jpeg-quality", "1..100", "of colour", "85"},
@@ -40,6 +44,7 @@ struct Asked {
   std::chrono::duration<double> seconds{0.0};
   std::filesystem::path ready_file;
   server::Server::Options server;
+  std::optional<server::GatewayOptions> gateway;  // none: nothing is served to browsers
 };
 
 Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view option) {
@@ -55,6 +60,26 @@ Result<codec::DepthMode> depth_mode(const program::Arguments& arguments) {
   return Error{.what = "'" + text + "' is no depth mode", .where = "--depth-mode", .fix = "see telepalp-codec --help"};
 }
 
+Result<std::optional<server::GatewayOptions>> gateway_options(const program::Arguments& arguments) {
+  if (!arguments.has("http-port")) return std::optional<server::GatewayOptions>{};
+  const Result<std::int64_t> port = arguments.whole("http-port", 0, 65535);
+  if (!port) return port.error();
+  server::GatewayOptions options;
+  options.address = arguments.text("bind");
+  options.port = static_cast<std::uint16_t>(*port);
+  options.server_name = arguments.text("name");
+  options.viewer_files = arguments.text("viewer");
+  if (!arguments.has("viewer")) {
+    const auto index = program::shipped_file("viewer/index.html");
+    if (!index)
+      return Error{.what = "the web viewer is not built",
+                   .where = "--http-port",
+                   .fix = "build the target telepalp_viewer, or name the folder with --viewer"};
+    options.viewer_files = index->parent_path();
+  }
+  return std::optional{std::move(options)};
+}
+
 Result<Asked> read_asked(const program::Arguments& arguments) {
   const Result<bool> loop = yes_or_no(arguments, "loop");
   if (!loop) return loop.error();
@@ -68,6 +93,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!mode) return mode.error();
   const Result<boost::asio::ip::address> address = server::loopback_address(arguments.text("bind"));
   if (!address) return address.error();
+  const Result<std::optional<server::GatewayOptions>> gateway = gateway_options(arguments);
+  if (!gateway) return gateway.error();
   const auto say = [](const std::string& text) { program::log(kProgram, text); };
   return Asked{.source = arguments.text("source"),
                .loop = *loop,
@@ -77,15 +104,17 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .bind = arguments.text("bind"),
                           .port = static_cast<std::uint16_t>(*port),
                           .encode = {.depth_mode = *mode, .jpeg_quality = static_cast<int>(*quality)},
-                          .log = say}};
+                          .log = say},
+               .gateway = *gateway};
 }
 
 /// Renamed into place, so that whoever waits for the file never reads half of it.
-Result<void> write_ready_file(const std::filesystem::path& file, std::uint16_t port) {
+Result<void> write_ready_file(const std::filesystem::path& file, std::uint16_t port, const server::Gateway* gateway) {
   if (file.empty()) return {};
   const std::filesystem::path unfinished = file.string() + ".part";
   std::ofstream stream(unfinished);
   stream << "port=" << port << "\n";
+  if (gateway != nullptr) stream << "http_port=" << gateway->port() << "\n";
   stream.close();
   std::error_code code;
   if (stream) std::filesystem::rename(unfinished, file, code);
@@ -102,6 +131,13 @@ int run(const Asked& asked) {
   Result<std::unique_ptr<server::CaptureSource>> source =
       server::open_source(asked.source, {.clock = server.clock(), .loop = asked.loop, .paced = true});
   if (!source) return program::fail(source.error());
+  std::unique_ptr<server::Gateway> gateway;
+  if (asked.gateway) {
+    auto opened = server::Gateway::open(
+        io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
+    if (!opened) return program::fail(opened.error());
+    gateway = std::move(opened).value();
+  }
 
   boost::asio::signal_set signals(io, SIGINT, SIGTERM);
   boost::asio::steady_timer time_is_up(io);
@@ -112,6 +148,7 @@ int run(const Asked& asked) {
     signals.cancel(ignored);
     signals.clear(ignored);  // a second Ctrl-C ends the process at once
     time_is_up.cancel();
+    gateway.reset();
     server.stop(reason);
   };
   signals.async_wait([&](const boost::system::error_code& cancelled, int) {
@@ -125,7 +162,8 @@ int run(const Asked& asked) {
   }
   server.start(std::move(source).value(), asked.source, [&] { stop("the source came to its end"); });
   program::log(kProgram, "listening on " + asked.server.bind + ":" + std::to_string(server.port()));
-  if (const Result<void> written = write_ready_file(asked.ready_file, server.port()); !written)
+  if (gateway) program::log(kProgram, "viewer at " + gateway->url());
+  if (const Result<void> written = write_ready_file(asked.ready_file, server.port(), gateway.get()); !written)
     return program::fail(written.error());
   io.run();
   program::log(kProgram, server.summary());
