@@ -1,0 +1,66 @@
+// Debian's Chromium, headless, and what a test sees through it.
+import {existsSync, mkdirSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+
+import {until} from './running_program.mjs';
+
+const {chromium} = createRequire(new URL('../npm/package.json', import.meta.url))('playwright-core');
+
+const FLAGS = [
+  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+];
+
+/** A page in a browser of its own; `problems` collects what the page's console calls an error. */
+export async function openBrowser(folder, viewport = {width: 900, height: 640}) {
+  const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+  if (!existsSync(executablePath)) throw new Error(`no ${executablePath}: install chromium, or name it in CHROMIUM`);
+  const profile = join(folder, 'profile');
+  mkdirSync(profile);
+  const context = await chromium.launchPersistentContext(
+      profile, {executablePath, headless: true, args: FLAGS, viewport, timeout: 120_000});
+  const page = context.pages()[0] ?? (await context.newPage());
+  page.setDefaultTimeout(120_000);
+  const problems = [];
+  page.on('pageerror', (problem) => problems.push(String(problem)));
+  page.on('console', (message) => {
+    if (message.type() === 'error') problems.push(message.text());
+  });
+  return {context, page, problems};
+}
+
+export const status = (page) => page.evaluate(() => window.telepalp);
+
+/** Waits until `holds(status)` does. */
+export const untilStatus = (page, what, holds, timeout_ms = 120_000) =>
+    until(what, async () => {
+      const now = await status(page);
+      return now !== undefined && holds(now) ? now : undefined;
+    }, timeout_ms);
+
+/** Of the picture's middle: which share differs from the empty background, and how many colours there are. */
+export async function lookAtMiddle(context, png) {
+  const page = await context.newPage();
+  try {
+    return await page.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const picture = await createImageBitmap(new Blob([bytes], {type: 'image/png'}));
+      const canvas = new OffscreenCanvas(picture.width, picture.height);
+      const context = canvas.getContext('2d');
+      context.drawImage(picture, 0, 0);
+      const [width, height] = [Math.floor(picture.width / 3), Math.floor(picture.height / 3)];
+      const {data} = context.getImageData(width, height, width, height);
+      const colors = new Set();
+      let drawn = 0;
+      for (let at = 0; at < data.length; at += 4) {
+        const [red, green, blue] = data.subarray(at, at + 3);
+        if (Math.abs(red - 7) + Math.abs(green - 11) + Math.abs(blue - 16) > 24) ++drawn;
+        colors.add((red << 16) | (green << 8) | blue);
+      }
+      return {drawn: drawn / (width * height), colors: colors.size};
+    }, png.toString('base64'));
+  } finally {
+    await page.close();
+  }
+}

@@ -1,0 +1,88 @@
+// The viewer's states, one by one, on a scripted stage: node viewer_test.mjs STAGE VIEWER_DIR
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {lookAtMiddle, openBrowser, status, untilStatus} from './browser.mjs';
+import {until, Workplace} from './running_program.mjs';
+
+const [stage, viewer] = process.argv.slice(2);
+
+async function startStage(workplace, port = 0) {
+  const child = workplace.start(stage, ['--http-port', String(port), '--viewer', viewer]);
+  const address = await until('the stage listens', () => /http:\S+/.exec(child.heard)?.[0]);
+  return {child, address, port: Number(new URL(address).port)};
+}
+
+const banner = (page) => page.textContent('#banner:not([hidden])', {timeout: 60_000});
+
+test('the viewer draws the patient, follows the hand, and says when what it shows is old', async () => {
+  const workplace = new Workplace('viewer');
+  let browser;
+  try {
+    let running = await startStage(workplace);
+    browser = await openBrowser(workplace.folder);
+    const {context, page, problems} = browser;
+    await page.goto(running.address);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 100_000);
+    const pressed = await untilStatus(page, 'the hand presses', (now) => now.force_N > 2 && now.phase === 'In body');
+    assert.ok(pressed.indentation_m > 0.02 && pressed.indentation_m < 0.04, `${pressed.indentation_m} m`);
+    assert.equal(pressed.handPosition_m.length, 3);
+    await untilStatus(page, 'the hand leaves', (now) => now.force_N === 0 && now.phase === 'Out body');
+    const seen = await lookAtMiddle(context, await page.screenshot({timeout: 120_000}));
+    assert.ok(seen.drawn > 0.5, `the middle is drawn: ${JSON.stringify(seen)}`);
+    assert.ok(seen.colors > 200, `it is shaded: ${JSON.stringify(seen)}`);
+    assert.deepEqual(problems, [], 'nothing breaks the page\'s own content policy');
+
+    await page.keyboard.press('?');
+    await page.waitForSelector('#help[open]');
+    await page.keyboard.press('Escape');
+    await page.waitForSelector('#help:not([open])', {state: 'attached'});
+    await page.keyboard.press('h');
+    assert.equal(await page.getAttribute('#show-hand', 'aria-pressed'), 'false');
+    await untilStatus(page, 'the hand is hidden', (now) => now.handPosition_m === undefined);
+    await page.click('#show-hand');
+
+    running.child.stdin.write('phase PHASE_CYLINDER_UPPER\n');
+    await page.waitForSelector('#phase-name:text-is("Cylinder upper area")');
+    running.child.stdin.write('phase PHASE_FAULTED\n');
+    await until('the fault is told', async () => (await banner(page)).includes('Station faulted'));
+    running.child.stdin.write('phase PHASE_OUT_BODY\nstale on\n');
+    await until('the stale surface is told', async () => (await banner(page)).includes('old surface'));
+    running.child.stdin.write('stale off\npause\n');
+    await until('the stale picture is told', async () => (await banner(page)).includes('Stale picture'));
+
+    running.child.stdin.end();
+    await running.child.over;
+    await until('the lost server is told', async () => (await banner(page)).includes('Disconnected'));
+    assert.equal((await status(page)).connected, false);
+    const before = (await status(page)).frames;
+    running = await startStage(workplace, running.port);
+    await untilStatus(page, 'it comes back by itself', (now) => now.connected && now.frames > before);
+    await page.waitForSelector('#banner', {state: 'hidden'});
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
+test('window.telepalp can be read and not set', async () => {
+  const workplace = new Workplace('viewer_status');
+  let browser;
+  try {
+    const running = await startStage(workplace);
+    browser = await openBrowser(workplace.folder);
+    await browser.page.goto(running.address);
+    const after = await browser.page.evaluate(() => {
+      try {
+        window.telepalp = {connected: 'no'};
+      } catch {
+        // in strict mode the attempt throws, which is as good
+      }
+      return {frozen: Object.isFrozen(window.telepalp), connected: typeof window.telepalp.connected};
+    });
+    assert.deepEqual(after, {frozen: true, connected: 'boolean'});
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});

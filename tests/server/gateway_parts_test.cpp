@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "server/gateway/foxglove_protocol.h"
+#include "server/gateway/http_reply.h"
+#include "server/gateway/request_policy.h"
+#include "server/gateway/static_files.h"
+
+namespace telepalp::server {
+namespace {
+
+namespace fs = std::filesystem;
+namespace http = boost::beast::http;
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("gateway_parts_" + std::to_string(::getpid()))) {
+    fs::create_directories(path_ / "viewer");
+    write("viewer/index.html", "<p>hello</p>");
+    write("viewer/viewer.js", "1");
+    write("viewer/.secret.js", "2");
+    write("viewer/notes.exe", "3");
+    write("outside.txt", "4");
+    fs::create_symlink(path_ / "outside.txt", path_ / "viewer/link.txt");
+  }
+  ~Folder() { fs::remove_all(path_); }
+  fs::path viewer() const { return path_ / "viewer"; }
+  fs::path root() const { return path_; }
+
+ private:
+  void write(const std::string& name, const std::string& text) { std::ofstream(path_ / name) << text; }
+  fs::path path_;
+};
+
+HttpRequest get(std::string_view target, std::string_view host = "127.0.0.1:8080") {
+  HttpRequest request{http::verb::get, boost::beast::string_view(target.data(), target.size()), 11};
+  request.set(http::field::host, boost::beast::string_view(host.data(), host.size()));
+  return request;
+}
+
+TEST(StaticFiles, OnlyAViewersOwnFilesAreServed) {
+  const Folder folder;
+  const auto files = StaticFiles::read(folder.viewer());
+  ASSERT_TRUE(files);
+  EXPECT_EQ(files->find("/")->bytes, "<p>hello</p>");
+  EXPECT_EQ(files->find("/viewer.js?v=2")->content_type, "text/javascript; charset=utf-8");
+  for (const char* target : {"/link.txt", "/.secret.js", "/notes.exe", "/../outside.txt", "/..%2foutside.txt",
+                             "//etc/passwd", "", "*", "viewer.js", "http://127.0.0.1/viewer.js", "/viewer.js/"})
+    EXPECT_EQ(files->find(target), nullptr) << target;
+  EXPECT_EQ(files->find(std::string_view("/viewer.js\0.txt", 15)), nullptr);
+}
+
+TEST(StaticFiles, AFolderWithoutAViewerIsRefusedWithItsName) {
+  const Folder folder;
+  const auto none = StaticFiles::read(folder.root());
+  ASSERT_FALSE(none);
+  EXPECT_NE(to_string(none.error()).find(folder.root().string()), std::string::npos);
+  EXPECT_FALSE(StaticFiles::read(folder.root() / "absent"));
+}
+
+TEST(HttpReply, FilesComeWithTheirTypeAndNothingFromElsewhereMayRun) {
+  const Folder folder;
+  const auto files = StaticFiles::read(folder.viewer());
+  ASSERT_TRUE(files);
+  const HttpReply reply = reply_to(get("/viewer.js"), *files, {}, {});
+  EXPECT_EQ(reply.result_int(), 200u);
+  EXPECT_EQ(reply[http::field::cache_control], "no-cache");
+  EXPECT_EQ(reply["X-Content-Type-Options"], "nosniff");
+  const std::string policy(reply["Content-Security-Policy"]);
+  EXPECT_NE(policy.find("default-src 'none'"), std::string::npos);
+  EXPECT_EQ(policy.find("'unsafe-eval'"), std::string::npos);
+  EXPECT_EQ(policy.find("'unsafe-inline'"), std::string::npos);
+  HttpRequest again = get("/viewer.js");
+  again.set(http::field::if_none_match, reply[http::field::etag]);
+  EXPECT_EQ(reply_to(again, *files, {}, {}).result_int(), 304u);
+}
+
+TEST(HttpReply, OtherMethodsAndOtherNamesAreRefused) {
+  HttpRequest post = get("/");
+  post.method(http::verb::post);
+  EXPECT_EQ(reply_to(post, {}, {}, {}).result_int(), 405u);
+  EXPECT_EQ(reply_to(get("/"), {}, {}, {}).result_int(), 404u);
+  EXPECT_EQ(reply_to(get("/", "evil.example:8080"), {}, {}, {}).result_int(), 421u);
+  EXPECT_EQ(reply_to(get("/", ""), {}, {}, {}).result_int(), 421u);
+}
+
+TEST(HttpReply, TheSessionClockIsTold) {
+  const HttpReply reply = reply_to(get("/session_clock"), {}, {}, session_time(1'700'000'000'123'456'789));
+  EXPECT_EQ(reply.body(), "1700000000123456789");
+  EXPECT_EQ(reply[http::field::cache_control], "no-store");
+}
+
+struct OriginCase {
+  const char* behaviour;
+  const char* origin;
+  const char* host;
+  bool loopback;
+  bool allowed;
+};
+const OriginCase kOrigins[] = {
+    {"our own page", "http://127.0.0.1:8080", "127.0.0.1:8080", true, true},
+    {"our own page over TLS", "https://10.0.0.5", "10.0.0.5", false, true},
+    {"our own page by name", "http://localhost:8080", "localhost:8080", true, true},
+    {"our own page, IPv6", "http://[::1]:8080", "[::1]:8080", true, true},
+    {"a foreign page", "http://evil.example", "127.0.0.1:8080", true, false},
+    {"another port of this machine", "http://127.0.0.1:3000", "127.0.0.1:8080", true, false},
+    {"a page whose own name was made to resolve to us", "http://evil.example:8080", "evil.example:8080", true, false},
+    {"a file or a sandboxed frame", "null", "127.0.0.1:8080", true, false},
+    {"an origin that is no origin", "127.0.0.1:8080", "127.0.0.1:8080", true, false},
+    {"a tool on this machine", "", "127.0.0.1:8080", true, true},
+    {"a tool elsewhere", "", "10.0.0.5:8080", false, false},
+    {"a page that is allowed by name", "https://viewer.example", "10.0.0.5:8080", false, true},
+};
+
+TEST(RequestPolicy, OnlyOurOwnPagesAndToolsOnThisMachineMayOpenTheStream) {
+  const RequestPolicy policy{.allowed_hosts = {}, .allowed_origins = {"https://viewer.example"}};
+  for (const OriginCase& one : kOrigins)
+    EXPECT_EQ(origin_is_allowed(policy, one.origin, one.host, one.loopback), one.allowed) << one.behaviour;
+}
+
+TEST(RequestPolicy, AHostNameMustBeAllowedByName) {
+  const RequestPolicy policy{.allowed_hosts = {"theatre-3.hospital"}, .allowed_origins = {}};
+  EXPECT_TRUE(host_is_ours(policy, "theatre-3.hospital:8080"));
+  EXPECT_FALSE(host_is_ours(policy, "theatre-4.hospital:8080"));
+  EXPECT_TRUE(host_is_ours(policy, "192.168.1.7"));
+  EXPECT_FALSE(host_is_ours(policy, "[::1"));
+  EXPECT_FALSE(host_is_ours(policy, "[]"));
+}
+
+TEST(FoxgloveProtocol, ASubprotocolThatBothSpeakIsChosenInTheClientsOrder) {
+  EXPECT_EQ(foxglove::choose_subprotocol("foxglove.websocket.v1"), "foxglove.websocket.v1");
+  EXPECT_EQ(foxglove::choose_subprotocol("x , foxglove.sdk.v1,foxglove.websocket.v1"), "foxglove.sdk.v1");
+  EXPECT_FALSE(foxglove::choose_subprotocol(""));
+  EXPECT_FALSE(foxglove::choose_subprotocol("mqtt, foxglove.websocket.v2"));
+}
+
+TEST(FoxgloveProtocol, AMessagesHeaderIsThirteenLittleEndianBytes) {
+  const auto header = foxglove::message_header(0x04030201, session_time(0x0807060504030201));
+  const std::array<std::uint8_t, 13> expected{1, 1, 2, 3, 4, 1, 2, 3, 4, 5, 6, 7, 8};
+  EXPECT_EQ(header, expected);
+}
+
+TEST(FoxgloveProtocol, RequestsAreReadAndOtherOperationsAreNamedInTheRefusal) {
+  const auto subscribe = foxglove::read_request(
+      R"({"op":"subscribe","subscriptions":[{"id":7,"channelId":2,"later":[1]}],"unknown":{"x":1}})");
+  ASSERT_TRUE(subscribe);
+  ASSERT_EQ(subscribe->subscribe.size(), 1u);
+  EXPECT_EQ(subscribe->subscribe[0].id, 7u);
+  EXPECT_EQ(subscribe->subscribe[0].channel, 2u);
+  const auto publish = foxglove::read_request(R"({"op":"advertise","channels":[]})");
+  ASSERT_FALSE(publish);
+  EXPECT_NE(to_string(publish.error()).find("'advertise'"), std::string::npos);
+}
+
+TEST(FoxgloveProtocol, NonsenseIsAnErrorAndNeverMore) {
+  const std::string deep(60'000, '[');
+  std::string nested = R"({"op":)";
+  for (int depth = 0; depth < 10'000; ++depth) nested += R"({"a":)";
+  for (const std::string& text :
+       {std::string(), std::string("null"), std::string("[]"), std::string("{"), std::string("\0\xff\xfe", 3), deep,
+        nested, std::string(R"({"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]})"),
+        std::string(R"({"op":"subscribe","subscriptions":[{"id":4294967296,"channelId":1}]})"),
+        std::string(R"({"op":"subscribe","subscriptions":7})"), std::string(R"({"op":["subscribe"]})")})
+    EXPECT_FALSE(foxglove::read_request(text)) << text.substr(0, 60);
+}
+
+}  // namespace
+}  // namespace telepalp::server

@@ -1,0 +1,302 @@
+// The gateway over real sockets on loopback: what browsers get, and what hostile clients do not.
+
+#include "server/gateway/gateway.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/asio/connect.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <future>
+#include <thread>
+
+namespace telepalp::server {
+namespace {
+
+using namespace std::chrono_literals;
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using asio::ip::tcp;
+
+/// A hub and its gateway on their own thread, as in the server.
+class Running {
+ public:
+  /// Runs `what` on the gateway's thread and waits for its result.
+  template <class What>
+  auto on_its_thread(What what) {
+    const auto task = std::make_shared<std::packaged_task<decltype(what())()>>(std::move(what));
+    auto done = task->get_future();
+    asio::post(io_, [task] { (*task)(); });
+    return done.get();
+  }
+
+  explicit Running(GatewayOptions options = {}) {
+    options.port = 0;
+    auto opened = Gateway::open(
+        io_, hub_, [] { return session_time(42); }, options);
+    demand(opened.ok(), "the gateway opens");
+    gateway_ = std::move(opened).value();
+    thread_ = std::thread([this] { io_.run(); });
+  }
+  ~Running() {
+    on_its_thread([this] { gateway_.reset(); });
+    work_.reset();
+    thread_.join();
+  }
+
+  void publish(const wire::Topic& topic, std::string payload, std::int64_t at_ns = 7) {
+    const wire::Message message{topic, session_time(at_ns), std::make_shared<const std::string>(std::move(payload))};
+    on_its_thread([&] { hub_.publish(message); });
+  }
+  std::size_t connections() {
+    return on_its_thread([this] { return gateway_->connections(); });
+  }
+  /// True once `count` connections are open; false when that has not happened within 5 s.
+  bool comes_to(std::size_t count) {
+    for (int tries = 0; tries < 500 && connections() != count; ++tries) std::this_thread::sleep_for(10ms);
+    return connections() == count;
+  }
+  std::uint64_t dropped(std::string_view topic) {
+    return on_its_thread([&] { return hub_.topic_counts().at(topic).dropped; });
+  }
+  std::uint16_t port() const { return gateway_->port(); }
+
+ private:
+  asio::io_context io_;
+  asio::executor_work_guard<asio::io_context::executor_type> work_ = asio::make_work_guard(io_);
+  Hub hub_;
+  std::unique_ptr<Gateway> gateway_;
+  std::thread thread_;
+};
+
+tcp::socket connected(asio::io_context& io, std::uint16_t port) {
+  tcp::socket socket(io);
+  socket.connect({asio::ip::make_address("127.0.0.1"), port});
+  return socket;
+}
+
+struct Headers {
+  std::string subprotocol = "foxglove.websocket.v1";
+  std::string origin{};
+  std::string host{};
+};
+
+/// A WebSocket client of Beast's own making.
+class Viewer {
+ public:
+  explicit Viewer(std::uint16_t port, Headers headers = {}) : stream_(connected(io_, port)) {
+    stream_.read_message_max(64 << 20);
+    stream_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
+      if (!headers.subprotocol.empty()) request.set(http::field::sec_websocket_protocol, headers.subprotocol);
+      if (!headers.origin.empty()) request.set(http::field::origin, headers.origin);
+    }));
+    const std::string host = headers.host.empty() ? "127.0.0.1:" + std::to_string(port) : headers.host;
+    websocket::response_type response;
+    beast::error_code failed;
+    stream_.handshake(response, host, "/any/path", failed);
+    status = response.result_int();
+    if (!failed) subprotocol = std::string(response[http::field::sec_websocket_protocol]);
+  }
+
+  std::string read() {
+    beast::flat_buffer buffer;
+    stream_.read(buffer, failed_);
+    return failed_ ? std::string() : beast::buffers_to_string(buffer.data());
+  }
+  void send(const std::string& text, bool binary = false) {
+    stream_.binary(binary);
+    stream_.write(asio::buffer(text), failed_);
+  }
+  /// Asks for `channel` as subscription `id`, and waits until the server has heard it.
+  void subscribe(int id, int channel) {
+    send(R"({"op":"subscribe","subscriptions":[{"id":)" + std::to_string(id) + R"(,"channelId":)" +
+         std::to_string(channel) + "}]}");
+    send("?");  // answered by a warning, in order
+    while (!failed_ && read().find("no JSON") == std::string::npos) {
+    }
+  }
+  bool failed() const { return bool(failed_); }
+  auto close_code() const { return stream_.reason().code; }
+  tcp::socket& socket() { return stream_.next_layer(); }
+
+  unsigned status = 0;
+  std::string subprotocol;
+
+ private:
+  asio::io_context io_;
+  websocket::stream<tcp::socket> stream_;
+  beast::error_code failed_;
+};
+
+/// Sends `request` as it is and returns all that comes back until the server closes.
+std::string answer_to(std::uint16_t port, const std::string& request) {
+  asio::io_context io;
+  tcp::socket socket = connected(io, port);
+  beast::error_code ignored;
+  asio::write(socket, asio::buffer(request), ignored);
+  std::string answer;
+  asio::read(socket, asio::dynamic_buffer(answer), ignored);
+  return answer;
+}
+
+constexpr int kColorChannel = 1;
+constexpr int kDepthChannel = 2;
+constexpr int kClockChannel = 5;
+
+TEST(Gateway, AViewerIsGreetedAndGetsWhatItAsksForWithTimeAndSubscription) {
+  Running server;
+  Viewer viewer(server.port());
+  EXPECT_EQ(viewer.subprotocol, "foxglove.websocket.v1");
+  EXPECT_NE(viewer.read().find(R"("op":"serverInfo")"), std::string::npos);
+  const std::string advertise = viewer.read();
+  EXPECT_NE(advertise.find(R"("topic":"/camera/depth")"), std::string::npos);
+  EXPECT_NE(advertise.find(R"("schemaEncoding":"protobuf")"), std::string::npos);
+  viewer.subscribe(9, kClockChannel);
+  server.publish(wire::kCameraDepth, "not asked for");
+  server.publish(wire::kClock, "tick", 0x0102);
+  EXPECT_EQ(viewer.read(), std::string("\x01\x09\0\0\0\x02\x01\0\0\0\0\0\0tick", 17));
+}
+
+TEST(Gateway, TheNewerSubprotocolIsSpokenToo) {
+  Running server;
+  EXPECT_EQ(Viewer(server.port(), {.subprotocol = "foxglove.sdk.v1"}).subprotocol, "foxglove.sdk.v1");
+}
+
+TEST(Gateway, AnUpgradeWithoutOurSubprotocolIsABadRequest) {
+  Running server;
+  EXPECT_EQ(Viewer(server.port(), {.subprotocol = ""}).status, 400u);
+  EXPECT_EQ(Viewer(server.port(), {.subprotocol = "mqtt"}).status, 400u);
+}
+
+TEST(Gateway, ForeignPagesAreRefused) {
+  Running server;
+  EXPECT_EQ(Viewer(server.port(), {.origin = "http://evil.example"}).status, 403u);
+  EXPECT_EQ(Viewer(server.port(), {.origin = "http://evil.example", .host = "evil.example"}).status, 421u);
+  const std::string own = "http://127.0.0.1:" + std::to_string(server.port());
+  EXPECT_EQ(Viewer(server.port(), {.origin = own}).status, 101u);
+}
+
+TEST(Gateway, AnUnsubscribedTopicStopsAndAnUnknownChannelIsAWarning) {
+  Running server;
+  Viewer viewer(server.port());
+  viewer.subscribe(1, kClockChannel);
+  viewer.send(R"({"op":"unsubscribe","subscriptionIds":[1]})");
+  viewer.send(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":99}]})");
+  EXPECT_NE(viewer.read().find("there is no channel 99"), std::string::npos);
+  server.publish(wire::kClock, "unheard");
+  viewer.subscribe(3, kClockChannel);
+  server.publish(wire::kClock, "heard");
+  EXPECT_EQ(viewer.read().substr(13), "heard");
+}
+
+TEST(Gateway, AMessageThatIsTooLongClosesWith1009) {
+  Running server;
+  Viewer viewer(server.port());
+  viewer.send(std::string(200'000, 'x'));
+  while (!viewer.failed()) viewer.read();
+  EXPECT_EQ(viewer.close_code(), websocket::close_code::too_big);
+  EXPECT_TRUE(server.comes_to(0));
+}
+
+TEST(Gateway, NonsenseIsAnsweredAndBoundedWhileOthersAreServed) {
+  Running server;
+  Viewer hostile(server.port());
+  Viewer honest(server.port());
+  honest.subscribe(1, kClockChannel);
+  for (int number = 0; number < 20'000; ++number) hostile.send(R"({"op":"subscribe","subscriptions":[{"id":1)");
+  hostile.send("binary", true);
+  server.publish(wire::kClock, "still here");
+  EXPECT_EQ(honest.read().substr(13), "still here");
+}
+
+TEST(Gateway, AStalledViewerLosesItsOwnFramesAndNobodyElses) {
+  Running server;
+  Viewer stalled(server.port());
+  Viewer quick(server.port());
+  stalled.subscribe(1, kDepthChannel);
+  quick.subscribe(1, kDepthChannel);
+  const int frames = 60;
+  for (int number = 0; number < frames; ++number) {
+    server.publish(wire::kCameraDepth, std::string(300'000, 'd') + std::to_string(number));
+    EXPECT_EQ(quick.read().substr(13 + 300'000), std::to_string(number));
+  }
+  EXPECT_GT(server.dropped(wire::kCameraDepth.name), 20u);
+  int received = 0;
+  std::string newest;
+  while (newest != std::to_string(frames - 1)) {  // what is left ends with the newest
+    newest = stalled.read().substr(13 + 300'000);
+    ++received;
+  }
+  EXPECT_LT(received, frames - 20);
+}
+
+TEST(Gateway, AViewerThatAnswersNoPingIsDropped) {
+  Running server({.idle_timeout = 300ms});
+  Viewer silent(server.port());  // Beast answers pings only while it reads
+  ASSERT_TRUE(server.comes_to(1));
+  EXPECT_TRUE(server.comes_to(0));
+}
+
+TEST(Gateway, ASlowRequestIsGivenUp) {
+  Running server({.request_timeout = 200ms});
+  asio::io_context io;
+  tcp::socket slow = connected(io, server.port());
+  asio::write(slow, asio::buffer(std::string("GET / HT")));
+  ASSERT_TRUE(server.comes_to(1));
+  EXPECT_TRUE(server.comes_to(0));
+}
+
+TEST(Gateway, BeyondItsLimitNewConnectionsAreClosedAndOldOnesKept) {
+  Running server({.max_connections = 2});
+  Viewer one(server.port());
+  Viewer two(server.port());
+  EXPECT_EQ(Viewer(server.port()).status, 0u);
+  one.subscribe(1, kClockChannel);
+  server.publish(wire::kClock, "kept");
+  EXPECT_EQ(one.read().substr(13), "kept");
+}
+
+TEST(Gateway, HttpNonsenseIsRefusedWithinBounds) {
+  Running server({.request_timeout = 1000ms});
+  const std::string host = "Host: 127.0.0.1\r\n";
+  EXPECT_NE(answer_to(server.port(), "\x16\x03\x01 hello\r\n\r\n").find("400"), std::string::npos);
+  EXPECT_NE(answer_to(server.port(), "GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n").find(" 413 "),
+            std::string::npos);
+  EXPECT_NE(
+      answer_to(server.port(), "POST / HTTP/1.1\r\n" + host + "Content-Length: 1099511627776\r\n\r\n").find(" 413 "),
+      std::string::npos);
+  EXPECT_NE(
+      answer_to(server.port(), "GET /../../etc/passwd HTTP/1.1\r\n" + host + "Connection: close\r\n\r\n").find(" 404 "),
+      std::string::npos);
+  EXPECT_NE(answer_to(server.port(), "GET /session_clock HTTP/1.1\r\n" + host + "Connection: close\r\n\r\n")
+                .find("\r\n\r\n42"),
+            std::string::npos);
+}
+
+TEST(Gateway, APortInUseIsAnErrorThatNamesIt) {
+  Running server;
+  asio::io_context io;
+  Hub hub;
+  const auto second = Gateway::open(io, hub, [] { return SessionTime{}; }, {.port = server.port()});
+  ASSERT_FALSE(second);
+  EXPECT_NE(to_string(second.error()).find(std::to_string(server.port())), std::string::npos);
+}
+
+TEST(Gateway, ClosingItClosesItsViewers) {
+  auto server = std::make_unique<Running>();
+  Viewer viewer(server->port());
+  viewer.subscribe(1, kClockChannel);
+  server.reset();
+  viewer.read();
+  EXPECT_TRUE(viewer.failed());
+}
+
+}  // namespace
+}  // namespace telepalp::server
