@@ -5,6 +5,8 @@ export interface Detail {
 }
 
 const POLL_MS = 4;
+/** After a slow frame the page rests for as long as that took, at most this: messages wait behind drawing. */
+const LONGEST_REST_MS = 500;
 const TOO_SLOW_MS = 90;
 const EASY_MS = 12;
 const SLOW_FRAMES = 4;
@@ -59,6 +61,11 @@ export class FramePacer {
     }
     if (done !== null) this.gl.deleteSync(done);
     this.judge(performance.now() - began_ms);
+    if (this.drawn_ms < TOO_SLOW_MS) this.rested();
+    else window.setTimeout(() => this.rested(), Math.min(this.drawn_ms, LONGEST_REST_MS));
+  }
+
+  private rested(): void {
     this.busy = false;
     if (this.wanted) this.ask();
   }
