@@ -10,9 +10,10 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// "127.0.0.1:8080" -> "127.0.0.1", "[::1]:8080" -> "::1"
+/// "127.0.0.1:8080" -> "127.0.0.1", "[::1]:8080" -> "::1"; empty for a bracket that is not closed.
 std::string_view without_port(std::string_view host) {
-  if (host.starts_with('[')) return host.substr(1, host.find(']') - 1);
+  const std::size_t closed = host.find(']');
+  if (host.starts_with('[')) return closed == std::string_view::npos ? std::string_view{} : host.substr(1, closed - 1);
   return host.substr(0, host.find(':'));
 }
 

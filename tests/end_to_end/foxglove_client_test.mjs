@@ -53,7 +53,7 @@ test('Foxglove\'s client hears every topic and decodes camera frames with the sc
       assert.equal(Buffer.from(frame.data.subarray(0, 3)).toString(), 'TPD');
       assert.ok(Number(frame.sequence) > last, 'frames come in order');
       last = Number(frame.sequence);
-      assert.ok(timestamp >= BigInt(frame.capturedNs.toString()), 'a frame is published after it was captured');
+      assert.ok(timestamp >= BigInt(frame.captured_ns.toString()), 'a frame is published after it was captured');
     }
 
     client.unsubscribe(subscription);

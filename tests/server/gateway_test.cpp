@@ -7,6 +7,7 @@
 #include <boost/asio/connect.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/read.hpp>
+#include <boost/asio/read_until.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
@@ -88,6 +89,23 @@ struct Headers {
   std::string host{};
 };
 
+/// The status that an upgrade with these headers is answered with; 0 when the server closes without a word.
+int upgrade_status(std::uint16_t port, const Headers& headers = {}) {
+  asio::io_context io;
+  tcp::socket socket = connected(io, port);
+  std::string request =
+      "GET / HTTP/1.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
+  request += "Host: " + (headers.host.empty() ? "127.0.0.1:" + std::to_string(port) : headers.host) + "\r\n";
+  if (!headers.subprotocol.empty()) request += "Sec-WebSocket-Protocol: " + headers.subprotocol + "\r\n";
+  if (!headers.origin.empty()) request += "Origin: " + headers.origin + "\r\n";
+  beast::error_code ignored;
+  asio::write(socket, asio::buffer(request + "\r\n"), ignored);
+  std::string answer;
+  asio::read_until(socket, asio::dynamic_buffer(answer), "\r\n", ignored);
+  return answer.size() < 12 ? 0 : std::stoi(answer.substr(9, 3));
+}
+
 /// A WebSocket client of Beast's own making.
 class Viewer {
  public:
@@ -101,7 +119,6 @@ class Viewer {
     websocket::response_type response;
     beast::error_code failed;
     stream_.handshake(response, host, "/any/path", failed);
-    status = response.result_int();
     if (!failed) subprotocol = std::string(response[http::field::sec_websocket_protocol]);
   }
 
@@ -123,10 +140,10 @@ class Viewer {
     }
   }
   bool failed() const { return bool(failed_); }
+  std::string failure() const { return failed_.message(); }
   auto close_code() const { return stream_.reason().code; }
   tcp::socket& socket() { return stream_.next_layer(); }
 
-  unsigned status = 0;
   std::string subprotocol;
 
  private:
@@ -171,16 +188,16 @@ TEST(Gateway, TheNewerSubprotocolIsSpokenToo) {
 
 TEST(Gateway, AnUpgradeWithoutOurSubprotocolIsABadRequest) {
   Running server;
-  EXPECT_EQ(Viewer(server.port(), {.subprotocol = ""}).status, 400u);
-  EXPECT_EQ(Viewer(server.port(), {.subprotocol = "mqtt"}).status, 400u);
+  EXPECT_EQ(upgrade_status(server.port(), {.subprotocol = ""}), 400);
+  EXPECT_EQ(upgrade_status(server.port(), {.subprotocol = "mqtt"}), 400);
 }
 
 TEST(Gateway, ForeignPagesAreRefused) {
   Running server;
-  EXPECT_EQ(Viewer(server.port(), {.origin = "http://evil.example"}).status, 403u);
-  EXPECT_EQ(Viewer(server.port(), {.origin = "http://evil.example", .host = "evil.example"}).status, 421u);
+  EXPECT_EQ(upgrade_status(server.port(), {.origin = "http://evil.example"}), 403);
+  EXPECT_EQ(upgrade_status(server.port(), {.origin = "http://evil.example", .host = "evil.example"}), 421);
   const std::string own = "http://127.0.0.1:" + std::to_string(server.port());
-  EXPECT_EQ(Viewer(server.port(), {.origin = own}).status, 101u);
+  EXPECT_EQ(upgrade_status(server.port(), {.origin = own}), 101);
 }
 
 TEST(Gateway, AnUnsubscribedTopicStopsAndAnUnknownChannelIsAWarning) {
@@ -201,7 +218,7 @@ TEST(Gateway, AMessageThatIsTooLongClosesWith1009) {
   Viewer viewer(server.port());
   viewer.send(std::string(200'000, 'x'));
   while (!viewer.failed()) viewer.read();
-  EXPECT_EQ(viewer.close_code(), websocket::close_code::too_big);
+  EXPECT_EQ(viewer.close_code(), websocket::close_code::too_big) << viewer.failure();
   EXPECT_TRUE(server.comes_to(0));
 }
 
@@ -257,7 +274,7 @@ TEST(Gateway, BeyondItsLimitNewConnectionsAreClosedAndOldOnesKept) {
   Running server({.max_connections = 2});
   Viewer one(server.port());
   Viewer two(server.port());
-  EXPECT_EQ(Viewer(server.port()).status, 0u);
+  EXPECT_EQ(upgrade_status(server.port()), 0);
   one.subscribe(1, kClockChannel);
   server.publish(wire::kClock, "kept");
   EXPECT_EQ(one.read().substr(13), "kept");

@@ -102,7 +102,7 @@ const stream = new Stream(
 const read = () => state.read(performance.now(), stream.connected, stream.retryAt_ms);
 const status = publishStatus(() => ({
   ...read(),
-  meshVertices: view.surface.meshVertices,
+  meshVertices: view.drawnVertices,
   handPosition: view.hand.mesh.visible ? view.hand.mesh.position.toArray() : undefined,
   undecodable: stream.undecodable + decoder.undecodable,
   overtaken: decoder.overtaken,

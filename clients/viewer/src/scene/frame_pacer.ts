@@ -17,6 +17,7 @@ const EASY_FRAMES = 240;
  * nor the messages; and draws less finely where that takes too long, as without a graphics card.
  */
 export class FramePacer {
+  /** Into what the view may be drawn as, from the finest. */
   level = 0;
   /** From the drawing's start to its end on the graphics card, of the last frame. */
   drawn_ms = 0;
@@ -26,12 +27,15 @@ export class FramePacer {
   private slow = 0;
   private easy = 0;
 
-  /** `draw` is called with the animation frame; `onLevel` when the detail changes, with an index into `levels`. */
+  /**
+   * `draw` is called with the animation frame and says whether its time tells anything; `onDrawn` when it is finished.
+   * `level` stays below `levels`.
+   */
   constructor(
       private readonly gl: WebGL2RenderingContext,
       private readonly levels: number,
-      private readonly draw: () => void,
-      private readonly onLevel: (level: number) => void,
+      private readonly draw: () => boolean,
+      private readonly onDrawn: () => void,
   ) {}
 
   /** Asks for a frame. Asking often costs nothing: one is drawn for all that asked before it began. */
@@ -45,22 +49,24 @@ export class FramePacer {
   private begin(): void {
     this.wanted = false;
     const began_ms = performance.now();
-    this.draw();
+    const telling = this.draw();
     const done = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     this.gl.flush();
-    this.wait(done, began_ms);
+    this.wait(done, began_ms, telling);
   }
 
-  private wait(done: WebGLSync | null, began_ms: number): void {
+  private wait(done: WebGLSync | null, began_ms: number, telling: boolean): void {
     // A lost context signals nothing; it counts as done.
     const pending = done !== null && !this.gl.isContextLost() &&
         this.gl.getSyncParameter(done, this.gl.SYNC_STATUS) !== this.gl.SIGNALED;
     if (pending) {
-      window.setTimeout(() => this.wait(done, began_ms), POLL_MS);
+      window.setTimeout(() => this.wait(done, began_ms, telling), POLL_MS);
       return;
     }
     if (done !== null) this.gl.deleteSync(done);
-    this.judge(performance.now() - began_ms);
+    this.onDrawn();
+    this.drawn_ms = performance.now() - began_ms;
+    if (telling) this.judge(this.drawn_ms);
     if (this.drawn_ms < TOO_SLOW_MS) this.rested();
     else window.setTimeout(() => this.rested(), Math.min(this.drawn_ms, LONGEST_REST_MS));
   }
@@ -71,7 +77,6 @@ export class FramePacer {
   }
 
   private judge(drawn_ms: number): void {
-    this.drawn_ms = drawn_ms;
     this.slow = drawn_ms > TOO_SLOW_MS ? this.slow + 1 : 0;
     this.easy = drawn_ms < EASY_MS ? this.easy + 1 : 0;
     if (this.slow >= SLOW_FRAMES && this.level + 1 < this.levels) this.change(this.level + 1);
@@ -81,6 +86,6 @@ export class FramePacer {
   private change(level: number): void {
     this.level = level;
     this.slow = this.easy = 0;
-    this.onLevel(level);
+    this.ask();
   }
 }

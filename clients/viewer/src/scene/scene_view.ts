@@ -24,7 +24,7 @@ const DETAILS: readonly Detail[] = [
   {stride: 1, pixelRatio: 2},
   {stride: 1, pixelRatio: 1},
   {stride: 1, pixelRatio: 0.7},
-  {stride: 2, pixelRatio: 0.7},
+  {stride: 1, pixelRatio: 0.5},
   {stride: 2, pixelRatio: 0.5},
 ];
 const SOFTWARE_LEVEL = 2;
@@ -35,12 +35,17 @@ export class SceneView {
   readonly hand = new Hand();
   readonly probe = new Probe();
 
+  /** Of the surface, in the last frame that the graphics card has finished. */
+  drawnVertices = 0;
+
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(42, 1, 0.01, 20);
   private readonly controls: OrbitControls;
   private readonly home = {target: new Vector3(0, 0, -1), distance_m: 0.9};
   private placed = false;
+  private size = '';
+  private drawingVertices = 0;
   private readonly pacer: FramePacer;
 
   /** Throws when the browser has no WebGL 2. */
@@ -49,9 +54,8 @@ export class SceneView {
     this.renderer = new WebGLRenderer({canvas, antialias: !software, powerPreference: 'high-performance'});
     this.pacer = new FramePacer(
         this.renderer.getContext() as WebGL2RenderingContext, DETAILS.length, () => this.draw(),
-        (level) => this.setDetail(DETAILS[level] as Detail));
+        () => (this.drawnVertices = this.drawingVertices));
     this.pacer.level = software ? SOFTWARE_LEVEL : 0;
-    this.setDetail(DETAILS[this.pacer.level] as Detail);
     this.scene.background = BACKGROUND;
     const lamp = new DirectionalLight('#fff4e6', 2.1);
     lamp.position.set(-0.45, 0.65, 0.85);
@@ -65,8 +69,7 @@ export class SceneView {
     this.controls.maxDistance = 4;
     this.controls.maxPolarAngle = 0.93 * Math.PI;
     this.controls.addEventListener('change', () => this.invalidate());
-    new ResizeObserver(() => this.resize()).observe(canvas);
-    this.resize();
+    new ResizeObserver(() => this.invalidate()).observe(canvas);
     this.resetView();
   }
 
@@ -112,23 +115,26 @@ export class SceneView {
     this.invalidate();
   }
 
-  private draw(): void {
+  private draw(): boolean {
+    this.fit(DETAILS[this.pacer.level] as Detail);
     if (this.controls.update()) this.invalidate();
+    this.drawingVertices = this.surface.meshVertices;
     this.renderer.render(this.scene, this.camera);
+    return this.drawingVertices > 0;
   }
 
-  private setDetail({stride, pixelRatio}: Detail): void {
+  /** Sizes what is drawn on. Just before drawing, for it clears the picture. */
+  private fit({stride, pixelRatio}: Detail): void {
     this.surface.setStride(stride);
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, pixelRatio));
-    this.invalidate();
-  }
-
-  private resize(): void {
     const {clientWidth, clientHeight} = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
+    const ratio = Math.min(window.devicePixelRatio, pixelRatio);
+    const size = `${clientWidth} x ${clientHeight} at ${ratio}`;
+    if (size === this.size) return;
+    this.size = size;
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
-    this.invalidate();
   }
 }
