@@ -159,7 +159,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   }
 
   websocket::stream<beast::tcp_stream> stream_;
-  beast::flat_buffer incoming_{kMaxTextBytes};
+  beast::flat_buffer incoming_;                              // bounded by read_message_max
   std::optional<SubscriberId> subscriber_;                   // from the greeting until the end
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics
   std::deque<std::string> texts_;                            // to write before data
