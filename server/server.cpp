@@ -43,7 +43,9 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
                                        {.address = server->options_.bind,
                                         .port = server->options_.port,
                                         .name = server->options_.name,
-                                        .on_note = [raw = server.get()](const std::string& text) { raw->log(text); }});
+                                        .on_note = [raw = server.get()](const std::string& text) { raw->log(text); },
+                                        // What a peer was sent in all is told while the hub still knows it.
+                                        .on_leaving = [raw = server.get()] { raw->publish_clock_and_stats(); }});
   if (!listener) return listener.error();
   server->listener_ = std::move(listener).value();
   return server;

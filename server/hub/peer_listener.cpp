@@ -82,12 +82,18 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   }
   void on_clock(const wire::ClockSample&) override {}  // a server's clock is the session's: it asks nobody
   void on_closed(const std::string& reason) override {
-    if (subscriber_) listener_.hub_.leave(std::exchange(subscriber_, 0));
+    leave_hub();
     listener_.note((name_.empty() ? "a stranger" : name_) + " at " + connection_->peer() + " left: " + reason);
     listener_.forget(number_);
   }
   std::optional<wire::Message> next_to_send() override { return listener_.hub_.next(subscriber_); }
   SessionTime session_now() override { return listener_.clock_.now(); }
+
+  void leave_hub() {
+    if (!subscriber_) return;
+    if (listener_.options_.on_leaving) listener_.options_.on_leaving();
+    listener_.hub_.leave(std::exchange(subscriber_, 0));
+  }
 
   PeerListener& listener_;
   PeerNumber number_;

@@ -31,6 +31,7 @@ class PeerListener {
     std::string name = "telepalp-server";
     std::size_t max_peers = 64;                         ///< more are closed on arrival
     std::function<void(const std::string&)> on_note{};  ///< who came, who left and why; for the log
+    std::function<void()> on_leaving{};                 ///< a peer is about to leave the hub, its counts with it
   };
   struct Counts {
     std::uint64_t accepted = 0;
