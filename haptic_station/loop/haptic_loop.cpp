@@ -69,6 +69,7 @@ TickSample HapticLoop::tell(const DeviceReading& device, const control::ControlI
   told.force = packed(out.force.N);
   told.displayed_hand_camera = packed((camera_from_haptic_ * out.displayed_hand).m);
   told.proxy_camera = packed((camera_from_haptic_ * in.contact.proxy).m);
+  told.normal_camera = packed((camera_from_haptic_ * in.contact.normal).v);
   told.device_camera = packed((camera_from_haptic_ * device.at).m);
   told.force_camera = packed((camera_from_haptic_ * out.force).N);
   told.indentation_m = static_cast<float>(out.indentation.v.norm());

@@ -24,6 +24,7 @@ struct TickSample {
   std::array<float, 3> force{};
   std::array<float, 3> displayed_hand_camera{};
   std::array<float, 3> proxy_camera{};
+  std::array<float, 3> normal_camera{};
   std::array<float, 3> device_camera{};
   std::array<float, 3> force_camera{};
   float indentation_m = 0.0F;  ///< |d| of S1 eq. (8); 0 out of the body

@@ -48,6 +48,7 @@ msg::StationState state_message(const TickSample& sample) {
   set(*state.mutable_force_n(), sample.force);
   set(*state.mutable_displayed_hand_camera(), sample.displayed_hand_camera);
   set(*state.mutable_proxy_camera(), sample.proxy_camera);
+  set(*state.mutable_normal_camera(), sample.normal_camera);
   set(*state.mutable_device_camera(), sample.device_camera);
   set(*state.mutable_force_camera_n(), sample.force_camera);
   state.set_distance_m(sample.distance_m);
