@@ -17,6 +17,7 @@ program::Usage usage() {
           .positional = "",
           .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:7400"},
                       {"scene", "FILE", "what can be felt: a *.scene.textproto; left out: palpation"},
+                      {"check", "", "read the scene, say what can be felt in it, and leave"},
                       {"seconds", "S", "how long to tick; 0: until Ctrl-C", "0"},
                       {"realtime", "require|prefer", "whether to run without real-time priority", "prefer"}},
           .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10"};
@@ -55,6 +56,17 @@ Result<std::filesystem::path> scene_of(const program::Arguments& arguments) {
                .fix = "name one by --scene, or set TELEPALP_HOME"};
 }
 
+int check(const std::filesystem::path& scene_file) {
+  const Result<scenes::Scene> scene = scenes::read_scene(scene_file);
+  if (!scene) return program::fail(scene.error());
+  const Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
+  if (!trace) return program::fail(trace.error());
+  std::string effects;
+  for (const effects::EffectBill& line : scene->effects.bill()) effects += std::string(" ") + line.name;
+  std::printf("%s: %s; effects:%s\n", scene->name.c_str(), scene->message.purpose().c_str(), effects.c_str());
+  return program::kDone;
+}
+
 int run(const station::StationOptions& options, const std::filesystem::path& scene_file) {
   const Result<scenes::Scene> scene = scenes::read_scene(scene_file);
   if (!scene) return program::fail(scene.error());
@@ -74,5 +86,6 @@ int main(int argc, char** argv) {
   const Result<station::StationOptions> options = options_of(**read);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
   const Result<std::filesystem::path> scene = scene_of(**read);
-  return scene ? run(*options, *scene) : program::fail(scene.error());
+  if (!scene) return program::fail(scene.error());
+  return (*read)->has("check") ? check(*scene) : run(*options, *scene);
 }
