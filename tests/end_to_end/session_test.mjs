@@ -1,0 +1,69 @@
+// node session_test.mjs SOURCE_DIR BIN_DIR: plays the real recording with the real programs, then reads the session as an
+// outsider would, with npm's @mcap/core and nothing of ours: every message must decode by the schema in the file.
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { promisify } from "node:util";
+import { decoders, readIndexed } from "../npm/mcap_file.mjs";
+
+const [sourceDir, binDir] = process.argv.slice(2);
+const folder = await mkdtemp(path.join(tmpdir(), "telepalp-session-"));
+const byTopic = new Map();
+
+before(async () => {
+  const args = ["--headless", "--seconds", "5", "--source", "oni:deploy/demo_data/oni/3dj_test.oni", "--out", folder];
+  await promisify(execFile)("deploy/demo", args, { cwd: sourceDir, env: { ...process.env, TELEPALP_BIN: binDir } });
+  const { reader, messages } = await readIndexed(path.join(folder, "session.mcap"));
+  const decode = decoders(reader.schemasById);
+  for (const message of messages) {
+    const channel = reader.channelsById.get(message.channelId);
+    if (!byTopic.has(channel.topic)) byTopic.set(channel.topic, []);
+    byTopic.get(channel.topic).push(decode.get(channel.schemaId)(message.data));
+  }
+});
+after(() => rm(folder, { recursive: true }));
+
+const norm = ({ x, y, z }) => Math.hypot(x, y, z);
+
+test("every topic of the system is in the session", () => {
+  const wanted = ["/camera/color", "/camera/depth", "/camera/info", "/camera/status", "/clock", "/server/stats"];
+  const station = ["state", "ticks", "surface", "events", "stats"].map((name) => `/station/${name}`);
+  for (const topic of [...wanted, ...station]) assert.ok(byTopic.get(topic)?.length > 0, topic);
+});
+
+test("camera frames are images with the time of their capture", () => {
+  for (const image of byTopic.get("/camera/depth")) {
+    assert.equal(image.width, 640);
+    assert.equal(image.height, 480);
+    assert.ok(image.data.length > 1000);
+    assert.ok(BigInt(image.captured_ns.toString()) <= BigInt(image.encoded_ns.toString()));
+  }
+  const jpeg = byTopic.get("/camera/color")[0].data;
+  assert.deepEqual([...jpeg.subarray(0, 3)], [0xff, 0xd8, 0xff]);
+});
+
+test("every derived message carries the capture time that it came from", () => {
+  const captured = new Set(byTopic.get("/camera/depth").map((image) => image.captured_ns.toString()));
+  const first = byTopic.get("/station/surface")[0];
+  assert.ok(captured.has(first.captured_ns.toString()), "the surface's capture is that of a recorded depth image");
+  for (const state of byTopic.get("/station/state")) assert.notEqual(state.surface_captured_ns.toString(), "0");
+});
+
+test("every force is finite and within the device's 10 N", () => {
+  const forces = byTopic.get("/station/state").map((state) => norm(state.force_N));
+  for (const force of forces) assert.ok(Number.isFinite(force) && force <= 10, String(force));
+  for (const batch of byTopic.get("/station/ticks"))
+    batch.force_x.forEach((x, i) => assert.ok(norm({ x, y: batch.force_y[i], z: batch.force_z[i] }) <= 10));
+});
+
+test("no tick is missing from the session but those that missed their deadline", () => {
+  let next = 0;
+  for (const batch of byTopic.get("/station/ticks")) {
+    assert.equal(Number(batch.first_tick), next);
+    next += batch.phase.length;
+  }
+  assert.ok(next >= 9000, `${next} ticks in 5 s`);
+});
