@@ -21,9 +21,9 @@ struct Free {
 };
 using Scratch = std::unique_ptr<void, Free>;
 
-Scratch scratch_for(int width) {
+Scratch scratch_for(int width, const ContextTables& tables) {
   constexpr std::size_t kAlignment = 64;
-  const std::size_t bytes = scratch_bytes(width, depth_tables());
+  const std::size_t bytes = scratch_bytes(width, tables);
   Scratch scratch(std::aligned_alloc(kAlignment, (bytes + kAlignment - 1) / kAlignment * kAlignment));
   demand(scratch != nullptr, "memory for the coder's models and rows");
   return scratch;
@@ -31,6 +31,18 @@ Scratch scratch_for(int width) {
 
 std::size_t first_pixel(const Slicing& slicing, int slice, int width) noexcept {
   return static_cast<std::size_t>(slice) * static_cast<std::size_t>(slicing.rows) * static_cast<std::size_t>(width);
+}
+
+const std::uint16_t* band(const Ranks& ranks, const Slicing& slicing, int slice, int width) noexcept {
+  return ranks.empty() ? nullptr : ranks.data() + first_pixel(slicing, slice, width);
+}
+
+const ContextTables& tables_for(const FrameBefore& before) {
+  return before.samples.empty() ? depth_tables() : dependent_depth_tables();
+}
+
+Ranks ranks_of_before(const FrameBefore& before, const LevelPalette& palette) {
+  return before.samples.empty() ? Ranks{} : ranks_by(nearest_ranks_of(palette), before.samples);
 }
 
 /// Samples from ranks, in place of a look-up that could read past the palette.
@@ -67,31 +79,28 @@ int Slicing::rows_of(int slice, int height) const noexcept {
   return slice + 1 < slices ? rows : height - (slices - 1) * rows;
 }
 
-Ranks ranks_in(const LevelPalette& palette, std::span<const std::uint16_t> samples) {
-  const RankOfLevel rank_of = ranks_of(palette);
-  Ranks ranks(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) ranks[i] = rank_of[samples[i]];
-  return ranks;
-}
-
 std::optional<std::string> encode_contexts(const Ranks& ranks, int width, const LevelPalette& palette,
-                                           const Slicing& slicing, const ContextKernel& kernel) {
+                                           const FrameBefore& before, const Slicing& slicing,
+                                           const ContextKernel& kernel) {
   const int height = static_cast<int>(ranks.size()) / width;
-  const Scratch scratch = scratch_for(width);
+  const ContextTables& tables = tables_for(before);
+  const Ranks ranks_before = ranks_of_before(before, palette);
+  const Scratch scratch = scratch_for(width, tables);
   const std::size_t raw_bytes = ranks.size() * sizeof(std::uint16_t);
   const std::size_t room = raw_bytes / static_cast<std::size_t>(slicing.slices) + 64;
   const std::unique_ptr<std::uint8_t[]> bytes(new std::uint8_t[kLanes * room]);
   std::string body;
-  append_coded_palette(body, palette);
+  append_coded_palette(body, palette, palette_of(before.samples));
   for (int first = 0; first < slicing.slices; first += kLanes) {
     std::array<EncodeSlice, kLanes> slices{};
     const int count = std::min(kLanes, slicing.slices - first);
     for (int i = 0; i < count; ++i)
       slices[static_cast<std::size_t>(i)] = {.ranks = ranks.data() + first_pixel(slicing, first + i, width),
+                                             .before = band(ranks_before, slicing, first + i, width),
                                              .rows = slicing.rows_of(first + i, height),
                                              .bytes = bytes.get() + static_cast<std::size_t>(i) * room,
                                              .room = room};
-    kernel.encode(slices.data(), count, width, depth_tables(), scratch.get());
+    kernel.encode(slices.data(), count, width, tables, scratch.get());
     for (int i = 0; i < count; ++i) {
       const EncodeSlice& slice = slices[static_cast<std::size_t>(i)];
       if (slice.size == 0) return std::nullopt;
@@ -103,13 +112,17 @@ std::optional<std::string> encode_contexts(const Ranks& ranks, int width, const 
   return body;
 }
 
-bool decode_contexts(const Packet& packet, std::span<std::uint16_t> samples, const ContextKernel& kernel) {
+bool decode_contexts(const Packet& packet, const FrameBefore& before, std::span<std::uint16_t> samples,
+                     const ContextKernel& kernel) {
   const PacketHeader& header = packet.header;
   const std::optional<Slicing> slicing = Slicing::declared(header.height, header.slices);
   ByteReader reader(packet.body);
-  const std::optional<LevelPalette> palette = slicing ? read_coded_palette(reader) : std::nullopt;
+  const std::optional<LevelPalette> palette =
+      slicing ? read_coded_palette(reader, palette_of(before.samples)) : std::nullopt;
   if (!palette) return false;
-  const Scratch scratch = scratch_for(header.width);
+  const ContextTables& tables = tables_for(before);
+  const Ranks ranks_before = ranks_of_before(before, *palette);
+  const Scratch scratch = scratch_for(header.width, tables);
   Ranks ranks(header.pixels());
   for (int first = 0; first < slicing->slices; first += kLanes) {
     std::array<DecodeSlice, kLanes> slices{};
@@ -121,9 +134,10 @@ bool decode_contexts(const Packet& packet, std::span<std::uint16_t> samples, con
       slices[static_cast<std::size_t>(i)] = {.bytes = reinterpret_cast<const std::uint8_t*>(bytes->data()),
                                              .size = bytes->size(),
                                              .ranks = ranks.data() + first_pixel(*slicing, first + i, header.width),
+                                             .before = band(ranks_before, *slicing, first + i, header.width),
                                              .rows = slicing->rows_of(first + i, header.height)};
     }
-    kernel.decode(slices.data(), count, header.width, depth_tables(), scratch.get());
+    kernel.decode(slices.data(), count, header.width, tables, scratch.get());
   }
   return reader.empty() && put_levels(ranks, *palette, samples);
 }

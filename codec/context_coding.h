@@ -29,14 +29,18 @@ struct Slicing {
   [[nodiscard]] int rows_of(int slice, int height) const noexcept;
 };
 
-/// `samples` as ranks in `palette`, which must have them all.
-[[nodiscard]] Ranks ranks_in(const LevelPalette& palette, std::span<const std::uint16_t> samples);
+/// What a frame is coded against.
+struct FrameBefore {
+  std::span<const std::uint16_t> samples;  ///< of the same size; empty: the frame stands alone
+};
 
-/// Palette and slices. nullopt when that takes more bytes than the samples themselves.
+/// Palette and slices of a frame that is given as ranks. nullopt when that takes more bytes than its samples.
 [[nodiscard]] std::optional<std::string> encode_contexts(const Ranks& ranks, int width, const LevelPalette& palette,
-                                                         const Slicing& slicing, const ContextKernel& kernel);
+                                                         const FrameBefore& before, const Slicing& slicing,
+                                                         const ContextKernel& kernel);
 
 /// Fills `samples` from such a body. False when it is damaged.
-[[nodiscard]] bool decode_contexts(const Packet& packet, std::span<std::uint16_t> samples, const ContextKernel& kernel);
+[[nodiscard]] bool decode_contexts(const Packet& packet, const FrameBefore& before, std::span<std::uint16_t> samples,
+                                   const ContextKernel& kernel);
 
 }  // namespace telepalp::codec

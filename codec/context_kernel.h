@@ -12,7 +12,8 @@ inline constexpr int kLanes = 4;
 
 /// A band of whole rows, coded apart from the others.
 struct EncodeSlice {
-  const uint16_t* ranks = nullptr;  ///< rows x width; 0 is "not measured"
+  const uint16_t* ranks = nullptr;   ///< rows x width; 0 is "not measured"
+  const uint16_t* before = nullptr;  ///< the same band of the frame before, in ranks of this one; or none
   int rows = 0;
   uint8_t* bytes = nullptr;  ///< written here
   size_t room = 0;
@@ -22,12 +23,14 @@ struct EncodeSlice {
 struct DecodeSlice {
   const uint8_t* bytes = nullptr;
   size_t size = 0;
-  uint16_t* ranks = nullptr;  ///< rows x width, written here; any number when the bytes are damaged
+  uint16_t* ranks = nullptr;         ///< rows x width, written here; any number when the bytes are damaged
+  const uint16_t* before = nullptr;  ///< as for the encoder
   int rows = 0;
 };
 
 /// One implementation of the coder. All give the same bytes for the same ranks. At most kLanes slices at once, of
-/// equal `rows` but for the last, which may have fewer. `scratch` has scratch_bytes(), aligned to 32.
+/// equal `rows` but for the last, which may have fewer; all with a frame before them, or none. `scratch` has
+/// scratch_bytes(), aligned to 32.
 struct ContextKernel {
   const char* name;
   void (*encode)(EncodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch);

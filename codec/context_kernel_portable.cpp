@@ -14,11 +14,11 @@ struct Plain {
 extern const ContextKernel* const kV3ContextKernel;  // context_kernel_v3.cpp; nullptr where the build has none
 
 size_t scratch_bytes(int width, const ContextTables& tables) {
-  return kLanes * (static_cast<size_t>(tables.clusters) * sizeof(Model) + 5 * row_bytes(width));
+  return kLanes * (static_cast<size_t>(tables.count) * sizeof(Model) + 5 * row_bytes(width));
 }
 
 const ContextKernel& portable_context_kernel() {
-  static const ContextKernel kernel{"portable", encode_slices<Plain>, decode_slices<Plain>};
+  static const ContextKernel kernel{"portable", encode<Plain>, decode<Plain>};
   return kernel;
 }
 

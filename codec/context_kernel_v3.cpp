@@ -33,7 +33,7 @@ struct Avx2 {
 }  // namespace
 
 extern const ContextKernel* const kV3ContextKernel;
-constexpr ContextKernel kKernel{"x86-64-v3", encode_slices<Avx2>, decode_slices<Avx2>};
+constexpr ContextKernel kKernel{"x86-64-v3", encode<Avx2>, decode<Avx2>};
 const ContextKernel* const kV3ContextKernel = &kKernel;
 
 }  // namespace telepalp::codec

@@ -14,23 +14,25 @@ namespace telepalp::codec {
 
 /// How depth is compressed; the name is what the command line and DepthImage.format say.
 enum class DepthMode : std::uint8_t {
-  Fast = 0,   ///< without loss; runs and zstd's entropy stage: the cheapest to decode
-  Intra = 1,  ///< without loss; context-modelled, every frame stands alone
+  Fast = 0,      ///< without loss; runs and zstd's entropy stage: the cheapest to encode
+  Intra = 1,     ///< without loss; context-modelled, every frame stands alone
+  Temporal = 2,  ///< without loss; frames between key frames depend on the one before
+  Bounded = 3,   ///< as Temporal, of depth moved within a hard bound; for the eye, not for touch
 };
-inline constexpr std::uint8_t kLastDepthMode = 1;
+inline constexpr std::uint8_t kLastDepthMode = 3;
 
 [[nodiscard]] std::string_view name(DepthMode mode) noexcept;
 
 /// The mode of that name; nullopt when there is none.
 [[nodiscard]] std::optional<DepthMode> depth_mode(std::string_view name) noexcept;
 
-/// Compresses one depth image without loss. `depth` must be well formed. The packet is never more than 64 B larger
-/// than the samples.
+/// Compresses one depth image so that it stands alone; without loss but for Bounded, which keeps the default
+/// DepthBound. `depth` must be well formed. The packet is never more than 64 B larger than the samples.
 [[nodiscard]] std::string encode_depth(const DepthImage& depth, DepthMode mode = DepthMode::Fast);
 
-/// The image that `packet` holds, of any mode that stands alone. A damaged or hostile packet is an error, never wrong
-/// depth: the samples are checked against a CRC made before coding. Nothing is allocated beyond what kMaxImageSide
-/// allows.
+/// The image that `packet` holds, of any mode, when it stands alone. A damaged or hostile packet is an error, never
+/// wrong depth: the samples are checked against a CRC made before coding. Nothing is allocated beyond what
+/// kMaxImageSide allows.
 [[nodiscard]] Result<DepthImage> decode_depth(std::span<const std::byte> packet);
 
 }  // namespace telepalp::codec

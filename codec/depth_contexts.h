@@ -12,8 +12,8 @@ namespace telepalp::codec {
 /// those it was trained on left it. Generated; see codec/training/.
 struct ContextTables {
   const uint8_t* cluster_of;  ///< of each of kContexts
-  const Model* models;        ///< as they are at the start of a slice
-  int clusters;
+  const Model* models;        ///< as they are at the start of a slice; kBeforeClasses a cluster in dependent frames
+  int count;                  ///< of models
 };
 
 namespace {
@@ -69,6 +69,15 @@ inline int context_from_above(const uint16_t* filled, const uint16_t* measured) 
 inline int context_from_row(int west, int west_west, int north_west, bool west_measured) {
   return (bounded(west_west - west, 2) + 2) + kWestClass * (bounded(west - north_west, 2) + 2) +
          (west_measured ? kWestMeasured : 0);
+}
+
+/// What the frame before says of a pixel in a dependent frame: nothing, or that it lies this far from the prediction
+/// (five classes), each with whether the pixel to the west stayed what it was.
+constexpr int kBeforeClasses = 11;
+
+inline int before_class(int before, int predicted, bool west_stayed) {
+  if (before == 0) return 0;
+  return 1 + 2 * (bounded(before - predicted, 2) + 2) + (west_stayed ? 1 : 0);
 }
 
 }  // namespace

@@ -4,7 +4,10 @@
 
 namespace telepalp::codec {
 
-/// The tables that every Contexts packet begins with; part of the format.
+/// What every slice of a Contexts packet begins with; part of the format.
 [[nodiscard]] const ContextTables& depth_tables();
+
+/// The same for a Dependent packet: fewer clusters, each with kBeforeClasses models.
+[[nodiscard]] const ContextTables& dependent_depth_tables();
 
 }  // namespace telepalp::codec

@@ -26,6 +26,23 @@ RankOfLevel ranks_of(const LevelPalette& palette) {
   return rank_of;
 }
 
+RankOfLevel nearest_ranks_of(const LevelPalette& palette) {
+  RankOfLevel rank_of(kSamples);
+  std::size_t sample = 1;
+  for (std::size_t rank = 1; rank < palette.size(); ++rank) {
+    const std::size_t last =
+        rank + 1 < palette.size() ? (std::size_t{palette.levels[rank]} + palette.levels[rank + 1]) / 2 : kSamples - 1;
+    for (; sample <= last; ++sample) rank_of[sample] = static_cast<std::uint16_t>(rank);
+  }
+  return rank_of;
+}
+
+std::vector<std::uint16_t> ranks_by(const RankOfLevel& rank_of, std::span<const std::uint16_t> samples) {
+  std::vector<std::uint16_t> ranks(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) ranks[i] = rank_of[samples[i]];
+  return ranks;
+}
+
 void append_palette(std::string& bytes, const LevelPalette& palette) {
   append_varint(bytes, static_cast<std::uint32_t>(palette.size() - 1));
   for (std::size_t rank = 1; rank < palette.size(); ++rank)

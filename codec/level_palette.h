@@ -24,6 +24,12 @@ using RankOfLevel = std::vector<std::uint16_t>;
 [[nodiscard]] LevelPalette palette_of(std::span<const std::uint16_t> samples);
 [[nodiscard]] RankOfLevel ranks_of(const LevelPalette& palette);
 
+/// The same for any sample: the rank of the level nearest to it, the lower of two as near; 0 only for 0.
+[[nodiscard]] RankOfLevel nearest_ranks_of(const LevelPalette& palette);
+
+/// `samples` by such a table.
+[[nodiscard]] std::vector<std::uint16_t> ranks_by(const RankOfLevel& rank_of, std::span<const std::uint16_t> samples);
+
 /// Writes the count, then each step to the next level less one. Why steps: an order that is wrong cannot be written.
 void append_palette(std::string& bytes, const LevelPalette& palette);
 

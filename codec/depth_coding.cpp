@@ -1,0 +1,65 @@
+#include "codec/depth_coding.h"
+
+#include "codec/context_coding.h"
+#include "codec/fast_coding.h"
+
+namespace telepalp::codec {
+namespace {
+
+std::span<const std::uint16_t> samples_of(const Reference& reference) noexcept {
+  if (reference.depth == nullptr) return {};
+  return reference.depth->samples;
+}
+
+std::string packet_of(const DepthImage& depth, PacketHeader header, std::string_view body) {
+  header.width = depth.width;
+  header.height = depth.height;
+  header.unit_m = depth.unit_m;
+  return write_packet(header, depth.samples, body);
+}
+
+bool decode_body(const Packet& packet, const Reference& reference, std::span<std::uint16_t> samples) {
+  const Coding coding = packet.header.coding;
+  if (coding == Coding::Contexts || coding == Coding::Dependent)
+    return decode_contexts(packet, {samples_of(reference)}, samples, context_kernel());
+  return decode_fast(packet, samples);
+}
+
+}  // namespace
+
+std::string write_frame(const DepthImage& depth, DepthMode mode, const Reference& reference) {
+  if (mode == DepthMode::Fast) {
+    const Body body = encode_fast(depth);
+    return packet_of(depth, {.mode = mode, .coding = body.coding}, body.bytes);
+  }
+  const LevelPalette palette = palette_of(depth.samples);
+  const Slicing slicing = Slicing::for_frame(depth.width, depth.height);
+  const std::optional<std::string> body = encode_contexts(ranks_by(ranks_of(palette), depth.samples), depth.width,
+                                                          palette, {samples_of(reference)}, slicing, context_kernel());
+  if (!body) return packet_of(depth, {.mode = mode, .coding = Coding::Stored}, stored(depth).bytes);
+  const auto slices = static_cast<std::uint8_t>(slicing.slices);
+  if (reference.depth == nullptr)
+    return packet_of(depth, {.mode = mode, .coding = Coding::Contexts, .slices = slices}, *body);
+  return packet_of(depth,
+                   {.mode = mode,
+                    .coding = Coding::Dependent,
+                    .slices = slices,
+                    .reference = reference.crc,
+                    .since_key = reference.since_key},
+                   *body);
+}
+
+Result<DepthImage> read_frame(const Packet& packet, const Reference& reference) {
+  const PacketHeader& header = packet.header;
+  if (header.coding == Coding::Stored && packet.body.size() != header.pixels() * sizeof(std::uint16_t))
+    return damaged("stored samples are not as many as the header declares");
+  DepthImage depth{.width = header.width,
+                   .height = header.height,
+                   .unit_m = header.unit_m,
+                   .samples = std::vector<std::uint16_t>(header.pixels())};
+  if (!decode_body(packet, reference, depth.samples)) return damaged("coded samples are damaged");
+  if (frame_crc(header, depth.samples) != header.crc) return damaged("decoded samples are not those that were sent");
+  return depth;
+}
+
+}  // namespace telepalp::codec

@@ -1,0 +1,66 @@
+#include "codec/depth_stream.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "codec/depth_coding.h"
+#include "proto/words/demand.h"
+
+namespace telepalp::codec {
+namespace {
+
+bool alike(const DepthImage& a, const DepthImage& b) noexcept {
+  return a.width == b.width && a.height == b.height && a.unit_m == b.unit_m;
+}
+
+/// The crc of a frame that we wrote ourselves.
+std::uint32_t crc_of(const std::string& packet) {
+  const Result<Packet> read = read_packet(std::as_bytes(std::span(packet)));
+  demand(read.ok(), "a packet just written can be read");
+  return read->header.crc;
+}
+
+}  // namespace
+
+std::string DepthEncoder::encode(const DepthImage& depth) {
+  demand(is_well_formed(depth), "DepthEncoder is given a well-formed image");
+  const bool depends = settings_.mode == DepthMode::Temporal || settings_.mode == DepthMode::Bounded;
+  if (!depends) return write_frame(depth, settings_.mode, {});
+  constexpr int kMost = std::numeric_limits<std::uint16_t>::max();
+  const bool is_key = std::exchange(key_wanted_, false) || !alike(depth, before_) ||
+                      since_key_ + 1 >= std::min(settings_.key_every, kMost);
+  since_key_ = is_key ? 0 : since_key_ + 1;
+  const Reference reference{
+      .depth = is_key ? nullptr : &before_, .crc = before_crc_, .since_key = static_cast<std::uint16_t>(since_key_)};
+  const bool bounded = settings_.mode == DepthMode::Bounded;
+  if (is_key && bounded) levels_ = bounded_levels(depth, settings_.bound);
+  DepthImage sent = bounded ? with_levels(depth, levels_) : depth;
+  std::string packet = write_frame(sent, settings_.mode, reference);
+  before_crc_ = crc_of(packet);
+  before_ = std::move(sent);
+  return packet;
+}
+
+Result<DepthImage> DepthDecoder::decode(std::span<const std::byte> bytes) {
+  const Result<Packet> packet = read_packet(bytes);
+  if (!packet) return packet.error();
+  const PacketHeader& header = packet->header;
+  Reference reference;
+  if (header.coding == Coding::Dependent) {
+    const bool at_hand = before_crc_ == header.reference && before_.width == header.width &&
+                         before_.height == header.height && !before_.samples.empty();
+    if (!at_hand)
+      return Error{
+          .what = "frame " + std::to_string(header.since_key) + " after a key frame depends on one that is not at hand",
+          .where = "DepthDecoder",
+          .fix = "wait for the next key frame, or ask for one"};
+    reference.depth = &before_;
+  }
+  Result<DepthImage> depth = read_frame(*packet, reference);
+  if (!depth) return depth;
+  before_ = *depth;
+  before_crc_ = header.crc;
+  return depth;
+}
+
+}  // namespace telepalp::codec

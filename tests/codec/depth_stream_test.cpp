@@ -1,0 +1,169 @@
+#include "codec/depth_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "codec/context_coding.h"
+#include "codec/crc32c.h"
+#include "tests/codec/depth_frames.h"
+
+namespace telepalp::codec {
+namespace {
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 200;
+
+class LosslessMode : public testing::TestWithParam<DepthMode> {};
+
+TEST_P(LosslessMode, GivesASequenceBackAsItWas) {
+  DepthEncoder encoder({.mode = GetParam(), .key_every = 4});
+  DepthDecoder decoder;
+  for (unsigned i = 0; i < 10; ++i) {
+    const DepthImage depth = kinect_like(kWidth, kHeight, i, static_cast<int>(i));
+    const std::string packet = encoder.encode(depth);
+    const Result<DepthImage> back = decoder.decode(bytes_of(packet));
+    ASSERT_TRUE(back.ok()) << to_string(back.error());
+    EXPECT_EQ(back->samples, depth.samples);
+    EXPECT_EQ(back->unit_m, depth.unit_m);
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<DepthMode>& tested) { return std::string(name(tested.param)); }
+
+INSTANTIATE_TEST_SUITE_P(All, LosslessMode, testing::Values(DepthMode::Fast, DepthMode::Intra, DepthMode::Temporal),
+                         name_of);
+
+TEST(DepthStream, BoundedKeepsItsBoundAndEveryHole) {
+  for (const double unit_m : {0.001, 0.000125}) {
+    DepthEncoder encoder({.mode = DepthMode::Bounded});
+    DepthDecoder decoder;
+    for (unsigned i = 0; i < 5; ++i) {
+      DepthImage depth = kinect_like(kWidth, kHeight, i, static_cast<int>(3 * i));
+      depth.unit_m = unit_m;
+      const Result<DepthImage> back = decoder.decode(bytes_of(encoder.encode(depth)));
+      ASSERT_TRUE(back.ok());
+      for (std::size_t k = 0; k < depth.samples.size(); ++k) {
+        ASSERT_EQ(back->samples[k] == 0, depth.samples[k] == 0);
+        const double error_m = std::abs(back->samples[k] - depth.samples[k]) * unit_m;
+        ASSERT_LE(error_m, DepthBound{}.at(depth.samples[k] * unit_m) + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(DepthStream, BoundHoldsForEverySampleThereIs) {
+  for (const DepthBound& bound :
+       {DepthBound{}, DepthBound{.least_m = 0.0, .per_m = 0.0}, DepthBound{.least_m = 100.0}}) {
+    const DepthImage key = kinect_like(kWidth, kHeight, 1);
+    const LevelMap map = bounded_levels(key, bound);
+    EXPECT_EQ(map[0], 0);
+    for (std::size_t sample = 1; sample < map.size(); ++sample) {
+      ASSERT_NE(map[sample], 0) << sample;
+      const double error_m = std::abs(map[sample] - static_cast<double>(sample)) * key.unit_m;
+      ASSERT_LE(error_m, bound.at(static_cast<double>(sample) * key.unit_m) + 1e-9) << sample;
+    }
+  }
+}
+
+TEST(DepthStream, AfterALostFrameOnlyAKeyFrameIsShown) {
+  DepthEncoder encoder({.mode = DepthMode::Temporal, .key_every = 6});
+  DepthDecoder decoder;
+  for (unsigned i = 0; i < 12; ++i) {
+    const DepthImage depth = kinect_like(kWidth, kHeight, i);
+    const std::string packet = encoder.encode(depth);
+    if (i == 2) continue;  // lost
+    const Result<DepthImage> back = decoder.decode(bytes_of(packet));
+    EXPECT_EQ(back.ok(), i < 2 || i >= 6) << i;
+    if (back.ok()) {
+      EXPECT_EQ(back->samples, depth.samples);
+    }
+  }
+}
+
+TEST(DepthStream, WithEverySecondFrameLostOnlyKeyFramesAreShown) {
+  DepthEncoder encoder({.mode = DepthMode::Temporal, .key_every = 4});
+  DepthDecoder decoder;
+  for (unsigned i = 0; i < 12; ++i) {
+    const std::string packet = encoder.encode(kinect_like(kWidth, kHeight, i));
+    if (i % 2 == 0) {
+      EXPECT_EQ(decoder.decode(bytes_of(packet)).ok(), i % 4 == 0) << i;
+    }
+  }
+}
+
+TEST(DepthStream, TwoWhoJoinMidGroupSeeFromTheKeyFrameThatIsMadeForThem) {
+  DepthEncoder encoder({.mode = DepthMode::Temporal, .key_every = 1000});
+  DepthDecoder first;
+  DepthDecoder second;
+  for (unsigned i = 0; i < 9; ++i) {
+    if (i == 6) encoder.want_key_frame();
+    const DepthImage depth = kinect_like(kWidth, kHeight, i);
+    const std::string packet = encoder.encode(depth);
+    if (i >= 3) {
+      EXPECT_EQ(first.decode(bytes_of(packet)).ok(), i >= 6) << i;
+    }
+    if (i >= 5) {
+      EXPECT_EQ(second.decode(bytes_of(packet)).ok(), i >= 6) << i;
+    }
+  }
+}
+
+TEST(DepthStream, AFrameOfAnotherSizeIsAKeyFrame) {
+  DepthEncoder encoder({.mode = DepthMode::Temporal});
+  DepthDecoder decoder;
+  EXPECT_TRUE(decoder.decode(bytes_of(encoder.encode(kinect_like(kWidth, kHeight, 1)))).ok());
+  EXPECT_TRUE(decode_depth(bytes_of(encoder.encode(kinect_like(kHeight, kWidth, 1)))).ok());
+}
+
+TEST(DepthStream, AWrongReferenceIsAnErrorEvenOfTheRightSize) {
+  DepthEncoder ours({.mode = DepthMode::Temporal});
+  DepthEncoder theirs({.mode = DepthMode::Temporal});
+  DepthDecoder decoder;
+  ASSERT_TRUE(decoder.decode(bytes_of(theirs.encode(kinect_like(kWidth, kHeight, 7)))).ok());
+  (void)ours.encode(kinect_like(kWidth, kHeight, 1));
+  const Result<DepthImage> back = decoder.decode(bytes_of(ours.encode(kinect_like(kWidth, kHeight, 2))));
+  ASSERT_FALSE(back.ok());
+  EXPECT_NE(back.error().fix.find("key frame"), std::string::npos);
+}
+
+TEST(ContextKernel, EveryKernelWritesTheSameBytesAndReadsThem) {
+  if (v3_context_kernel() == nullptr) GTEST_SKIP() << "this processor runs the portable kernel alone";
+  for (const int height : {1, 3, 171, 200}) {
+    const DepthImage before = kinect_like(131, height, 4);
+    const DepthImage depth = kinect_like(131, height, 5, 2);
+    const LevelPalette palette = palette_of(depth.samples);
+    const Ranks ranks = ranks_by(ranks_of(palette), depth.samples);
+    const Slicing slicing = Slicing::for_frame(131, height);
+    for (const FrameBefore& reference : {FrameBefore{}, FrameBefore{before.samples}}) {
+      const auto plain = encode_contexts(ranks, 131, palette, reference, slicing, portable_context_kernel());
+      const auto vector = encode_contexts(ranks, 131, palette, reference, slicing, *v3_context_kernel());
+      EXPECT_EQ(plain, vector) << height;
+      ASSERT_TRUE(plain.has_value());
+      Packet packet{.header = {.slices = static_cast<std::uint8_t>(slicing.slices), .width = 131, .height = height},
+                    .body = bytes_of(*plain)};
+      for (const ContextKernel* kernel : {&portable_context_kernel(), v3_context_kernel()}) {
+        std::vector<std::uint16_t> samples(depth.samples.size());
+        EXPECT_TRUE(decode_contexts(packet, reference, samples, *kernel));
+        EXPECT_EQ(samples, depth.samples) << kernel->name;
+      }
+    }
+  }
+}
+
+TEST(Crc32c, IsTheOneOfTheStandardBothWays) {
+  const std::string_view digits = "123456789";
+  EXPECT_EQ(crc32c(std::as_bytes(std::span(digits))), 0xe3069283U);  // RFC 3720, appendix B.4 gives the same polynomial
+  std::mt19937 random(3);
+  std::string bytes(1000, '\0');
+  for (char& byte : bytes) byte = static_cast<char>(random());
+  for (std::size_t size = 0; size < bytes.size(); size += 37) {
+    const auto part = bytes_of(bytes).first(size);
+    EXPECT_EQ(crc32c(part), crc32c_by_table(part));
+    EXPECT_EQ(crc32c(bytes_of(bytes).subspan(size), crc32c(part)), crc32c(bytes_of(bytes)));
+  }
+}
+
+}  // namespace
+}  // namespace telepalp::codec

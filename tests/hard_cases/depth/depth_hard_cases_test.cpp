@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "codec/depth_stream.h"
+#include "tests/codec/depth_frames.h"
+
+namespace telepalp::codec {
+namespace {
+
+struct DepthCase {
+  std::string name;
+  DepthImage depth;
+};
+
+DepthImage painted(int width, int height, auto sample_at) {
+  DepthImage depth = filled(width, height, 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      depth.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
+          static_cast<std::uint16_t>(sample_at(x, y));
+  return depth;
+}
+
+std::vector<DepthCase> hard_cases() {
+  DepthImage one_pixel = filled(64, 48, 0);
+  one_pixel.samples[1000] = 700;
+  return {
+      {"every pixel invalid", filled(640, 480, 0)},
+      {"one valid pixel", one_pixel},
+      {"every pixel 65535", filled(640, 480, 65535)},
+      {"checkerboard of validity", painted(640, 480, [](int x, int y) { return (x + y) % 2 == 0 ? 900 : 0; })},
+      {"one pixel in all, measured", filled(1, 1, 700)},
+      {"one pixel in all, not measured", filled(1, 1, 0)},
+      {"one column", painted(1, 500, [](int, int y) { return 500 + y / 3; })},
+      {"one row", painted(500, 1, [](int x, int) { return 500 + x / 3; })},
+      {"odd sides", kinect_like(641, 479, 11)},
+      {"noise", noise(640, 480, 12)},
+      {"noise of one odd column", noise(1, 4096, 13)},
+      {"5000 levels", painted(640, 480, [](int x, int y) { return 1 + (x * 7 + y * 11) % 5000; })},
+      {"40000 levels", painted(640, 480, [](int x, int y) { return 1 + (x * 97 + y * 89) % 40000; })},
+      {"far values among near ones", painted(640, 480, [](int x, int y) { return x % 37 == 0 ? 65535 - y : 800 + x; })},
+      {"smooth, 0.125 mm", painted(640, 480, [](int x, int y) { return 6000 + x * x / 50 + y * y / 70; })},
+      {"stripes that leave the range of a prediction",
+       painted(640, 480, [](int x, int y) { return (x / 2 + y / 2) % 2 == 0 ? 1 : 65535; })},
+      {"the largest side", painted(4096, 2, [](int x, int) { return x; })},
+  };
+}
+
+class DepthHardCase : public testing::TestWithParam<DepthMode> {};
+
+TEST_P(DepthHardCase, ComesBackWithinItsBoundAndNeverMuchLargerThanRaw) {
+  for (const DepthCase& hard : hard_cases()) {
+    const std::string packet = encode_depth(hard.depth, GetParam());
+    EXPECT_LE(packet.size(), hard.depth.samples.size() * 2 + 64) << hard.name;
+    const Result<DepthImage> back = decode_depth(bytes_of(packet));
+    ASSERT_TRUE(back.ok()) << hard.name << ": " << to_string(back.error());
+    if (GetParam() != DepthMode::Bounded) {
+      EXPECT_EQ(back->samples, hard.depth.samples) << hard.name;
+    }
+    for (std::size_t i = 0; i < back->samples.size(); ++i)
+      ASSERT_EQ(back->samples[i] == 0, hard.depth.samples[i] == 0) << hard.name;
+  }
+}
+
+TEST_P(DepthHardCase, MayFollowAnyOtherInOneStream) {
+  DepthEncoder encoder({.mode = GetParam()});
+  DepthDecoder decoder;
+  for (int round = 0; round < 2; ++round)
+    for (const DepthCase& hard : hard_cases()) {
+      const std::string packet = encoder.encode(hard.depth);
+      EXPECT_LE(packet.size(), hard.depth.samples.size() * 2 + 64) << hard.name;
+      ASSERT_TRUE(decoder.decode(bytes_of(packet)).ok()) << hard.name;
+    }
+}
+
+TEST_P(DepthHardCase, ASetOfLevelsThatChangesEachFrameIsCarried) {
+  DepthEncoder encoder({.mode = GetParam()});
+  DepthDecoder decoder;
+  for (int i = 0; i < 6; ++i) {
+    const DepthImage depth = painted(160, 120, [&](int x, int y) { return 1 + (x + y) * (2 + i % 3) + 50 * i; });
+    const Result<DepthImage> back = decoder.decode(bytes_of(encoder.encode(depth)));
+    ASSERT_TRUE(back.ok());
+    if (GetParam() != DepthMode::Bounded) {
+      EXPECT_EQ(back->samples, depth.samples);
+    }
+  }
+}
+
+TEST_P(DepthHardCase, EveryTruncationIsAnError) {
+  const std::string packet = encode_depth(kinect_like(64, 40, 21), GetParam());
+  for (std::size_t size = 0; size < packet.size(); ++size)
+    ASSERT_FALSE(decode_depth(bytes_of(packet).first(size)).ok()) << size;
+}
+
+TEST_P(DepthHardCase, EveryFlippedBitIsAnErrorOrTheSameDepth) {
+  const DepthImage depth = kinect_like(64, 40, 22);
+  const std::string packet = encode_depth(depth, GetParam());
+  const Result<DepthImage> sent = decode_depth(bytes_of(packet));
+  ASSERT_TRUE(sent.ok());
+  for (std::size_t bit = 0; bit < 8 * packet.size(); ++bit) {
+    std::string damaged = packet;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    const Result<DepthImage> back = decode_depth(bytes_of(damaged));
+    if (!back.ok()) continue;
+    EXPECT_EQ(back->samples, sent->samples) << bit;
+    EXPECT_EQ(back->unit_m, sent->unit_m) << bit;
+    EXPECT_EQ(back->width, sent->width) << bit;
+  }
+}
+
+TEST_P(DepthHardCase, LiesInTheHeaderAreErrors) {
+  const std::string packet = encode_depth(kinect_like(64, 40, 23), GetParam());
+  std::mt19937 random(24);
+  for (int round = 0; round < 3000; ++round) {
+    std::string lying = packet;
+    const std::size_t at = 3 + random() % 29;
+    lying[at] = static_cast<char>(random());
+    if (lying != packet) {
+      EXPECT_FALSE(decode_depth(bytes_of(lying)).ok()) << at;
+    }
+  }
+}
+
+TEST(DepthHardCase, AnotherVersionIsNamed) {
+  std::string packet = encode_depth(filled(4, 4, 700));
+  packet[3] = '3';
+  const Result<DepthImage> back = decode_depth(bytes_of(packet));
+  ASSERT_FALSE(back.ok());
+  EXPECT_NE(back.error().what.find("version 3"), std::string::npos);
+}
+
+std::string name_of(const testing::TestParamInfo<DepthMode>& tested) { return std::string(name(tested.param)); }
+
+INSTANTIATE_TEST_SUITE_P(All, DepthHardCase,
+                         testing::Values(DepthMode::Fast, DepthMode::Intra, DepthMode::Temporal, DepthMode::Bounded),
+                         name_of);
+
+}  // namespace
+}  // namespace telepalp::codec
