@@ -3,11 +3,11 @@
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "proto/program/log.h"
 #include "proto/program/options.h"
+#include "proto/program/ready_file.h"
 #include "proto/program/shipped.h"
 #include "server/gateway/gateway.h"
 #include "server/server.h"
@@ -108,19 +108,10 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                .gateway = *gateway};
 }
 
-/// Renamed into place, so that whoever waits for the file never reads half of it.
-Result<void> write_ready_file(const std::filesystem::path& file, std::uint16_t port, const server::Gateway* gateway) {
-  if (file.empty()) return {};
-  const std::filesystem::path unfinished = file.string() + ".part";
-  std::ofstream stream(unfinished);
-  stream << "port=" << port << "\n";
-  if (gateway != nullptr) stream << "http_port=" << gateway->port() << "\n";
-  stream.close();
-  std::error_code code;
-  if (stream) std::filesystem::rename(unfinished, file, code);
-  if (!stream || code)
-    return Error{.what = "cannot be written", .where = file.string(), .fix = "check that the directory exists"};
-  return {};
+std::string ports_text(std::uint16_t port, const server::Gateway* gateway) {
+  std::string text = "port=" + std::to_string(port) + "\n";
+  if (gateway != nullptr) text += "http_port=" + std::to_string(gateway->port()) + "\n";
+  return text;
 }
 
 int run(const Asked& asked) {
@@ -163,8 +154,8 @@ int run(const Asked& asked) {
   server.start(std::move(source).value(), asked.source, [&] { stop("the source came to its end"); });
   program::log(kProgram, "listening on " + asked.server.bind + ":" + std::to_string(server.port()));
   if (gateway) program::log(kProgram, "viewer at " + gateway->url());
-  if (const Result<void> written = write_ready_file(asked.ready_file, server.port(), gateway.get()); !written)
-    return program::fail(written.error());
+  const Result<void> written = program::write_ready_file(asked.ready_file, ports_text(server.port(), gateway.get()));
+  if (!written) return program::fail(written.error());
   io.run();
   program::log(kProgram, server.summary());
   return program::kDone;

@@ -138,10 +138,17 @@ void Station::stop(const std::string& reason) {
 void Station::publish(wire::Message message) { (void)link_.publish(std::move(message)); }
 
 void Station::on_link(wire::LinkState state, const std::string& detail) {
-  say("link " + std::string(wire::name(state)) + (detail.empty() ? "" : ": " + detail));
+  say_link("link " + std::string(wire::name(state)) + (detail.empty() ? "" : ": " + detail), state);
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
     telemetry_.tell_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
+}
+
+/// Each attempt to connect is not news: what was said of trying is said once until it succeeds.
+void Station::say_link(const std::string& text, wire::LinkState state) {
+  const bool trying = state == wire::LinkState::Connecting;
+  if (!trying) said_of_trying_.clear();
+  if (!trying || said_of_trying_.insert(text).second) say(text);
 }
 
 void Station::on_message(const wire::Message& message) {

@@ -5,6 +5,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "haptic_station/loop/simulated_rig.h"
@@ -39,6 +40,7 @@ class Station {
   void on_camera_info(const wire::Message& message);
   void on_depth(const wire::Message& message);
   void on_link(wire::LinkState state, const std::string& detail);
+  void say_link(const std::string& text, wire::LinkState state);
   void on_surface(const msg::SurfaceReport& report);
   void start_haptic_thread();
   void every_10_ms();
@@ -58,6 +60,7 @@ class Station {
   wire::ClientLink link_;
   std::optional<Intrinsics> camera_;
   std::optional<Error> failure_;
+  std::set<std::string> said_of_trying_;
 
   LatestValue<TouchableSurface> surfaces_;  // surface thread to haptic thread
   TickRing ticks_;                          // haptic thread to network thread

@@ -1,0 +1,125 @@
+// telepalp-station as an operator runs it: the real program against the real server, with what goes wrong in a day.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "tests/support/child_process.h"
+
+namespace telepalp {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+using support::ChildProcess;
+
+const fs::path kPrograms = TELEPALP_BINARY_DIR "/bin";
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+std::size_t times(const std::string& text, const std::string& phrase) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(phrase); at != std::string::npos; at = text.find(phrase, at + 1)) ++count;
+  return count;
+}
+
+/// Waits until `phrase` is in `log`, `least` times.
+bool hears(const fs::path& log, const std::string& phrase, std::size_t least = 1) {
+  for (int tenth = 0; tenth < 200; ++tenth) {
+    if (times(text_of(log), phrase) >= least) return true;
+    std::this_thread::sleep_for(100ms);
+  }
+  return false;
+}
+
+class StationProgram : public ::testing::Test {
+ protected:
+  std::string start_server(const std::string& port) {
+    const fs::path ready = folder_.path() / "ready";
+    fs::remove(ready);
+    server_.emplace(kPrograms / "telepalp-server",
+                    std::vector<std::string>{"--port", port, "--ready-file", ready.string()},
+                    folder_.path() / "server.log");
+    return support::await_ready(ready, "port").value_or("");
+  }
+  int run(std::vector<std::string> arguments) {
+    ChildProcess station(kPrograms / "telepalp-station", arguments, log());
+    return station.wait(30s).value_or(-1);
+  }
+  [[nodiscard]] fs::path log() const { return folder_.path() / "station.log"; }
+
+  support::TemporaryFolder folder_;
+  std::optional<ChildProcess> server_;
+};
+
+TEST_F(StationProgram, GoesOnTouchingWhenTheServerComesBack) {
+  const std::string port = start_server("0");
+  ASSERT_FALSE(port.empty());
+  ChildProcess station(kPrograms / "telepalp-station", {"--connect", "127.0.0.1:" + port}, log());
+  ASSERT_TRUE(hears(log(), "ticking at 2 kHz")) << text_of(log());
+  server_->signal(SIGKILL);
+  ASSERT_TRUE(hears(log(), "link lost")) << text_of(log());
+  ASSERT_EQ(start_server(port), port);
+  ASSERT_TRUE(hears(log(), "link connected", 2)) << text_of(log());
+  station.signal(SIGINT);
+  EXPECT_EQ(station.wait(10s), 0) << text_of(log());
+}
+
+TEST_F(StationProgram, WaitsForAServerThatComesLaterAndSaysSoOnce) {
+  const std::string port = start_server("0");
+  server_.reset();
+  ChildProcess station(kPrograms / "telepalp-station", {"--connect", "127.0.0.1:" + port}, log());
+  ASSERT_TRUE(hears(log(), "waiting for the server")) << text_of(log());
+  std::this_thread::sleep_for(2s);
+  EXPECT_EQ(times(text_of(log()), "Connection refused"), 1u) << text_of(log());
+  ASSERT_EQ(start_server(port), port);
+  EXPECT_TRUE(hears(log(), "ticking at 2 kHz")) << text_of(log());
+}
+
+TEST_F(StationProgram, EndsWellAtCtrlCBeforeAnythingIsConnected) {
+  ChildProcess station(kPrograms / "telepalp-station", {"--connect", "127.0.0.1:9"}, log());
+  ASSERT_TRUE(hears(log(), "waiting for the server")) << text_of(log());
+  station.signal(SIGINT);
+  EXPECT_EQ(station.wait(10s), 0);
+}
+
+TEST_F(StationProgram, AnUnknownFieldInASceneIsNamedWithLineAndColumn) {
+  const fs::path scene = folder_.path() / "wrong.scene.textproto";
+  std::ofstream(scene) << "name: \"wrong\"\npatient_surface { streamed {} }\neffects { skin { stiffness_kN: 2 } }\n";
+  EXPECT_EQ(run({"--scene", scene.string(), "--check"}), 1);
+  EXPECT_NE(text_of(log()).find("wrong.scene.textproto:3:"), std::string::npos) << text_of(log());
+  EXPECT_NE(text_of(log()).find("stiffness_kN"), std::string::npos) << text_of(log());
+}
+
+TEST_F(StationProgram, AValueInTheWrongUnitIsRefusedWithItsRange) {
+  const fs::path scene = folder_.path() / "wrong.scene.textproto";
+  std::string text = text_of(TELEPALP_SOURCE_DIR "/haptic_station/scenes/palpation.scene.textproto");
+  const std::string metres = "radius_m: 0.03";
+  ASSERT_NE(text.find(metres), std::string::npos);
+  std::ofstream(scene) << text.replace(text.find(metres), metres.size(), "radius_m: 30");
+  EXPECT_EQ(run({"--scene", scene.string(), "--check"}), 1);
+  EXPECT_NE(text_of(log()).find("radius_m"), std::string::npos) << text_of(log());
+}
+
+TEST_F(StationProgram, WhatIsAskedWronglyEndsWithTwo) {
+  EXPECT_EQ(run({"--connect", "nowhere"}), 2);
+  EXPECT_EQ(run({"--realtime", "perhaps"}), 2);
+  EXPECT_EQ(run({"--seconds", "-3"}), 2);
+}
+
+TEST_F(StationProgram, EveryShippedSceneCanBeChecked) {
+  for (const auto& entry : fs::directory_iterator(TELEPALP_SOURCE_DIR "/haptic_station/scenes")) {
+    if (!entry.path().string().ends_with(".scene.textproto")) continue;
+    EXPECT_EQ(run({"--scene", entry.path().string(), "--check"}), 0) << entry.path() << text_of(log());
+  }
+}
+
+}  // namespace
+}  // namespace telepalp
