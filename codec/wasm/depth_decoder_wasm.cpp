@@ -1,4 +1,4 @@
-// The depth decoder for browsers: the same C++, behind five functions that JavaScript can call. zstd is not compiled
+// The depth decoder for browsers: the same C++, behind a few functions that JavaScript can call. zstd is not compiled
 // in: ZSTD_decompress is imported, and the page's own JavaScript decoder stands behind it.
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "codec/depth_codec.h"
+#include "codec/depth_stream.h"
 
 using telepalp::DepthImage;
 using telepalp::Result;
@@ -16,6 +16,7 @@ using telepalp::Result;
 namespace {
 
 std::vector<std::byte> g_packet;  // one decoder in each module: a worker owns its instance
+telepalp::codec::DepthDecoder g_decoder;
 DepthImage g_depth;
 std::string g_problem;
 
@@ -31,7 +32,7 @@ TELEPALP_EXPORT(packet)(std::uint32_t bytes)->std::byte* {
 
 /// 1 when the packet has been decoded, 0 when problem() says why not.
 TELEPALP_EXPORT(decode)()->std::int32_t {
-  Result<DepthImage> depth = telepalp::codec::decode_depth(g_packet);
+  Result<DepthImage> depth = g_decoder.decode(g_packet);
   if (!depth) {
     g_problem = depth.error().what;
     return 0;
