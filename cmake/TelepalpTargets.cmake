@@ -25,7 +25,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 target_include_directories(telepalp_flags INTERFACE ${PROJECT_SOURCE_DIR})
 if(TELEPALP_SANITIZE)
-  add_compile_options(-fsanitize=${TELEPALP_SANITIZE} -fno-omit-frame-pointer)
+  # Without recovery, undefined behaviour ends the test that meets it: by default it is printed, and the test passes.
+  add_compile_options(-fsanitize=${TELEPALP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TELEPALP_SANITIZE})
   if(TELEPALP_SANITIZE MATCHES "thread" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(-Wno-tsan)  # Asio has a fence, which tsan cannot see; its queues are also locked, which it sees
@@ -49,8 +50,8 @@ function(telepalp_program name)
 endfunction()
 
 # telepalp_test(NAME [SERIAL] SOURCES a_test.cpp … LINKS targets … [NEEDS fixtures …]): one GoogleTest binary, one ctest
-# entry for each test. SERIAL: the test tells of time and has the machine to itself. NEEDS: ctest fixtures, such as
-# npm_install_tests.
+# entry for each test. SERIAL: the test tells of time and has the machine to itself (`ctest -LE timed` leaves it out).
+# NEEDS: ctest fixtures, such as npm_install_tests.
 function(telepalp_test name)
   cmake_parse_arguments(ARG "SERIAL" "" "SOURCES;LINKS;NEEDS" ${ARGN})
   if(NOT ARG_SERIAL)
@@ -61,6 +62,9 @@ function(telepalp_test name)
   target_compile_definitions(${name} PRIVATE TELEPALP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     TELEPALP_BINARY_DIR="${PROJECT_BINARY_DIR}")
   set(properties TIMEOUT 300 RUN_SERIAL ${ARG_SERIAL})
+  if(ARG_SERIAL)
+    list(APPEND properties LABELS timed)
+  endif()
   if(ARG_NEEDS)
     list(APPEND properties FIXTURES_REQUIRED ${ARG_NEEDS})
   endif()
