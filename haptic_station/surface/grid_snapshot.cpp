@@ -29,4 +29,21 @@ GridSnapshot::GridSnapshot(const DepthField& depth, const Intrinsics& camera, co
   index_name = "depth lattice";
 }
 
+void GridSnapshot::carry_forward(const MotionField& field) {
+  motion = field.model();
+  for (int row = 0; row < layout_.rows; ++row)
+    for (int column = 0; column < layout_.columns; ++column) {
+      GridNode& node = storage_[static_cast<std::size_t>(row * layout_.columns + column)];
+      if (node.confidence <= 0.0F) continue;
+      const double u = layout_.left_px + column * layout_.step_px;
+      const double v = layout_.top_px + row * layout_.step_px;
+      const Eigen::Vector3d ray((u - layout_.camera.cx) / layout_.camera.fx,
+                                (v - layout_.camera.cy) / layout_.camera.fy, 1.0);
+      const Eigen::Vector3f normal(node.normal[0], node.normal[1], node.normal[2]);
+      const float along_normal = normal.dot(ray.cast<float>());
+      node.motion = field.terms_at(u, v);
+      for (float& term : node.motion) term *= along_normal;
+    }
+}
+
 }  // namespace telepalp::surface

@@ -5,6 +5,7 @@
 
 #include "haptic_station/surface/depth_field.h"
 #include "haptic_station/surface/grid_surface.h"
+#include "haptic_station/surface/motion_field.h"
 #include "haptic_station/surface/surface_settings.h"
 
 namespace telepalp::surface {
@@ -18,8 +19,8 @@ class GridSnapshot final : public GridSurface {
   GridSnapshot& operator=(const GridSnapshot&) = delete;
   ~GridSnapshot() = default;
 
-  /// For the builder, before the snapshot is shared.
-  [[nodiscard]] std::vector<GridNode>& mutable_nodes() noexcept { return storage_; }
+  /// For the builder, before the snapshot is shared: gives each node the motion seen at its pixel, along its normal.
+  void carry_forward(const MotionField& field);
 
  private:
   std::vector<GridNode> storage_;

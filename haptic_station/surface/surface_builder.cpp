@@ -5,6 +5,7 @@
 #include "haptic_station/surface/cloud_snapshot.h"
 #include "haptic_station/surface/grid_snapshot.h"
 #include "haptic_station/surface/paper_surface.h"
+#include "haptic_station/surface/temporal_filter.h"
 
 namespace telepalp::surface {
 namespace {
@@ -24,7 +25,7 @@ std::vector<CloudPoint> points_in_reach(const DepthField& depth, const Intrinsic
 template <class Label>
 std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, const Intrinsics& camera,
                                                      const std::optional<Reach>& reach, const SurfaceSettings& settings,
-                                                     const Label& label) {
+                                                     const MotionField* motion, const Label& label) {
   if (settings.method == Method::Paper) {
     auto snapshot = std::make_shared<PaperSurface>(to_points(depth, camera), settings);
     label(*snapshot);
@@ -40,8 +41,15 @@ std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, co
     return snapshot;
   }
   auto snapshot = std::make_shared<GridSnapshot>(depth, camera, reach, settings);
+  if (motion != nullptr && settings.predict) snapshot->carry_forward(*motion);
   label(*snapshot);
   return snapshot;
+}
+
+constexpr double kForgetAfter_s = 2.0;  // without a frame
+
+bool same_view(const Intrinsics& a, const Intrinsics& b) noexcept {
+  return a.width == b.width && a.height == b.height && a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy;
 }
 
 }  // namespace
@@ -51,6 +59,8 @@ struct SurfaceBuilder::State {
   BuilderCounts counts;
   std::optional<SessionTime> last;
   std::uint64_t sequence = 0;
+  std::optional<TemporalFilter> filter;
+  Intrinsics camera;  // that the filter has seen through
 };
 
 SurfaceBuilder::SurfaceBuilder(SurfaceSettings settings) : state_(std::make_unique<State>()) {
@@ -63,7 +73,10 @@ SurfaceBuilder& SurfaceBuilder::operator=(SurfaceBuilder&&) noexcept = default;
 const BuilderCounts& SurfaceBuilder::counts() const noexcept { return state_->counts; }
 const SurfaceSettings& SurfaceBuilder::settings() const noexcept { return state_->settings; }
 
-void SurfaceBuilder::restart() { state_->last.reset(); }
+void SurfaceBuilder::restart() {
+  state_->last.reset();
+  state_->filter.reset();
+}
 
 std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& depth, const Intrinsics& camera,
                                                            SessionTime captured, const std::optional<Reach>& reach) {
@@ -77,9 +90,19 @@ std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& dep
     ++state.counts.not_newer;
     return nullptr;
   }
+  const double dt_s = state.last ? to_seconds(captured - *state.last) : 0.0;
   state.last = captured;
   ++state.counts.built;
-  return make_snapshot(to_depth_field(depth), camera, reach, state.settings, [&](SurfaceSnapshot& snapshot) {
+  DepthField field = to_depth_field(depth);
+  fill_pinholes(field, state.settings.break_m);
+  if (state.settings.temporal) {
+    if (!state.filter || dt_s > kForgetAfter_s || !same_view(camera, state.camera))
+      state.filter.emplace(camera.width, camera.height, state.settings);
+    state.camera = camera;
+  }
+  const DepthField& shown = state.filter ? state.filter->add(field, dt_s) : field;
+  const MotionField* motion = state.filter ? &state.filter->motion() : nullptr;
+  return make_snapshot(shown, camera, reach, state.settings, motion, [&](SurfaceSnapshot& snapshot) {
     snapshot.captured = captured;
     snapshot.sequence = ++state.sequence;
   });

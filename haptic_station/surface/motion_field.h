@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include "haptic_station/surface/breathing_model.h"
+#include "haptic_station/surface/surface_snapshot.h"
+
+namespace telepalp::surface {
+
+/// What one cell of the image saw in a frame: the mean of measured minus predicted depth over `count` pixels.
+struct CellInnovation {
+  double mean_m = 0.0;
+  double count = 0.0;
+};
+
+/// How the scene moves along the rays of sight, cell by cell of kCell_px pixels: each cell's displacement and velocity
+/// by a g–h filter, and its own amplitude and phase of the common breath by recursive least squares. Cells average some
+/// hundred pixels, so that motion is known far below the pixels' noise; the pixels' detail is averaged on top of it.
+class MotionField {
+ public:
+  static constexpr int kCell_px = 16;
+
+  MotionField(int width_px, int height_px, bool breathing);
+
+  [[nodiscard]] int columns() const noexcept { return columns_; }
+  [[nodiscard]] int rows() const noexcept { return rows_; }
+
+  /// Expected change of each cell's depth over the next `dt_s`. Call once for each frame, before correct().
+  [[nodiscard]] const std::vector<float>& predict(double dt_s);
+  /// Takes in what was seen; answers with each cell's correction to the prediction.
+  [[nodiscard]] const std::vector<float>& correct(const std::vector<CellInnovation>& seen, double dt_s);
+
+  /// Terms of the motion of depth after the last frame at pixel (u, v), interpolated between cells.
+  [[nodiscard]] MotionTerms terms_at(double u, double v) const noexcept;
+  [[nodiscard]] MotionModel model() const noexcept;
+
+ private:
+  struct Cell {
+    double displacement_m = 0.0;
+    double velocity_m_per_s = 0.0;
+    double energy = 0.0;  ///< slow mean of the squared velocity: what moves leads the breathing model
+    double frames = 0.0;
+    BreathTerms breath = BreathTerms::Zero();
+  };
+
+  void learn_breath(double dt_s);
+  void forget_breath() noexcept;
+  [[nodiscard]] MotionTerms terms_of(const Cell& cell) const noexcept;
+
+  int columns_;
+  int rows_;
+  bool breathing_wanted_;
+  std::vector<Cell> cells_;
+  std::vector<float> change_;
+  std::vector<float> correction_;
+  BreathingModel breathing_;
+  double mean_displacement_m_ = 0.0;
+  Eigen::Matrix<double, 5, 5> breath_covariance_;
+  double miss_m_ = 0.0;  ///< running mean of |innovation| of what moves
+  double frame_s_ = 0.033;
+};
+
+}  // namespace telepalp::surface
