@@ -4,6 +4,7 @@
 #include "tests/bench/benches.h"
 #include "tests/bench/pipeline_bench.h"
 #include "tests/bench/synthetic_bench.h"
+#include "tests/bench/surface_bench.h"
 
 namespace {
 
@@ -14,6 +15,7 @@ constexpr std::array kBenches{
     bench::Bench{"pipeline", "a frame's way from the camera to the hand, and the 2 kHz loop's time",
                  bench::run_pipeline},
     bench::Bench{"synthetic", "what the synthetic patient costs, and how true it is", bench::run_synthetic},
+    bench::Bench{"surface", "touching a noisy, moving cloud: cost, error and steadiness", bench::run_surface},
 };
 
 program::Usage usage() {
