@@ -1,32 +1,37 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <deque>
+#include <span>
+#include <vector>
+
+#include "haptic_station/surface/surface_snapshot.h"
 
 namespace telepalp::surface {
 
 /// 1, cos p, sin p, cos 2p, sin 2p of the breath's phase p: two harmonics carry a breath that rests at exhale.
 using BreathTerms = Eigen::Matrix<double, 5, 1>;
 
-/// The breath's phase and rate as one signal shows them, found in the last seconds of it and kept locked.
-/// Locks on after about one and a half breaths; lets go within a quarter of a second when the signal no longer follows,
-/// as when the patient holds the breath, speaks or coughs.
+/// The breath as the cells of an image show it: one common rate, and each cell's own amplitudes and phases, all by
+/// least squares over the last seconds, refitted five times a second. Locks on after about one and a half breaths; lets
+/// go within a third of a second when the body no longer follows, as when the patient holds the breath, speaks or
+/// coughs.
 class BreathingModel {
  public:
-  /// `displacement_m`: of the body's moving part, mean, along the rays, at steps of `dt_s`.
-  void add(double displacement_m, double dt_s);
+  /// `displacement_m` of each cell along its rays; `weight`: how much a cell says about the breath (what moves most,
+  /// most). The number of cells never changes.
+  void add(std::span<const float> displacement_m, std::span<const float> weight, double dt_s);
 
-  [[nodiscard]] double rad_per_s() const noexcept { return rad_per_s_; }
-  [[nodiscard]] double phase_rad() const noexcept { return phase_rad_; }
+  [[nodiscard]] double rad_per_s() const noexcept { return fit_.rad_per_s; }
   /// How much the model is to be believed: 0 not locked, 1 locked; it changes smoothly.
   [[nodiscard]] double confidence() const noexcept { return confidence_; }
-  [[nodiscard]] BreathTerms terms() const noexcept;
+  /// The cell's motion from now on: A (cos ωτ − 1) + B sin ωτ and the same of 2ω. The first term, velocity, is 0.
+  [[nodiscard]] MotionTerms motion_of(std::size_t cell) const noexcept;
 
  private:
   struct Moment {
     double at_s = 0.0;
-    double displacement_m = 0.0;
+    std::vector<float> displacement_m;
   };
   struct Fit {
     double rad_per_s = 0.0;
@@ -35,19 +40,23 @@ class BreathingModel {
     BreathTerms coefficients = BreathTerms::Zero();
   };
 
-  [[nodiscard]] Fit fit_at(double rad_per_s) const;
-  void search();
-  [[nodiscard]] bool follows(double displacement_m) const noexcept;
+  void remember(std::span<const float> displacement_m);
+  [[nodiscard]] Fit fit_at(const std::vector<double>& signal, double rad_per_s) const;
+  [[nodiscard]] Fit best_fit(const std::vector<double>& signal) const;
+  void refit(std::span<const float> weight);
+  void fit_cells();
+  [[nodiscard]] double signal_of(std::span<const float> displacement_m) const noexcept;
+  [[nodiscard]] bool follows(double signal_m) const noexcept;
 
   std::deque<Moment> recent_;
+  std::vector<float> weight_;  ///< of the last fit, sum 1
+  std::vector<BreathTerms> cells_;
   double now_s_ = 0.0;
   double since_kept_s_ = 1.0;
-  int frames_to_search_ = 0;
+  int frames_to_fit_ = 0;
+  int steady_fits_ = 0;  ///< in a row that agree on the rate
   Fit fit_;
-  double fitted_at_s_ = 0.0;
-  double fitted_phase_rad_ = 0.0;
-  double rad_per_s_ = 0.0;
-  double phase_rad_ = 0.0;
+  double fitted_at_s_ = 0.0;  ///< the instant of phase 0
   double confidence_ = 0.0;
   double misses_s_ = 0.0;
 };

@@ -11,11 +11,12 @@ namespace telepalp::surface {
 struct CellInnovation {
   double mean_m = 0.0;
   double count = 0.0;
+  double sigma_m = 0.0;  ///< of the mean, by chance
 };
 
 /// How the scene moves along the rays of sight, cell by cell of kCell_px pixels: each cell's displacement and velocity
-/// by a g–h filter, and its own amplitude and phase of the common breath by recursive least squares. Cells average some
-/// hundred pixels, so that motion is known far below the pixels' noise; the pixels' detail is averaged on top of it.
+/// by a g–h filter, and the breath that they share. Cells average some hundred pixels, so that motion is known far
+/// below the pixels' noise; the pixels' detail is averaged on top of it.
 class MotionField {
  public:
   static constexpr int kCell_px = 16;
@@ -35,27 +36,28 @@ class MotionField {
   [[nodiscard]] MotionModel model() const noexcept;
 
  private:
+  [[nodiscard]] CellInnovation smoothed(const std::vector<CellInnovation>& seen, int column, int row) const noexcept;
+  void correct_cell(std::size_t at, const CellInnovation& innovation, double dt_s) noexcept;
+  [[nodiscard]] double believed() const noexcept { return breathing_wanted_ ? breathing_.confidence() : 0.0; }
+  void update_terms();
+
   struct Cell {
-    double displacement_m = 0.0;
     double velocity_m_per_s = 0.0;
     double energy = 0.0;  ///< slow mean of the squared velocity: what moves leads the breathing model
     double frames = 0.0;
-    BreathTerms breath = BreathTerms::Zero();
+    double lean_m = 0.0;  ///< running mean of the innovation: what the filter fails to follow
   };
-
-  void learn_breath(double dt_s);
-  void forget_breath() noexcept;
-  [[nodiscard]] MotionTerms terms_of(const Cell& cell) const noexcept;
 
   int columns_;
   int rows_;
   bool breathing_wanted_;
   std::vector<Cell> cells_;
+  std::vector<float> displacement_;  ///< of each cell since the start [m]
+  std::vector<float> weight_;
   std::vector<float> change_;
   std::vector<float> correction_;
+  std::vector<MotionTerms> terms_;
   BreathingModel breathing_;
-  double mean_displacement_m_ = 0.0;
-  Eigen::Matrix<double, 5, 5> breath_covariance_;
   double miss_m_ = 0.0;  ///< running mean of |innovation| of what moves
   double frame_s_ = 0.033;
 };

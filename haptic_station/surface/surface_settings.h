@@ -29,14 +29,14 @@ struct SurfaceSettings {
   // Grid
   int node_step_px = 2;
   double support_nodes = 2.5;  ///< radius of the weights
-  int fit_radius_px = 6;       ///< half side of the window of each node's quadratic fit
+  int fit_radius_px = 7;       ///< half side of the window of each node's quadratic fit
   double gate_m = 0.02;        ///< farther planes belong to another surface
   double break_m = 0.015;      ///< a depth step between neighbouring pixels that ends a surface, at 1 m; grows with z²
   int bridge_px = 2;           ///< holes of at most this radius are bridged
 
   // over time
   bool temporal = true;         ///< average what is still, follow what moves
-  double memory_frames = 30.0;  ///< longest average; its latency on an unmodelled change is about as long
+  double memory_frames = 60.0;  ///< longest average; its latency on an unmodelled change is about as long
   bool predict = true;          ///< carry snapshots forward by their velocity
   bool breathing = true;        ///< and by the breathing model once it has locked on
 

@@ -86,26 +86,32 @@ void TemporalFilter::observe(const DepthField& seen) {
     for (int left = 0; left < seen.width; left += kCell) {
       float sum = 0.0F;
       float spread = 0.0F;
+      float sigmas = 0.0F;
       int count = 0;
       for (int u = left; u < std::min(left + kCell, seen.width); u += 2) {
         const std::size_t at = start + static_cast<std::size_t>(u);
         const float z = seen.z_m[at];
         const float expected = average_.z_m[at] + change_at_[static_cast<std::size_t>(u)];
         const float r = z - expected;
-        const float sigma = noise_m(expected) * std::max(noise_scale_, 0.5F);
+        const float sigma = std::max(kFloor_m, noise_m(expected) * noise_scale_);
         if (z <= 0.0F || average_.z_m[at] <= 0.0F || std::abs(r) > 2.0F * kOutlier * sigma) continue;
         sum += r;
         spread += std::abs(r) / noise_m(expected);
+        sigmas += sigma;
         ++count;
       }
       CellInnovation& cell = cells[left / kCell];
       cell.mean_m += static_cast<double>(sum);
       cell.count += count;
+      cell.sigma_m += static_cast<double>(sigmas);
       noise_sum_ += static_cast<double>(spread);
       noise_count_ += count;
     }
   }
-  for (CellInnovation& cell : seen_) cell.mean_m /= std::max(cell.count, 1.0);
+  for (CellInnovation& cell : seen_) {
+    cell.mean_m /= std::max(cell.count, 1.0);
+    cell.sigma_m /= std::pow(std::max(cell.count, 1.0), 1.5);  // mean sigma over the root of the count
+  }
   if (noise_count_ > 100.0)
     noise_scale_ += 0.05F * (static_cast<float>(1.2533 * noise_sum_ / noise_count_) - noise_scale_);
 }
