@@ -10,7 +10,7 @@ namespace {
 // innovations lean to one side, since there the motion changes; long where they are chance, since a cell's noise would
 // move all its pixels together and no average of theirs would take it out.
 constexpr double kQuickTheta = 0.60;
-constexpr double kCalmTheta = 0.93;
+constexpr double kCalmTheta = 0.85;
 constexpr double kLeanGain = 0.3;
 constexpr double kCalmUpTo = 1.5;  // sigmas of the lean
 constexpr double kQuickFrom = 3.0;
@@ -27,9 +27,11 @@ MotionField::MotionField(int width_px, int height_px, bool breathing)
       breathing_wanted_(breathing),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
       displacement_(cells_.size(), 0.0F),
+      observed_(cells_.size(), 0.0F),
       weight_(cells_.size(), 0.0F),
       change_(cells_.size(), 0.0F),
       correction_(cells_.size(), 0.0F),
+      innovation_(cells_.size(), 0.0F),
       terms_(cells_.size()) {}
 
 const std::vector<float>& MotionField::predict(double dt_s) {
@@ -76,8 +78,10 @@ void MotionField::correct_cell(std::size_t at, const CellInnovation& innovation,
   const double position_gain = std::max(1.0 - theta * theta, 1.0 / cell.frames);
   const double velocity_gain = cell.frames < 3.0 ? 0.0 : (1.0 - theta) * (1.0 - theta);
   const auto correction = static_cast<float>(position_gain * innovation.mean_m);
+  observed_[at] = displacement_[at] + static_cast<float>(innovation.mean_m);
   displacement_[at] += correction;
   correction_[at] = correction;
+  innovation_[at] = static_cast<float>(innovation.mean_m);
   cell.velocity_m_per_s += velocity_gain * innovation.mean_m / dt_s;
   const double speed2 = cell.velocity_m_per_s * cell.velocity_m_per_s;
   cell.energy += dt_s / kEnergyMemory_s * (speed2 - cell.energy);
@@ -93,7 +97,7 @@ const std::vector<float>& MotionField::correct(const std::vector<CellInnovation>
       Cell& cell = cells_[at];
       if (seen[at].count < kLeastCount) {
         cell = {};
-        correction_[at] = weight_[at] = 0.0F;
+        correction_[at] = innovation_[at] = weight_[at] = 0.0F;
         continue;
       }
       const CellInnovation innovation = smoothed(seen, column, row);
@@ -103,7 +107,7 @@ const std::vector<float>& MotionField::correct(const std::vector<CellInnovation>
       missed += static_cast<double>(weight_[at]) * std::abs(innovation.mean_m);
     }
   miss_m_ += 0.1 * (missed / moving - miss_m_);
-  if (breathing_wanted_) breathing_.add(displacement_, weight_, dt_s);
+  if (breathing_wanted_) breathing_.add(observed_, weight_, dt_s);
   update_terms();
   return correction_;
 }

@@ -28,6 +28,9 @@ class MotionField {
 
   /// Expected change of each cell's depth over the next `dt_s`. Call once for each frame, before correct().
   [[nodiscard]] const std::vector<float>& predict(double dt_s);
+  /// The cells' whole innovations, smoothed, of which correct() takes its share: the motion is the cells' to follow, so
+  /// that pixels must not take it into their averages.
+  [[nodiscard]] const std::vector<float>& innovations() const noexcept { return innovation_; }
   /// Takes in what was seen; answers with each cell's correction to the prediction.
   [[nodiscard]] const std::vector<float>& correct(const std::vector<CellInnovation>& seen, double dt_s);
 
@@ -53,9 +56,11 @@ class MotionField {
   bool breathing_wanted_;
   std::vector<Cell> cells_;
   std::vector<float> displacement_;  ///< of each cell since the start [m]
+  std::vector<float> observed_;  ///< the same, but as measured: what the breath is fitted to must not be its own echo
   std::vector<float> weight_;
   std::vector<float> change_;
   std::vector<float> correction_;
+  std::vector<float> innovation_;
   std::vector<MotionTerms> terms_;
   BreathingModel breathing_;
   double miss_m_ = 0.0;  ///< running mean of |innovation| of what moves

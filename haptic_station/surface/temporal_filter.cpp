@@ -9,9 +9,9 @@ namespace {
 constexpr int kCell = MotionField::kCell_px;
 constexpr float kFloor_m = 2e-4F;  // of the noise: rounding
 constexpr float kOutlier = 5.0F;   // sigmas between a pixel and its average, at most
-constexpr float kPatchOutlier = 3.5F;
+constexpr float kPatchOutlier = 4.5F;
 constexpr float kUnseenKeep = 0.7F;  // of a pixel's frames, for each frame without it
-constexpr float kStartAnew_frames = 2.0F;
+constexpr float kStartAnew_frames = 4.0F;
 
 /// Axial noise of a structured-light camera [m], as in node_fit.
 float noise_m(float z_m) noexcept { return 0.0012F + 0.0019F * (z_m - 0.4F) * (z_m - 0.4F); }
@@ -51,6 +51,7 @@ TemporalFilter::TemporalFilter(int width, int height, const SurfaceSettings& set
               .weight = std::vector<float>(count, 0.0F)};
   change_at_.resize(static_cast<std::size_t>(width));
   correction_at_.resize(static_cast<std::size_t>(width));
+  innovation_at_.resize(static_cast<std::size_t>(width));
   seen_.resize(static_cast<std::size_t>(motion_.columns()) * static_cast<std::size_t>(motion_.rows()));
   const std::size_t patches = static_cast<std::size_t>((width + kPatch_px - 1) / kPatch_px) *
                               static_cast<std::size_t>((height + kPatch_px - 1) / kPatch_px);
@@ -121,6 +122,7 @@ void TemporalFilter::update(const DepthField& seen) {
   for (int row = 0; row < seen.height; ++row) {
     spread_over_row(*change_, motion_.columns(), motion_.rows(), row, change_at_);
     spread_over_row(*correction_, motion_.columns(), motion_.rows(), row, correction_at_);
+    spread_over_row(motion_.innovations(), motion_.columns(), motion_.rows(), row, innovation_at_);
     const std::size_t start = seen.index(0, row);
     float* patch_sum = &patch_sum_[static_cast<std::size_t>((row / kPatch_px) * patches_across)];
     float* patch_count = &patch_count_[static_cast<std::size_t>((row / kPatch_px) * patches_across)];
@@ -141,7 +143,8 @@ void TemporalFilter::update(const DepthField& seen) {
         average = frames > 0.5F ? moved : 0.0F;
         continue;
       }
-      const float r = z - moved;
+      const auto column = static_cast<std::size_t>(u);
+      const float r = z - (average + change_at_[column] + innovation_at_[column]);
       const float sigma = std::max(kFloor_m, noise_m(moved) * noise_scale_);
       if (std::abs(r) > kOutlier * sigma) {
         frames *= 0.4F;
@@ -152,7 +155,7 @@ void TemporalFilter::update(const DepthField& seen) {
       }
       frames = std::min(frames + 1.0F, memory_frames_);
       average = moved + r / frames;
-      patch_sum[u / kPatch_px] += r / sigma;
+      patch_sum[u / kPatch_px] += r / (sigma * std::sqrt(1.0F + 2.0F / frames));  // the average errs as well
       patch_count[u / kPatch_px] += 1.0F;
     }
   }

@@ -11,7 +11,7 @@ namespace telepalp::surface {
 /// Averages depth over frames where the patient is still and follows where they move. Each pixel's average is carried
 /// along by its cell's motion, so breathing does not smear it; what moves otherwise shows as a patch whose residuals
 /// have one sign, and there the average starts anew. Latency: none on modelled motion; on an unmodelled step two to
-/// four frames until the patch is noticed; below that (a patch mean under 3.5 sigma/4) the average's own memory.
+/// four frames until the patch is noticed; below that (a patch mean under 4.5 sigma/4) the average's own memory.
 class TemporalFilter {
  public:
   TemporalFilter(int width, int height, const SurfaceSettings& settings);
@@ -31,6 +31,7 @@ class TemporalFilter {
   MotionField motion_;
   std::vector<float> change_at_;      ///< of one row of pixels
   std::vector<float> correction_at_;  ///< the same
+  std::vector<float> innovation_at_;  ///< the same
   std::vector<CellInnovation> seen_;
   std::vector<float> patch_sum_;
   std::vector<float> patch_count_;

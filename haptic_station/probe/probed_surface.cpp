@@ -1,0 +1,200 @@
+#include "haptic_station/probe/probed_surface.h"
+
+#include <png.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "haptic_station/surface/grid_snapshot.h"
+#include "haptic_station/surface/paper_surface.h"
+#include "haptic_station/surface/static_model.h"
+#include "haptic_station/surface/surface_builder.h"
+#include "messages/camera.pb.h"
+#include "proto/program/text_format.h"
+
+namespace telepalp::probe {
+namespace {
+
+using surface::DepthField;
+using surface::Method;
+using surface::PointModel;
+using surface::SurfaceSettings;
+
+/// Slope and offset of pixel against x/z along one axis by least squares, and the root mean square left over [px].
+struct AxisFit {
+  double focal_px = 0.0;
+  double centre_px = 0.0;
+  double residual_px = 1e9;
+};
+
+AxisFit fit_axis(const PointModel& cloud, bool rows) {
+  double n = 0.0, sx = 0.0, sp = 0.0, sxx = 0.0, sxp = 0.0, spp = 0.0;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Eigen::Vector3d at = cloud.points[i].cast<double>();
+    if (!at.allFinite() || !(at.z() > 0.0)) continue;
+    const auto width = static_cast<std::size_t>(cloud.width);
+    const auto pixel = static_cast<double>(rows ? i / width : i % width);
+    const double x = (rows ? at.y() : at.x()) / at.z();
+    n += 1.0;
+    sx += x;
+    sp += pixel;
+    sxx += x * x;
+    sxp += x * pixel;
+    spp += pixel * pixel;
+  }
+  const double spread = n * sxx - sx * sx;
+  if (n < 100.0 || !(spread > 0.0)) return {};
+  AxisFit fit;
+  fit.focal_px = (n * sxp - sx * sp) / spread;
+  fit.centre_px = (sp - fit.focal_px * sx) / n;
+  const double square = spp - fit.centre_px * sp - fit.focal_px * sxp;
+  fit.residual_px = std::sqrt(std::max(0.0, square / n));
+  return fit;
+}
+
+/// The pinhole camera that took an organised cloud, where one did.
+std::optional<Intrinsics> camera_of(const PointModel& cloud) {
+  if (cloud.width <= 1) return std::nullopt;
+  const AxisFit across = fit_axis(cloud, false);
+  const AxisFit down = fit_axis(cloud, true);
+  constexpr double kMostResidual_px = 0.5;
+  const auto height = static_cast<int>(cloud.points.size() / static_cast<std::size_t>(cloud.width));
+  const Intrinsics camera{.width = cloud.width,
+                          .height = height,
+                          .fx = across.focal_px,
+                          .fy = down.focal_px,
+                          .cx = across.centre_px,
+                          .cy = down.centre_px};
+  if (across.residual_px > kMostResidual_px || down.residual_px > kMostResidual_px || !is_well_formed(camera))
+    return std::nullopt;
+  return camera;
+}
+
+DepthField depth_of(const PointModel& cloud, const Intrinsics& camera) {
+  DepthField depth{.width = camera.width, .height = camera.height, .z_m = {}, .weight = {}};
+  for (const Eigen::Vector3f& at : cloud.points) depth.z_m.push_back(at.allFinite() && at.z() > 0.0F ? at.z() : 0.0F);
+  return depth;
+}
+
+/// A lattice that does not age: the cloud is all there is.
+std::shared_ptr<const surface::SurfaceSnapshot> still(const DepthField& depth, const Intrinsics& camera,
+                                                      const SurfaceSettings& settings) {
+  auto snapshot = std::make_shared<surface::GridSnapshot>(depth, camera, std::nullopt, settings);
+  snapshot->motion.ages = false;
+  return snapshot;
+}
+
+Error with_place(Error error, const std::filesystem::path& file) {
+  error.where = file.string();
+  return error;
+}
+
+/// libpng leaves through longjmp where a file is damaged: each part that may is a function without C++ objects.
+bool read_header(png_structp png, png_infop info, std::FILE* file) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_init_io(png, file);
+  png_set_user_limits(png, kMaxImageSide, kMaxImageSide);
+  png_read_info(png, info);
+  png_set_swap(png);
+  return png_get_bit_depth(png, info) == 16 && png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY;
+}
+
+bool read_rows(png_structp png, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_read_image(png, rows);
+  return true;
+}
+
+struct PngReader {
+  std::FILE* file = nullptr;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+
+  explicit PngReader(const std::filesystem::path& path) : file(std::fopen(path.c_str(), "rb")) {
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    if (png != nullptr) info = png_create_info_struct(png);
+  }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() {
+    png_destroy_read_struct(&png, &info, nullptr);
+    if (file != nullptr) std::fclose(file);
+  }
+};
+
+/// 16-bit grey samples as they stand; libpng's simple interface would pass them through a gamma.
+Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit_m) {
+  const auto fail = [&](const std::string& what) {
+    return Error{.what = what, .where = path.string(), .fix = "give a 16-bit grey PNG of at most 4096 x 4096"};
+  };
+  PngReader reader(path);
+  if (reader.file == nullptr || reader.info == nullptr) return fail("cannot be opened");
+  if (!read_header(reader.png, reader.info, reader.file)) return fail("is no 16-bit grey PNG");
+  DepthImage image{.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
+                   .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
+                   .unit_m = unit_m,
+                   .samples = {}};
+  image.samples.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  std::vector<png_bytep> rows;
+  for (int row = 0; row < image.height; ++row)
+    rows.push_back(reinterpret_cast<png_bytep>(&image.samples[static_cast<std::size_t>(row * image.width)]));
+  if (!read_rows(reader.png, rows.data())) return fail("is damaged");
+  return image;
+}
+
+}  // namespace
+
+Result<ProbedSurface> open_cloud(const std::filesystem::path& file, double unit_m, const SurfaceSettings& settings) {
+  Result<PointModel> read = surface::read_point_model(file);
+  if (!read) return read.error();
+  PointModel& model = *read;
+  const std::optional<Intrinsics> camera = camera_of(model);
+  if (camera && settings.method != Method::Cloud) {
+    for (Eigen::Vector3f& at : model.points) at *= static_cast<float>(unit_m);
+    if (const std::string complaint = surface::unit_complaint(model); !complaint.empty())
+      return Error{.what = complaint, .where = file.string(), .fix = "say the unit of the file's coordinates"};
+    if (settings.method == Method::Grid) return ProbedSurface{still(depth_of(model, *camera), *camera, settings), ""};
+  }
+  if (settings.method == Method::Paper) {
+    if (!camera)
+      for (Eigen::Vector3f& at : model.points) at *= static_cast<float>(unit_m);
+    auto paper = std::make_shared<surface::PaperSurface>(surface::IndexedPoints{model.points, model.width}, settings);
+    paper->motion.ages = false;
+    return ProbedSurface{std::move(paper), "normals are turned to the origin, as the paper's camera stood there"};
+  }
+  surface::StaticModelSettings how;
+  how.unit_m = unit_m;
+  if (settings.method == Method::Cloud) how.support_m = settings.radius_m;
+  const Result<surface::StaticModel> made = surface::make_static_model(model, how);
+  if (!made) return with_place(made.error(), file);
+  return ProbedSurface{made->snapshot, made->remarks};
+}
+
+Result<ProbedSurface> open_depth(const std::filesystem::path& png, const std::filesystem::path& camera_file,
+                                 const SurfaceSettings& settings) {
+  msg::CameraFile camera;
+  if (const Result<void> read = program::read_text_format(camera_file, camera); !read) return read.error();
+  const msg::CameraFile::Pinhole& pinhole = camera.depth();
+  const Intrinsics intrinsics{.width = static_cast<int>(pinhole.width()),
+                              .height = static_cast<int>(pinhole.height()),
+                              .fx = pinhole.fx(),
+                              .fy = pinhole.fy(),
+                              .cx = pinhole.cx(),
+                              .cy = pinhole.cy()};
+  const double unit_m = camera.depth_unit_m() > 0.0 ? camera.depth_unit_m() : 0.001;
+  Result<DepthImage> image = read_depth_png(png, unit_m);
+  if (!image) return image.error();
+  if (!is_well_formed(intrinsics) || intrinsics.width != image->width || intrinsics.height != image->height)
+    return Error{.what = "describes another image: the PNG has " + std::to_string(image->width) + " x " +
+                         std::to_string(image->height) + " pixels",
+                 .where = camera_file.string(),
+                 .fix = "give depth { width height fx fy cx cy } of this camera"};
+  if (camera.ignore_above() > 0)
+    for (std::uint16_t& sample : image->samples)
+      if (sample > camera.ignore_above()) sample = 0;
+  if (settings.method == Method::Grid)
+    return ProbedSurface{still(surface::to_depth_field(*image), intrinsics, settings), ""};
+  return ProbedSurface{surface::build_snapshot(*image, intrinsics, SessionTime{}, std::nullopt, settings), ""};
+}
+
+}  // namespace telepalp::probe

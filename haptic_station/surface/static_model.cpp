@@ -1,0 +1,113 @@
+#include "haptic_station/surface/static_model.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace telepalp::surface {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+Vector3d middle_of(const std::vector<Vector3f>& points) {
+  Vector3d sum = Vector3d::Zero();
+  double count = 0.0;
+  for (const Vector3f& at : points)
+    if (at.allFinite()) {
+      sum += at.cast<double>();
+      count += 1.0;
+    }
+  return count > 0.0 ? Vector3d(sum / count) : Vector3d::Zero();
+}
+
+/// In metres around the model's middle, so that floats stay exact however far away its frame's origin is.
+PointModel centred(const PointModel& model, const Vector3d& middle, double unit_m) {
+  PointModel near = model;
+  for (Vector3f& at : near.points) at = (unit_m * (at.cast<double>() - middle)).cast<float>();
+  for (Vector3f& normal : near.normals) normal.normalize();
+  return near;
+}
+
+/// Six times the signed volume, and how many edges have no partner, of a mesh.
+struct Closure {
+  double volume6 = 0.0;
+  std::size_t open_edges = 0;
+};
+
+Closure closure_of(const PointModel& model) {
+  Closure closure;
+  std::map<std::array<float, 6>, int> edges;  // by position: exporters double the vertices along seams
+  const auto key = [&](std::uint32_t a, std::uint32_t b) {
+    const Vector3f& p = model.points[a];
+    const Vector3f& q = model.points[b];
+    return std::array<float, 6>{p.x(), p.y(), p.z(), q.x(), q.y(), q.z()};
+  };
+  for (const auto& triangle : model.triangles) {
+    const Vector3d a = model.points[triangle[0]].cast<double>();
+    const Vector3d b = model.points[triangle[1]].cast<double>();
+    closure.volume6 += a.dot(b.cross(model.points[triangle[2]].cast<double>()));
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++edges[key(triangle[k], triangle[(k + 1) % 3])];
+      --edges[key(triangle[(k + 1) % 3], triangle[k])];
+    }
+  }
+  for (const auto& [edge, balance] : edges)
+    if (balance > 0) ++closure.open_edges;
+  return closure;
+}
+
+void say(std::string& remarks, const std::string& remark) { remarks += (remarks.empty() ? "" : "; ") + remark; }
+
+std::vector<CloudPoint> sampled_mesh(const PointModel& mesh, const StaticModelSettings& settings,
+                                     std::string& remarks) {
+  std::vector<CloudPoint> points = poisson_disk_samples(mesh, settings.samples, settings.seed);
+  if (mesh.normals.empty()) say(remarks, "the mesh has no normals: its faces' are taken");
+  const Closure closure = closure_of(mesh);
+  if (closure.open_edges > 0) {
+    say(remarks, "the mesh is open (" + std::to_string(closure.open_edges) + " edges without a partner)");
+  } else if (closure.volume6 < 0.0) {
+    say(remarks, "the mesh is inside out: its normals are turned over");
+    for (CloudPoint& point : points) point.normal = -point.normal;
+  }
+  return points;
+}
+
+std::vector<CloudPoint> cloud_points(const PointModel& cloud, const StaticModelSettings& settings,
+                                     const Vector3d& middle, std::string& remarks) {
+  if (cloud.normals.empty()) {
+    say(remarks, "the cloud has no normals: they are estimated from " + std::to_string(settings.normal_neighbors) +
+                     " neighbours and turned to the viewpoint");
+    return with_normals(cloud.points, settings.normal_neighbors, (settings.viewpoint_m - middle).cast<float>());
+  }
+  std::vector<CloudPoint> points;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    if (cloud.points[i].allFinite() && cloud.normals[i].allFinite() && cloud.normals[i].norm() > 0.5F)
+      points.push_back({cloud.points[i], cloud.normals[i]});
+  return points;
+}
+
+}  // namespace
+
+Result<StaticModel> make_static_model(const PointModel& model, const StaticModelSettings& settings) {
+  const Vector3d middle = middle_of(model.points);
+  const PointModel near = centred(model, middle, settings.unit_m);
+  if (const std::string complaint = unit_complaint(near); !complaint.empty())
+    return Error{.what = complaint, .where = "model", .fix = "say the unit of the file's coordinates"};
+  StaticModel made;
+  std::vector<CloudPoint> points = near.triangles.empty()
+                                       ? cloud_points(near, settings, settings.unit_m * middle, made.remarks)
+                                       : sampled_mesh(near, settings, made.remarks);
+  if (points.empty())
+    return Error{.what = "has no surface: no finite points, or all in one place or on one line",
+                 .where = "model",
+                 .fix = "give a cloud of a surface, three points or more apart from each other"};
+  CloudShape shape;
+  shape.origin_m = settings.unit_m * middle;
+  shape.support_m = settings.support_m;
+  made.snapshot = std::make_shared<const CloudSnapshot>(std::move(points), shape, Index::Nanoflann);
+  return made;
+}
+
+}  // namespace telepalp::surface

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace telepalp::surface {
+
+/// Walks through text line by line and word by word, without copying; numbers do not depend on the locale.
+class TextCursor {
+ public:
+  explicit TextCursor(std::string_view text) noexcept : text_(text) {}
+  explicit TextCursor(std::span<const std::byte> bytes) noexcept
+      : text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
+
+  [[nodiscard]] bool at_end() const noexcept { return at_ >= text_.size(); }
+  [[nodiscard]] std::size_t offset() const noexcept { return at_; }
+  [[nodiscard]] std::size_t line_number() const noexcept { return line_; }
+
+  /// The next line without its end.
+  std::string_view line() noexcept {
+    const std::size_t end = text_.find('\n', at_);
+    std::string_view line = text_.substr(at_, end == std::string_view::npos ? end : end - at_);
+    at_ = end == std::string_view::npos ? text_.size() : end + 1;
+    ++line_;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+  }
+
+  /// The next word, over ends of lines; empty at the end.
+  std::string_view word() noexcept { return take_word(text_, at_); }
+
+  /// The first word of `rest`, which moves behind it.
+  static std::string_view word_of(std::string_view& rest) noexcept {
+    std::size_t at = 0;
+    const std::string_view word = take_word(rest, at);
+    rest.remove_prefix(at);
+    return word;
+  }
+
+  template <class Number>
+  static std::optional<Number> number(std::string_view word) noexcept {
+    Number value{};
+    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return value;
+  }
+
+ private:
+  static bool is_space(char letter) noexcept {
+    return letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r';
+  }
+  static std::string_view take_word(std::string_view text, std::size_t& at) noexcept {
+    while (at < text.size() && is_space(text[at])) ++at;
+    const std::size_t start = at;
+    while (at < text.size() && !is_space(text[at])) ++at;
+    return text.substr(start, at - start);
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 0;
+};
+
+}  // namespace telepalp::surface
