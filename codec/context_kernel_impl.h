@@ -12,7 +12,7 @@ namespace {
 constexpr int kMargin = 16;
 
 constexpr size_t row_bytes(int width) {
-  return (static_cast<size_t>(width) + 2 * kMargin + 15) / 16 * 16 * sizeof(uint16_t);
+  return (static_cast<size_t>(width) + size_t{2} * kMargin + 15) / 16 * 16 * sizeof(uint16_t);
 }
 
 /// What one slice carries from pixel to pixel.

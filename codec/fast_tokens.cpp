@@ -51,7 +51,8 @@ class TokenWriter {
   void exception(std::uint32_t run, Rank rank, Rank predicted) {
     const int base = predicted != 0 ? predicted : last_measured_;
     const int step = rank - base;
-    const Exception what = rank == 0 ? NotMeasured : kOfStep[static_cast<std::size_t>(std::clamp(step, -3, 3) + 3)];
+    const int place = std::clamp(step, -3, 3) + 3;
+    const Exception what = rank == 0 ? NotMeasured : kOfStep[static_cast<std::size_t>(place)];
     streams_.tokens[stream_][used_[stream_]++] = static_cast<char>(std::min(run, kLongRun) * 8 + what);
     if (run >= kLongRun) append_varint(streams_.extra, run - kLongRun);
     if (what >= Up) append_varint(streams_.extra, static_cast<std::uint32_t>(std::abs(step) - kFirstStep));
