@@ -35,4 +35,18 @@ Result<DepthImage> decode_depth(std::span<const std::byte> bytes) {
   return read_frame(*packet, {});
 }
 
+Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> bytes) {
+  constexpr std::array<std::string_view, kLastCoding + 1> kCodings{"stored", "zstd", "tokens", "contexts", "dependent"};
+  const Result<Packet> packet = read_packet(bytes);
+  if (!packet) return packet.error();
+  const PacketHeader& header = packet->header;
+  return DepthPacketInfo{.mode = header.mode,
+                         .coding = kCodings[static_cast<std::size_t>(header.coding)],
+                         .width = header.width,
+                         .height = header.height,
+                         .unit_m = header.unit_m,
+                         .slices = header.slices,
+                         .since_key = header.since_key};
+}
+
 }  // namespace telepalp::codec

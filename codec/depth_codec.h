@@ -35,4 +35,17 @@ inline constexpr std::uint8_t kLastDepthMode = 3;
 /// kMaxImageSide allows.
 [[nodiscard]] Result<DepthImage> decode_depth(std::span<const std::byte> packet);
 
+/// What a packet says of itself, without being decoded.
+struct DepthPacketInfo {
+  DepthMode mode = DepthMode::Fast;
+  std::string_view coding;  ///< "stored", "zstd", "tokens", "contexts" or "dependent"
+  int width = 0;
+  int height = 0;
+  double unit_m = 0.001;
+  int slices = 1;
+  int since_key = 0;  ///< frames since the key frame that it depends on; 0: it stands alone
+};
+
+[[nodiscard]] Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> packet);
+
 }  // namespace telepalp::codec

@@ -1,0 +1,123 @@
+#include "server/codec_tool/depth_files.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <variant>
+#include <vector>
+
+#include "codec/depth_stream.h"
+#include "messages/camera.pb.h"
+#include "proto/wire/mcap/reader.h"
+#include "server/capture/capture_source.h"
+#include "server/capture/images/image_file.h"
+#include "server/codec_tool/pgm.h"
+
+namespace telepalp::server {
+namespace {
+
+namespace fs = std::filesystem;
+using Visit = std::function<Result<void>(NamedDepth)>;
+
+bool is_image(const fs::path& file) {
+  constexpr std::array kEndings{".png", ".tif", ".tiff", ".pgm"};
+  return std::find(kEndings.begin(), kEndings.end(), file.extension()) != kEndings.end();
+}
+
+std::vector<fs::path> image_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code code;
+  for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
+    if (entry->is_regular_file(code) && is_image(entry->path())) files.push_back(entry->path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Result<AnyImage> read_any(const fs::path& file) {
+  if (file.extension() != ".pgm") return read_image(file);
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  Result<GrayImage16> image = decode_pgm(bytes, file.string());
+  if (!image) return image.error();
+  return AnyImage{*std::move(image)};
+}
+
+/// Visits the image in `file`; one without depth is passed over where `colour_may_be`.
+Result<void> visit_image(const fs::path& file, double unit_m, bool colour_may_be, const Visit& visit) {
+  Result<AnyImage> image = read_any(file);
+  if (!image) return image.error();
+  auto* const depth = std::get_if<GrayImage16>(&*image);
+  if (depth == nullptr) {
+    if (colour_may_be) return {};
+    return Error{.what = "holds no 16-bit samples", .where = file.string(), .fix = "give a depth image"};
+  }
+  return visit(
+      {file.filename().string(),
+       {},
+       {.width = depth->width, .height = depth->height, .unit_m = unit_m, .samples = std::move(depth->samples)}});
+}
+
+Result<void> visit_session(const fs::path& file, const Visit& visit) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  reader->select({.topics = {std::string(wire::kCameraDepth.name)}});
+  codec::DepthDecoder decoder;
+  for (std::size_t number = 0;; ++number) {
+    const Result<std::optional<wire::Message>> message = reader->next();
+    if (!message) return message.error();
+    if (!*message) return {};
+    msg::DepthImage image;
+    if (!image.ParseFromString(*(*message)->payload))
+      return Error{
+          .what = "message " + std::to_string(number) + " is no DepthImage", .where = file.string(), .fix = ""};
+    Result<DepthImage> depth = decoder.decode(std::as_bytes(std::span(image.data())));
+    if (!depth) return depth.error();
+    const SessionTime captured{Nanoseconds{static_cast<std::int64_t>(image.captured_ns())}};
+    if (Result<void> done = visit({std::to_string(number), captured, *std::move(depth)}); !done) return done;
+  }
+}
+
+Result<void> visit_source(const std::string& spec, const Visit& visit) {
+  Result<std::unique_ptr<CaptureSource>> source =
+      open_source(spec, {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = false, .paced = false});
+  if (!source) return source.error();
+  for (std::size_t number = 0;;) {
+    std::optional<RgbdFrame> frame = (*source)->next(std::chrono::milliseconds{100});
+    if (frame) {
+      if (Result<void> done = visit({std::to_string(number++), frame->captured, std::move(frame->depth)}); !done)
+        return done;
+    } else if ((*source)->state() == CaptureState::Ended) {
+      return {};
+    } else if ((*source)->state() == CaptureState::Lost) {
+      return Error{.what = (*source)->detail(), .where = spec, .fix = "check the file"};
+    }
+  }
+}
+
+}  // namespace
+
+Result<void> for_each_depth(const fs::path& input, double unit_m, const Visit& visit) {
+  std::error_code code;
+  if (!fs::exists(input, code))
+    return Error{.what = "there is no such file", .where = input.string(), .fix = "check the path"};
+  if (fs::is_directory(input, code)) {
+    for (const fs::path& file : image_files(input))
+      if (Result<void> done = visit_image(file, unit_m, true, visit); !done) return done;
+    return {};
+  }
+  if (is_image(input)) return visit_image(input, unit_m, false, visit);
+  if (input.extension() == ".mcap") return visit_session(input, visit);
+  if (input.extension() == ".oni") return visit_source("oni:" + input.string(), visit);
+  if (input.extension() == ".pcd") return visit_source("pcd:" + input.string(), visit);
+  return Error{.what = "is of no kind that holds depth",
+               .where = input.string(),
+               .fix = "give PNG, TIFF, PGM, .oni, .pcd, .mcap, or a directory of images"};
+}
+
+std::size_t count_depth_files(const fs::path& input) {
+  std::error_code code;
+  return fs::is_directory(input, code) ? image_files(input).size() : 0;
+}
+
+}  // namespace telepalp::server
