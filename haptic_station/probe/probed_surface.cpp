@@ -173,7 +173,7 @@ Result<ProbedSurface> open_cloud(const std::filesystem::path& file, double unit_
 Result<ProbedSurface> open_depth(const std::filesystem::path& png, const std::filesystem::path& camera_file,
                                  const SurfaceSettings& settings) {
   msg::CameraFile camera;
-  if (const Result<void> read = program::read_text_format(camera_file, camera); !read) return read.error();
+  if (const auto read = program::read_text_format(camera_file, camera); !read) return read.error();
   const msg::CameraFile::Pinhole& pinhole = camera.depth();
   const Intrinsics intrinsics{.width = static_cast<int>(pinhole.width()),
                               .height = static_cast<int>(pinhole.height()),

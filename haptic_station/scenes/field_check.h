@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "proto/program/text_format.h"
 #include "proto/words/frames.h"
 #include "proto/words/result.h"
 
@@ -20,7 +21,8 @@ struct Range {
 /// Collects the first value out of its range while a message is read field by field.
 class FieldCheck {
  public:
-  explicit FieldCheck(std::string where) : where_(std::move(where)) {}
+  explicit FieldCheck(std::string file, program::NumberPlaces places = program::NumberPlaces())
+      : file_(std::move(file)), places_(std::move(places)) {}
 
   /// `value` into `into` when it is within `range`; otherwise remembers the complaint about `field`.
   void number(std::string_view field, double value, const Range& range, double& into) {
@@ -30,23 +32,26 @@ class FieldCheck {
     }
     complain(std::string(field) + " is " + text(value) + " " + std::string(range.unit) + ", outside " +
                  text(range.least) + " to " + text(range.most) + " " + std::string(range.unit),
-             "give " + std::string(field) + " in " + std::string(range.unit) + " within that range");
+             "give " + std::string(field) + " in " + std::string(range.unit) + " within that range",
+             places_.where(file_, field, value));
   }
 
-  void complain(std::string what, std::string fix) {
-    if (!error_) error_ = Error{.what = std::move(what), .where = where_, .fix = std::move(fix)};
-  }
+  void complain(std::string what, std::string fix) { complain(std::move(what), std::move(fix), file_); }
 
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
 
  private:
+  void complain(std::string what, std::string fix, std::string where) {
+    if (!error_) error_ = Error{.what = std::move(what), .where = std::move(where), .fix = std::move(fix)};
+  }
   static std::string text(double value) {
     char buffer[40];
     std::snprintf(buffer, sizeof buffer, "%g", value);
     return buffer;
   }
 
-  std::string where_;
+  std::string file_;
+  program::NumberPlaces places_;
   std::optional<Error> error_;
 };
 

@@ -177,8 +177,9 @@ void read_simulation(FieldCheck& check, const msg::Scene& message, const std::fi
 
 }  // namespace
 
-Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path& name) {
-  FieldCheck check(name.string());
+Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path& name,
+                         const program::NumberPlaces& places) {
+  FieldCheck check(name.string(), places);
   Scene scene;
   scene.message = message;
   scene.name = message.name().empty() ? name.stem().string() : message.name();
@@ -201,16 +202,16 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
 
 Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& name) {
   msg::Scene message;
-  const Result<void> parsed = program::parse_text_format(text, name.string(), message);
+  const Result<program::NumberPlaces> parsed = program::parse_text_format(text, name.string(), message);
   if (!parsed) return parsed.error();
-  return make_scene(message, name);
+  return make_scene(message, name, *parsed);
 }
 
 Result<Scene> read_scene(const std::filesystem::path& file) {
   msg::Scene message;
-  const Result<void> read = program::read_text_format(file, message);
+  const Result<program::NumberPlaces> read = program::read_text_format(file, message);
   if (!read) return read.error();
-  return make_scene(message, file);
+  return make_scene(message, file, *read);
 }
 
 }  // namespace telepalp::scenes

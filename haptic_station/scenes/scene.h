@@ -9,6 +9,7 @@
 #include "haptic_station/device/trial.h"
 #include "haptic_station/effects/effect_bank.h"
 #include "messages/scene.pb.h"
+#include "proto/program/text_format.h"
 #include "proto/words/result.h"
 
 namespace telepalp::scenes {
@@ -38,6 +39,8 @@ struct Scene {
 [[nodiscard]] Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& name);
 
 /// Checks a message and turns it into plain values.
-[[nodiscard]] Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path& name);
+/// `places`: where its numbers stand in the file, for errors.
+[[nodiscard]] Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path& name,
+                                       const program::NumberPlaces& places = program::NumberPlaces());
 
 }  // namespace telepalp::scenes

@@ -105,7 +105,7 @@ TEST_F(StationProgram, AValueInTheWrongUnitIsRefusedWithItsRange) {
   ASSERT_NE(text.find(metres), std::string::npos);
   std::ofstream(scene) << text.replace(text.find(metres), metres.size(), "radius_m: 30");
   EXPECT_EQ(run({"--scene", scene.string(), "--check"}), 1);
-  EXPECT_NE(text_of(log()).find("radius_m"), std::string::npos) << text_of(log());
+  EXPECT_NE(text_of(log()).find("textproto:31:5: cylinder.radius_m"), std::string::npos) << text_of(log());
 }
 
 TEST_F(StationProgram, WhatIsAskedWronglyEndsWithTwo) {

@@ -62,6 +62,16 @@ TEST(ShippedFile, IsFoundAboveTheProgramAndWhatIsNotThereIsNot) {
   EXPECT_FALSE(shipped_file("no/such/file").has_value());
 }
 
+TEST(TextFormat, ANumberIsFoundWhereItStands) {
+  msg::CameraFile camera;
+  const auto read = parse_text_format("depth {\n  fx: 3\n  width: 7 }\ndepth_unit_m: 1\n", "c.textproto", camera);
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->where("c.textproto", "depth.fx", 3.0), "c.textproto:2:3");
+  EXPECT_EQ(read->where("c.textproto", "width", 7.0), "c.textproto:3:3");
+  EXPECT_EQ(read->where("c.textproto", "depth_unit_m", 1.0), "c.textproto:4:1");
+  EXPECT_EQ(read->where("c.textproto", "depth_unit_m", 2.0), "c.textproto");
+}
+
 TEST(TextFormat, AnUnknownFieldIsNamedWithLineAndColumn) {
   msg::CameraFile camera;
   const auto read = parse_text_format("depth {\n  fx_px: 3\n}\n", "camera.textproto", camera);

@@ -23,9 +23,15 @@ Intrinsics intrinsics_of(const msg::CameraFile::Pinhole& pinhole) {
 
 std::string size_text(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
 
-Result<RecordedCamera> checked(const msg::CameraFile& file, const std::string& where, int width, int height) {
-  const auto wrong = [&where](std::string what, std::string fix) {
-    return Error{.what = std::move(what), .where = where, .fix = std::move(fix)};
+Result<RecordedCamera> checked(const msg::CameraFile& file, const program::NumberPlaces& places,
+                               const std::string& name, int width, int height) {
+  const auto wrong = [&name](std::string what, std::string fix) {
+    return Error{.what = std::move(what), .where = name, .fix = std::move(fix)};
+  };
+  const auto wrong_number = [&](std::string_view field, double value, std::string fix) {
+    return Error{.what = std::string(field) + " is " + std::to_string(value),
+                 .where = places.where(name, field, value),
+                 .fix = std::move(fix)};
   };
   RecordedCamera camera;
   camera.model.depth = intrinsics_of(file.depth());
@@ -39,12 +45,13 @@ Result<RecordedCamera> checked(const msg::CameraFile& file, const std::string& w
                  "give the intrinsics of the size that was recorded");
   camera.depth_unit_m = file.depth_unit_m();
   if (!(camera.depth_unit_m >= 1e-5 && camera.depth_unit_m <= 0.1))
-    return wrong("depth_unit_m is " + std::to_string(file.depth_unit_m()),
-                 "give metres for one step of a sample: 0.001 for millimetres");
+    return wrong_number("depth_unit_m", camera.depth_unit_m,
+                        "give metres for one step of a sample: 0.001 for millimetres");
   camera.frames_per_s = file.frames_per_s() == 0.0 ? 30.0 : file.frames_per_s();
   if (!(camera.frames_per_s >= 0.1 && camera.frames_per_s <= 1000.0))
-    return wrong("frames_per_s is " + std::to_string(file.frames_per_s()), "give 0.1 to 1000");
-  if (file.ignore_above() > 65535) return wrong("ignore_above is beyond 16 bits", "give at most 65535");
+    return wrong_number("frames_per_s", camera.frames_per_s, "give 0.1 to 1000");
+  if (file.ignore_above() > 65535)
+    return wrong_number("ignore_above", file.ignore_above(), "give at most 65535, a sample's largest value");
   if (file.ignore_above() != 0) camera.ignore_above = static_cast<std::uint16_t>(file.ignore_above());
   return camera;
 }
@@ -63,8 +70,9 @@ std::string text_of(const RecordedCamera& camera) {
 
 Result<RecordedCamera> read_camera_file(const std::filesystem::path& file, int width, int height) {
   msg::CameraFile message;
-  if (const Result<void> read = program::read_text_format(file, message); !read) return read.error();
-  return checked(message, file.string(), width, height);
+  const Result<program::NumberPlaces> read = program::read_text_format(file, message);
+  if (!read) return read.error();
+  return checked(message, *read, file.string(), width, height);
 }
 
 RecordedCamera assumed_camera(const std::filesystem::path& file, int width, int height) {
