@@ -54,7 +54,9 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
 
   if (surfaces_.take()) loop_.adopt(surfaces_.current(), now);
   if (const std::optional<HandSample> sample = rig_.hand(now)) loop_.hand_sampled(sample->at, sample->hand);
-  HapticLoop::Act act = loop_.tick(rig_.read(), now, dt_s);
+  const DeviceReading reading = rig_.read();
+  device_.put(reading.at);
+  HapticLoop::Act act = loop_.tick(reading, now, dt_s);
   const Clock::time_point decided = Clock::now();
   rig_.apply(act.force, act.contact, dt_s);
 

@@ -41,6 +41,8 @@ class HapticThread {
   [[nodiscard]] const HapticCounts& counts() const noexcept { return counts_; }
   /// What the effects cost, about once a second. The network thread takes it.
   [[nodiscard]] LatestValue<Bill>& bill() noexcept { return bill_; }
+  /// Where the device is, at every tick. The collision thread takes it, where there is one.
+  [[nodiscard]] LatestValue<Point<HapticBase>>& device() noexcept { return device_; }
 
   /// Session time less this machine's steady clock; the network thread keeps it up to date.
   void set_clock_offset(Nanoseconds offset) noexcept {
@@ -56,7 +58,8 @@ class HapticThread {
   LatestValue<TouchableSurface>& surfaces_;  // written by: surface thread
   TickRing& ticks_;                          // read by: network thread
   HapticCounts counts_;
-  LatestValue<Bill> bill_;  // read by: network thread
+  LatestValue<Point<HapticBase>> device_;  // read by: collision thread
+  LatestValue<Bill> bill_;                 // read by: network thread
   std::atomic<std::int64_t> clock_offset_ns_{0};
   std::atomic<bool> running_{false};
   std::uint64_t tick_ = 0;

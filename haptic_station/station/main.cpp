@@ -3,6 +3,7 @@
 
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/station.h"
+#include "haptic_station/surface/surface_settings.h"
 #include "proto/program/address.h"
 #include "proto/program/options.h"
 #include "proto/program/shipped.h"
@@ -41,6 +42,11 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
       .host = server->host, .port = server->port, .seconds = *seconds, .realtime = *realtime};
 }
 
+Result<surface::SurfaceSettings> surface_of(const scenes::Scene& scene) {
+  const std::string& name = scene.message.surface().name();
+  return name.empty() ? surface::SurfaceSettings{} : surface::surface_settings(name);
+}
+
 Result<std::optional<tracking::HandTrace>> trace_of(const scenes::Scene& scene) {
   if (!scene.hand_trace) return std::optional<tracking::HandTrace>{};
   Result<tracking::HandTrace> trace = tracking::read_hand_trace(*scene.hand_trace);
@@ -61,9 +67,12 @@ int check(const std::filesystem::path& scene_file) {
   if (!scene) return program::fail(scene.error());
   const Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
   if (!trace) return program::fail(trace.error());
+  const Result<surface::SurfaceSettings> surface = surface_of(*scene);
+  if (!surface) return program::fail(surface.error());
   std::string effects;
   for (const effects::EffectBill& line : scene->effects.bill()) effects += std::string(" ") + line.name;
-  std::printf("%s: %s; effects:%s\n", scene->name.c_str(), scene->message.purpose().c_str(), effects.c_str());
+  std::printf("%s: %s; surface: %s; effects:%s\n", scene->name.c_str(), scene->message.purpose().c_str(),
+              surface->name.c_str(), effects.c_str());
   return program::kDone;
 }
 
@@ -72,7 +81,9 @@ int run(const station::StationOptions& options, const std::filesystem::path& sce
   if (!scene) return program::fail(scene.error());
   Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
   if (!trace) return program::fail(trace.error());
-  station::Station station(options, *scene, std::move(trace).value());
+  const Result<surface::SurfaceSettings> surface = surface_of(*scene);
+  if (!surface) return program::fail(surface.error());
+  station::Station station(options, *scene, *surface, std::move(trace).value());
   const Result<void> done = station.run();
   return done ? program::kDone : program::fail(done.error());
 }

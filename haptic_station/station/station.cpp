@@ -78,7 +78,8 @@ SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<t
 
 }  // namespace
 
-Station::Station(StationOptions options, const scenes::Scene& scene, std::optional<tracking::HandTrace> trace)
+Station::Station(StationOptions options, const scenes::Scene& scene, const surface::SurfaceSettings& surface,
+                 std::optional<tracking::HandTrace> trace)
     : options_(std::move(options)),
       scene_(scene),
       trace_(std::move(trace)),
@@ -88,12 +89,13 @@ Station::Station(StationOptions options, const scenes::Scene& scene, std::option
       link_(io_, link_options(options_),
             {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); }}),
+      in_tick_(surface::runs_in_tick(surface)),
       loop_(make_loop(scene)),
       telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }) {
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
     return place(scene_, depth, camera);
   };
-  worker_.emplace(surface::SurfaceSettings{}, placement,
+  worker_.emplace(surface, placement,
                   SurfaceWorker::Handlers{.now = [this] { return now(); },
                                           .on_report =
                                               [this](const msg::SurfaceReport& report) {
@@ -104,7 +106,7 @@ Station::Station(StationOptions options, const scenes::Scene& scene, std::option
                                                 boost::asio::post(
                                                     io_, [error] { say("frame dropped: " + to_string(error)); });
                                               }},
-                  surfaces_);
+                  in_tick_ ? surfaces_ : slow_surfaces_);
 }
 
 Result<void> Station::run() {
@@ -117,6 +119,7 @@ Result<void> Station::run() {
   every_second();
   io_.run();
   if (haptic_) haptic_->stop();
+  collision_.reset();
   if (failure_) return *failure_;
   return {};
 }
@@ -185,6 +188,7 @@ void Station::start_haptic_thread() {
   rig_.emplace(rig_settings(scene_), person_of(scene_, trace_));
   haptic_.emplace(loop_, *rig_, surfaces_, ticks_);
   haptic_->set_clock_offset(link_.clock().offset());
+  if (!in_tick_) collision_.emplace(slow_surfaces_, haptic_->device(), surfaces_, [this] { return now(); });
   const Result<bool> granted = haptic_->start(options_.realtime);
   if (!granted) {
     failure_ = granted.error();

@@ -10,6 +10,7 @@
 
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/collision_thread.h"
 #include "haptic_station/station/haptic_thread.h"
 #include "haptic_station/station/surface_worker.h"
 #include "haptic_station/station/telemetry_publisher.h"
@@ -30,7 +31,8 @@ struct StationOptions {
 class Station {
  public:
   /// `trace`: the recorded hand that the scene names, if it names one.
-  Station(StationOptions options, const scenes::Scene& scene, std::optional<tracking::HandTrace> trace);
+  Station(StationOptions options, const scenes::Scene& scene, const surface::SurfaceSettings& surface,
+          std::optional<tracking::HandTrace> trace);
 
   /// Done, or why the station could not do its work.
   [[nodiscard]] Result<void> run();
@@ -62,12 +64,15 @@ class Station {
   std::optional<Error> failure_;
   std::set<std::string> said_of_trying_;
 
-  LatestValue<TouchableSurface> surfaces_;  // surface thread to haptic thread
-  TickRing ticks_;                          // haptic thread to network thread
-  HapticLoop loop_;                         // owner: haptic thread, once it runs
-  std::optional<SimulatedRig> rig_;         // owner: haptic thread, once it runs
+  const bool in_tick_;                           // the surface is quick enough to be asked in the tick
+  LatestValue<TouchableSurface> slow_surfaces_;  // surface thread to collision thread, where there is one
+  LatestValue<TouchableSurface> surfaces_;       // surface or collision thread to haptic thread
+  TickRing ticks_;                               // haptic thread to network thread
+  HapticLoop loop_;                              // owner: haptic thread, once it runs
+  std::optional<SimulatedRig> rig_;              // owner: haptic thread, once it runs
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;
+  std::optional<CollisionThread> collision_;
   std::optional<SurfaceWorker> worker_;  // declared last: its thread ends before what it calls
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point ticking_since_;

@@ -51,4 +51,9 @@ struct SurfaceSettings {
 [[nodiscard]] Result<SurfaceSettings> surface_settings(std::string_view name);
 [[nodiscard]] std::vector<SurfaceSettings> all_surface_settings();
 
+/// Whether its snapshots may be asked on the haptic thread: the paper's reference searches and allocates at each query.
+[[nodiscard]] constexpr bool runs_in_tick(const SurfaceSettings& settings) noexcept {
+  return settings.method == Method::Grid;
+}
+
 }  // namespace telepalp::surface

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "haptic_station/surface/surface_snapshot.h"
+
+namespace telepalp::station {
+
+/// The tangent plane of a surface at one point, as a surface of its own: what a collision detection that is too slow
+/// for the haptic thread hands to it (S1 II.C and II.D, whose proxy is found at 100 Hz and used at 2 kHz).
+class PlaneSnapshot final : public surface::SurfaceSnapshot {
+ public:
+  /// No surface in reach.
+  PlaneSnapshot() = default;
+  /// The plane through `foot`, with the unit `normal` out of the body. Depth camera's frame.
+  PlaneSnapshot(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, double support) noexcept
+      : foot_(foot), normal_(normal), support_(support), known_(true) {}
+
+  [[nodiscard]] surface::FieldSample evaluate(const Eigen::Vector3d& query, const Eigen::Vector3d&,
+                                              const surface::MotionBasis&) const noexcept override {
+    surface::FieldSample sample;
+    if (!known_) return sample;
+    sample.valid = true;
+    sample.f_m = normal_.dot(query - foot_);
+    sample.gradient = normal_;
+    sample.normal = normal_;
+    sample.support = support_;
+    return sample;
+  }
+  [[nodiscard]] std::optional<surface::Seed> seed(const Eigen::Vector3d& query) const noexcept override {
+    if (!known_) return std::nullopt;
+    const double height = normal_.dot(query - foot_);
+    return surface::Seed{.at = query - height * normal_, .query_in_front = height >= 0.0};
+  }
+  [[nodiscard]] double stride_m(const Eigen::Vector3d&) const noexcept override { return kStride_m; }
+
+ private:
+  static constexpr double kStride_m = 0.05;  // a plane is exact everywhere; bounded as every surface's is
+  Eigen::Vector3d foot_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();
+  double support_ = 0.0;
+  bool known_ = false;
+};
+
+}  // namespace telepalp::station
