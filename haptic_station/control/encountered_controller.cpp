@@ -10,6 +10,7 @@ using Eigen::Vector3d;
 
 constexpr double kHandSmoothing_rad_per_s = 60.0;  // bandwidth of the filter over the tracker's 100 Hz steps
 constexpr double kPositionSlew_N_per_s = 56.0;     // 0.028 N a tick
+constexpr double kSinkIn_m_per_s = 0.03;
 constexpr double kReleaseWithin_s = 0.03;          // from peak force to none
 
 Vector3d at_most(const Vector3d& vector, double length) noexcept {
@@ -117,6 +118,18 @@ void EncounteredController::enter(Phase phase, const ControlInput& in) noexcept 
   position_force_N_.setZero();
 }
 
+/// A contact that begins at some depth, because the skin came up or the station was not ready, has not been paid for by
+/// the hand's work. The skin is shown at the device first and then rises, as a patient's would.
+void EncounteredController::sink_in(ControlInput& in, bool begins, double dt_s) noexcept {
+  if (begins) unpaid_depth_m_ = std::max(0.0, -in.contact.distance_m);
+  if (unpaid_depth_m_ <= 0.0) return;
+  const double shown_m = std::min(unpaid_depth_m_, kSinkIn_m_per_s * dt_s);
+  unpaid_depth_m_ -= shown_m;
+  in.contact.proxy.m -= unpaid_depth_m_ * in.contact.normal.v;
+  in.contact.distance_m += unpaid_depth_m_;
+  in.contact.surface_speed_m_per_s += shown_m / std::max(dt_s, 1e-9);
+}
+
 Vector3d EncounteredController::effects_force_N(const ControlInput& in, double dt_s) noexcept {
   const Vector3d moved = in.device.m - last_device_.m;
   const effects::EffectInput felt{in.device, in.device_velocity, in.contact, {moved}};
@@ -188,7 +201,7 @@ Point<HapticBase> EncounteredController::shown_hand(const ControlInput& in, doub
 ControlOutput EncounteredController::step(const ControlInput& given, double dt_given_s) noexcept {
   const double dt_s = std::isfinite(dt_given_s) ? std::clamp(dt_given_s, 0.0, 0.01) : 0.0;
   const bool finite = is_finite(given);
-  const ControlInput in = finite ? given : without_numbers(given, target_);
+  ControlInput in = finite ? given : without_numbers(given, target_);
   ControlOutput out;
   out.previous = phase_;
 
@@ -206,6 +219,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
 
   const bool touching = in_body(in) && (is_inside(phase_) || phase_ == Phase::BodyToPlane);
   const bool contact_changed = touching != touching_;
+  if (touching) sink_in(in, !touching_, dt_s);
   if (touching && !touching_) {
     effects_.begin({in.device, in.device_velocity, in.contact, {}});
     last_device_ = in.device;
@@ -215,7 +229,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   damping_ = {};
   target_ = in.device;
   Vector3d raw_N = touching ? effects_force_N(in, dt_s) : Vector3d::Zero().eval();
-  if (phase_ == Phase::BodyToPlane) raw_N += lift_force_N(in);
+  if (phase_ == Phase::BodyToPlane && !touching) raw_N += lift_force_N(in);  // in the skin, the skin itself lifts
   if (phase_ == Phase::OutBody) raw_N += position_force_N(in, dt_s);
   const bool outer_change = phase_ != out.previous && !(is_inside(phase_) && is_inside(out.previous));
   wanted_N_ = faded_N(raw_N, outer_change || contact_changed, dt_s);
@@ -230,6 +244,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   out.plane_height_m = plane_height_m_;
   out.passivity_J = passivity_.balance_J();
   out.damping = damping_;
+  out.surface_speed_m_per_s = in.contact.surface_speed_m_per_s;
   return out;
 }
 

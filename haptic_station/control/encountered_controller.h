@@ -33,7 +33,8 @@ struct ControlOutput {
   double plane_height_m = 0.0;
   double passivity_J = 0.0;   ///< balance of the passivity ledger
   Force<HapticBase> damping;  ///< part of `force` that the passivity controller added
-  bool limited = false;       ///< the limiter changed the force
+  double surface_speed_m_per_s = 0.0;  ///< of the skin as felt, along its normal
+  bool limited = false;  ///< the limiter changed the force
 };
 
 /// S1 II.D: lets the end-effector wait on a plane above the body under the free hand, become the skin at contact, and
@@ -65,6 +66,7 @@ class EncounteredController {
   void move_plane(const ControlInput& in, double dt_s) noexcept;
   void enter(Phase phase, const ControlInput& in) noexcept;
   Eigen::Vector3d effects_force_N(const ControlInput& in, double dt_s) noexcept;
+  void sink_in(ControlInput& in, bool begins, double dt_s) noexcept;
   Eigen::Vector3d position_force_N(const ControlInput& in, double dt_s) noexcept;
   [[nodiscard]] Eigen::Vector3d lift_force_N(const ControlInput& in) const noexcept;
   Eigen::Vector3d faded_N(const Eigen::Vector3d& raw_N, bool starts_anew, double dt_s) noexcept;
@@ -93,6 +95,7 @@ class EncounteredController {
   Force<HapticBase> damping_;
   Point<HapticBase> target_;
   Point<HapticBase> last_device_;
+  double unpaid_depth_m_ = 0.0;  ///< at which the contact began, not yet shown
 };
 
 }  // namespace telepalp::control

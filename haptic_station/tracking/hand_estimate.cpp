@@ -23,6 +23,10 @@ void HandEstimate::restart(SessionTime at, const Point<HapticBase>& hand) noexce
 Eigen::Matrix3d HandEstimate::transition(double dt) const noexcept {
   Eigen::Matrix3d step = Eigen::Matrix3d::Identity();
   step(0, 1) = dt;
+  if (settings_.model == MotionModel::DampedVelocity) {
+    step(1, 1) = std::exp(-dt / settings_.velocity_memory_s);
+    step(0, 1) = settings_.velocity_memory_s * (1.0 - step(1, 1));
+  }
   if (settings_.model == MotionModel::ConstantAcceleration) {
     step(1, 2) = dt;
     step(0, 2) = 0.5 * dt * dt;
@@ -34,7 +38,8 @@ Eigen::Matrix3d HandEstimate::process_noise(double dt) const noexcept {
   const double dt2 = dt * dt;
   const double dt3 = dt2 * dt;
   Eigen::Matrix3d q = Eigen::Matrix3d::Zero();
-  if (settings_.model == MotionModel::ConstantVelocity) {
+  // For the damped velocity too: over a tracker's period its noise is this one's to a few per cent.
+  if (settings_.model != MotionModel::ConstantAcceleration) {
     q(0, 0) = dt3 / 3.0;
     q(0, 1) = q(1, 0) = dt2 / 2.0;
     q(1, 1) = dt;

@@ -10,13 +10,18 @@
 namespace telepalp::tracking {
 
 /// How the hand moves between samples.
-enum class MotionModel { ConstantVelocity, ConstantAcceleration };
+enum class MotionModel {
+  DampedVelocity,        ///< the velocity dies away over velocity_memory_s: a hand that moves will stop
+  ConstantVelocity,
+  ConstantAcceleration,  ///< right for slow smooth movements only; overshoots real hands
+};
 
 struct HandEstimateSettings {
-  MotionModel model = MotionModel::ConstantAcceleration;
-  double noise_m = 0.0003;             ///< standard deviation of a sample
+  MotionModel model = MotionModel::DampedVelocity;
+  double noise_m = 0.0005;             ///< standard deviation of a sample
   double jerk_m_per_s3 = 60.0;         ///< intensity of the white jerk (acceleration model) [m/s^3 / sqrt(Hz)]
-  double acceleration_m_per_s2 = 2.0;  ///< intensity of the white acceleration (velocity model) [m/s^2 / sqrt(Hz)]
+  double acceleration_m_per_s2 = 1.0;  ///< intensity of the white acceleration (velocity models) [m/s^2 / sqrt(Hz)]
+  double velocity_memory_s = 0.16;
   double longest_prediction_s = 0.05;  ///< beyond it the hand is held where the prediction ended
   double restart_after_s = 0.2;        ///< a longer gap forgets the motion before it
   double fastest_m_per_s = 5.0;        ///< a sample that implies more is another hand, or an error

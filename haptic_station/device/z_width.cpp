@@ -1,0 +1,46 @@
+#include "haptic_station/device/z_width.h"
+
+#include <cmath>
+
+namespace telepalp::device {
+
+bool wall_is_stable(double stiffness_N_per_m, double rate_hz, const SimulatedDeviceSettings& device) noexcept {
+  constexpr int kInner = 20;  // the device itself moves on between samples
+  constexpr double kLasts_s = 4.0;
+  const double sample_s = 1.0 / rate_hz;
+  const double b_over_m = device.damping_N_s_per_m / device.mass_kg;
+  double x_m = 0.0;
+  double v = -0.05;
+  double early_J = 0.0;
+  double late_J = 0.0;
+  const int samples = static_cast<int>(kLasts_s * rate_hz);
+  for (int i = 0; i < samples; ++i) {
+    const double seen_m = std::round(x_m / device.encoder_step_m) * device.encoder_step_m;
+    const double force_N = -stiffness_N_per_m * seen_m;  // two-sided: the hardest to calm
+    for (int k = 0; k < kInner; ++k) {                   // exact for a constant force over the inner step
+      const double h = sample_s / kInner;
+      const double decay = std::exp(-b_over_m * h);
+      const double final_speed = force_N / device.damping_N_s_per_m;
+      x_m += final_speed * h + (v - final_speed) * (1.0 - decay) / b_over_m;
+      v = final_speed + (v - final_speed) * decay;
+    }
+    const double energy_J = 0.5 * device.mass_kg * v * v + 0.5 * stiffness_N_per_m * x_m * x_m;
+    if (!(energy_J < 1e6)) return false;
+    (2 * i < samples ? early_J : late_J) += energy_J;
+  }
+  return late_J < early_J;
+}
+
+double largest_stable_stiffness_N_per_m(double rate_hz, double damping_N_s_per_m) noexcept {
+  SimulatedDeviceSettings device;
+  device.damping_N_s_per_m = damping_N_s_per_m;
+  double stable = 1.0;
+  double unstable = 1e7;
+  while (unstable / stable > 1.01) {
+    const double middle = std::sqrt(stable * unstable);
+    (wall_is_stable(middle, rate_hz, device) ? stable : unstable) = middle;
+  }
+  return stable;
+}
+
+}  // namespace telepalp::device

@@ -1,0 +1,103 @@
+#include "haptic_station/trials/blind_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "haptic_station/trials/trial_run.h"
+
+namespace telepalp::trials {
+namespace {
+
+constexpr int kPlacesASide = 4;
+constexpr double kLeg_s[] = {0.55, 0.35, 0.30, 0.40};  // over, down to the skin, into it, out
+constexpr double kPress_s = 1.6;                       // all four
+constexpr double kPressTo_m = -0.065;
+constexpr double kFeelBelow_m = 0.025;  // shallower, the skin's stiffness says nothing of what lies below
+constexpr double kTelling = 1.33;       // stiffer than the median place by so much: something is there
+
+struct Place {
+  double x_m;
+  double z_m;
+  double stiffest_N_per_m = 0.0;
+};
+
+std::vector<Place> grid(double half_width_m) {
+  std::vector<Place> places;
+  for (int i = 0; i < kPlacesASide * kPlacesASide; ++i) {
+    const auto along = [&](int n) { return half_width_m * (2.0 * n / (kPlacesASide - 1) - 1.0); };
+    const int row = i / kPlacesASide;
+    const int column = row % 2 == 0 ? i % kPlacesASide : kPlacesASide - 1 - i % kPlacesASide;
+    places.push_back({along(column), along(row)});
+  }
+  return places;
+}
+
+std::vector<device::Waypoint> presses(const std::vector<Place>& places) {
+  std::vector<device::Waypoint> script;
+  for (const Place& place : places) {
+    script.push_back({kLeg_s[0], place.x_m, 0.06, place.z_m});
+    script.push_back({kLeg_s[1], place.x_m, 0.01, place.z_m});
+    script.push_back({kLeg_s[2], place.x_m, kPressTo_m, place.z_m});
+    script.push_back({kLeg_s[3], place.x_m, 0.06, place.z_m});
+  }
+  return script;
+}
+
+device::VirtualStationSettings scene(const BlindSearchSettings& settings, const Point<HapticBase>& cylinder) {
+  device::VirtualStationSettings station;
+  station.seed = settings.seed;
+  station.control.transitions.dwell_s = 0.1;  // a person who has done this before, and a quick script
+  (void)station.effects.add(effects::Skin{});
+  if (settings.with_cylinder)
+    (void)station.effects.add(effects::InnerCylinder({.top_center = {cylinder.m - Eigen::Vector3d{0.0, 0.03, 0.0}}}));
+  return station;
+}
+
+double median_stiffness(std::vector<Place> places) {
+  std::sort(places.begin(), places.end(),
+            [](const Place& a, const Place& b) { return a.stiffest_N_per_m < b.stiffest_N_per_m; });
+  return places[places.size() / 2].stiffest_N_per_m;
+}
+
+}  // namespace
+
+BlindSearchOutcome search_blindly(const BlindSearchSettings& settings) {
+  device::Random random(settings.seed);
+  BlindSearchOutcome outcome;
+  outcome.cylinder.m = {random.uniform(-settings.half_width_m, settings.half_width_m), 0.0,
+                        random.uniform(-settings.half_width_m, settings.half_width_m)};
+  const double breath_phase_s = random.uniform(0.0, 4.0);
+  std::vector<Place> places = grid(settings.half_width_m);
+  const std::vector<device::Waypoint> script = presses(places);
+  device::VirtualStation station(scene(settings, outcome.cylinder));
+  station.place({{0.0, 0.03, 0.0}}, {{script.back().x_m, script.back().height_m, script.back().z_m}});
+  device::ScriptedIntention person(script, {});
+  const device::BreathingPlane skin{.amplitude_m = settings.breathing_m};
+  const double tick_s = 0.0005;
+  const auto ticks = static_cast<int>(kPress_s * static_cast<double>(places.size()) / tick_s);
+  for (int i = 0; i < ticks; ++i) {
+    const double now_s = station.time_s();
+    (void)station.step([&](const Point<HapticBase>& at, double t) { return skin(at, t + breath_phase_s); },
+                       [&](const device::TrialView& view) {
+                         device::Intention aim = person.step(view, tick_s);
+                         aim.at.m.y() += settings.tremor_m * std::sin(2.0 * std::numbers::pi * 9.0 * now_s);
+                         return aim;
+                       });
+    const double depth_m = skin.at_m(now_s + breath_phase_s) - station.pair().true_hand().m.y();
+    if (depth_m < kFeelBelow_m) continue;
+    Place& place = places[std::min(places.size() - 1, static_cast<std::size_t>(now_s / kPress_s))];
+    place.stiffest_N_per_m = std::max(place.stiffest_N_per_m, station.pair().felt().N.norm() / depth_m);
+  }
+  for (Place& place : places) place.stiffest_N_per_m *= 1.0 + settings.weber * random.normal();
+  const auto stiffest = std::max_element(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return a.stiffest_N_per_m < b.stiffest_N_per_m;
+  });
+  outcome.where.m = {stiffest->x_m, 0.0, stiffest->z_m};
+  outcome.strongest_ratio = stiffest->stiffest_N_per_m / std::max(median_stiffness(places), 1e-9);
+  outcome.found = outcome.strongest_ratio > kTelling;
+  return outcome;
+}
+
+}  // namespace telepalp::trials

@@ -1,0 +1,277 @@
+#include "tests/bench/control_bench.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "haptic_station/device/z_width.h"
+#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/loop/simulated_rig.h"
+#include "haptic_station/surface/surface_builder.h"
+#include "haptic_station/tracking/hand_trace.h"
+#include "haptic_station/trials/blind_search.h"
+#include "haptic_station/trials/trial_run.h"
+#include "tests/bench/distribution.h"
+
+namespace telepalp::bench {
+namespace {
+
+constexpr double kTick_s = 0.0005;
+
+/// A level skin 0.8 m under a Kinect-like camera, with 1 mm of noise.
+DepthImage noisy_plane() {
+  device::Random random(5);
+  DepthImage depth{.width = 640, .height = 480, .unit_m = 0.001, .samples = {}};
+  for (int i = 0; i < depth.width * depth.height; ++i)
+    depth.samples.push_back(static_cast<std::uint16_t>(std::lround(800.0 + random.normal())));
+  return depth;
+}
+
+/// The live loop's whole tick, from proxy to limiter, over a real snapshot, while a hand does the first trial.
+void measure_tick(double seconds, Report& report) {
+  const Intrinsics camera{.width = 640, .height = 480, .fx = 525.0, .fy = 525.0, .cx = 319.5, .cy = 239.5};
+  const auto snapshot = surface::build_snapshot(noisy_plane(), camera, SessionTime{}, std::nullopt, {});
+  effects::EffectBank bank;
+  (void)bank.add(effects::Skin{});
+  control::ControlSettings settings;
+  settings.ages.surface_s = 1e9;  // the one snapshot is kept
+  station::HapticLoop loop({}, control::EncounteredController(settings, bank));
+  station::SimulatedRig rig({.device = {}, .hand = {}, .tracker = {}, .rest = {{0.0, 0.05, 0.0}}},
+                            device::ScriptedIntention(device::waypoints(device::Trial::IndentSeveralPoints), {}));
+  Transform<HapticBase, DepthCamera> haptic_from_camera;
+  haptic_from_camera.iso = Eigen::Translation3d(0.0, 0.8, 0.0) * Eigen::AngleAxisd(1.5707963, Eigen::Vector3d::UnitX());
+  loop.adopt({snapshot, haptic_from_camera}, SessionTime{});
+  Distribution tick_us;
+  Distribution contact_us;
+  const auto ticks = static_cast<std::int64_t>(seconds / kTick_s);
+  for (std::int64_t i = 0; i < ticks; ++i) {
+    // The snapshot's clock stands still at its capture, so that it never grows stale; the rig's runs on.
+    const SessionTime now{from_seconds(static_cast<double>(i) * kTick_s)};
+    if (const auto sample = rig.hand(now)) loop.hand_sampled(sample->at, sample->hand);
+    if (i % 1000 == 0) loop.adopt({snapshot, haptic_from_camera}, now);
+    const station::DeviceReading device = rig.read();
+    const auto before = std::chrono::steady_clock::now();
+    const auto act = loop.tick(device, now, kTick_s);
+    const double took_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count();
+    tick_us.add(took_us);
+    if (control::is_inside(act.control.phase)) contact_us.add(took_us);
+    rig.apply(act.force, act.contact, kTick_s);
+  }
+  report.rows.push_back(at_most("tick, plain skin, p50", tick_us.p50(), "us", 5.0));
+  report.rows.push_back(at_most("tick, plain skin, p99.9", tick_us.p999(), "us", 50.0));
+  report.rows.push_back(measured("tick in contact, p50", contact_us.p50(), "us"));
+  report.rows.push_back(measured("ticks in contact", static_cast<double>(contact_us.count()), ""));
+}
+
+void run_trials(Report& report) {
+  trials::TrialFigures worst;
+  int outer = 0;
+  int inner = 0;
+  for (const auto trial : {device::Trial::IndentSeveralPoints, device::Trial::MoveWithin, device::Trial::FindCylinder,
+                           device::Trial::FreeSearch})
+    for (const double breathing_m : {0.0, 0.005}) {
+      const auto result = trials::run_trial(trial, trials::paper_settings(), {.amplitude_m = breathing_m});
+      const trials::TrialFigures& f = result.figures;
+      worst.worst_force_step_N = std::max(worst.worst_force_step_N, f.worst_force_step_N);
+      worst.worst_jump_m = std::max(worst.worst_jump_m, f.worst_jump_m);
+      worst.worst_speed_jump_m_per_s = std::max(worst.worst_speed_jump_m_per_s, f.worst_speed_jump_m_per_s);
+      worst.most_force_N = std::max(worst.most_force_N, f.most_force_N);
+      worst.least_passivity_J = std::min(worst.least_passivity_J, f.least_passivity_J);
+      bool all = true;
+      for (const control::Phase phase :
+           {control::Phase::InBody, control::Phase::BodyToPlane, control::Phase::OutBody, control::Phase::PlaneToBody})
+        all = all && f.entered(phase) > 0;
+      outer += all ? 1 : 0;
+      if (trial == device::Trial::FindCylinder && f.entered(control::Phase::CylinderUpper) > 0 &&
+          f.entered(control::Phase::CylinderLateral) > 0 && f.entered(control::Phase::AroundCylinder) > 0)
+        ++inner;
+    }
+  report.rows.push_back(at_least("trial runs of 8 that reach all outer phases", outer, "", 8));
+  report.rows.push_back(at_least("third trials of 2 that reach the cylinder's phases", inner, "", 2));
+  report.rows.push_back(at_most("end-effector jump at transitions", worst.worst_jump_m * 1e3, "mm", 0.1));
+  report.rows.push_back(at_most("speed jump at transitions", worst.worst_speed_jump_m_per_s * 1e3, "mm/s", 20.0));
+  report.rows.push_back(at_most("force step in one tick", worst.worst_force_step_N, "N", 0.05));
+  report.rows.push_back(at_most("largest force", worst.most_force_N, "N", 10.0));
+  report.rows.push_back(measured("least passivity balance in the trials", worst.least_passivity_J * 1e3, "mJ"));
+}
+
+/// Worst relative error of the skin's force against eq. (6) to (8), straight and slanted, 1 to 60 mm deep.
+void check_force_law(Report& report) {
+  double worst = 0.0;
+  for (const double slant : {0.0, 0.5, 1.0}) {
+    effects::Skin skin;
+    effects::EffectInput in;
+    in.contact.normal.v = Eigen::Vector3d::UnitY();
+    in.contact.valid = true;
+    skin.begin(in);
+    for (double depth_m = 0.001; depth_m <= 0.06; depth_m += 0.0005) {
+      in.device.m = {slant * depth_m, -depth_m, 0.0};
+      in.contact.proxy.m = {in.device.m.x(), 0.0, 0.0};
+      const double d = in.device.m.norm();
+      const Eigen::Vector3d expected_N = -(160.0 / 0.0636) * (d * d + d) * in.device.m;
+      worst = std::max(worst, (skin.step(in, kTick_s).N - expected_N).norm() / expected_N.norm());
+    }
+  }
+  report.rows.push_back(at_most("force law, relative error 1-60 mm", worst * 100.0, "%", 0.5));
+}
+
+void search_for_cylinders(Report& report) {
+  int found = 0;
+  int at_the_place = 0;
+  int imagined = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const auto with = trials::search_blindly({.seed = seed});
+    found += with.found ? 1 : 0;
+    at_the_place += with.found && (with.where.m - with.cylinder.m).norm() < 0.03 ? 1 : 0;
+    imagined += trials::search_blindly({.seed = seed, .with_cylinder = false}).found ? 1 : 0;
+  }
+  report.rows.push_back(at_least("cylinders found by force, of 100", found, "", 95));
+  report.rows.push_back(measured("of these, pressed within its radius", at_the_place, ""));
+  report.rows.push_back(at_most("cylinders imagined, of 100 without one", imagined, "", 5));
+}
+
+/// Every other sample is held out and predicted from those before it.
+struct PredictionError {
+  double hold_m = 0.0;
+  double line_m = 0.0;
+  double estimate_m = 0.0;
+};
+
+PredictionError predict_held_out(const tracking::HandTrace& trace, const tracking::HandEstimateSettings& settings) {
+  PredictionError sum;
+  double count = 0.0;
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    tracking::HandEstimate estimate(settings);
+    std::vector<const tracking::TraceSample*> used;
+    for (std::size_t i = 0; i < trace.samples.size(); ++i) {
+      const tracking::TraceSample& sample = trace.samples[i];
+      if (i % 2 == parity) {
+        (void)estimate.update(sample.at, {sample.palm.m});
+        used.push_back(&sample);
+        continue;
+      }
+      if (used.size() < 5) continue;
+      const tracking::TraceSample& last = *used.back();
+      const tracking::TraceSample& before = *used[used.size() - 2];
+      const double ahead_s = to_seconds(sample.at - last.at);
+      const double span_s = to_seconds(last.at - before.at);
+      if (ahead_s > 0.03 || span_s > 0.05) continue;  // the tracker lost the hand
+      const Eigen::Vector3d line = last.palm.m + (last.palm.m - before.palm.m) * (ahead_s / span_s);
+      sum.hold_m += (last.palm.m - sample.palm.m).squaredNorm();
+      sum.line_m += (line - sample.palm.m).squaredNorm();
+      sum.estimate_m += (estimate.predict(sample.at).at.m - sample.palm.m).squaredNorm();
+      count += 1.0;
+    }
+  }
+  return {std::sqrt(sum.hold_m / count), std::sqrt(sum.line_m / count), std::sqrt(sum.estimate_m / count)};
+}
+
+Result<void> predict_hands(Report& report) {
+  for (const std::string name : {"confidence-demo", "grab", "pinch", "test-paddle-rightwards"}) {
+    const auto trace = tracking::read_hand_trace(TELEPALP_SOURCE_DIR "/tests/data/hand_tracking/" + name + ".csv");
+    if (!trace) return trace.error();
+    const PredictionError damped = predict_held_out(*trace, {});
+    tracking::HandEstimateSettings other;
+    other.model = tracking::MotionModel::ConstantVelocity;
+    const PredictionError velocity = predict_held_out(*trace, other);
+    other.model = tracking::MotionModel::ConstantAcceleration;
+    const PredictionError acceleration = predict_held_out(*trace, other);
+    report.rows.push_back(measured(name + ": hold last", damped.hold_m * 1e3, "mm"));
+    report.rows.push_back(measured(name + ": straight on", damped.line_m * 1e3, "mm"));
+    report.rows.push_back(measured(name + ": Kalman, constant velocity", velocity.estimate_m * 1e3, "mm"));
+    report.rows.push_back(measured(name + ": Kalman, constant acceleration", acceleration.estimate_m * 1e3, "mm"));
+    report.rows.push_back(at_most(name + ": Kalman, damped velocity (default)", damped.estimate_m * 1e3, "mm",
+                                  std::min(damped.hold_m, damped.line_m) * 1e3));
+  }
+  return {};
+}
+
+void batter_limiter(Report& report) {
+  device::Random random(20240);
+  const control::ForceLimits limits;
+  control::ForceLimiter limiter(limits);
+  Eigen::Vector3d before = Eigen::Vector3d::Zero();
+  double most_N = 0.0;
+  double most_step_N = 0.0;
+  const auto anything = [&random] {
+    const std::uint64_t kind = random.bits() % 4;
+    if (kind == 0) return std::bit_cast<double>(random.bits());
+    if (kind == 1) return std::numeric_limits<double>::quiet_NaN();
+    if (kind == 2) return std::numeric_limits<double>::infinity();
+    return random.uniform(-30.0, 30.0);
+  };
+  for (int i = 0; i < 1'000'000; ++i) {
+    if (random.bits() % 4 == 0) limiter.rearm();
+    const Eigen::Vector3d given = limiter.limit({{anything(), anything(), anything()}}, kTick_s).N;
+    most_N = given.allFinite() ? std::max(most_N, given.norm()) : std::numeric_limits<double>::infinity();
+    most_step_N = std::max(most_step_N, (given - before).norm());
+    before = given;
+  }
+  report.rows.push_back(at_most("limiter, 1e6 arbitrary inputs, largest force", most_N, "N", limits.peak_N));
+  report.rows.push_back(
+      at_most("limiter, largest step over the slew's", most_step_N / (limits.slew_N_per_s * kTick_s), "", 1.0 + 1e-9));
+}
+
+/// Longest time from an input's age limit to no force, over inputs and depths.
+void time_watchdog(Report& report) {
+  double worst_ms = 0.0;
+  for (const int which : {0, 1, 2})
+    for (const double depth_m : {0.01, 0.03, 0.06}) {
+      effects::EffectBank bank;
+      (void)bank.add(effects::Skin{});
+      control::EncounteredController controller({}, bank);
+      control::ControlInput in;
+      const device::BreathingPlane skin;
+      const auto ticks_at = [&](double y_m, int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+          in.device.m.y() = in.hand.m.y() = y_m;
+          in.hand_valid = true;
+          in.contact = skin(in.device, 0.0);
+          (void)controller.step(in, kTick_s);
+        }
+      };
+      ticks_at(0.05, 2000);
+      ticks_at(0.02, 1000);
+      ticks_at(-depth_m, 1000);
+      if (which == 0) in.hand_age_s = 1e9;
+      if (which == 1) in.contact.age_s = 1e9;
+      if (which == 2) in.device_age_s = 1e9;
+      int ticks = 0;
+      while (controller.step(in, kTick_s).force.N.norm() > 0.0 && ticks < 10'000) ++ticks;
+      worst_ms = std::max(worst_ms, ticks * kTick_s * 1e3);
+    }
+  report.rows.push_back(at_most("watchdog, from age limit to zero force", worst_ms, "ms", 50.0));
+}
+
+void measure_z_width(Report& report) {
+  for (const double rate_hz : {250.0, 500.0, 1000.0, 2000.0, 4000.0})
+    report.rows.push_back(measured("Z-width at " + std::to_string(static_cast<int>(rate_hz)) + " Hz, damping 1 N s/m",
+                                   device::largest_stable_stiffness_N_per_m(rate_hz, 1.0), "N/m"));
+  for (const double damping : {0.25, 4.0})
+    report.rows.push_back(measured("Z-width at 2000 Hz, damping " + std::to_string(damping).substr(0, 4) + " N s/m",
+                                   device::largest_stable_stiffness_N_per_m(2000.0, damping), "N/m"));
+}
+
+}  // namespace
+
+Result<Report> run_control(const program::Arguments& arguments) {
+  const Result<double> seconds = arguments.number("seconds", 0.1, 3600.0);
+  if (!seconds) return seconds.error();
+  Report report{.bench = "control", .rows = {}, .notes = {}};
+  measure_tick(*seconds, report);
+  run_trials(report);
+  check_force_law(report);
+  search_for_cylinders(report);
+  if (const Result<void> done = predict_hands(report); !done) return done.error();
+  batter_limiter(report);
+  time_watchdog(report);
+  measure_z_width(report);
+  report.notes = {"trials and searches: virtual time, 2 kHz, skin still and breathing 5 mm (searches 3 mm) at 0.25 Hz",
+                  "hand prediction: every other sample of a real Leap trace held out, about 9 ms ahead; RMSE"};
+  return report;
+}
+
+}  // namespace telepalp::bench
