@@ -31,10 +31,10 @@ struct ControlOutput {
   Point<HapticBase> displayed_hand;  ///< where the viewer draws the hand (S1 II.E)
   Vector<HapticBase> indentation;    ///< S1's d, eq. (8); zero out of the body
   double plane_height_m = 0.0;
-  double passivity_J = 0.0;   ///< balance of the passivity ledger
-  Force<HapticBase> damping;  ///< part of `force` that the passivity controller added
+  double passivity_J = 0.0;            ///< balance of the passivity ledger
+  Force<HapticBase> damping;           ///< part of `force` that the passivity controller added
   double surface_speed_m_per_s = 0.0;  ///< of the skin as felt, along its normal
-  bool limited = false;  ///< the limiter changed the force
+  bool limited = false;                ///< the limiter changed the force
 };
 
 /// S1 II.D: lets the end-effector wait on a plane above the body under the free hand, become the skin at contact, and

@@ -9,7 +9,7 @@ struct ForceLimits {
   double peak_N = 10.0;          ///< never exceeded (S1 II.A)
   double continuous_N = 4.0;     ///< may be held for ever (S1 II.A)
   double thermal_time_s = 20.0;  ///< time constant of the motors' heating
-  double slew_N_per_s = 2000.0;   ///< largest change of the force; a lag, so slower than stiff contact it adds energy
+  double slew_N_per_s = 2000.0;  ///< largest change of the force; a lag, so slower than stiff contact it adds energy
 };
 
 /// The one way to the device: bounds peak, heat and change of the force. A force that is not finite counts as

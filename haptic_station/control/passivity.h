@@ -9,7 +9,7 @@ struct PassivitySettings {
   bool enabled = true;
   double most_damping_N_s_per_m = 40.0;
   double tolerance_J = 1e-5;  ///< excess below it is rounding and quantisation
-  double reaction_s = 0.004;   ///< the damping comes and goes over about so long, for it must not kick
+  double reaction_s = 0.004;  ///< the damping comes and goes over about so long, for it must not kick
 };
 
 /// What passed between the effects and the hand over one tick.

@@ -1,9 +1,11 @@
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/station.h"
 #include "haptic_station/surface/surface_settings.h"
+#include "haptic_station/trials/trials_command.h"
 #include "proto/program/address.h"
 #include "proto/program/options.h"
 #include "proto/program/shipped.h"
@@ -14,7 +16,9 @@ using namespace telepalp;
 
 program::Usage usage() {
   return {.program = "telepalp-station",
-          .purpose = "turns a served depth stream into a surface that can be touched, at 2 kHz",
+          .purpose =
+              "turns a served depth stream into a surface that can be touched, at 2 kHz; or, as telepalp-station "
+              "trials, runs the palpation study's trials in virtual time",
           .positional = "",
           .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:7400"},
                       {"scene", "FILE", "what can be felt: a *.scene.textproto; left out: palpation"},
@@ -91,6 +95,7 @@ int run(const station::StationOptions& options, const std::filesystem::path& sce
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "trials") return trials::trials_command(argc - 1, argv + 1);
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;

@@ -20,12 +20,12 @@ void HandEstimate::restart(SessionTime at, const Point<HapticBase>& hand) noexce
   outliers_ = 0;
 }
 
-Eigen::Matrix3d HandEstimate::transition(double dt) const noexcept {
+Eigen::Matrix3d HandEstimate::transition(double dt, double velocity_memory_s) const noexcept {
   Eigen::Matrix3d step = Eigen::Matrix3d::Identity();
   step(0, 1) = dt;
   if (settings_.model == MotionModel::DampedVelocity) {
-    step(1, 1) = std::exp(-dt / settings_.velocity_memory_s);
-    step(0, 1) = settings_.velocity_memory_s * (1.0 - step(1, 1));
+    step(1, 1) = std::exp(-dt / velocity_memory_s);
+    step(0, 1) = velocity_memory_s * (1.0 - step(1, 1));
   }
   if (settings_.model == MotionModel::ConstantAcceleration) {
     step(1, 2) = dt;
@@ -60,7 +60,7 @@ Taken HandEstimate::update(SessionTime at, const Point<HapticBase>& hand) noexce
   if (!started_ || dt > settings_.restart_after_s) return restart(at, hand), Taken::Restarted;
   if (dt <= 0.0) return ++refused_, Taken::OutOfOrder;
 
-  const Eigen::Matrix3d step = transition(dt);
+  const Eigen::Matrix3d step = transition(dt, settings_.velocity_memory_s);
   const Motion predicted = step * motion_;
   const Eigen::RowVector3d surprise = hand.m.transpose() - predicted.row(0);
   const double from_last_m = (hand.m.transpose() - motion_.row(0)).norm();
@@ -85,7 +85,7 @@ HandPrediction HandEstimate::predict(SessionTime now) const noexcept {
   if (!started_) return {};
   const double age_s = to_seconds(now - newest_);
   const double dt = std::clamp(age_s, 0.0, settings_.longest_prediction_s);
-  const Eigen::Matrix3d step = transition(dt);
+  const Eigen::Matrix3d step = transition(dt, settings_.prediction_memory_s);
   const Motion motion = step * motion_;
   const Eigen::Matrix3d spread = step * covariance_ * step.transpose() + process_noise(dt);
   const bool held = age_s > settings_.longest_prediction_s;

@@ -11,7 +11,7 @@ namespace telepalp::tracking {
 
 /// How the hand moves between samples.
 enum class MotionModel {
-  DampedVelocity,        ///< the velocity dies away over velocity_memory_s: a hand that moves will stop
+  DampedVelocity,  ///< the velocity dies away: a hand that moves will stop
   ConstantVelocity,
   ConstantAcceleration,  ///< right for slow smooth movements only; overshoots real hands
 };
@@ -21,7 +21,8 @@ struct HandEstimateSettings {
   double noise_m = 0.0005;             ///< standard deviation of a sample
   double jerk_m_per_s3 = 60.0;         ///< intensity of the white jerk (acceleration model) [m/s^3 / sqrt(Hz)]
   double acceleration_m_per_s2 = 1.0;  ///< intensity of the white acceleration (velocity models) [m/s^2 / sqrt(Hz)]
-  double velocity_memory_s = 0.16;
+  double velocity_memory_s = 0.8;      ///< over which the damped velocity dies away from sample to sample
+  double prediction_memory_s = 0.06;   ///< and ahead of the newest sample: the hand may be about to stop
   double longest_prediction_s = 0.05;  ///< beyond it the hand is held where the prediction ended
   double restart_after_s = 0.2;        ///< a longer gap forgets the motion before it
   double fastest_m_per_s = 5.0;        ///< a sample that implies more is another hand, or an error
@@ -56,7 +57,7 @@ class HandEstimate {
   using Motion = Eigen::Matrix3d;  ///< rows: position, velocity, acceleration; columns: axes
 
   void restart(SessionTime at, const Point<HapticBase>& hand) noexcept;
-  [[nodiscard]] Eigen::Matrix3d transition(double dt_s) const noexcept;
+  [[nodiscard]] Eigen::Matrix3d transition(double dt_s, double velocity_memory_s) const noexcept;
   [[nodiscard]] Eigen::Matrix3d process_noise(double dt_s) const noexcept;
 
   HandEstimateSettings settings_;

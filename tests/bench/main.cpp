@@ -2,6 +2,8 @@
 #include <cstdio>
 
 #include "tests/bench/benches.h"
+#include "tests/bench/control_bench.h"
+#include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
 #include "tests/bench/synthetic_bench.h"
 #include "tests/bench/surface_bench.h"
@@ -12,6 +14,10 @@ using namespace telepalp;
 
 /// Every benchmark there is. A new one: a file <name>_bench.cpp, its declaration and a row here.
 constexpr std::array kBenches{
+    bench::Bench{"control", "the encountered controller: tick, trials, force law, search, prediction, safety",
+                 bench::run_control},
+    bench::Bench{"passivity", "energy and force error of the touch behind bad links, 1000 seeded runs",
+                 bench::run_passivity},
     bench::Bench{"pipeline", "a frame's way from the camera to the hand, and the 2 kHz loop's time",
                  bench::run_pipeline},
     bench::Bench{"synthetic", "what the synthetic patient costs, and how true it is", bench::run_synthetic},

@@ -94,7 +94,7 @@ TEST(EncounteredController, EveryTrialIsSmoothOverABreathingPatient) {
     EXPECT_TRUE(result.visited.contains(Phase::OutBody));
     EXPECT_FALSE(result.visited.contains(Phase::Faulted));
     EXPECT_LE(result.worst_step_N, 0.05);
-    EXPECT_LE(result.worst_shown_step_m, 0.003);
+    EXPECT_LE(result.worst_shown_step_m, 0.005) << "the tracker's own steps, no more";
   }
 }
 
@@ -122,7 +122,7 @@ struct Fed {
   ControlOutput into_body() {
     (void)at_height(0.05, 2000);
     (void)at_height(0.02, 1000);
-    return at_height(-0.02, 1000);
+    return at_height(-0.02, 2000);  // sinks in at 0.03 m/s
   }
 };
 

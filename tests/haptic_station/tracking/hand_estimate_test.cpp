@@ -25,7 +25,7 @@ TEST(HandEstimate, FollowsASwingBetweenUpdatesDespiteJitter) {
     }
     if (t > 0.5) worst_m = std::max(worst_m, (estimate.predict(at_s(t)).at.m - swing(t).m).norm());
   }
-  EXPECT_LT(worst_m, 0.0005);
+  EXPECT_LT(worst_m, 0.0008);
 }
 
 TEST(HandEstimate, DropsWhatIsDamagedAndCountsIt) {
@@ -54,8 +54,8 @@ TEST(HandEstimate, DoesNotFlyOffInAGapAndItsUncertaintyIsBounded) {
   for (double t = 0.0; t < 1.0; t += 0.01) (void)estimate.update(at_s(t), {{0.5 * t, 0.0, 0.0}});
   const HandPrediction soon = estimate.predict(at_s(1.04));
   const HandPrediction late = estimate.predict(at_s(60.0));
-  EXPECT_NEAR(soon.at.m.x(), 0.52, 0.002);
-  EXPECT_NEAR(late.at.m.x(), 0.52, 0.01);
+  EXPECT_NEAR(soon.at.m.x(), 0.52, 0.006);
+  EXPECT_NEAR(late.at.m.x(), 0.52, 0.02);
   EXPECT_EQ(late.velocity.v.norm(), 0.0);
   EXPECT_LT(late.sigma_m, 0.1);
   EXPECT_NEAR(late.age_s, 59.01, 0.02);

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace telepalp::trials {
+
+/// `telepalp-station trials …`: runs S1's four trials in virtual time and writes their report. `argv[0]` is "trials".
+/// Returns the program's exit code.
+int trials_command(int argc, const char* const* argv);
+
+}  // namespace telepalp::trials
