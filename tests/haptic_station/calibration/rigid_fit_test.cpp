@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 Eigen::Isometry3d truth() {
   Eigen::Isometry3d iso = Eigen::Isometry3d::Identity();
   iso.linear() = Eigen::AngleAxisd(2.3, Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
-  iso.translation() = {0.3, -0.8, 1.2};
+  iso.translation() = Vector3d{0.3, -0.8, 1.2};
   return iso;
 }
 
