@@ -3,10 +3,11 @@
 
 #include "tests/bench/benches.h"
 #include "tests/bench/control_bench.h"
+#include "tests/bench/depth_bench.h"
 #include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
-#include "tests/bench/synthetic_bench.h"
 #include "tests/bench/surface_bench.h"
+#include "tests/bench/synthetic_bench.h"
 
 namespace {
 
@@ -18,6 +19,7 @@ constexpr std::array kBenches{
                  bench::run_control},
     bench::Bench{"passivity", "energy and force error of the touch behind bad links, 1000 seeded runs",
                  bench::run_passivity},
+    bench::Bench{"depth", "ratio and time of each depth mode, beside what else compresses depth", bench::run_depth},
     bench::Bench{"pipeline", "a frame's way from the camera to the hand, and the 2 kHz loop's time",
                  bench::run_pipeline},
     bench::Bench{"synthetic", "what the synthetic patient costs, and how true it is", bench::run_synthetic},
