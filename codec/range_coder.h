@@ -45,7 +45,8 @@ constexpr ModelTargets kTargets = make_targets();
 
 constexpr Model kFlatModel = [] {
   Model model{};
-  for (int place = 0; place < 16; ++place) model.cdf[place] = static_cast<uint16_t>(place * kModelTotal / 15);
+  for (int place = 0; place < 16; ++place)
+    model.cdf[place] = static_cast<uint16_t>(static_cast<uint32_t>(place) * kModelTotal / kSymbols);
   return model;
 }();
 
