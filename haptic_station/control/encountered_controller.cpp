@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHandSmoothing_rad_per_s = 60.0;  // bandwidth of the filter over the tracker's 100 Hz steps
+constexpr double kHandSmoothing_rad_per_s = 25.0;  // bandwidth of the filter over the tracker's 100 Hz steps
 constexpr double kPositionSlew_N_per_s = 56.0;     // 0.028 N a tick
 constexpr double kSinkIn_m_per_s = 0.03;
 constexpr double kReleaseWithin_s = 0.03;  // from peak force to none
