@@ -21,13 +21,14 @@ TEST(Link, AMessageReachesOnlyThoseWhoAskedForItsTopic) {
   EXPECT_EQ(clock.messages[0].topic.name, "/clock");
 }
 
-TEST(Link, TheSessionClockIsKnownWithinAMillisecondOnceConnected) {
+TEST(Link, TheSessionClockIsKnownWithinItsStatedUncertaintyOnceConnected) {
   Site site;
   site.clock = wire::SessionClock{site.clock.offset() + 1h};
   site.listener = site.listen(0);
   Client client(site, {});
   ASSERT_TRUE(site.run_until([&] { return client.connected(); }));
-  EXPECT_LT(std::chrono::abs(client.link.clock().offset() - site.clock.offset()), 1ms);
+  EXPECT_LE(std::chrono::abs(client.link.clock().offset() - site.clock.offset()), client.link.clock_uncertainty());
+  EXPECT_LT(client.link.clock_uncertainty(), 100ms);  // half a round trip of a machine that is busy with other things
 }
 
 TEST(Link, AWayOfATenthOfASecondIsConnectedAtItsSecondRoundTripAndItsClockIsRight) {
