@@ -10,10 +10,10 @@ namespace {
 // innovations lean to one side, since there the motion changes; long where they are chance, since a cell's noise would
 // move all its pixels together and no average of theirs would take it out.
 constexpr double kQuickTheta = 0.60;
-constexpr double kCalmTheta = 0.85;
+constexpr double kCalmTheta = 0.93;
 constexpr double kLeanGain = 0.3;
-constexpr double kCalmUpTo = 1.5;  // sigmas of the lean
-constexpr double kQuickFrom = 3.0;
+constexpr double kCalmUpTo = 2.0;  // sigmas of the lean
+constexpr double kQuickFrom = 4.5;
 constexpr double kSmoothedSigma = 0.375;  // of nine cells weighted 4 : 2 : 1, over one cell's
 constexpr double kEnergyMemory_s = 4.0;
 constexpr double kLeastCount = 12.0;  // pixels, before a cell's mean says anything

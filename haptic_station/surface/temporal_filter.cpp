@@ -76,11 +76,11 @@ const DepthField& TemporalFilter::add(const DepthField& seen, double dt_s) {
   return average_;
 }
 
-/// Mean innovation of each cell, from every other pixel of every other row.
+/// Mean innovation of each cell, from every other pixel.
 void TemporalFilter::observe(const DepthField& seen) {
   std::fill(seen_.begin(), seen_.end(), CellInnovation{});
   noise_sum_ = noise_count_ = 0.0;
-  for (int row = 0; row < seen.height; row += 2) {
+  for (int row = 0; row < seen.height; ++row) {
     spread_over_row(*change_, motion_.columns(), motion_.rows(), row, change_at_);
     CellInnovation* cells = &seen_[static_cast<std::size_t>((row / kCell) * motion_.columns())];
     const std::size_t start = seen.index(0, row);
@@ -89,7 +89,7 @@ void TemporalFilter::observe(const DepthField& seen) {
       float spread = 0.0F;
       float sigmas = 0.0F;
       int count = 0;
-      for (int u = left; u < std::min(left + kCell, seen.width); u += 2) {
+      for (int u = left + row % 2; u < std::min(left + kCell, seen.width); u += 2) {
         const std::size_t at = start + static_cast<std::size_t>(u);
         const float z = seen.z_m[at];
         const float expected = average_.z_m[at] + change_at_[static_cast<std::size_t>(u)];
@@ -143,8 +143,8 @@ void TemporalFilter::update(const DepthField& seen) {
         average = frames > 0.5F ? moved : 0.0F;
         continue;
       }
-      const auto column = static_cast<std::size_t>(u);
-      const float r = z - (average + change_at_[column] + innovation_at_[column]);
+
+      const float r = z - moved;
       const float sigma = std::max(kFloor_m, noise_m(moved) * noise_scale_);
       if (std::abs(r) > kOutlier * sigma) {
         frames *= 0.4F;
