@@ -13,7 +13,7 @@ namespace telepalp::surface {
 /// query; a normal for each from its own search with the same N and R, by principal components, towards the camera;
 /// Adamson and Alexa's implicit function f = n̄·(x − ā) over weighted means, with Wyvill's soft-object weights of
 /// influence radius R. The normal stands for the gradient, as there. Error: f jumps whenever the N-th neighbour
-/// changes, since its weight is far from zero there (docs/accuracy.md). Allocates in its searches: realtime_safe() is
+/// changes, since its weight is far from zero there (telepalp-bench surface). Allocates in its searches: realtime_safe() is
 /// false.
 class PaperSurface final : public SurfaceSnapshot {
  public:

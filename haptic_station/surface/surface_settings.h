@@ -21,7 +21,7 @@ enum class Index { PclKdTree, Nanoflann, PclOrganized };
 /// How the support of Cloud's weights is chosen.
 enum class Support { FixedRadius, KthNeighbor };
 
-/// Everything that trades accuracy for time, by name. What each costs and errs is measured in docs/accuracy.md.
+/// Everything that trades accuracy for time, by name. What each costs and errs is measured by telepalp-bench surface.
 struct SurfaceSettings {
   std::string name = "fast";
   Method method = Method::Grid;
