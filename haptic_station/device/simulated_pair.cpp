@@ -62,7 +62,9 @@ void SimulatedPair::step(const Force<HapticBase>& motors, const Intention& inten
 
   const Vector3d gap = device_.m - hand_.m;
   const bool in_reach = std::hypot(gap.x(), gap.z()) <= hand_settings_.reach_m;
-  bool pressing = in_reach && gap.y() >= 0.0;
+  // Contact begins from above alone: a hand that comes from the side, lower than the end-effector, is beside it.
+  bool pressing = in_reach && gap.y() >= 0.0 && (touching_ || was_above_);
+  was_above_ = gap.y() <= 0.0;
   if (pressing && !touching_) grip_m_ = -gap;
 
   const auto solve = [&](int i, bool flesh) {

@@ -69,6 +69,7 @@ class SimulatedPair {
   Vector<HapticBase> hand_velocity_;
   Force<HapticBase> felt_;
   bool touching_ = false;
+  bool was_above_ = true;  ///< the hand was over the end-effector, or level with it, a step ago
   bool saturated_ = false;
   Eigen::Vector3d grip_m_ = Eigen::Vector3d::Zero();  ///< hand less device where the flesh holds, tangential
 };

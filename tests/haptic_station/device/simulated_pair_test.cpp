@@ -30,6 +30,15 @@ TEST(SimulatedPair, TheHandPushesAndNeverPulls) {
   EXPECT_LT(pair.true_device().m.y(), 0.01) << "left behind";
 }
 
+TEST(SimulatedPair, AHandThatComesFromTheSideBelowDoesNotSeizeTheDevice) {
+  SimulatedPair pair({}, {});
+  pair.place({{0.0, 0.0, 0.0}}, {{0.2, 0.05, 0.0}});
+  for (int i = 0; i < 2000; ++i) pair.step({}, {.at = {{0.2, -0.05, 0.0}}, .velocity = {}}, kTick_s);
+  for (int i = 0; i < 2000; ++i) pair.step({}, {.at = {{0.0, -0.05, 0.0}}, .velocity = {}}, kTick_s);
+  EXPECT_LT(pair.true_hand().m.x(), 0.03) << "it is under the end-effector";
+  EXPECT_EQ(pair.true_device().m.norm(), 0.0);
+}
+
 TEST(SimulatedPair, FleshSlipsWhenPushedSidewaysTooHard) {
   SimulatedPair pair({}, {});
   pair.place({{0.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0}});
