@@ -1,7 +1,6 @@
 // Bundles the viewer into the folder named on the command line: node build.mjs OUT
 import {build} from 'esbuild';
-import {copyFile, mkdir, readFile} from 'node:fs/promises';
-import {join} from 'node:path';
+import {mkdir, readFile} from 'node:fs/promises';
 
 const out = process.argv[2] ?? 'dist';
 await mkdir(out, {recursive: true});
@@ -25,6 +24,3 @@ if (unlisted.length > 0) {
   console.error(`bundled, but not listed in THIRD_PARTY.md: ${unlisted.join(', ')}`);
   process.exit(1);
 }
-
-for (const file of ['index.html', 'viewer.css', 'icon.svg']) await copyFile(join('src', file), join(out, file));
-await copyFile('THIRD_PARTY.md', join(out, 'third_party.txt'));
