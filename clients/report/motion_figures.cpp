@@ -169,7 +169,7 @@ std::vector<Chart> timeline(const Session& session) {
                           only(scaled(ticks.proxy[1], 1e3), [&](std::size_t i) { return is_contact(ticks, i); }),
                           std::string(plot::kGreen)});
   position.bands.clear();
-  Chart force{.title = "force on the hand", .x = {"time [s]"}, .y = {"force [N]"}};
+  Chart force{.title = "force of the device", .x = {"time [s]"}, .y = {"force [N]"}};
   force.series = {{"|F|", seconds, force_norm_N(ticks), std::string(plot::kBlack)},
                   {"F_x", seconds, scaled(ticks.force[0], 1.0), std::string(plot::kVermilion)},
                   {"F_y", seconds, scaled(ticks.force[1], 1.0), std::string(plot::kBlue)},

@@ -94,7 +94,10 @@ std::string motion_sections(const Session& session) {
                           : section("The cylinder under the skin",
                                     "Where the end-effector went in the cylinder's states, and the force.",
                                     in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
-  return out + section("The whole run", "State, height and force on one time axis.", stacked(timeline(session)));
+  return out + section("The whole run",
+                       "State, height and force on one time axis. Out of the body the force moves the free "
+                       "end-effector; the hand feels none.",
+                       stacked(timeline(session)));
 }
 
 std::string timing_sections(const Session& session, const Summary& summary) {

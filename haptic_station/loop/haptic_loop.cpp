@@ -2,14 +2,9 @@
 
 #include <limits>
 
+#include "haptic_station/loop/packed.h"
+
 namespace telepalp::station {
-namespace {
-
-std::array<float, 3> packed(const Eigen::Vector3d& v) noexcept {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
-}  // namespace
 
 void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcept {
   if (!surface.snapshot) return;
@@ -66,12 +61,12 @@ TickSample HapticLoop::tell(const DeviceReading& device, const control::ControlI
   told.device = packed(device.at.m);
   told.proxy = packed(in.contact.proxy.m);
   told.normal = packed(in.contact.normal.v);
-  told.force = packed(out.force.N);
+  told.force = packed_towards_zero(out.force.N);
   told.displayed_hand_camera = packed((camera_from_haptic_ * out.displayed_hand).m);
   told.proxy_camera = packed((camera_from_haptic_ * in.contact.proxy).m);
   told.normal_camera = packed((camera_from_haptic_ * in.contact.normal).v);
   told.device_camera = packed((camera_from_haptic_ * device.at).m);
-  told.force_camera = packed((camera_from_haptic_ * out.force).N);
+  told.force_camera = packed_towards_zero((camera_from_haptic_ * out.force).N);
   told.indentation_m = static_cast<float>(out.indentation.v.norm());
   told.distance_m = static_cast<float>(in.contact.distance_m);
   told.passivity_J = static_cast<float>(out.passivity_J);

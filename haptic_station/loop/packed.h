@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+namespace telepalp::station {
+
+/// For the record, half the size: the nearest floats.
+inline std::array<float, 3> packed(const Eigen::Vector3d& v) noexcept {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+/// Rounded towards zero, so that a force on its limit is never recorded above it. Not a number stays what it is.
+inline std::array<float, 3> packed_towards_zero(const Eigen::Vector3d& v) noexcept {
+  std::array<float, 3> floats = packed(v);
+  for (int axis = 0; axis < 3; ++axis) {
+    float& value = floats[static_cast<std::size_t>(axis)];
+    if (std::abs(static_cast<double>(value)) > std::abs(v[axis])) value = std::nextafter(value, 0.0F);
+  }
+  return floats;
+}
+
+}  // namespace telepalp::station
