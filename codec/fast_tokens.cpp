@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "proto/words/vectorised.h"
+
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
@@ -233,9 +235,8 @@ class RankReader {
 };
 
 /// Predicts a whole row at once, and packs where that fails into `wrong`, a bit a pixel.
-__attribute__((target_clones("default", "arch=x86-64-v3"))) void predict_row(const Rank* row, const Rank* above,
-                                                                             Rank* predicted, std::uint8_t* is_wrong,
-                                                                             std::size_t width) {
+TELEPALP_VECTORISED void predict_row(const Rank* row, const Rank* above, Rank* predicted, std::uint8_t* is_wrong,
+                                     std::size_t width) {
   for (std::size_t x = 0; x < width; ++x) {
     const Rank west = row[static_cast<std::ptrdiff_t>(x) - 1];
     const Rank north = above[x];
