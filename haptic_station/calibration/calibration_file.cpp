@@ -1,0 +1,95 @@
+#include "haptic_station/calibration/calibration_file.h"
+
+#include <google/protobuf/text_format.h>
+
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <system_error>
+
+#include "proto/program/text_format.h"
+
+namespace telepalp::calibration {
+namespace {
+
+constexpr double kFurthest_m = 10.0;
+constexpr double kLongestTurn_rad = 6.3;
+
+void set(msg::Xyz& out, const Eigen::Vector3d& v) {
+  out.set_x(v.x());
+  out.set_y(v.y());
+  out.set_z(v.z());
+}
+
+Eigen::Vector3d get(const msg::Xyz& in) { return {in.x(), in.y(), in.z()}; }
+
+std::string utc_text(std::chrono::system_clock::time_point at) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  char text[32];
+  const std::size_t length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return {text, length};
+}
+
+}  // namespace
+
+msg::MeasuredTransform measured(const Eigen::Isometry3d& to_from_from, const Residuals& residuals,
+                                const std::string& method, std::chrono::system_clock::time_point date, int rank) {
+  msg::MeasuredTransform message;
+  const Eigen::AngleAxisd turn(to_from_from.linear());
+  set(*message.mutable_transform()->mutable_translation_m(), to_from_from.translation());
+  set(*message.mutable_transform()->mutable_rotation_vector_rad(), turn.axis() * turn.angle());
+  message.set_date(utc_text(date));
+  message.set_method(method);
+  message.set_measurements(static_cast<std::uint32_t>(residuals.each_m.size()));
+  message.set_residual_rms_m(residuals.rms_m());
+  message.set_residual_mean_m(residuals.mean_m());
+  message.set_residual_deviation_m(residuals.deviation_m());
+  message.set_residual_largest_m(residuals.largest_m());
+  message.set_rank(static_cast<std::uint32_t>(rank));
+  return message;
+}
+
+Result<Eigen::Isometry3d> transform_of(const msg::MeasuredTransform& message, const std::string& where) {
+  const Eigen::Vector3d translation = get(message.transform().translation_m());
+  const Eigen::Vector3d turn = get(message.transform().rotation_vector_rad());
+  if (!message.has_transform() || !translation.allFinite() || !turn.allFinite() ||
+      translation.cwiseAbs().maxCoeff() > kFurthest_m || turn.norm() > kLongestTurn_rad)
+    return Error{.what = "no transform, or one beyond 10 m or a full turn",
+                 .where = where,
+                 .fix = "calibrate again with telepalp-calibrate"};
+  Eigen::Isometry3d iso = Eigen::Isometry3d::Identity();
+  iso.translation() = translation;
+  if (turn.norm() > 0.0) iso.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  return iso;
+}
+
+Result<msg::Calibration> read_calibration(const std::filesystem::path& file) {
+  msg::Calibration calibration;
+  if (const Result<void> read = program::read_text_format(file, calibration); !read) return read.error();
+  for (const auto& [has, transform, name] :
+       {std::tuple{calibration.has_haptic_from_tracker(), &calibration.haptic_from_tracker(), "haptic_from_tracker"},
+        std::tuple{calibration.has_haptic_from_camera(), &calibration.haptic_from_camera(), "haptic_from_camera"}})
+    if (has)
+      if (const auto checked = transform_of(*transform, file.string() + ": " + name); !checked) return checked.error();
+  return calibration;
+}
+
+Result<void> write_calibration(const std::filesystem::path& file, const msg::Calibration& calibration) {
+  std::string text;
+  google::protobuf::TextFormat::PrintToString(calibration, &text);
+  std::filesystem::path partial = file;
+  partial += ".partial";
+  std::ofstream stream(partial, std::ios::binary);
+  stream << "# Where things stand, as telepalp-calibrate measured it. telepalp-station --calibration reads it.\n"
+         << text;
+  stream.close();
+  std::error_code code;
+  if (stream) std::filesystem::rename(partial, file, code);
+  if (!stream || code)
+    return Error{.what = "cannot be written", .where = file.string(), .fix = "check the folder and its permissions"};
+  return {};
+}
+
+}  // namespace telepalp::calibration

@@ -1,0 +1,78 @@
+#include "haptic_station/calibration/hand_on_probe.h"
+
+#include <Eigen/Dense>
+#include <string>
+
+namespace telepalp::calibration {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Error refusal(std::string what, std::string fix) {
+  return {.what = std::move(what), .where = "calibration by hand on probe", .fix = std::move(fix)};
+}
+
+/// nullopt: a rigid motion within 10 m.
+std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name) {
+  constexpr double kRotationError = 1e-3;
+  if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > 10.0)
+    return refusal(name + " is not finite, or further than 10 m", "leave out what tracker or device lost");
+  const Matrix3d r = pose.linear();
+  if ((r * r.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() > kRotationError)
+    return refusal(name + " is no rotation: its axes are not square or not of length one", "give a rotation matrix");
+  if (r.determinant() < 0.0)
+    return refusal(name + " is mirrored (determinant -1)", "check the sign of each axis: frames are right-handed");
+  return std::nullopt;
+}
+
+/// The rotation with the least sum of squared chordal distances to the ones summed up in `sum`.
+std::optional<Matrix3d> mean_rotation(const Matrix3d& sum) {
+  const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  if (svd.singularValues()[1] < 0.1 * svd.singularValues()[0]) return std::nullopt;  // they cancel: no mean
+  const Matrix3d u = svd.matrixU();
+  const Matrix3d v = svd.matrixV();
+  const double sign = (u * v.transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+  return u * Vector3d(1.0, 1.0, sign).asDiagonal() * v.transpose();
+}
+
+}  // namespace
+
+Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> poses, const Isometry3d& probe_from_hand,
+                                                 const ProbeSettings& settings) {
+  if (poses.empty()) return refusal("no pose", "lay the hand on the probe, and take at least one");
+  if (const auto error = refuse_pose(probe_from_hand, "probe_from_hand")) return *error;
+  const double n = static_cast<double>(poses.size());
+  Matrix3d sum = Matrix3d::Zero();
+  Vector3d to_mean = Vector3d::Zero();
+  Vector3d from_mean = Vector3d::Zero();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const std::string name = "pose " + std::to_string(i + 1);
+    if (const auto error = refuse_pose(poses[i].tracker_from_hand, name + " of the hand")) return *error;
+    if (const auto error = refuse_pose(poses[i].haptic_from_probe, name + " of the probe")) return *error;
+    const Isometry3d haptic_from_hand = poses[i].haptic_from_probe * probe_from_hand;
+    sum += haptic_from_hand.linear() * poses[i].tracker_from_hand.linear().transpose();
+    to_mean += haptic_from_hand.translation() / n;
+    from_mean += poses[i].tracker_from_hand.translation() / n;
+  }
+  const std::optional<Matrix3d> rotation = mean_rotation(sum);
+  if (!rotation) return refusal("the poses' rotations cancel", "align the hand with the probe, the same way each time");
+  ProbeCalibration fit;
+  fit.haptic_from_tracker.linear() = *rotation;
+  fit.haptic_from_tracker.translation() = to_mean - *rotation * from_mean;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Isometry3d told = poses[i].haptic_from_probe * probe_from_hand;
+    const Isometry3d fitted = fit.haptic_from_tracker * poses[i].tracker_from_hand;
+    fit.residuals.each_m.push_back((told.translation() - fitted.translation()).norm());
+    fit.angles_rad.push_back(Eigen::AngleAxisd(told.linear() * fitted.linear().transpose()).angle());
+    if (fit.residuals.each_m.back() > settings.furthest_m || fit.angles_rad.back() > settings.furthest_rad)
+      return refusal("pose " + std::to_string(i + 1) + " disagrees with the others by " +
+                         std::to_string(std::lround(fit.residuals.each_m.back() * 1e3)) + " mm and " +
+                         std::to_string(std::lround(fit.angles_rad.back() * 57.29578)) + " degrees",
+                     "lay the hand on the probe the same way each time; take that pose again");
+  }
+  return fit;
+}
+
+}  // namespace telepalp::calibration

@@ -1,0 +1,44 @@
+#include "haptic_station/calibration/offset_procedure.h"
+
+#include <string>
+
+namespace telepalp::calibration {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kFurthest_m = 10.0;
+
+Error refusal(std::string what, std::string fix) {
+  return {.what = std::move(what), .where = "calibration by offset", .fix = std::move(fix)};
+}
+
+bool usable(const Vector3d& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFurthest_m; }
+
+}  // namespace
+
+Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const OffsetSettings& settings) {
+  if (touches.empty() || touches.size() < settings.least_touches)
+    return refusal(std::to_string(touches.size()) + " touches",
+                   "hold the hand on the end-effector until " + std::to_string(settings.least_touches) + " are taken");
+  Vector3d hand = Vector3d::Zero();
+  Vector3d end_effector = Vector3d::Zero();
+  for (const Touch& touch : touches) {
+    if (!usable(touch.hand.m) || !usable(touch.end_effector.m))
+      return refusal("a touch is not finite, or further than 10 m", "leave out what tracker or device lost");
+    hand += touch.hand.m / static_cast<double>(touches.size());
+    end_effector += touch.end_effector.m / static_cast<double>(touches.size());
+  }
+  OffsetCalibration fit;
+  fit.haptic_from_tracker.iso.linear() = Vector3d(1.0, -1.0, -1.0).asDiagonal();  // S1 eq. (4)
+  fit.haptic_from_tracker.iso.translation() = end_effector - fit.haptic_from_tracker.iso.linear() * hand;
+  for (const Touch& touch : touches)
+    fit.residuals.each_m.push_back((fit.haptic_from_tracker * touch.hand - touch.end_effector).v.norm());
+  if (fit.residuals.largest_m() > settings.most_moved_m)
+    return refusal("hand and end-effector moved against each other by up to " +
+                       std::to_string(std::lround(fit.residuals.largest_m() * 1e3)) + " mm",
+                   "rest the hand on the end-effector, in the tracker's view, and repeat");
+  return fit;
+}
+
+}  // namespace telepalp::calibration

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "haptic_station/calibration/point_registration.h"
+#include "proto/words/result.h"
+
+namespace telepalp::calibration {
+
+/// Reads point pairs as CSV: a header row `place,to_x_m,to_y_m,to_z_m,from_x_m,from_y_m,from_z_m`, then one row a
+/// measurement; rows of one place number are repeats. Numbers use a point whatever the locale; what is not a number,
+/// or not finite, is an error with its line. At most 100 000 rows.
+[[nodiscard]] Result<std::vector<PointPair>> read_point_pairs(const std::filesystem::path& file);
+[[nodiscard]] Result<std::vector<PointPair>> parse_point_pairs(std::string_view text, std::string_view name);
+
+}  // namespace telepalp::calibration
