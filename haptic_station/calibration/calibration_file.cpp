@@ -58,7 +58,7 @@ Result<Eigen::Isometry3d> transform_of(const msg::MeasuredTransform& message, co
       translation.cwiseAbs().maxCoeff() > kFurthest_m || turn.norm() > kLongestTurn_rad)
     return Error{.what = "no transform, or one beyond 10 m or a full turn",
                  .where = where,
-                 .fix = "calibrate again with telepalp-calibrate"};
+                 .fix = "calibrate again with telepalp-station calibrate"};
   Eigen::Isometry3d iso = Eigen::Isometry3d::Identity();
   iso.translation() = translation;
   if (turn.norm() > 0.0) iso.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
@@ -67,7 +67,7 @@ Result<Eigen::Isometry3d> transform_of(const msg::MeasuredTransform& message, co
 
 Result<msg::Calibration> read_calibration(const std::filesystem::path& file) {
   msg::Calibration calibration;
-  if (const Result<void> read = program::read_text_format(file, calibration); !read) return read.error();
+  if (const auto read = program::read_text_format(file, calibration); !read) return read.error();
   for (const auto& [has, transform, name] :
        {std::tuple{calibration.has_haptic_from_tracker(), &calibration.haptic_from_tracker(), "haptic_from_tracker"},
         std::tuple{calibration.has_haptic_from_camera(), &calibration.haptic_from_camera(), "haptic_from_camera"}})
@@ -82,8 +82,9 @@ Result<void> write_calibration(const std::filesystem::path& file, const msg::Cal
   std::filesystem::path partial = file;
   partial += ".partial";
   std::ofstream stream(partial, std::ios::binary);
-  stream << "# Where things stand, as telepalp-calibrate measured it. telepalp-station --calibration reads it.\n"
-         << text;
+  stream
+      << "# Where things stand, as telepalp-station calibrate measured it. telepalp-station --calibration reads it.\n"
+      << text;
   stream.close();
   std::error_code code;
   if (stream) std::filesystem::rename(partial, file, code);

@@ -3,6 +3,9 @@
 #include <string_view>
 
 #include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/calibrate_command.h"
+#include "haptic_station/station/calibrated_scene.h"
+#include "haptic_station/station/rig_choice.h"
 #include "haptic_station/station/station.h"
 #include "haptic_station/surface/surface_settings.h"
 #include "haptic_station/trials/trials_command.h"
@@ -15,17 +18,23 @@ namespace {
 using namespace telepalp;
 
 program::Usage usage() {
-  return {.program = "telepalp-station",
-          .purpose =
-              "turns a served depth stream into a surface that can be touched, at 2 kHz; or, as telepalp-station "
-              "trials, runs the palpation study's trials in virtual time",
-          .positional = "",
-          .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:7400"},
-                      {"scene", "FILE", "what can be felt: a *.scene.textproto; left out: palpation"},
-                      {"check", "", "read the scene, say what can be felt in it, and leave"},
-                      {"seconds", "S", "how long to tick; 0: until Ctrl-C", "0"},
-                      {"realtime", "require|prefer", "whether to run without real-time priority", "prefer"}},
-          .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10"};
+  return {
+      .program = "telepalp-station",
+      .purpose =
+          "turns a served depth stream into a surface that can be touched, at 2 kHz; or, as telepalp-station "
+          "trials, runs the palpation study's trials in virtual time; or, as telepalp-station calibrate, measures "
+          "where its devices stand",
+      .positional = "",
+      .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:7400"},
+                  {"scene", "FILE", "what can be felt: a *.scene.textproto; left out: palpation"},
+                  {"calibration", "FILE", "measured by telepalp-station calibrate; instead of the scene's transforms"},
+                  {"device", station::kDeviceWords, "the haptic device", "simulated"},
+                  {"tracker", station::kTrackerWords, "the hand tracker; held: the hand is where the device is",
+                   "simulated"},
+                  {"check", "", "read the scene, say what can be felt in it, and leave"},
+                  {"seconds", "S", "how long to tick; 0: until Ctrl-C", "0"},
+                  {"realtime", "require|prefer", "whether to run without real-time priority", "prefer"}},
+      .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10"};
 }
 
 Result<station::Realtime> realtime_of(const std::string& word) {
@@ -66,8 +75,14 @@ Result<std::filesystem::path> scene_of(const program::Arguments& arguments) {
                .fix = "name one by --scene, or set TELEPALP_HOME"};
 }
 
-int check(const std::filesystem::path& scene_file) {
-  const Result<scenes::Scene> scene = scenes::read_scene(scene_file);
+/// The scene, with what was measured at this site in its place.
+Result<scenes::Scene> read_calibrated(const std::filesystem::path& scene_file, const program::Arguments& arguments) {
+  Result<scenes::Scene> scene = scenes::read_scene(scene_file);
+  if (!scene || !arguments.has("calibration")) return scene;
+  return station::calibrated(std::move(scene).value(), arguments.text("calibration"));
+}
+
+int check(const Result<scenes::Scene>& scene) {
   if (!scene) return program::fail(scene.error());
   const Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
   if (!trace) return program::fail(trace.error());
@@ -80,14 +95,16 @@ int check(const std::filesystem::path& scene_file) {
   return program::kDone;
 }
 
-int run(const station::StationOptions& options, const std::filesystem::path& scene_file) {
-  const Result<scenes::Scene> scene = scenes::read_scene(scene_file);
+int run(const station::StationOptions& options, const Result<scenes::Scene>& scene,
+        const station::RigChoice& rig_choice) {
   if (!scene) return program::fail(scene.error());
   Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
   if (!trace) return program::fail(trace.error());
   const Result<surface::SurfaceSettings> surface = surface_of(*scene);
   if (!surface) return program::fail(surface.error());
-  station::Station station(options, *scene, *surface, std::move(trace).value());
+  Result<std::unique_ptr<station::Rig>> rig = station::connect_rig(rig_choice, *scene);
+  if (!rig) return program::fail(rig.error());
+  station::Station station(options, *scene, *surface, std::move(trace).value(), std::move(rig).value());
   const Result<void> done = station.run();
   return done ? program::kDone : program::fail(done.error());
 }
@@ -96,12 +113,16 @@ int run(const station::StationOptions& options, const std::filesystem::path& sce
 
 int main(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "trials") return trials::trials_command(argc - 1, argv + 1);
+  if (argc > 1 && std::string_view(argv[1]) == "calibrate") return station::calibrate_command(argc - 1, argv + 1);
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;
   const Result<station::StationOptions> options = options_of(**read);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
+  const Result<station::RigChoice> rig = station::read_rig_choice((*read)->text("device"), (*read)->text("tracker"));
+  if (!rig) return program::fail(rig.error(), program::kAskedWrongly);
   const Result<std::filesystem::path> scene = scene_of(**read);
   if (!scene) return program::fail(scene.error());
-  return (*read)->has("check") ? check(*scene) : run(*options, *scene);
+  const Result<scenes::Scene> calibrated = read_calibrated(*scene, **read);
+  return (*read)->has("check") ? check(calibrated) : run(*options, calibrated, *rig);
 }

@@ -79,7 +79,7 @@ SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<t
 }  // namespace
 
 Station::Station(StationOptions options, const scenes::Scene& scene, const surface::SurfaceSettings& surface,
-                 std::optional<tracking::HandTrace> trace)
+                 std::optional<tracking::HandTrace> trace, std::unique_ptr<Rig> rig)
     : options_(std::move(options)),
       scene_(scene),
       trace_(std::move(trace)),
@@ -91,6 +91,7 @@ Station::Station(StationOptions options, const scenes::Scene& scene, const surfa
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); }}),
       in_tick_(surface::runs_in_tick(surface)),
       loop_(make_loop(scene)),
+      rig_(std::move(rig)),
       telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }) {
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
     return place(scene_, depth, camera);
@@ -185,7 +186,7 @@ void Station::on_surface(const msg::SurfaceReport& report) {
 }
 
 void Station::start_haptic_thread() {
-  rig_.emplace(rig_settings(scene_), person_of(scene_, trace_));
+  if (!rig_) rig_ = std::make_unique<SimulatedRig>(rig_settings(scene_), person_of(scene_, trace_));
   haptic_.emplace(loop_, *rig_, surfaces_, ticks_);
   haptic_->set_clock_offset(link_.clock().offset());
   if (!in_tick_) collision_.emplace(slow_surfaces_, haptic_->device(), surfaces_, [this] { return now(); });

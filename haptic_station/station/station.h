@@ -30,9 +30,9 @@ struct StationOptions {
 /// calling thread, which becomes the network thread, until the time is up or a signal asks it to end.
 class Station {
  public:
-  /// `trace`: the recorded hand that the scene names, if it names one.
+  /// `trace`: the recorded hand that the scene names, if it names one. `rig`: a connected one; null: simulated.
   Station(StationOptions options, const scenes::Scene& scene, const surface::SurfaceSettings& surface,
-          std::optional<tracking::HandTrace> trace);
+          std::optional<tracking::HandTrace> trace, std::unique_ptr<Rig> rig = nullptr);
 
   /// Done, or why the station could not do its work.
   [[nodiscard]] Result<void> run();
@@ -69,7 +69,7 @@ class Station {
   LatestValue<TouchableSurface> surfaces_;       // surface or collision thread to haptic thread
   TickRing ticks_;                               // haptic thread to network thread
   HapticLoop loop_;                              // owner: haptic thread, once it runs
-  std::optional<SimulatedRig> rig_;              // owner: haptic thread, once it runs
+  std::unique_ptr<Rig> rig_;                     // owner: haptic thread, once it runs
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;
   std::optional<CollisionThread> collision_;

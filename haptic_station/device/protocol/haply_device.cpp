@@ -1,0 +1,88 @@
+#include "haptic_station/device/protocol/haply_device.h"
+
+#include <limits>
+#include <utility>
+
+namespace telepalp::device {
+namespace {
+
+constexpr std::chrono::microseconds kPace{400};
+constexpr std::chrono::milliseconds kForceCountsFor{50};
+
+}  // namespace
+
+HaplyDevice::HaplyDevice(WebSocketUrl url, const Point<haply::InverseBase>& origin, Say say)
+    : name_("device " + to_string(url)),
+      say_(std::move(say)),
+      haptic_from_inverse_(haply::haptic_from_inverse(origin)),
+      inverse_from_haptic_(haptic_from_inverse_.inverse()),
+      pace_(thread_.io()),
+      line_(thread_.io(), std::move(url), {.most_text_bytes = haply::kMostTextBytes},
+            {.on_open = [this] { thread_.obstacle("the service names no Inverse3"); },
+             .on_text = [this](std::string_view text) { on_text(text); },
+             .on_lost =
+                 [this](const std::string& why) {
+                   pace_.cancel();
+                   if (thread_.obstacle().empty() || line_is_up_ || device_id_.empty()) thread_.obstacle(why);
+                   if (std::exchange(line_is_up_, false)) say_(name_ + " lost: " + why + "; trying again");
+                 }}) {}
+
+HaplyDevice::~HaplyDevice() { thread_.stop(); }
+
+Result<void> HaplyDevice::start(std::chrono::milliseconds limit) {
+  boost::asio::post(thread_.io(), [this] { line_.start(); });
+  thread_.run();
+  if (thread_.wait_for_answer(limit)) return {};
+  return Error{.what = "does not answer: " + thread_.obstacle(),
+               .where = name_,
+               .fix = "start the Haply Inverse service with an Inverse3 plugged in, or give --device simulated"};
+}
+
+void HaplyDevice::on_text(std::string_view text) {
+  const auto read = haply::parse_text(text, device_id_);
+  if (!read) {
+    if (refused_.fetch_add(1, std::memory_order_relaxed) == 0) say_(name_ + ": " + to_string(read.error()));
+    thread_.obstacle(to_string(read.error()));
+  } else if (*read) {
+    const haply::State& state = **read;
+    if (!std::exchange(line_is_up_, true)) say_(name_ + " answers, Inverse3 " + state.device_id);
+    device_id_ = state.device_id;
+    told_.put(
+        {Clock::now(), {.at = haptic_from_inverse_ * state.cursor, .velocity = haptic_from_inverse_ * state.velocity}});
+    thread_.answered();
+  }
+  answer();
+}
+
+/// The service answers each text by one: without this one, no other state would come.
+void HaplyDevice::answer() {
+  if (device_id_.empty()) return;
+  const Clock::time_point due = sent_ + kPace;
+  if (due <= Clock::now()) return send_force();
+  pace_.expires_at(due);
+  pace_.async_wait([this](const boost::system::error_code& error) {
+    if (!error) send_force();
+  });
+}
+
+void HaplyDevice::send_force() {
+  sent_ = Clock::now();
+  (void)wanted_.take();
+  const Wanted& wanted = wanted_.current();
+  const bool counts = sent_ - wanted.at < kForceCountsFor;
+  line_.send(haply::force_text(device_id_, counts ? inverse_from_haptic_ * wanted.force : Force<haply::InverseBase>{}));
+}
+
+station::DeviceReading HaplyDevice::read() noexcept {
+  if (told_.take()) has_told_ = true;
+  station::DeviceReading reading = told_.current().reading;
+  reading.age_s = has_told_ ? std::chrono::duration<double>(Clock::now() - told_.current().at).count()
+                            : std::numeric_limits<double>::infinity();
+  return reading;
+}
+
+void HaplyDevice::apply(const Force<HapticBase>& force, const control::SurfaceContact&, double) noexcept {
+  wanted_.put({Clock::now(), force});
+}
+
+}  // namespace telepalp::device

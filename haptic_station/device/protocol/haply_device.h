@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "haptic_station/device/device.h"
+#include "haptic_station/device/protocol/edge_thread.h"
+#include "haptic_station/device/protocol/haply_inverse.h"
+#include "haptic_station/device/protocol/websocket_line.h"
+#include "proto/words/latest_value.h"
+
+namespace telepalp::device {
+
+/// The Inverse service's standard address.
+[[nodiscard]] inline WebSocketUrl standard_haply_url() { return {"127.0.0.1", 10001, "/"}; }
+
+/// The middle of an Inverse3's workspace, in its own frame: where H's origin, the skin, is put.
+[[nodiscard]] inline Point<haply::InverseBase> middle_of_inverse3() { return {{0.04, -0.17, 0.16}}; }
+
+/// A Haply Inverse3, by its service's WebSocket, on a thread of its own: each answer is followed by the newest force,
+/// at most 2500 times a second. A force that the haptic thread has not renewed for 50 ms is sent as zero.
+class HaplyDevice final : public Device {
+ public:
+  using Say = std::function<void(const std::string&)>;  ///< called on this device's thread
+
+  HaplyDevice(WebSocketUrl url, const Point<haply::InverseBase>& origin, Say say);
+  ~HaplyDevice() override;
+
+  /// Returns when a device has told where it is, or why none has within `limit`.
+  [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
+
+  [[nodiscard]] station::DeviceReading read() noexcept override;
+  void apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept override;
+
+  /// Texts that could not be used, so far.
+  [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Told {
+    Clock::time_point at;
+    station::DeviceReading reading;
+  };
+  struct Wanted {
+    Clock::time_point at;
+    Force<HapticBase> force;
+  };
+
+  void on_text(std::string_view text);
+  void answer();
+  void send_force();
+
+  EdgeThread thread_;
+  const std::string name_;
+  const Say say_;
+  const Transform<HapticBase, haply::InverseBase> haptic_from_inverse_;
+  const Transform<haply::InverseBase, HapticBase> inverse_from_haptic_;
+  boost::asio::steady_timer pace_;  // owner: thread_
+  WebSocketLine line_;              // owner: thread_
+  std::string device_id_;           // owner: thread_; the first device seen, and no other from then on
+  Clock::time_point sent_;          // owner: thread_
+  bool line_is_up_ = false;         // owner: thread_
+  std::atomic<std::uint64_t> refused_{0};
+  LatestValue<Told> told_;      // thread_ to haptic thread
+  LatestValue<Wanted> wanted_;  // haptic thread to thread_
+  bool has_told_ = false;       // owner: haptic thread
+};
+
+}  // namespace telepalp::device

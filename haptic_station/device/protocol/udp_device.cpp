@@ -1,0 +1,186 @@
+#include "haptic_station/device/protocol/udp_device.h"
+
+#include <bit>
+
+namespace telepalp::device::udp {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::uint32_t kMagicDown = 0x4450'5454;  // "TTPD"
+constexpr std::uint32_t kMagicUp = 0x5550'5454;    // "TTPU"
+constexpr std::uint16_t kVersion = 1;
+constexpr std::uint16_t kInBody = 1;
+constexpr std::uint16_t kSurfaceValid = 2;
+constexpr std::uint16_t kLetGo = 4;
+constexpr std::uint16_t kFaulted = 1;
+constexpr double kFurthest_m = 2.0;
+constexpr double kFastest_m_per_s = 50.0;
+constexpr double kStrongest_N = 100.0;
+constexpr std::size_t kSumBytes = 4;
+
+/// Little-endian, whatever the machine.
+class Writer {
+ public:
+  explicit Writer(std::span<std::byte> bytes) noexcept : bytes_(bytes) {}
+  template <class Unsigned>
+  void put(Unsigned value) noexcept {
+    for (std::size_t i = 0; i < sizeof value; ++i) bytes_[at_++] = static_cast<std::byte>((value >> (8 * i)) & 0xff);
+  }
+  void put(double value) noexcept { put(std::bit_cast<std::uint64_t>(value)); }
+  void put(const Vector3d& v) noexcept {
+    for (int i = 0; i < 3; ++i) put(v[i]);
+  }
+
+ private:
+  std::span<std::byte> bytes_;
+  std::size_t at_ = 0;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::span<const std::byte> bytes) noexcept : bytes_(bytes) {}
+  template <class Unsigned>
+  [[nodiscard]] Unsigned get() noexcept {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < sizeof(Unsigned); ++i)
+      value |= static_cast<std::uint64_t>(std::to_integer<std::uint8_t>(bytes_[at_++])) << (8 * i);
+    return static_cast<Unsigned>(value);
+  }
+  [[nodiscard]] double number() noexcept { return std::bit_cast<double>(get<std::uint64_t>()); }
+  [[nodiscard]] Vector3d three() noexcept {
+    const double x = number();
+    const double y = number();
+    return {x, y, number()};
+  }
+
+ private:
+  std::span<const std::byte> bytes_;
+  std::size_t at_ = 0;
+};
+
+/// Fletcher-like sum over all bytes before it: UDP's own is optional, and off on some embedded stacks.
+std::uint32_t sum_of(std::span<const std::byte> bytes) noexcept {
+  std::uint32_t a = 1;
+  std::uint32_t b = 0;
+  for (const std::byte byte : bytes) {
+    a = (a + std::to_integer<std::uint32_t>(byte)) % 65521;  // Adler-32
+    b = (b + a) % 65521;
+  }
+  return (b << 16) | a;
+}
+
+void seal(std::span<std::byte> datagram) noexcept {
+  Writer(datagram.last(kSumBytes)).put(sum_of(datagram.first(datagram.size() - kSumBytes)));
+}
+
+bool is_whole(std::span<const std::byte> datagram, std::size_t size) noexcept {
+  return datagram.size() == size &&
+         Reader(datagram.last(kSumBytes)).get<std::uint32_t>() == sum_of(datagram.first(size - kSumBytes));
+}
+
+bool within(const Vector3d& v, double most) noexcept { return v.allFinite() && v.cwiseAbs().maxCoeff() <= most; }
+bool within(double v, double most) noexcept { return v >= -most && v <= most; }
+
+bool is_sane(const Command& c) noexcept {
+  return within(c.proxy.m, kFurthest_m) && within(c.distance_m, kFurthest_m) && within(c.normal.v, 1.001) &&
+         within(c.force.N, kStrongest_N);
+}
+
+}  // namespace
+
+std::array<std::byte, kCommandBytes> encode(const Command& wanted) noexcept {
+  Command c = wanted;
+  if (!is_sane(c)) {
+    c.proxy = {};
+    c.distance_m = 0.0;
+    c.normal = {};
+    c.in_body = c.surface_valid = false;
+    c.let_go = true;
+  }
+  if (c.let_go) c.force = {};
+  std::array<std::byte, kCommandBytes> bytes{};
+  Writer out(bytes);
+  out.put(kMagicDown);
+  out.put(kVersion);
+  out.put(static_cast<std::uint16_t>((c.in_body ? kInBody : 0) | (c.surface_valid ? kSurfaceValid : 0) |
+                                     (c.let_go ? kLetGo : 0)));
+  out.put(c.session);
+  out.put(c.sequence);
+  out.put(c.sent_us);
+  out.put(c.proxy.m);
+  out.put(c.distance_m);
+  out.put(c.normal.v);
+  out.put(c.force.N);
+  seal(bytes);
+  return bytes;
+}
+
+std::array<std::byte, kPoseBytes> encode(const Pose& pose) noexcept {
+  std::array<std::byte, kPoseBytes> bytes{};
+  Writer out(bytes);
+  out.put(kMagicUp);
+  out.put(kVersion);
+  out.put(static_cast<std::uint16_t>(pose.faulted ? kFaulted : 0));
+  out.put(pose.session);
+  out.put(pose.sequence);
+  out.put(pose.taken_us);
+  out.put(pose.heard);
+  out.put(pose.end_effector.m);
+  out.put(pose.velocity.v);
+  seal(bytes);
+  return bytes;
+}
+
+std::optional<Command> decode_command(std::span<const std::byte> datagram) noexcept {
+  if (!is_whole(datagram, kCommandBytes)) return std::nullopt;
+  Reader in(datagram);
+  if (in.get<std::uint32_t>() != kMagicDown || in.get<std::uint16_t>() != kVersion) return std::nullopt;
+  const auto flags = in.get<std::uint16_t>();
+  Command c;
+  c.session = in.get<std::uint32_t>();
+  c.sequence = in.get<std::uint32_t>();
+  c.sent_us = in.get<std::uint64_t>();
+  c.in_body = (flags & kInBody) != 0;
+  c.surface_valid = (flags & kSurfaceValid) != 0;
+  c.let_go = (flags & kLetGo) != 0;
+  c.proxy.m = in.three();
+  c.distance_m = in.number();
+  c.normal.v = in.three();
+  c.force.N = in.three();
+  const bool known = (flags & ~(kInBody | kSurfaceValid | kLetGo)) == 0;
+  return known && is_sane(c) ? std::optional(c) : std::nullopt;
+}
+
+std::optional<Pose> decode_pose(std::span<const std::byte> datagram) noexcept {
+  if (!is_whole(datagram, kPoseBytes)) return std::nullopt;
+  Reader in(datagram);
+  if (in.get<std::uint32_t>() != kMagicUp || in.get<std::uint16_t>() != kVersion) return std::nullopt;
+  const auto flags = in.get<std::uint16_t>();
+  Pose pose;
+  pose.session = in.get<std::uint32_t>();
+  pose.sequence = in.get<std::uint32_t>();
+  pose.taken_us = in.get<std::uint64_t>();
+  pose.heard = in.get<std::uint32_t>();
+  pose.faulted = (flags & kFaulted) != 0;
+  pose.end_effector.m = in.three();
+  pose.velocity.v = in.three();
+  const bool sane = within(pose.end_effector.m, kFurthest_m) && within(pose.velocity.v, kFastest_m_per_s);
+  return sane && (flags & ~kFaulted) == 0 ? std::optional(pose) : std::nullopt;
+}
+
+PoseOrder::Verdict PoseOrder::judge(const Pose& pose) noexcept {
+  if (newest_ && pose.session == newest_->session) {
+    const auto ahead = static_cast<std::int32_t>(pose.sequence - newest_->sequence);  // across the wrap
+    if (ahead <= 0) return Verdict::Repeated;
+    if (pose.taken_us <= newest_->taken_us) return Verdict::ClockStands;
+  } else if (newest_) {
+    if (has_session_before_ && pose.session == session_before_) return Verdict::OldSession;
+    session_before_ = newest_->session;
+    has_session_before_ = true;
+  }
+  newest_ = pose;
+  return Verdict::Newest;
+}
+
+}  // namespace telepalp::device::udp

@@ -1,0 +1,96 @@
+#include "haptic_station/device/protocol/udp_socket_device.h"
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/ip/address.hpp>
+#include <limits>
+#include <random>
+#include <thread>
+
+namespace telepalp::device {
+namespace {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+
+constexpr int kMostDatagramsATick = 16;
+
+}  // namespace
+
+UdpDevice::UdpDevice(std::string name)
+    : name_(std::move(name)), socket_(io_), session_(static_cast<std::uint32_t>(std::random_device{}())) {}
+
+Result<std::unique_ptr<UdpDevice>> UdpDevice::open(const program::Address& address) {
+  const std::string name = "device udp:" + address.host + ":" + std::to_string(address.port);
+  error_code error;
+  const asio::ip::address ip =
+      address.host == "localhost" ? asio::ip::address_v4::loopback() : asio::ip::make_address(address.host, error);
+  if (error || !ip.is_loopback())
+    return Error{.what = "is not an address of this machine, and device datagrams are not sealed",
+                 .where = name,
+                 .fix = "run the device's program here and give udp:127.0.0.1:PORT"};
+  std::unique_ptr<UdpDevice> device(new UdpDevice(name));
+  const asio::ip::udp::endpoint there(ip, address.port);
+  device->socket_.open(there.protocol(), error);
+  if (!error) device->socket_.connect(there, error);
+  if (!error) device->socket_.non_blocking(true, error);
+  if (error) return Error{.what = "no socket: " + error.message(), .where = name, .fix = "check the port"};
+  return device;
+}
+
+Result<void> UdpDevice::start(std::chrono::milliseconds limit) {
+  const Clock::time_point until = Clock::now() + limit;
+  while (Clock::now() < until) {
+    send({.let_go = true});
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (read().age_s < 1.0) return {};
+  }
+  const std::string why = faulted_       ? "tells that its motors are off"
+                          : refused_ > 0 ? "sends datagrams that are not of its protocol"
+                                         : "does not answer";
+  return Error{.what = why, .where = name_, .fix = "start the device's program (UDP_DEVICE.md), or --device simulated"};
+}
+
+station::DeviceReading UdpDevice::read() noexcept {
+  std::array<std::byte, 256> datagram;
+  for (int i = 0; i < kMostDatagramsATick; ++i) {
+    error_code error;
+    const std::size_t size = socket_.receive(asio::buffer(datagram), 0, error);
+    if (error == asio::error::would_block || error == asio::error::try_again) break;
+    if (error) continue;  // a refused port is told once for each datagram that we sent; the age tells the rest
+    const auto pose = udp::decode_pose(std::span(datagram).first(size));
+    if (!pose || order_.judge(*pose) != udp::PoseOrder::Verdict::Newest) {
+      ++refused_;
+      continue;
+    }
+    newest_.at = pose->end_effector;
+    newest_.velocity = pose->velocity;
+    newest_at_ = Clock::now();
+    faulted_ = pose->faulted;
+    has_told_ = true;
+  }
+  station::DeviceReading reading = newest_;
+  // A device whose motors are off shows no force, whatever it still tells: to the watchdog it is gone.
+  reading.age_s = has_told_ && !faulted_ ? std::chrono::duration<double>(Clock::now() - newest_at_).count()
+                                         : std::numeric_limits<double>::infinity();
+  return reading;
+}
+
+void UdpDevice::apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double) noexcept {
+  send({.in_body = contact.in_body,
+        .surface_valid = contact.valid,
+        .proxy = contact.proxy,
+        .distance_m = contact.distance_m,
+        .normal = contact.normal,
+        .force = force});
+}
+
+void UdpDevice::send(udp::Command command) noexcept {
+  const auto since = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch());
+  command.session = session_;
+  command.sequence = ++sequence_;
+  command.sent_us = static_cast<std::uint64_t>(since.count());
+  error_code ignored;  // a device that is away is seen by its age
+  (void)socket_.send(asio::buffer(udp::encode(command)), 0, ignored);
+}
+
+}  // namespace telepalp::device

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "haptic_station/device/device.h"
+#include "haptic_station/device/protocol/udp_device.h"
+#include "proto/program/address.h"
+
+namespace telepalp::device {
+
+/// A device that speaks UDP_DEVICE.md, as PC-2 of S1 II.B. Sends and receives on the haptic thread itself, without
+/// waiting: a datagram a tick is the device's own system call. On this machine only: the datagrams are not sealed.
+class UdpDevice final : public Device {
+ public:
+  /// Error: an address that is not this machine's, or no socket.
+  [[nodiscard]] static Result<std::unique_ptr<UdpDevice>> open(const program::Address& address);
+
+  /// Returns when the device has told where it is, or why it has not within `limit`. Asks it to let go meanwhile.
+  [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
+
+  [[nodiscard]] station::DeviceReading read() noexcept override;
+  void apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept override;
+
+  /// Datagrams that were damaged, old or repeated, so far.
+  [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  explicit UdpDevice(std::string name);
+  void send(udp::Command command) noexcept;
+
+  const std::string name_;
+  boost::asio::io_context io_{1};
+  boost::asio::ip::udp::socket socket_;
+  const std::uint32_t session_;
+  std::uint32_t sequence_ = 0;
+  udp::PoseOrder order_;
+  station::DeviceReading newest_;
+  Clock::time_point newest_at_;
+  bool has_told_ = false;
+  bool faulted_ = false;
+  std::uint64_t refused_ = 0;
+};
+
+}  // namespace telepalp::device

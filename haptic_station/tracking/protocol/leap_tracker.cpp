@@ -1,0 +1,77 @@
+#include "haptic_station/tracking/protocol/leap_tracker.h"
+
+#include <utility>
+
+namespace telepalp::tracking {
+
+LeapTracker::LeapTracker(device::WebSocketUrl url, const Transform<HapticBase, HandTracker>& haptic_from_tracker,
+                         Say say)
+    : name_("tracker " + device::to_string(url)),
+      say_(std::move(say)),
+      line_(thread_.io(), std::move(url), {.most_text_bytes = leap::kMostTextBytes},
+            {.on_open =
+                 [this] {
+                   spoke_ = false;
+                   line_.send(std::string(leap::wish_for_background_frames()));
+                 },
+             .on_text = [this](std::string_view text) { on_text(text); },
+             .on_lost =
+                 [this](const std::string& why) {
+                   thread_.obstacle(why);
+                   if (std::exchange(line_is_up_, false)) say_(name_ + " lost: " + why + "; trying again");
+                 }}),
+      haptic_from_tracker_(haptic_from_tracker) {}
+
+LeapTracker::~LeapTracker() { thread_.stop(); }
+
+Result<void> LeapTracker::start(std::chrono::milliseconds limit) {
+  boost::asio::post(thread_.io(), [this] { line_.start(); });
+  thread_.run();
+  if (thread_.wait_for_answer(limit)) return {};
+  return Error{.what = "does not answer: " + thread_.obstacle(),
+               .where = name_,
+               .fix = "start the Leap service with WebSockets allowed, or give --tracker simulated"};
+}
+
+void LeapTracker::refuse(const std::string& why) {
+  if (refused_.fetch_add(1, std::memory_order_relaxed) == 0) say_(name_ + ": " + why);
+  thread_.obstacle(why);
+}
+
+void LeapTracker::on_text(std::string_view text) {
+  const Result<leap::Text> read = leap::parse_text(text);
+  if (!read) return refuse(to_string(read.error()));
+  if (const auto* hello = std::get_if<leap::Hello>(&*read)) on_hello(*hello);
+  if (const auto* frame = std::get_if<leap::Frame>(&*read)) on_frame(*frame);
+}
+
+void LeapTracker::on_hello(const leap::Hello& hello) {
+  spoke_ = hello.version == leap::kProtocolVersion;
+  if (!spoke_) return refuse("the service speaks protocol " + std::to_string(hello.version) + ", not 6");
+  if (!std::exchange(line_is_up_, true)) say_(name_ + " answers, service " + hello.service_version.substr(0, 64));
+  thread_.answered();
+}
+
+void LeapTracker::on_frame(const leap::Frame& frame) {
+  if (!spoke_) return;
+  if (frame.refused > 0) refused_.fetch_add(frame.refused, std::memory_order_relaxed);
+  const std::chrono::microseconds told(frame.timestamp_us);
+  const auto at = service_clock_.map(told, Clock::now().time_since_epoch());
+  if (const auto hand = followed_.choose(std::chrono::duration<double>(told).count(), frame.hands))
+    sightings_.put({Clock::time_point(at), hand->palm});
+}
+
+std::optional<station::HandSample> LeapTracker::sample(SessionTime now, const station::DeviceReading&) noexcept {
+  (void)session_clock_.map(now.time_since_epoch(), Clock::now().time_since_epoch());
+  if (!sightings_.take()) return std::nullopt;
+  const Sighting& seen = sightings_.current();
+  return station::HandSample{SessionTime(seen.at.time_since_epoch() - session_clock_.difference()),
+                             haptic_from_tracker_ * seen.palm};
+}
+
+std::optional<Point<HandTracker>> LeapTracker::palm() noexcept {
+  if (!sightings_.take()) return std::nullopt;
+  return sightings_.current().palm;
+}
+
+}  // namespace telepalp::tracking

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "haptic_station/device/protocol/edge_thread.h"
+#include "haptic_station/device/protocol/websocket_line.h"
+#include "haptic_station/tracking/protocol/clock_envelope.h"
+#include "haptic_station/tracking/protocol/followed_hand.h"
+#include "haptic_station/tracking/tracker.h"
+#include "proto/words/latest_value.h"
+
+namespace telepalp::tracking {
+
+/// The Leap Motion service's standard address.
+[[nodiscard]] inline device::WebSocketUrl standard_leap_url() { return {"127.0.0.1", 6437, "/v6.json"}; }
+
+/// A Leap Motion, by its service's WebSocket, on a thread of its own. Lost connections are made again; samples then
+/// simply stop coming, and the station's watchdog sees their age.
+class LeapTracker final : public Tracker {
+ public:
+  using Say = std::function<void(const std::string&)>;  ///< called on this tracker's thread
+
+  LeapTracker(device::WebSocketUrl url, const Transform<HapticBase, HandTracker>& haptic_from_tracker, Say say);
+  ~LeapTracker() override;
+
+  /// Returns when the service has said that it speaks protocol 6, or why it did not within `limit`.
+  [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
+
+  [[nodiscard]] std::optional<station::HandSample> sample(SessionTime now,
+                                                          const station::DeviceReading& device) noexcept override;
+  /// The newest hand as the tracker sees it, for calibration. Haptic thread only, instead of sample().
+  [[nodiscard]] std::optional<Point<HandTracker>> palm() noexcept;
+
+  /// Texts and hands that could not be used, so far.
+  [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Sighting {
+    Clock::time_point at;
+    Point<HandTracker> palm;
+  };
+
+  void on_text(std::string_view text);
+  void on_hello(const leap::Hello& hello);
+  void on_frame(const leap::Frame& frame);
+  void refuse(const std::string& why);
+
+  device::EdgeThread thread_;
+  const std::string name_;
+  const Say say_;
+  device::WebSocketLine line_;   // owner: thread_
+  ClockEnvelope service_clock_;  // owner: thread_
+  FollowedHand followed_;        // owner: thread_
+  bool spoke_ = false;           // owner: thread_
+  bool line_is_up_ = false;      // owner: thread_
+  std::atomic<std::uint64_t> refused_{0};
+  LatestValue<Sighting> sightings_;  // thread_ to haptic thread
+  const Transform<HapticBase, HandTracker> haptic_from_tracker_;
+  ClockEnvelope session_clock_{0.02};  // owner: haptic thread; the session's clock is slewed
+};
+
+}  // namespace telepalp::tracking

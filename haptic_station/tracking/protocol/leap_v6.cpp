@@ -1,0 +1,63 @@
+#include "haptic_station/tracking/protocol/leap_v6.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include "messages/leap_v6.pb.h"
+
+namespace telepalp::tracking::leap {
+namespace {
+
+namespace json = google::protobuf::util;
+
+constexpr double kFurthest_mm = 10'000.0;
+constexpr double kFastest_mm_per_s = 100'000.0;
+constexpr double kMetres = 1e-3;
+constexpr std::int64_t kLatest_us = std::int64_t{1} << 53;
+
+Error refused(std::string what) {
+  return {.what = std::move(what),
+          .where = "Leap text",
+          .fix = "check that the service speaks v6.json, and that its numbers have decimal points"};
+}
+
+using Numbers = google::protobuf::RepeatedField<double>;
+
+std::optional<Eigen::Vector3d> three(const Numbers& numbers, double most) {
+  if (numbers.size() != 3) return std::nullopt;
+  const Eigen::Vector3d v(numbers[0], numbers[1], numbers[2]);
+  if (!v.allFinite() || v.cwiseAbs().maxCoeff() > most) return std::nullopt;
+  return v * kMetres;
+}
+
+std::optional<Hand> hand_of(const leap_v6::Text::Hand& told) {
+  const auto palm = three(told.palmposition(), kFurthest_mm);
+  if (!palm) return std::nullopt;
+  Hand hand{.id = told.id(), .palm = {*palm}, .velocity = {}};
+  if (const auto velocity = three(told.palmvelocity(), kFastest_mm_per_s)) hand.velocity.v = *velocity;
+  return hand;
+}
+
+}  // namespace
+
+Result<Text> parse_text(std::string_view text) {
+  if (text.size() > kMostTextBytes) return refused("over 256 KiB");
+  json::JsonParseOptions options;
+  options.ignore_unknown_fields = true;
+  leap_v6::Text told;
+  if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &told, options); !read.ok())
+    return refused("no frame of protocol 6: " + read.ToString().substr(0, 200));
+  if (told.has_version()) return Text{Hello{told.version(), told.serviceversion()}};
+  if (!told.has_timestamp()) return Text{Other{}};
+  if (told.timestamp() < 0 || told.timestamp() > kLatest_us) return refused("its timestamp is out of range");
+  if (static_cast<std::size_t>(told.hands_size()) > kMostHands) return refused("more than 16 hands");
+  Frame frame{.timestamp_us = told.timestamp(), .hands = {}, .refused = 0};
+  for (const leap_v6::Text::Hand& one : told.hands()) {
+    if (const auto hand = hand_of(one))
+      frame.hands.push_back(*hand);
+    else
+      ++frame.refused;
+  }
+  return Text{std::move(frame)};
+}
+
+}  // namespace telepalp::tracking::leap

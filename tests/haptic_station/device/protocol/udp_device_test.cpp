@@ -1,0 +1,228 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <boost/asio/buffer.hpp>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "haptic_station/device/protocol/udp_socket_device.h"
+#include "haptic_station/device/random.h"
+#include "tests/haptic_station/device/protocol/fake_service.h"
+
+namespace telepalp::device {
+namespace {
+
+using Eigen::Vector3d;
+using namespace std::chrono_literals;
+
+udp::Pose pose(std::uint32_t session, std::uint32_t sequence, std::uint64_t us) {
+  return {.session = session,
+          .sequence = sequence,
+          .taken_us = us,
+          .heard = 7,
+          .faulted = false,
+          .end_effector = {{0.01, -0.02, 0.03}},
+          .velocity = {{1, 2, 3}}};
+}
+
+udp::Command command() {
+  return {.session = 1,
+          .sequence = 2,
+          .sent_us = 3,
+          .in_body = true,
+          .surface_valid = true,
+          .proxy = {{0.1, 0.2, 0.3}},
+          .distance_m = -0.01,
+          .normal = {{0, 1, 0}},
+          .force = {{0, 5, 0}}};
+}
+
+TEST(UdpDatagrams, ComeBackAsTheyWere) {
+  const auto read = udp::decode_command(udp::encode(command()));
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->in_body && read->surface_valid && !read->let_go);
+  EXPECT_EQ(read->proxy.m, command().proxy.m);
+  EXPECT_EQ(read->distance_m, -0.01);
+  EXPECT_EQ(read->force.N, command().force.N);
+  const auto up = udp::decode_pose(udp::encode(pose(9, 8, 7)));
+  ASSERT_TRUE(up);
+  EXPECT_EQ(up->session, 9u);
+  EXPECT_EQ(up->heard, 7u);
+  EXPECT_EQ(up->velocity.v, Vector3d(1, 2, 3));
+}
+
+TEST(UdpDatagrams, AreWhatTheDocumentSays) {
+  const auto bytes = udp::encode(command());
+  ASSERT_EQ(bytes.size(), 108u);
+  const std::string start(reinterpret_cast<const char*>(bytes.data()), 4);
+  EXPECT_EQ(start, "TTPD");
+  EXPECT_EQ(std::to_integer<int>(bytes[4]), 1);      // version
+  EXPECT_EQ(std::to_integer<int>(bytes[6]), 3);      // in body, surface valid
+  EXPECT_EQ(std::to_integer<int>(bytes[8]), 1);      // session
+  EXPECT_EQ(std::to_integer<int>(bytes[12]), 2);     // sequence
+  EXPECT_EQ(std::to_integer<int>(bytes[94]), 0x14);  // force y = 5.0 is 0x4014...
+  EXPECT_EQ(std::to_integer<int>(bytes[95]), 0x40);
+  const auto up = udp::encode(pose(1, 1, 1));
+  ASSERT_EQ(up.size(), 80u);
+  EXPECT_EQ(std::string(reinterpret_cast<const char*>(up.data()), 4), "TTPU");
+}
+
+TEST(UdpDatagrams, AnyFlippedBitOrMissingByteIsSeen) {
+  const auto whole = udp::encode(pose(1, 2, 3));
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    for (int bit = 0; bit < 8; ++bit) {
+      auto bytes = whole;
+      bytes[i] ^= static_cast<std::byte>(1 << bit);
+      EXPECT_FALSE(udp::decode_pose(bytes)) << i;
+    }
+  for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_FALSE(udp::decode_pose(std::span(whole).first(size)));
+  EXPECT_FALSE(udp::decode_command(whole));
+}
+
+TEST(UdpDatagrams, NumbersThatCannotBeRightAreRefusedUpAndLetGoDown) {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300, -2.1}) {
+    udp::Pose up = pose(1, 2, 3);
+    up.end_effector.m.y() = bad;
+    EXPECT_FALSE(udp::decode_pose(udp::encode(up))) << bad;
+    udp::Command down = command();
+    down.proxy.m.x() = bad;
+    const auto read = udp::decode_command(udp::encode(down));
+    ASSERT_TRUE(read);
+    EXPECT_TRUE(read->let_go);
+    EXPECT_EQ(read->force.N, Vector3d::Zero().eval());
+  }
+}
+
+TEST(PoseOrder, TakesTheNewestAcrossTheWrapAndNothingTwice) {
+  using Verdict = udp::PoseOrder::Verdict;
+  udp::PoseOrder order;
+  EXPECT_EQ(order.judge(pose(1, 0xffffffff, 10)), Verdict::Newest);
+  EXPECT_EQ(order.judge(pose(1, 0, 20)), Verdict::Newest);
+  EXPECT_EQ(order.judge(pose(1, 0, 20)), Verdict::Repeated);
+  EXPECT_EQ(order.judge(pose(1, 0xffffffff, 10)), Verdict::Repeated);
+  EXPECT_EQ(order.judge(pose(1, 1, 20)), Verdict::ClockStands);
+  EXPECT_EQ(order.judge(pose(2, 1, 5)), Verdict::Newest) << "the device was started anew";
+  EXPECT_EQ(order.judge(pose(1, 50, 90)), Verdict::OldSession) << "a late datagram from before";
+}
+
+/// A device's program on a real socket: answers each command by a pose, with faults on request.
+class FakeDevice {
+ public:
+  enum class Fault { None, Silent, NaN, Hung, MotorsOff, Garbage };
+
+  explicit FakeDevice(std::uint16_t port = 0)
+      : socket_(io_, {boost::asio::ip::address_v4::loopback(), port}), port_(socket_.local_endpoint().port()) {
+    socket_.non_blocking(true);
+    thread_ = std::thread([this] {
+      while (running_) turn();
+    });
+  }
+  ~FakeDevice() {
+    running_ = false;
+    thread_.join();
+  }
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+  std::atomic<Fault> fault{Fault::None};
+  std::atomic<double> force_y{0.0};
+  std::atomic<double> distance{0.0};
+  std::atomic<std::uint32_t> session{77};
+
+ private:
+  void turn() {
+    std::array<std::byte, 256> datagram;
+    boost::asio::ip::udp::endpoint from;
+    boost::system::error_code error;
+    const std::size_t size = socket_.receive_from(boost::asio::buffer(datagram), from, 0, error);
+    if (error) return std::this_thread::sleep_for(100us);
+    const auto heard = udp::decode_command(std::span(datagram).first(size));
+    if (!heard) return;
+    force_y = heard->force.N.y();
+    distance = heard->distance_m;
+    answer(from, *heard);
+  }
+  void answer(const boost::asio::ip::udp::endpoint& to, const udp::Command& heard) {
+    const Fault wrong = fault;
+    if (wrong == Fault::Silent) return;
+    ++sequence_;
+    if (wrong != Fault::Hung) clock_us_ += 500;
+    udp::Pose told = pose(session, sequence_, clock_us_);
+    told.heard = heard.sequence;
+    told.faulted = wrong == Fault::MotorsOff;
+    if (wrong == Fault::NaN) told.end_effector.m.x() = std::nan("");
+    auto bytes = udp::encode(told);
+    if (wrong == Fault::Garbage) bytes.fill(std::byte{0x55});
+    boost::system::error_code ignored;
+    (void)socket_.send_to(boost::asio::buffer(bytes), to, 0, ignored);
+  }
+
+  boost::asio::io_context io_;
+  boost::asio::ip::udp::socket socket_;
+  std::uint16_t port_;
+  std::uint32_t sequence_ = 0;
+  std::uint64_t clock_us_ = 0;
+  std::atomic<bool> running_{true};
+  std::thread thread_;
+};
+
+TEST(UdpDevice, TellsItsPoseAndGetsProxyDistanceFlagAndForce) {
+  FakeDevice fake;
+  auto device = UdpDevice::open({"127.0.0.1", fake.port()});
+  ASSERT_TRUE(device) << to_string(device.error());
+  ASSERT_TRUE((*device)->start(5s));
+  EXPECT_EQ((*device)->read().at.m, Vector3d(0.01, -0.02, 0.03));
+  control::SurfaceContact contact;
+  contact.distance_m = -0.004;
+  contact.valid = true;
+  EXPECT_TRUE(soon([&] {
+    (*device)->apply({{0, 2.5, 0}}, contact, 0.0005);
+    return fake.force_y == 2.5 && fake.distance == -0.004;
+  }));
+}
+
+TEST(UdpDevice, AgesUnderEveryFaultAndComesBack) {
+  using Fault = FakeDevice::Fault;
+  FakeDevice fake;
+  auto device = UdpDevice::open({"localhost", fake.port()});
+  ASSERT_TRUE(device && (*device)->start(5s));
+  for (const Fault fault : {Fault::Silent, Fault::NaN, Fault::Hung, Fault::MotorsOff, Fault::Garbage}) {
+    fake.fault = fault;
+    EXPECT_TRUE(soon([&] {
+      (*device)->apply({}, {}, 0.0005);
+      return (*device)->read().age_s > 0.15;
+    })) << static_cast<int>(fault);
+    EXPECT_TRUE((*device)->read().at.m.allFinite());
+    fake.fault = Fault::None;
+    EXPECT_TRUE(soon([&] {
+      (*device)->apply({}, {}, 0.0005);
+      return (*device)->read().age_s < 0.02;
+    })) << static_cast<int>(fault);
+  }
+  fake.session = 78;
+  EXPECT_TRUE(soon([&] {
+    (*device)->apply({}, {}, 0.0005);
+    return (*device)->read().age_s < 0.02;
+  }));
+}
+
+TEST(UdpDevice, IsOfThisMachineAloneAndSaysWhenNobodyAnswers) {
+  for (const char* host : {"192.168.1.7", "0.0.0.0", "example.org", "8.8.8.8"}) {
+    const auto refused = UdpDevice::open({host, 5000});
+    ASSERT_FALSE(refused) << host;
+    EXPECT_NE(refused.error().fix.find("127.0.0.1"), std::string::npos);
+  }
+  std::uint16_t nobody = 0;
+  {
+    FakeDevice gone;
+    nobody = gone.port();
+  }
+  auto device = UdpDevice::open({"127.0.0.1", nobody});
+  ASSERT_TRUE(device);
+  const Result<void> alone = (*device)->start(100ms);
+  ASSERT_FALSE(alone);
+  EXPECT_NE(to_string(alone.error()).find("does not answer"), std::string::npos);
+  EXPECT_TRUE(std::isinf((*device)->read().age_s));
+}
+
+}  // namespace
+}  // namespace telepalp::device
