@@ -70,7 +70,16 @@ class PclOrganizedIndex final : public NeighborIndex {
     usable_ = tree_.isValid();
   }
   std::size_t within(const Eigen::Vector3f& query, float radius_m, std::span<Neighbor> found) const noexcept override {
-    return usable_ ? search(tree_, query, radius_m, found) : 0;
+    if (!usable_ || !query.allFinite() || found.empty()) return 0;
+    // PCL's radius search in the image, when capped, keeps the first points that it meets, not the nearest.
+    thread_local pcl::Indices indices;
+    thread_local std::vector<float> squared;
+    tree_.nearestKSearch(pcl::PointXYZ(query.x(), query.y(), query.z()), static_cast<int>(found.size()), indices,
+                         squared);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < indices.size() && kept < found.size(); ++i)
+      if (squared[i] < radius_m * radius_m) found[kept++] = {static_cast<std::uint32_t>(indices[i]), squared[i]};
+    return kept;
   }
   const char* name() const noexcept override { return "PCL organised search"; }
   bool realtime_safe() const noexcept override { return false; }

@@ -54,6 +54,27 @@ TEST_P(EveryIndex, FindsWhatASearchByHandFinds) {
   }
 }
 
+TEST_P(EveryIndex, OverADepthImageFindsTheNearestToo) {
+  const auto surface = testing::sphere({0, 0, 0.88}, 0.08);
+  const Intrinsics camera = testing::camera_with_spacing(0.8, 0.004);
+  const auto image = testing::render(*surface, camera, {.sigma_m = 0.001});
+  const IndexedPoints points = to_points(to_depth_field(image), camera);
+  const auto index = make_index(GetParam(), points);
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<float> side(-0.03F, 0.03F);
+  for (int i = 0; i < 50; ++i) {
+    const Vector3f query(side(random), side(random), 0.81F + 0.3F * side(random));
+    std::vector<Neighbor> found(10);
+    found.resize(index->within(query, 0.1F, found));
+    std::vector<float> squared;
+    for (const Neighbor& neighbor : found) squared.push_back(neighbor.squared_m2);
+    std::sort(squared.begin(), squared.end());
+    const std::vector<float> expected = nearest_by_hand(points, query, 0.1F, 10);
+    ASSERT_EQ(squared.size(), expected.size()) << index->name() << " query " << i;
+    for (std::size_t k = 0; k < squared.size(); ++k) EXPECT_NEAR(squared[k], expected[k], 1e-9F);
+  }
+}
+
 TEST_P(EveryIndex, OverNoPointsFindsNone) {
   const auto index =
       make_index(GetParam(), {.at_m = {Vector3f::Constant(std::numeric_limits<float>::quiet_NaN())}, .width = 0});
