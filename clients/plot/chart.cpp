@@ -183,6 +183,15 @@ void draw_rule(Svg& svg, const Rule& rule, const Scales& scales) {
   }
 }
 
+void draw_mark(Svg& svg, const Mark& mark, const Scales& scales) {
+  const Pixel at{scales.x(mark.x), scales.y(mark.y)};
+  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;
+  svg.disc(at, 3.5, mark.color);
+  const bool right = at.x + 8.0 + width_of(mark.name, kTextSize) > scales.x.pixels.most;
+  svg.text({at.x + (right ? -7.0 : 7.0), at.y - 5.0}, mark.name, right ? Anchor::End : Anchor::Start, kTextSize,
+           mark.color);
+}
+
 void draw_legend(Svg& svg, const Chart& chart) {
   lay_out_legend(chart, [&](const LegendEntry& entry, double x, int row) {
     const double y = kTitle + kLegendRow * row + 9.0;
@@ -209,6 +218,7 @@ std::string to_svg(const Chart& chart) {
   draw_axes(svg, chart, scales);
   for (const Series& series : chart.series) draw_series(svg, series, scales);
   for (const Rule& rule : chart.rules) draw_rule(svg, rule, scales);
+  for (const Mark& mark : chart.marks) draw_mark(svg, mark, scales);
   draw_legend(svg, chart);
   return std::move(svg).finish();
 }

@@ -52,6 +52,14 @@ struct Rule {
   bool vertical = false;
 };
 
+/// A point that stands out and is named on the plot.
+struct Mark {
+  double x = 0.0;
+  double y = 0.0;
+  std::string name;
+  std::string color;
+};
+
 /// A chart as a value.
 struct Chart {
   std::string title;
@@ -60,6 +68,7 @@ struct Chart {
   std::vector<Series> series = {};
   std::vector<Band> bands = {};
   std::vector<Rule> rules = {};
+  std::vector<Mark> marks = {};
   double width_px = 960.0;
   double height_px = 300.0;
 };

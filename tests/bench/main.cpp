@@ -1,6 +1,7 @@
 #include <array>
 #include <cstdio>
 
+#include "tests/bench/accuracy_bench.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/control_bench.h"
 #include "tests/bench/depth_bench.h"
@@ -15,6 +16,8 @@ using namespace telepalp;
 
 /// Every benchmark there is. A new one: a file <name>_bench.cpp, its declaration and a row here.
 constexpr std::array kBenches{
+    bench::Bench{"accuracy", "what accuracy costs: error against ground truth beside time, setting by setting",
+                 bench::run_accuracy},
     bench::Bench{"control", "the encountered controller: tick, trials, force law, search, prediction, safety",
                  bench::run_control},
     bench::Bench{"passivity", "energy and force error of the touch behind bad links, 1000 seeded runs",
@@ -33,6 +36,7 @@ program::Usage usage() {
           .options = {{"json", "", "print JSON instead of a table"},
                       {"list", "", "name the benchmarks and leave"},
                       {"input", "FILE|DIR", "what to run on, where a benchmark takes one"},
+                      {"write", "DIR", "also write the page of a benchmark that has one: accuracy.md in docs"},
                       {"seconds", "S", "how long, where a benchmark takes time", "10"}},
           .example = "telepalp-bench pipeline --json"};
 }

@@ -9,15 +9,6 @@
 namespace telepalp::bench {
 namespace {
 
-std::string machine() {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.starts_with("model name"))
-      return line.substr(std::min(line.size(), line.find(": ") + 2)) + ", " +
-             std::to_string(std::thread::hardware_concurrency()) + " cores";
-  return "unknown";
-}
-
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char letter : text) {
@@ -40,6 +31,15 @@ std::string asked(const Row& row) {
 }
 
 }  // namespace
+
+std::string machine_name() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("model name"))
+      return line.substr(std::min(line.size(), line.find(": ") + 2)) + ", " +
+             std::to_string(std::thread::hardware_concurrency()) + " cores";
+  return "unknown";
+}
 
 bool Row::holds() const noexcept {
   if (!std::isfinite(value)) return false;
@@ -64,7 +64,7 @@ Row at_least(std::string name, double value, std::string unit, double reach) {
 
 std::string to_json(const Report& report) {
   std::string json = "{\"bench\":" + quoted(report.bench) + ",\"commit\":" + quoted(TELEPALP_COMMIT) +
-                     ",\"machine\":" + quoted(machine()) + ",\"rows\":[";
+                     ",\"machine\":" + quoted(machine_name()) + ",\"rows\":[";
   for (const Row& row : report.rows) {
     if (json.back() != '[') json += ',';
     json += "\n  {\"name\":" + quoted(row.name) + ",\"value\":" + number(row.value) + ",\"unit\":" + quoted(row.unit) +
@@ -77,7 +77,7 @@ std::string to_json(const Report& report) {
 std::string to_table(const Report& report) {
   std::size_t width = 20;
   for (const Row& row : report.rows) width = std::max(width, row.name.size());
-  std::string table = report.bench + "  (" + machine() + ", " + TELEPALP_COMMIT + ")\n";
+  std::string table = report.bench + "  (" + machine_name() + ", " + TELEPALP_COMMIT + ")\n";
   for (const Row& row : report.rows) {
     char line[400];
     std::snprintf(line, sizeof line, "  %-*s %12s %-8s %-14s %s\n", static_cast<int>(width), row.name.c_str(),

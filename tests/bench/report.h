@@ -38,4 +38,7 @@ struct Report {
 [[nodiscard]] std::string to_json(const Report& report);
 [[nodiscard]] std::string to_table(const Report& report);
 
+/// The processor and its number of cores.
+[[nodiscard]] std::string machine_name();
+
 }  // namespace telepalp::bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "proto/words/result.h"
+
+namespace telepalp::bench {
+
+/// A table as text; every row has as many cells as the head.
+struct PageTable {
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+};
+[[nodiscard]] std::string to_markdown(const PageTable& table);
+
+/// What a benchmark writes of a page: `text` goes between the page's lines `<!-- begin NAME -->` and `<!-- end NAME
+/// -->`.
+struct PagePart {
+  std::string name;
+  std::string text;
+};
+
+/// `page` with its parts' text made anew; all that stands outside of markers stays, since people wrote it. An error
+/// names the markers that are missing.
+[[nodiscard]] Result<std::string> with_parts(const std::string& page, const std::vector<PagePart>& parts,
+                                             const std::string& name);
+
+/// A picture beside the page.
+struct PagePicture {
+  std::string file;  ///< relative to the page's folder
+  std::string svg;
+};
+
+/// Rewrites the parts of the page that stands there, and its pictures.
+[[nodiscard]] Result<void> rewrite_page(const std::filesystem::path& page, const std::vector<PagePart>& parts,
+                                        const std::vector<PagePicture>& pictures);
+
+/// Three significant digits, for a cell; "–" for what is not finite.
+[[nodiscard]] std::string cell(double value);
+
+}  // namespace telepalp::bench

@@ -1,0 +1,240 @@
+#include "tests/bench/accuracy_surface.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "haptic_station/surface/touch.h"
+#include "proto/program/shipped.h"
+#include "tests/bench/distribution.h"
+#include "tests/haptic_station/surface/shape_error.h"
+
+namespace telepalp::bench {
+namespace {
+
+using Eigen::Vector3d;
+using surface::Reach;
+using surface::SurfaceSnapshot;
+using surface::Touch;
+using surface::TouchSample;
+using testing::kFrame_s;
+using testing::kTick_s;
+using testing::scene_time;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kReach_m = 0.10;
+constexpr double kSteepestView = 0.77;  // cosine of 40 degrees: beyond it the sampling is no longer what was asked
+constexpr int kPressSteps = 24;
+constexpr int kSettleSteps = 12;
+constexpr double kMostSeconds = 1.0;  // of one measurement: the slow variants take fewer places
+constexpr int kLeastPlaces = 9;
+
+double since_s(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Where a shape is right beneath: the unit normal, and the signed distance of a point from it.
+struct Truth {
+  Vector3d normal = Vector3d::Zero();
+  double distance_m = 0.0;
+};
+
+/// Comes along a ray and stays below the surface.
+TouchSample press(const SurfaceSnapshot& snapshot, const Vector3d& from, const Vector3d& to) {
+  surface::TouchSettings settings;
+  settings.stale_after_s = 1e9;
+  Touch touch(settings);
+  touch.adopt(snapshot, snapshot.captured);
+  TouchSample last;
+  for (int i = 0; i <= kPressSteps + kSettleSteps; ++i) {
+    const double share = std::min(1.0, static_cast<double>(i) / kPressSteps);
+    last = touch.step({from + share * (to - from)}, snapshot.captured, kTick_s);
+  }
+  return last;
+}
+
+/// Presses along each of `on_surface`'s rays, until they are done or the time is up.
+TouchError press_all(const SurfaceSnapshot& snapshot, const std::vector<Vector3d>& on_surface,
+                     const std::function<std::optional<Truth>(const Vector3d&)>& truth) {
+  TouchError error;
+  double square_m2 = 0.0;
+  double square_sine = 0.0;
+  const auto start = Clock::now();
+  for (const Vector3d& at : on_surface) {
+    if (error.places >= kLeastPlaces && since_s(start) > kMostSeconds) break;
+    ++error.places;
+    const TouchSample sample = press(snapshot, 0.97 * at, 1.01 * at);
+    const std::optional<Truth> there = sample.in_body ? truth(sample.foot.m) : std::nullopt;
+    if (!there) continue;
+    ++error.touched;
+    square_m2 += there->distance_m * there->distance_m;
+    square_sine += there->normal.cross(sample.normal).squaredNorm();
+  }
+  error.position_m = std::sqrt(square_m2 / error.touched);
+  error.normal_deg = std::sqrt(square_sine / error.touched) * 180.0 / std::numbers::pi;
+  return error;
+}
+
+/// Greatest change of f over 1 µm of travel, on random lines through where the surface was seen.
+double jump_um(const SurfaceSnapshot& snapshot, const testing::Spot& spot) {
+  constexpr int kLines = 30;
+  constexpr int kSteps = 1000;
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> any(0.0, 1.0);
+  double worst_m = 0.0;
+  const auto start = Clock::now();
+  for (int line = 0; line < kLines && since_s(start) < kMostSeconds; ++line) {
+    const Vector3d direction = Vector3d(any(random), any(random), any(random)).normalized();
+    Vector3d at = spot.at + 0.003 * Vector3d(any(random), any(random), 0.0) + 0.001 * any(random) * spot.normal;
+    double last_m = snapshot.evaluate(at, spot.normal, {}).f_m;
+    for (int step = 0; step < kSteps; ++step) {
+      at += 1e-6 * direction;
+      const double f_m = snapshot.evaluate(at, spot.normal, {}).f_m;
+      worst_m = std::max(worst_m, std::abs(f_m - last_m));
+      last_m = f_m;
+    }
+  }
+  return 1e6 * worst_m;
+}
+
+/// Time of a step while the device circles 10 mm under the skin.
+Distribution step_times_us(const SurfaceSnapshot& snapshot, const testing::Spot& spot) {
+  constexpr int kTicks = 12000;
+  surface::TouchSettings settings;
+  settings.stale_after_s = 1e9;
+  Touch touch(settings);
+  touch.adopt(snapshot, snapshot.captured);
+  Distribution times;
+  const auto begin = Clock::now();
+  for (int tick = 0; tick < kTicks && (times.count() < 200 || since_s(begin) < kMostSeconds); ++tick) {
+    const double t_s = tick * kTick_s;
+    const Vector3d circle(0.015 * std::sin(4.0 * t_s), 0.015 * std::cos(4.0 * t_s), 0.0);
+    const Vector3d at = spot.at + circle - std::min(0.01, 0.2 * t_s - 0.01) * spot.normal;
+    const auto start = Clock::now();
+    const TouchSample sample = touch.step({at}, snapshot.captured, kTick_s);
+    const double took_us = 1e6 * since_s(start);
+    if (sample.in_body) times.add(took_us);
+  }
+  return times;
+}
+
+std::vector<Vector3d> places_on(const testing::AnalyticSurface& shape) {
+  std::vector<Vector3d> places;
+  for (double x = -0.01; x <= 0.05; x += 0.0142)
+    for (double y = -0.03; y <= 0.03; y += 0.0142) {
+      const Vector3d ray(x / 0.8, y / 0.8, 1.0);
+      const double z = shape.depth_along(ray.x(), ray.y());
+      if (z > 0.0 && -shape.foot(z * ray).normal.dot(ray.normalized()) > kSteepestView) places.push_back(z * ray);
+    }
+  return places;
+}
+
+TouchError torso_error(const FilmedTorso& torso, const SurfaceSnapshot& snapshot) {
+  const server::TrueSurface truth = torso.patient.true_surface(snapshot.captured);
+  std::vector<Vector3d> places;
+  for (double x = -0.045; x <= 0.046; x += 0.015)
+    for (double y = -0.045; y <= 0.046; y += 0.015)
+      if (const auto seen = truth.on_ray_through({torso.spot.at + Vector3d(x, y, 0.0)}); seen.on_body)
+        places.push_back(seen.at.m);
+  return press_all(snapshot, places, [&](const Vector3d& foot) -> std::optional<Truth> {
+    const auto nearest = truth.closest_to({foot});
+    if (!nearest) return std::nullopt;
+    return Truth{nearest->normal.v, nearest->normal.v.dot(foot - nearest->at.m)};
+  });
+}
+
+Result<FilmedTorso> film(Result<server::SyntheticPatient> patient) {
+  constexpr int kFrames = 30;
+  if (!patient) return patient.error();
+  FilmedTorso torso{std::move(patient).value(), {}, {}};
+  torso.spot = testing::belly(torso.patient);
+  for (int n = 0; n < kFrames; ++n)
+    torso.frames.push_back(torso.patient.frame_at(scene_time(n * kFrame_s), static_cast<std::uint64_t>(n)));
+  return torso;
+}
+
+/// The snapshot after all frames of a torso; what does not remember sees the last alone. `times_ms`: of each build.
+std::shared_ptr<const SurfaceSnapshot> watch(const FilmedTorso& torso, const SurfaceVariant& variant,
+                                             Distribution& times_ms) {
+  constexpr std::size_t kAlone = 8;
+  const Reach reach{{torso.spot.at}, kReach_m};
+  VariantStream stream(variant);
+  std::shared_ptr<const SurfaceSnapshot> snapshot;
+  const std::size_t count = torso.frames.size();
+  const auto begin = Clock::now();
+  for (std::size_t n = variant.settings.temporal ? 0 : count - kAlone; n < count; ++n) {
+    if (!variant.settings.temporal && n + 1 < count && since_s(begin) > kMostSeconds) continue;
+    const RgbdFrame& frame = torso.frames[n];
+    const auto start = Clock::now();
+    snapshot = stream.add(frame.depth, frame.camera.depth, static_cast<double>(n) * kFrame_s, reach);
+    times_ms.add(1e3 * since_s(start));
+  }
+  return snapshot;
+}
+
+}  // namespace
+
+bool SurfaceFigures::right_enough() const noexcept {
+  return 1e6 * shapes.position_m <= kShapeReach_um && shapes.normal_deg <= kShapeReach_deg &&
+         1e3 * torso.position_m <= kTorsoReach_mm && torso.normal_deg <= kTorsoReach_deg && jump_um <= kJumpReach_um;
+}
+
+std::vector<RenderedShape> rendered_shapes(double spacing_m) {
+  std::vector<RenderedShape> all;
+  for (auto& shape : testing::smooth_shapes()) {
+    const Intrinsics camera = testing::camera_with_spacing(0.8, spacing_m);
+    DepthImage clean = testing::render(*shape, camera, {});
+    all.push_back({std::move(shape), camera, std::move(clean)});
+  }
+  return all;
+}
+
+Result<FilmedTorso> filmed_torso(double sigma_m) { return film(testing::torso({.sigma_m = sigma_m})); }
+
+Result<FilmedTorso> kinect_torso() {
+  const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
+  if (!file) return Error{.what = "the torso is not shipped", .where = "torso", .fix = "run from the repository"};
+  const Result<server::TriangleMesh> mesh = server::read_ply(*file);
+  if (!mesh) return mesh.error();
+  return film(server::SyntheticPatient::make(*mesh, {.amplitude_m = 0.0}));
+}
+
+TouchError shape_touch_error(const RenderedShape& shape, const SurfaceVariant& variant) {
+  const Reach reach{{{0.02, 0.0, 0.82}}, 0.09};
+  VariantStream stream(variant);
+  const auto snapshot = stream.add(shape.clean, shape.camera, 0.0, reach);
+  return press_all(*snapshot, places_on(*shape.truth), [&](const Vector3d& foot) -> std::optional<Truth> {
+    const testing::TrueFoot there = shape.truth->foot(foot);
+    return Truth{there.normal, there.distance_m};
+  });
+}
+
+TouchError torso_touch_error(const FilmedTorso& torso, const SurfaceVariant& variant) {
+  Distribution unused;
+  return torso_error(torso, *watch(torso, variant, unused));
+}
+
+SurfaceFigures measure_surface(const SurfaceVariant& variant, const std::vector<RenderedShape>& shapes,
+                               const FilmedTorso& torso) {
+  SurfaceFigures figures;
+  for (const RenderedShape& shape : shapes) {
+    const TouchError error = shape_touch_error(shape, variant);
+    figures.shapes.places += error.places;
+    figures.shapes.touched += error.touched;
+    figures.shapes.position_m = std::max(figures.shapes.position_m, error.position_m);
+    figures.shapes.normal_deg = std::max(figures.shapes.normal_deg, error.normal_deg);
+  }
+  Distribution build_ms;
+  const auto snapshot = watch(torso, variant, build_ms);
+  figures.torso = torso_error(torso, *snapshot);
+  figures.jump_um = jump_um(*snapshot, torso.spot);
+  const Distribution step_us = step_times_us(*snapshot, torso.spot);
+  figures.build_p50_ms = build_ms.p50();
+  figures.build_p99_ms = build_ms.p99();
+  figures.step_p50_us = step_us.p50();
+  figures.step_p99_us = step_us.p99();
+  return figures;
+}
+
+}  // namespace telepalp::bench

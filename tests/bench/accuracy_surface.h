@@ -1,0 +1,95 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptic_station/surface/surface_builder.h"
+#include "tests/haptic_station/surface/analytic_surface.h"
+#include "tests/haptic_station/surface/touch_scenario.h"
+
+namespace telepalp::bench {
+
+/// One way to make a surface, as a line of the table.
+struct SurfaceVariant {
+  std::string family;  ///< lattice, paper or cloud
+  std::string name;    ///< a setting's name, or what it changes of one
+  std::string index;   ///< how neighbours are found
+  std::string support;
+  std::string normals;
+  surface::SurfaceSettings settings;
+  bool named = false;        ///< may be asked for by this name
+  int normal_neighbors = 0;  ///< of Cloud: instead of the builder's own sixteen
+};
+
+/// Every named setting, and around each what one parameter changes.
+[[nodiscard]] std::vector<SurfaceVariant> surface_variants();
+
+/// Frames in, snapshots out: what a variant makes of a stream.
+class VariantStream {
+ public:
+  explicit VariantStream(const SurfaceVariant& variant) : variant_(variant), builder_(variant.settings) {}
+  [[nodiscard]] std::shared_ptr<const surface::SurfaceSnapshot> add(const DepthImage& depth, const Intrinsics& camera,
+                                                                    double at_s, const surface::Reach& reach);
+
+ private:
+  SurfaceVariant variant_;
+  surface::SurfaceBuilder builder_;
+};
+
+/// How far a touched surface is from the true one.
+struct TouchError {
+  double position_m = 0.0;  ///< RMS of the foot from the true surface
+  double normal_deg = 0.0;  ///< RMS
+  int places = 0;
+  int touched = 0;  ///< of these, in contact at the end of the press
+};
+
+/// What a variant errs and costs.
+struct SurfaceFigures {
+  TouchError shapes;     ///< the worst of each over the shapes, without noise
+  TouchError torso;      ///< 1 mm noise, still patient, after one second of frames
+  double jump_um = 0.0;  ///< greatest change of f over 1 µm of travel
+  double build_p50_ms = 0.0;
+  double build_p99_ms = 0.0;
+  double step_p50_us = 0.0;
+  double step_p99_us = 0.0;
+
+  /// Share of one core that live touch takes: 30 snapshots and 2000 steps a second.
+  [[nodiscard]] double load() const noexcept { return 0.03 * build_p50_ms + 0.002 * step_p50_us; }
+  /// Whether the surface is as right as was asked for.
+  [[nodiscard]] bool right_enough() const noexcept;
+};
+
+inline constexpr double kShapeReach_um = 10.0;
+inline constexpr double kShapeReach_deg = 0.2;
+inline constexpr double kTorsoReach_mm = 0.25;
+inline constexpr double kTorsoReach_deg = 1.5;
+inline constexpr double kJumpReach_um = 2.0;
+inline constexpr double kStepReach_us = 3.0;
+
+/// A shape known by formula, rendered once for all variants.
+struct RenderedShape {
+  std::unique_ptr<testing::AnalyticSurface> truth;
+  Intrinsics camera;
+  DepthImage clean;
+};
+[[nodiscard]] std::vector<RenderedShape> rendered_shapes(double spacing_m);
+
+/// A torso and its frames at 30 Hz, rendered once for all variants.
+struct FilmedTorso {
+  server::SyntheticPatient patient;
+  testing::Spot spot;
+  std::vector<RgbdFrame> frames;
+};
+/// One second of a still patient.
+[[nodiscard]] Result<FilmedTorso> filmed_torso(double sigma_m);
+/// The same as a Kinect sees it: noise that grows with depth, disparity steps, holes.
+[[nodiscard]] Result<FilmedTorso> kinect_torso();
+
+[[nodiscard]] TouchError shape_touch_error(const RenderedShape& shape, const SurfaceVariant& variant);
+[[nodiscard]] TouchError torso_touch_error(const FilmedTorso& torso, const SurfaceVariant& variant);
+[[nodiscard]] SurfaceFigures measure_surface(const SurfaceVariant& variant, const std::vector<RenderedShape>& shapes,
+                                             const FilmedTorso& torso);
+
+}  // namespace telepalp::bench

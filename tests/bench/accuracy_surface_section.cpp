@@ -1,0 +1,254 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "clients/plot/chart.h"
+#include "clients/plot/number.h"
+#include "clients/plot/palette.h"
+#include "tests/bench/accuracy_pareto.h"
+#include "tests/bench/accuracy_sections.h"
+#include "tests/bench/accuracy_surface.h"
+
+namespace telepalp::bench {
+namespace {
+
+struct Tried {
+  SurfaceVariant variant;
+  SurfaceFigures figures;
+};
+
+std::string percent(double share) { return cell(100.0 * share); }
+
+std::string with_mark(double value, bool holds) { return cell(value) + (holds ? "" : " ✗"); }
+
+/// A cell of an error; one that lost contact at some places says so.
+std::string touched(const TouchError& error, const std::string& text) {
+  if (error.touched == error.places) return text;
+  return text + " (" + std::to_string(error.touched) + "/" + std::to_string(error.places) + ")";
+}
+
+PageTable surface_table(const std::vector<Tried>& all, const std::vector<std::size_t>& front, std::size_t knee) {
+  PageTable table{.head = {"setting", "neighbours by", "support", "normals", "shapes µm", "shapes °", "torso mm",
+                           "torso °", "jump µm", "build ms p50 / p99", "step µs p50 / p99", "load %", ""},
+                  .rows = {}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const SurfaceFigures& f = all[i].figures;
+    const bool on_front = std::find(front.begin(), front.end(), i) != front.end();
+    table.rows.push_back(
+        {all[i].variant.named ? "`" + all[i].variant.name + "`" : all[i].variant.name, all[i].variant.index,
+         all[i].variant.support, all[i].variant.normals,
+         touched(f.shapes, with_mark(1e6 * f.shapes.position_m, 1e6 * f.shapes.position_m <= kShapeReach_um)),
+         with_mark(f.shapes.normal_deg, f.shapes.normal_deg <= kShapeReach_deg),
+         touched(f.torso, with_mark(1e3 * f.torso.position_m, 1e3 * f.torso.position_m <= kTorsoReach_mm)),
+         with_mark(f.torso.normal_deg, f.torso.normal_deg <= kTorsoReach_deg),
+         with_mark(f.jump_um, f.jump_um <= kJumpReach_um), cell(f.build_p50_ms) + " / " + cell(f.build_p99_ms),
+         cell(f.step_p50_us) + " / " + cell(f.step_p99_us), percent(f.load()),
+         i == knee ? "**knee**" : (on_front ? "front" : "")});
+  }
+  return table;
+}
+
+/// Names on the plot: the knee and the default first, then the named settings that are not on top of one another.
+std::vector<plot::Mark> marks_of(const std::vector<Tried>& all, std::size_t knee) {
+  std::vector<std::size_t> order;
+  if (knee < all.size()) order.push_back(knee);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].variant.named && i != knee) order.push_back(i);
+  std::vector<plot::Mark> marks;
+  for (const std::size_t i : order) {
+    const double x = 100.0 * all[i].figures.load();
+    const double y = 1e3 * all[i].figures.torso.position_m;
+    const bool free = std::none_of(marks.begin(), marks.end(), [&](const plot::Mark& mark) {
+      return std::abs(std::log10(mark.x / x)) < 0.15 && std::abs(std::log10(mark.y / y)) < 0.05;
+    });
+    if (free || all[i].variant.name == surface::SurfaceSettings{}.name)
+      marks.push_back({x, y, all[i].variant.name + (i == knee ? " (knee)" : ""), std::string(plot::kBlack)});
+  }
+  return marks;
+}
+
+std::vector<plot::Tick> ticks(std::initializer_list<double> at) {
+  std::vector<plot::Tick> all;
+  for (const double value : at) all.push_back({value, plot::number(value)});
+  return all;
+}
+
+plot::Chart pareto_chart(const std::vector<Tried>& all, const std::vector<std::size_t>& front, std::size_t knee) {
+  plot::Chart chart{.title = "Error against cost, torso with 1 mm noise after one second",
+                    .x = {.label = "share of one core for live touch [%]",
+                          .include = plot::Range{5.0, 500.0},
+                          .logarithmic = true,
+                          .ticks = ticks({5, 10, 20, 50, 100, 200, 500})},
+                    .y = {.label = "position error, RMS [mm]",
+                          .include = plot::Range{0.015, 1.0},
+                          .logarithmic = true,
+                          .ticks = ticks({0.02, 0.05, 0.1, 0.2, 0.5, 1.0})}};
+  chart.height_px = 460.0;
+  const std::array<std::pair<const char*, std::string_view>, 3> families{
+      {{"lattice", plot::kBlue}, {"paper", plot::kVermilion}, {"cloud", plot::kGreen}}};
+  plot::Series line{"Pareto front", {}, {}, std::string(plot::kGrey), plot::Style::Path};
+  for (const std::size_t i : front) {
+    line.x.push_back(100.0 * all[i].figures.load());
+    line.y.push_back(1e3 * all[i].figures.torso.position_m);
+  }
+  chart.series.push_back(std::move(line));
+  for (const auto& [family, color] : families) {
+    plot::Series dots{family, {}, {}, std::string(color), plot::Style::Dots};
+    for (const Tried& tried : all)
+      if (tried.variant.family == family) {
+        dots.x.push_back(100.0 * tried.figures.load());
+        dots.y.push_back(1e3 * tried.figures.torso.position_m);
+      }
+    chart.series.push_back(std::move(dots));
+  }
+  chart.marks = marks_of(all, knee);
+  chart.rules.push_back({kTorsoReach_mm, "asked: at most 0.25 mm", std::string(plot::kPurple)});
+  return chart;
+}
+
+const Tried& named(const std::vector<Tried>& all, const std::string& name) {
+  return *std::find_if(all.begin(), all.end(), [&](const Tried& tried) { return tried.variant.name == name; });
+}
+
+std::string ratio(double a, double b) { return cell(a / b); }
+
+/// Why the default is the default, in figures of this run.
+std::string knee_text(const std::vector<Tried>& all, std::size_t knee) {
+  const std::string name = surface::SurfaceSettings{}.name;
+  const Tried& usual = named(all, name);
+  const Tried& paper = named(all, "paper");
+  if (knee == all.size()) return "No setting keeps every promise in this run, so there is no knee.\n";
+  const Tried& best = all[knee];
+  const auto product = [](const Tried& tried) { return tried.figures.torso.position_m * tried.figures.load(); };
+  std::string text = "**The knee is `" + best.variant.name +
+                     "`**: of the settings that keep every promise above, error × "
+                     "load is least there. ";
+  constexpr double kRunToRun = 1.10;  // times of two runs differ by so much
+  if (best.variant.name == name)
+    text += "It is the default.\n";
+  else if (usual.figures.right_enough() && product(usual) <= kRunToRun * product(best))
+    text += "The default, `" + name + "`, is within what two runs differ by: error " +
+            ratio(usual.figures.torso.position_m, best.figures.torso.position_m) + ", load " +
+            ratio(usual.figures.load(), best.figures.load()) + ", their product " +
+            ratio(product(usual), product(best)) + " times the knee's.\n";
+  else
+    text += "The default is `" + name + "`: its error is " +
+            ratio(usual.figures.torso.position_m, best.figures.torso.position_m) + " times and its load " +
+            ratio(usual.figures.load(), best.figures.load()) + " times the knee's, the product " +
+            ratio(product(usual), product(best)) + " times" +
+            (usual.figures.right_enough() ? "" : "; and it misses a promise above") + ".\n";
+  text += "\nAgainst the paper's own surface, the default's error is " +
+          ratio(paper.figures.torso.position_m, usual.figures.torso.position_m) + " times smaller, its load " +
+          ratio(paper.figures.load(), usual.figures.load()) + " times less, and f jumps by " +
+          cell(usual.figures.jump_um) + " µm instead of " + cell(paper.figures.jump_um) + " µm for 1 µm of travel.\n";
+  return text;
+}
+
+void add_rows(const Tried& tried, bool is_default, std::vector<Row>& rows) {
+  const SurfaceFigures& f = tried.figures;
+  const std::string name = tried.variant.name + ": ";
+  const auto row = [&](const std::string& what, double value, const char* unit, double reach) {
+    rows.push_back(is_default ? at_most(name + what, value, unit, reach) : measured(name + what, value, unit));
+  };
+  row("shapes, position RMS", 1e6 * f.shapes.position_m, "um", kShapeReach_um);
+  row("shapes, normal RMS", f.shapes.normal_deg, "deg", kShapeReach_deg);
+  row("torso, position RMS", 1e3 * f.torso.position_m, "mm", kTorsoReach_mm);
+  row("torso, normal RMS", f.torso.normal_deg, "deg", kTorsoReach_deg);
+  row("change of f over 1 um", f.jump_um, "um", kJumpReach_um);
+  rows.push_back(measured(name + "build p50", f.build_p50_ms, "ms"));
+  rows.push_back(measured(name + "build p99", f.build_p99_ms, "ms"));
+  row("step p50", f.step_p50_us, "us", kStepReach_us);
+  rows.push_back(measured(name + "step p99", f.step_p99_us, "us"));
+  rows.push_back(measured(name + "load", 100.0 * f.load(), "%"));
+}
+
+/// The named settings that stand for a way each: what the tables over noise and density compare.
+std::vector<SurfaceVariant> few_variants() {
+  std::vector<SurfaceVariant> few;
+  for (SurfaceVariant& variant : surface_variants())
+    for (const char* name : {"fast", "single-frame", "smooth", "paper-nanoflann", "cloud", "cloud-kth"})
+      if (variant.name == name) few.push_back(std::move(variant));
+  return few;
+}
+
+/// A cell "position / normal".
+std::string both(const TouchError& error, double scale) {
+  return touched(error, cell(scale * error.position_m) + " / " + cell(error.normal_deg));
+}
+
+Result<PageTable> noise_table(std::vector<Row>& rows) {
+  struct Sight {
+    std::string name;
+    Result<FilmedTorso> torso;
+  };
+  std::vector<Sight> sights;
+  for (const double sigma_m : {0.0, 0.0005, 0.002, 0.004})
+    sights.push_back({"noise " + cell(1e3 * sigma_m) + " mm", filmed_torso(sigma_m)});
+  sights.push_back({"as a Kinect sees it", kinect_torso()});
+  PageTable table{.head = {"setting"}, .rows = {}};
+  for (const Sight& sight : sights) {
+    if (!sight.torso) return sight.torso.error();
+    table.head.push_back(sight.name + ", mm / °");
+  }
+  for (const SurfaceVariant& variant : few_variants()) {
+    table.rows.push_back({"`" + variant.name + "`"});
+    for (const Sight& sight : sights) {
+      const TouchError error = torso_touch_error(*sight.torso, variant);
+      table.rows.back().push_back(both(error, 1e3));
+      rows.push_back(measured(variant.name + ": torso, " + sight.name, 1e3 * error.position_m, "mm"));
+    }
+  }
+  return table;
+}
+
+PageTable density_table(std::vector<Row>& rows) {
+  PageTable table{.head = {"setting"}, .rows = {}};
+  const std::vector<SurfaceVariant> few = few_variants();
+  for (const SurfaceVariant& variant : few) table.rows.push_back({"`" + variant.name + "`"});
+  for (const double spacing_m : {0.00075, 0.0015, 0.003, 0.006}) {
+    table.head.push_back(cell(1e3 * spacing_m) + " mm, µm / °");
+    const std::vector<RenderedShape> shapes = rendered_shapes(spacing_m);
+    for (std::size_t k = 0; k < few.size(); ++k) {
+      const TouchError error = shape_touch_error(shapes[2], few[k]);
+      table.rows[k].push_back(both(error, 1e6));
+      rows.push_back(measured(few[k].name + ": sphere of 50 mm, " + cell(1e3 * spacing_m) + " mm sampling",
+                              1e6 * error.position_m, "um"));
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+Result<Section> surface_section() {
+  const std::vector<RenderedShape> shapes = rendered_shapes(0.0015);
+  const Result<FilmedTorso> torso = filmed_torso(0.001);
+  if (!torso) return torso.error();
+  std::vector<Tried> all;
+  std::vector<Tradeoff> tradeoffs;
+  Section section;
+  for (const SurfaceVariant& variant : surface_variants()) {
+    all.push_back({variant, measure_surface(variant, shapes, *torso)});
+    const SurfaceFigures& f = all.back().figures;
+    tradeoffs.push_back({f.torso.position_m, f.load(), f.right_enough()});
+    add_rows(all.back(), variant.name == surface::SurfaceSettings{}.name, section.rows);
+  }
+  const std::vector<std::size_t> front = pareto_front(tradeoffs);
+  const std::size_t knee = knee_of(tradeoffs);
+  if (knee < all.size()) {
+    const Tried& usual = named(all, surface::SurfaceSettings{}.name);
+    section.rows.push_back(measured(
+        "default over knee (" + all[knee].variant.name + "), error x load",
+        usual.figures.torso.position_m * usual.figures.load() / (tradeoffs[knee].error * tradeoffs[knee].cost), "x"));
+  }
+  const Result<PageTable> noise = noise_table(section.rows);
+  if (!noise) return noise.error();
+  section.parts = {{"surface", to_markdown(surface_table(all, front, knee))},
+                   {"knee", knee_text(all, knee)},
+                   {"noise", to_markdown(*noise)},
+                   {"density", to_markdown(density_table(section.rows))}};
+  section.pictures = {{"accuracy/surface.svg", plot::to_svg(pareto_chart(all, front, knee))}};
+  return section;
+}
+
+}  // namespace telepalp::bench

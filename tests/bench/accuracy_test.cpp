@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/bench/accuracy_page.h"
+#include "tests/bench/accuracy_pareto.h"
+
+namespace telepalp::bench {
+namespace {
+
+TEST(Pareto, TheFrontIsWhatNothingElseBeatsInBoth) {
+  const Tradeoff all[] = {{3.0, 1.0}, {1.0, 3.0}, {2.0, 2.0}, {2.5, 2.5}, {2.0, 4.0}, {3.0, 1.0}};
+  EXPECT_EQ(pareto_front(all), (std::vector<std::size_t>{0, 2, 1}));
+  EXPECT_TRUE(pareto_front({}).empty());
+}
+
+TEST(Pareto, AFigureThatIsNoNumberIsOnNoFront) {
+  const Tradeoff all[] = {{std::nan(""), 1.0}, {1.0, 2.0}};
+  EXPECT_EQ(pareto_front(all), std::vector<std::size_t>{1});
+  EXPECT_EQ(knee_of(all), 1U);
+}
+
+TEST(Pareto, TheKneeIsTheLeastProductOfThoseAllowed) {
+  const Tradeoff all[] = {{4.0, 1.0}, {1.0, 1.5, false}, {1.5, 2.0}, {1.0, 6.0}};
+  EXPECT_EQ(knee_of(all), 2U);
+  const Tradeoff none[] = {{1.0, 1.0, false}};
+  EXPECT_EQ(knee_of(none), 1U);
+}
+
+TEST(Page, WhatPeopleWroteStaysAndWhatIsMeasuredIsMadeAnew) {
+  const std::string page = "by hand\n<!-- begin a -->\nold\n<!-- end a -->\nalso\n<!-- begin b -->\n<!-- end b -->\n";
+  const auto once = with_parts(page, {{"a", "1\n"}, {"b", "2\n"}}, "page.md");
+  ASSERT_TRUE(once.ok());
+  EXPECT_EQ(*once, "by hand\n<!-- begin a -->\n1\n<!-- end a -->\nalso\n<!-- begin b -->\n2\n<!-- end b -->\n");
+  EXPECT_EQ(*with_parts(*once, {{"a", "1\n"}, {"b", "2\n"}}, "page.md"), *once);
+}
+
+TEST(Page, AMissingMarkerIsNamed) {
+  const auto made = with_parts("<!-- begin a -->\n", {{"a", "1"}}, "page.md");
+  ASSERT_FALSE(made.ok());
+  EXPECT_NE(made.error().what.find("<!-- end a -->"), std::string::npos);
+}
+
+TEST(Page, ThePageThatShipsHasEveryMarker) {
+  std::ifstream in(TELEPALP_SOURCE_DIR "/docs/accuracy.md");
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  for (const char* part : {"conditions", "surface", "knee", "noise", "density", "time", "hand", "modes", "bounded"}) {
+    const auto made = with_parts(page, {{part, "x\n"}}, "accuracy.md");
+    EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
+  }
+}
+
+}  // namespace
+}  // namespace telepalp::bench
