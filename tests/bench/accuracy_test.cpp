@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <cmath>
 #include <fstream>
 
 #include "tests/bench/accuracy_page.h"
