@@ -76,11 +76,17 @@ bool EncounteredController::leaving_event(const ControlInput& in, Event& event) 
   return true;
 }
 
+/// Of finite inputs: numbers that are none are told apart before. The limiter's own latch ends with the re-arming.
+FaultCause EncounteredController::standing_fault(const ControlInput& in) const noexcept {
+  return in.device_age_s <= settings_.ages.device_s ? FaultCause::None : FaultCause::DeviceSilent;
+}
+
 /// The event that the inputs make in this phase; false: none. Safety first, then S1 Fig. 4.
 bool EncounteredController::next_event(const ControlInput& in, Event& event) const noexcept {
   const auto is = [&event](Event what) noexcept { return event = what, true; };
-  if (phase_ == Phase::Faulted) return in.rearm && is(Event::Rearm);
-  if (!(in.device_age_s <= settings_.ages.device_s) || limiter_.faulted()) return is(Event::Fault);
+  const bool fault_stands = standing_fault(in) != FaultCause::None;
+  if (phase_ == Phase::Faulted) return in.rearm && !fault_stands && is(Event::Rearm);
+  if (fault_stands || limiter_.faulted()) return is(Event::Fault);
   const bool inputs_stale = stale(in, settings_.ages);
   if (phase_ == Phase::Released) return !inputs_stale && is(Event::InputsBack);
   if (inputs_stale) return is(Event::InputStale);
@@ -198,6 +204,11 @@ Point<HapticBase> EncounteredController::shown_hand(const ControlInput& in, doub
   return shown_;
 }
 
+void EncounteredController::rearm() noexcept {
+  limiter_.rearm();
+  fault_ = FaultCause::None;
+}
+
 ControlOutput EncounteredController::step(const ControlInput& given, double dt_given_s) noexcept {
   const double dt_s = std::isfinite(dt_given_s) ? std::clamp(dt_given_s, 0.0, 0.01) : 0.0;
   const bool finite = is_finite(given);
@@ -207,11 +218,13 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
 
   in_phase_s_ += dt_s;
   move_plane(in, dt_s);
+  const FaultCause stands = finite ? standing_fault(in) : FaultCause::NotFinite;
   Event event = Event::Fault;
   if (!finite ? phase_ != Phase::Faulted : next_event(in, event)) {
     const Row* row = transition(phase_, event);
     if (row != nullptr && (!row->waits_for_dwell || in_phase_s_ >= settings_.transitions.dwell_s)) {
-      if (event == Event::Rearm) limiter_.rearm();
+      if (event == Event::Fault) fault_ = stands != FaultCause::None ? stands : FaultCause::NotFinite;
+      if (event == Event::Rearm) rearm();
       enter(row->to, in);
       out.event = event;
     }
@@ -238,6 +251,8 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   out.phase = phase_;
   out.force = limiter_.limit({wanted_N_}, dt_s);
   out.limited = limiter_.limited();
+  out.fault = fault_;
+  out.fault_stands = stands;
   out.target = target_;
   out.displayed_hand = shown_hand(in, dt_s);
   if (touching) out.indentation = effects_.indentation();

@@ -31,10 +31,12 @@ struct ControlOutput {
   Point<HapticBase> displayed_hand;  ///< where the viewer draws the hand (S1 II.E)
   Vector<HapticBase> indentation;    ///< S1's d, eq. (8); zero out of the body
   double plane_height_m = 0.0;
-  double passivity_J = 0.0;            ///< balance of the passivity ledger
-  Force<HapticBase> damping;           ///< part of `force` that the passivity controller added
-  double surface_speed_m_per_s = 0.0;  ///< of the skin as felt, along its normal
-  bool limited = false;                ///< the limiter changed the force
+  double passivity_J = 0.0;                    ///< balance of the passivity ledger
+  Force<HapticBase> damping;                   ///< part of `force` that the passivity controller added
+  double surface_speed_m_per_s = 0.0;          ///< of the skin as felt, along its normal
+  bool limited = false;                        ///< the limiter changed the force
+  FaultCause fault = FaultCause::None;         ///< why it is Faulted
+  FaultCause fault_stands = FaultCause::None;  ///< what would fault this very tick; nothing can be re-armed before
 };
 
 /// S1 II.D: lets the end-effector wait on a plane above the body under the free hand, become the skin at contact, and
@@ -61,8 +63,10 @@ class EncounteredController {
     Eigen::Vector3d per_s = Eigen::Vector3d::Zero();
   };
 
+  [[nodiscard]] FaultCause standing_fault(const ControlInput& in) const noexcept;
   bool next_event(const ControlInput& in, Event& event) const noexcept;
   bool leaving_event(const ControlInput& in, Event& event) const noexcept;
+  void rearm() noexcept;
   void move_plane(const ControlInput& in, double dt_s) noexcept;
   void enter(Phase phase, const ControlInput& in) noexcept;
   Eigen::Vector3d effects_force_N(const ControlInput& in, double dt_s) noexcept;
@@ -79,6 +83,7 @@ class EncounteredController {
   effects::CostClock cost_clock_ = nullptr;
 
   Phase phase_ = Phase::Released;
+  FaultCause fault_ = FaultCause::None;
   double in_phase_s_ = 0.0;
   bool touching_ = false;  ///< the effects are being stepped
   double plane_height_m_ = 0.0;

@@ -122,6 +122,18 @@ const char* name(Event event) noexcept {
   return "?";
 }
 
+const char* name(FaultCause cause) noexcept {
+  switch (cause) {
+    case FaultCause::None:
+      return "no fault";
+    case FaultCause::DeviceSilent:
+      return "the haptic device is silent";
+    case FaultCause::NotFinite:
+      return "a number that is none";
+  }
+  return "?";
+}
+
 int plotted_number(Phase phase) noexcept {
   constexpr std::array<int, kPhaseCount> kNumbers = {0, 1, 2, 3, -1, -2, -3, 4, 5};
   return kNumbers[static_cast<std::size_t>(phase) - 1];

@@ -36,6 +36,13 @@ enum class Event : std::uint8_t {
   Rearm,  ///< by an operator
 };
 
+/// Why the station must not give force.
+enum class FaultCause : std::uint8_t {
+  None,
+  DeviceSilent,  ///< older than its age limit
+  NotFinite,     ///< a number of an input or of the force is none
+};
+
 struct Row {
   Phase from;
   Event on;
@@ -62,6 +69,7 @@ inline constexpr std::size_t kEventCount = 14;
 /// S1's names, for people.
 [[nodiscard]] const char* name(Phase phase) noexcept;
 [[nodiscard]] const char* name(Event event) noexcept;
+[[nodiscard]] const char* name(FaultCause cause) noexcept;
 
 /// The number s_f that S1's figures plot; 4 and 5 for Released and Faulted, which S1 does not have.
 [[nodiscard]] int plotted_number(Phase phase) noexcept;

@@ -54,6 +54,8 @@ TickSample HapticLoop::tell(const DeviceReading& device, const control::ControlI
                             const control::ControlOutput& out) const noexcept {
   TickSample told;
   told.phase = static_cast<std::uint8_t>(out.phase);
+  told.fault = static_cast<std::uint8_t>(out.fault);
+  told.fault_stands = static_cast<std::uint8_t>(out.fault_stands);
   told.in_body = in.contact.in_body;
   told.surface_stale = !in.contact.valid;
   told.limited = out.limited;

@@ -9,11 +9,13 @@ namespace telepalp::station {
 /// All that is told of one tick of the 2 kHz loop. Positions [m] and forces [N] in the haptic base's frame H,
 /// those named `camera` in the depth camera's frame K. Crosses from the haptic thread to the network thread by copy.
 struct TickSample {
-  std::uint64_t tick = 0;     ///< number since start
-  std::int64_t stamp_ns = 0;  ///< session time of the tick's deadline
-  std::uint32_t late_ns = 0;  ///< woken this long after the deadline
-  float work_us = 0.0F;       ///< time spent in the tick
-  std::uint8_t phase = 0;     ///< msg.Phase
+  std::uint64_t tick = 0;         ///< number since start
+  std::int64_t stamp_ns = 0;      ///< session time of the tick's deadline
+  std::uint32_t late_ns = 0;      ///< woken this long after the deadline
+  float work_us = 0.0F;           ///< time spent in the tick
+  std::uint8_t phase = 0;         ///< msg.Phase
+  std::uint8_t fault = 0;         ///< control::FaultCause of the phase Faulted
+  std::uint8_t fault_stands = 0;  ///< control::FaultCause that nothing can be re-armed before the end of
   bool in_body = false;
   bool surface_stale = false;
   bool limited = false;  ///< the limiter changed the force

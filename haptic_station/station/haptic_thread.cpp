@@ -12,6 +12,8 @@ using Clock = TickTimer::Clock;
 
 constexpr double kTick_s = std::chrono::duration<double>(kTickPeriod).count();
 constexpr std::uint64_t kTicksPerBill = 2000;
+constexpr int kTicksOfGreeting = 2000;
+constexpr double kGreeted_s = 0.02;  // heard so lately, it will be heard at the first tick too
 // A thread that was away for longer does not make the simulated world catch up in one burst.
 constexpr std::uint64_t kMostStepsToCatchUp = 20;
 
@@ -37,8 +39,18 @@ void HapticThread::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
+/// A device that answers commands alone has been silent while the station waited for a surface. That is no fault.
+void HapticThread::greet_device(TickTimer& timer) noexcept {
+  for (int ticks = 0; ticks < kTicksOfGreeting && running_.load(std::memory_order_relaxed); ++ticks) {
+    if (rig_.read().age_s <= kGreeted_s) return;
+    rig_.apply({}, {}, kTick_s);
+    (void)timer.wait();
+  }
+}
+
 void HapticThread::run() noexcept {
   TickTimer timer(Clock::now() + kTickPeriod, kTickPeriod);
+  greet_device(timer);
   while (running_.load(std::memory_order_relaxed)) {
     const TickTimer::Tick due = timer.wait();
     if (due.missed > 0) counts_.deadlines_missed.fetch_add(due.missed, std::memory_order_relaxed);
@@ -54,6 +66,7 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
 
   if (surfaces_.take()) loop_.adopt(surfaces_.current(), now);
   if (const std::optional<HandSample> sample = rig_.hand(now)) loop_.hand_sampled(sample->at, sample->hand);
+  if (rearm_.load(std::memory_order_relaxed) && rearm_.exchange(false, std::memory_order_relaxed)) loop_.rearm();
   const DeviceReading reading = rig_.read();
   device_.put(reading.at);
   HapticLoop::Act act = loop_.tick(reading, now, dt_s);

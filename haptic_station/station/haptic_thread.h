@@ -39,6 +39,8 @@ class HapticThread {
   [[nodiscard]] Result<bool> start(Realtime realtime);
   void stop();
   [[nodiscard]] const HapticCounts& counts() const noexcept { return counts_; }
+  /// An operator asks to re-arm; counts for the next tick.
+  void rearm() noexcept { rearm_.store(true, std::memory_order_relaxed); }
   /// What the effects cost, about once a second. The network thread takes it.
   [[nodiscard]] LatestValue<Bill>& bill() noexcept { return bill_; }
   /// Where the device is, at every tick. The collision thread takes it, where there is one.
@@ -51,6 +53,7 @@ class HapticThread {
 
  private:
   void run() noexcept;
+  void greet_device(TickTimer& timer) noexcept;
   void tick(const TickTimer::Tick& due) noexcept;
 
   HapticLoop& loop_;                         // owner: haptic thread
@@ -62,6 +65,7 @@ class HapticThread {
   LatestValue<Bill> bill_;                 // read by: network thread
   std::atomic<std::int64_t> clock_offset_ns_{0};
   std::atomic<bool> running_{false};
+  std::atomic<bool> rearm_{false};
   std::uint64_t tick_ = 0;
   std::thread thread_;
 };

@@ -5,6 +5,7 @@
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/calibrate_command.h"
 #include "haptic_station/station/calibrated_scene.h"
+#include "haptic_station/station/rearm_command.h"
 #include "haptic_station/station/rig_choice.h"
 #include "haptic_station/station/station.h"
 #include "haptic_station/surface/surface_settings.h"
@@ -23,7 +24,7 @@ program::Usage usage() {
       .purpose =
           "turns a served depth stream into a surface that can be touched, at 2 kHz; or, as telepalp-station "
           "trials, runs the palpation study's trials in virtual time; or, as telepalp-station calibrate, measures "
-          "where its devices stand",
+          "where its devices stand; or, as telepalp-station rearm, lets a faulted station touch again",
       .positional = "",
       .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:7400"},
                   {"scene", "FILE", "what can be felt: a *.scene.textproto; left out: palpation"},
@@ -32,6 +33,10 @@ program::Usage usage() {
                   {"tracker", station::kTrackerWords, "the hand tracker; held: the hand is where the device is",
                    "simulated"},
                   {"check", "", "read the scene, say what can be felt in it, and leave"},
+                  {"control", "PATH",
+                   "the socket by which telepalp-station rearm speaks to this station, or none; left out: in "
+                   "the user's runtime folder"},
+                  {"state-dir", "DIR", "where the last 10 s go at a fault; left out: the user's folder for state"},
                   {"seconds", "S", "how long to tick; 0: until Ctrl-C", "0"},
                   {"realtime", "require|prefer", "whether to run without real-time priority", "prefer"}},
       .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10"};
@@ -44,6 +49,12 @@ Result<station::Realtime> realtime_of(const std::string& word) {
       .what = "'" + word + "' is neither require nor prefer", .where = "--realtime", .fix = "give one of them"};
 }
 
+std::filesystem::path control_of(const program::Arguments& arguments) {
+  if (!arguments.has("control")) return station::own_control_path();
+  const std::string path = arguments.text("control");
+  return path == "none" ? "" : path;
+}
+
 Result<station::StationOptions> options_of(const program::Arguments& arguments) {
   const Result<program::Address> server = program::parse_address(arguments.text("connect"), "--connect");
   if (!server) return server.error();
@@ -51,8 +62,14 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
   if (!seconds) return seconds.error();
   const Result<station::Realtime> realtime = realtime_of(arguments.text("realtime"));
   if (!realtime) return realtime.error();
-  return station::StationOptions{
-      .host = server->host, .port = server->port, .seconds = *seconds, .realtime = *realtime};
+  return station::StationOptions{.host = server->host,
+                                 .port = server->port,
+                                 .seconds = *seconds,
+                                 .realtime = *realtime,
+                                 .control = control_of(arguments),
+                                 .state_folder = arguments.has("state-dir")
+                                                     ? std::filesystem::path(arguments.text("state-dir"))
+                                                     : station::default_state_folder()};
 }
 
 Result<surface::SurfaceSettings> surface_of(const scenes::Scene& scene) {
@@ -114,6 +131,7 @@ int run(const station::StationOptions& options, const Result<scenes::Scene>& sce
 int main(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "trials") return trials::trials_command(argc - 1, argv + 1);
   if (argc > 1 && std::string_view(argv[1]) == "calibrate") return station::calibrate_command(argc - 1, argv + 1);
+  if (argc > 1 && std::string_view(argv[1]) == "rearm") return station::rearm_command(argc - 1, argv + 1);
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;

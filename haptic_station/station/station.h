@@ -3,6 +3,8 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <set>
@@ -11,6 +13,7 @@
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/collision_thread.h"
+#include "haptic_station/station/control_socket.h"
 #include "haptic_station/station/haptic_thread.h"
 #include "haptic_station/station/surface_worker.h"
 #include "haptic_station/station/telemetry_publisher.h"
@@ -24,6 +27,8 @@ struct StationOptions {
   std::uint16_t port = 0;
   double seconds = 0.0;  ///< of ticking, then end; 0: until asked to end
   Realtime realtime = Realtime::Prefer;
+  std::filesystem::path control;       ///< of the socket that operators speak to; empty: there is none
+  std::filesystem::path state_folder;  ///< where the black box goes at a fault
 };
 
 /// The station: a link to the server, the surface thread and the haptic thread, joined by hand-offs. Runs on the
@@ -47,6 +52,10 @@ class Station {
   void start_haptic_thread();
   void every_10_ms();
   void every_second();
+  void look_for_faults(bool ending);
+  void on_command(const std::string& command, const ControlSocket::Reply& reply);
+  void rearm(const ControlSocket::Reply& reply);
+  [[nodiscard]] std::string how_to_rearm() const;
   void tell_totals();
   void stop(const std::string& reason);
   void publish(wire::Message message);
@@ -59,6 +68,8 @@ class Station {
   boost::asio::steady_timer fast_timer_;
   boost::asio::steady_timer slow_timer_;
   boost::asio::signal_set signals_;
+  boost::asio::steady_timer rearm_timer_;
+  ControlSocket control_socket_;
   wire::ClientLink link_;
   std::optional<Intrinsics> camera_;
   std::optional<Error> failure_;
@@ -77,6 +88,7 @@ class Station {
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point ticking_since_;
   std::vector<msg::EffectCost> costs_;
+  std::future<Result<std::filesystem::path>> black_box_;  // being written
   bool realtime_granted_ = false;
   bool stopped_ = false;  // a timer that has fired cannot be cancelled: its handler looks here
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic_station/control/phase.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::station {
@@ -58,6 +59,18 @@ msg::StationState state_message(const TickSample& sample) {
   state.set_limited(sample.limited);
   state.set_passivity_j(sample.passivity_J);
   return state;
+}
+
+msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from) {
+  const char* before = from == 0 ? "start" : control::name(static_cast<control::Phase>(from));
+  msg::StationEvent event;
+  event.set_stamp_ns(static_cast<std::uint64_t>(sample.stamp_ns));
+  event.set_surface_captured_ns(static_cast<std::uint64_t>(sample.surface_captured_ns));
+  event.set_kind(msg::EVENT_KIND_PHASE);
+  event.set_from(static_cast<msg::Phase>(from));
+  event.set_to(phase_of(sample));
+  event.set_text(std::string(before) + " to " + control::name(static_cast<control::Phase>(sample.phase)));
+  return event;
 }
 
 msg::StationTicks ticks_message(const std::vector<TickSample>& samples, std::uint32_t period_ns) {

@@ -13,6 +13,9 @@ namespace telepalp::station {
 /// One tick as the message of /station/state.
 [[nodiscard]] msg::StationState state_message(const TickSample& sample);
 
+/// A change of phase at this tick, as the message of /station/events; `from` 0: the first phase of all.
+[[nodiscard]] msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from);
+
 /// Consecutive ticks as one message of /station/ticks. `samples` is not empty.
 [[nodiscard]] msg::StationTicks ticks_message(const std::vector<TickSample>& samples, std::uint32_t period_ns);
 

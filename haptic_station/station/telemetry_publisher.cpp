@@ -1,7 +1,5 @@
 #include "haptic_station/station/telemetry_publisher.h"
 
-#include "haptic_station/control/phase.h"
-
 namespace telepalp::station {
 namespace {
 
@@ -24,7 +22,10 @@ void TelemetryPublisher::drain(SessionTime now) {
     TickSample sample;
     while (batch_.size() < kMostInBatch && (more = ticks_.try_pop(sample))) {
       const RunTotals::Change change = totals_.add(sample);
-      if (change.phase_changed) tell_phase_change(sample, change.from);
+      faults_.add(sample);
+      if (change.phase_changed)
+        publish_(
+            wire::make_message(wire::kStationEvents, session_time(sample.stamp_ns), phase_event(sample, change.from)));
       batch_.push_back(sample);
     }
     if (batch_.empty()) return;
@@ -33,18 +34,6 @@ void TelemetryPublisher::drain(SessionTime now) {
     publish_(wire::make_message(wire::kStationTicks, now, ticks_message(batch_, kPeriod_ns)));
     publish_(wire::make_message(wire::kStationState, now, state_message(last_)));
   }
-}
-
-void TelemetryPublisher::tell_phase_change(const TickSample& sample, std::uint8_t from) {
-  const char* before = from == 0 ? "start" : control::name(static_cast<control::Phase>(from));
-  msg::StationEvent event;
-  event.set_stamp_ns(static_cast<std::uint64_t>(sample.stamp_ns));
-  event.set_surface_captured_ns(static_cast<std::uint64_t>(sample.surface_captured_ns));
-  event.set_kind(msg::EVENT_KIND_PHASE);
-  event.set_from(static_cast<msg::Phase>(from));
-  event.set_to(static_cast<msg::Phase>(sample.phase));
-  event.set_text(std::string(before) + " to " + control::name(static_cast<control::Phase>(sample.phase)));
-  publish_(wire::make_message(wire::kStationEvents, session_time(sample.stamp_ns), event));
 }
 
 void TelemetryPublisher::tell_event(SessionTime now, msg::EventKind kind, const std::string& text) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "haptic_station/station/black_box.h"
 #include "haptic_station/station/haptic_thread.h"
 #include "haptic_station/station/telemetry.h"
 #include "proto/wire/message.h"
@@ -28,15 +29,15 @@ class TelemetryPublisher {
   void tell_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
   void frame_received() noexcept { totals_.frame_received(); }
+  [[nodiscard]] FaultWatch& faults() noexcept { return faults_; }
   [[nodiscard]] const TickSample& last() const noexcept { return last_; }
   [[nodiscard]] bool has_ticked() const noexcept { return has_ticked_; }
 
  private:
-  void tell_phase_change(const TickSample& sample, std::uint8_t from);
-
   TickRing& ticks_;
   Publish publish_;
   RunTotals totals_;
+  FaultWatch faults_;
   std::vector<TickSample> batch_;
   TickSample last_;
   bool has_ticked_ = false;

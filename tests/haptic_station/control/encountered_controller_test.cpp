@@ -182,6 +182,23 @@ TEST(EncounteredController, AStaleInputLetsGoWithinFiftyMilliseconds) {
   }
 }
 
+TEST(EncounteredController, ASilentDeviceCannotBeRearmedBeforeItAnswers) {
+  Fed fed;
+  (void)fed.into_body();
+  fed.in.device_age_s = 0.2;
+  ControlOutput out = fed.controller.step(fed.in, 0.0005);
+  EXPECT_EQ(out.phase, Phase::Faulted);
+  EXPECT_EQ(out.fault, control::FaultCause::DeviceSilent);
+  fed.in.rearm = true;
+  out = fed.controller.step(fed.in, 0.0005);
+  EXPECT_EQ(out.phase, Phase::Faulted);
+  EXPECT_EQ(out.fault_stands, control::FaultCause::DeviceSilent);
+  fed.in.device_age_s = 0.0;
+  out = fed.controller.step(fed.in, 0.0005);
+  EXPECT_EQ(out.phase, Phase::Released);
+  EXPECT_EQ(out.fault, control::FaultCause::None);
+}
+
 TEST(EncounteredController, ANumberThatIsNotOneFaultsUntilAnOperatorRearms) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const int which : {0, 1, 2, 3, 4}) {

@@ -1,14 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <boost/asio/buffer.hpp>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 #include "haptic_station/device/protocol/udp_socket_device.h"
 #include "haptic_station/device/random.h"
 #include "tests/haptic_station/device/protocol/fake_service.h"
+#include "tests/haptic_station/device/protocol/fake_udp_device.h"
 
 namespace telepalp::device {
 namespace {
@@ -106,67 +104,8 @@ TEST(PoseOrder, TakesTheNewestAcrossTheWrapAndNothingTwice) {
   EXPECT_EQ(order.judge(pose(1, 50, 90)), Verdict::OldSession) << "a late datagram from before";
 }
 
-/// A device's program on a real socket: answers each command by a pose, with faults on request.
-class FakeDevice {
- public:
-  enum class Fault { None, Silent, NaN, Hung, MotorsOff, Garbage };
-
-  explicit FakeDevice(std::uint16_t port = 0)
-      : socket_(io_, {boost::asio::ip::address_v4::loopback(), port}), port_(socket_.local_endpoint().port()) {
-    socket_.non_blocking(true);
-    thread_ = std::thread([this] {
-      while (running_) turn();
-    });
-  }
-  ~FakeDevice() {
-    running_ = false;
-    thread_.join();
-  }
-  [[nodiscard]] std::uint16_t port() const { return port_; }
-  std::atomic<Fault> fault{Fault::None};
-  std::atomic<double> force_y{0.0};
-  std::atomic<double> distance{0.0};
-  std::atomic<std::uint32_t> session{77};
-
- private:
-  void turn() {
-    std::array<std::byte, 256> datagram;
-    boost::asio::ip::udp::endpoint from;
-    boost::system::error_code error;
-    const std::size_t size = socket_.receive_from(boost::asio::buffer(datagram), from, 0, error);
-    if (error) return std::this_thread::sleep_for(100us);
-    const auto heard = udp::decode_command(std::span(datagram).first(size));
-    if (!heard) return;
-    force_y = heard->force.N.y();
-    distance = heard->distance_m;
-    answer(from, *heard);
-  }
-  void answer(const boost::asio::ip::udp::endpoint& to, const udp::Command& heard) {
-    const Fault wrong = fault;
-    if (wrong == Fault::Silent) return;
-    ++sequence_;
-    if (wrong != Fault::Hung) clock_us_ += 500;
-    udp::Pose told = pose(session, sequence_, clock_us_);
-    told.heard = heard.sequence;
-    told.faulted = wrong == Fault::MotorsOff;
-    if (wrong == Fault::NaN) told.end_effector.m.x() = std::nan("");
-    auto bytes = udp::encode(told);
-    if (wrong == Fault::Garbage) bytes.fill(std::byte{0x55});
-    boost::system::error_code ignored;
-    (void)socket_.send_to(boost::asio::buffer(bytes), to, 0, ignored);
-  }
-
-  boost::asio::io_context io_;
-  boost::asio::ip::udp::socket socket_;
-  std::uint16_t port_;
-  std::uint32_t sequence_ = 0;
-  std::uint64_t clock_us_ = 0;
-  std::atomic<bool> running_{true};
-  std::thread thread_;
-};
-
 TEST(UdpDevice, TellsItsPoseAndGetsProxyDistanceFlagAndForce) {
-  FakeDevice fake;
+  FakeUdpDevice fake;
   auto device = UdpDevice::open({"127.0.0.1", fake.port()});
   ASSERT_TRUE(device) << to_string(device.error());
   ASSERT_TRUE((*device)->start(5s));
@@ -181,8 +120,8 @@ TEST(UdpDevice, TellsItsPoseAndGetsProxyDistanceFlagAndForce) {
 }
 
 TEST(UdpDevice, AgesUnderEveryFaultAndComesBack) {
-  using Fault = FakeDevice::Fault;
-  FakeDevice fake;
+  using Fault = FakeUdpDevice::Fault;
+  FakeUdpDevice fake;
   auto device = UdpDevice::open({"localhost", fake.port()});
   ASSERT_TRUE(device && (*device)->start(5s));
   for (const Fault fault : {Fault::Silent, Fault::NaN, Fault::Hung, Fault::MotorsOff, Fault::Garbage}) {
@@ -213,7 +152,7 @@ TEST(UdpDevice, IsOfThisMachineAloneAndSaysWhenNobodyAnswers) {
   }
   std::uint16_t nobody = 0;
   {
-    FakeDevice gone;
+    FakeUdpDevice gone;
     nobody = gone.port();
   }
   auto device = UdpDevice::open({"127.0.0.1", nobody});

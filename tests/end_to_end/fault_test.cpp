@@ -1,0 +1,95 @@
+// A fault as an operator lives through it: the haptic device falls silent under the real station, the station lets go,
+// keeps what led to it, refuses to be re-armed too soon, and touches again when it may.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "proto/wire/mcap/reader.h"
+#include "tests/haptic_station/device/protocol/fake_udp_device.h"
+#include "tests/support/child_process.h"
+
+namespace telepalp {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+using support::ChildProcess;
+using Fault = device::FakeUdpDevice::Fault;
+
+const fs::path kPrograms = TELEPALP_BINARY_DIR "/bin";
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+bool hears(const fs::path& log, const std::string& phrase) {
+  for (int tenth = 0; tenth < 200; ++tenth) {
+    if (text_of(log).find(phrase) != std::string::npos) return true;
+    std::this_thread::sleep_for(100ms);
+  }
+  return false;
+}
+
+class StationFault : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    server_.emplace(kPrograms / "telepalp-server",
+                    std::vector<std::string>{"--port", "0", "--ready-file", path("ready").string()},
+                    path("server.log"));
+    const auto port = support::await_ready(path("ready"), "port");
+    ASSERT_TRUE(port);
+    station_.emplace(
+        kPrograms / "telepalp-station",
+        std::vector<std::string>{"--connect", "127.0.0.1:" + *port, "--device",
+                                 "udp:127.0.0.1:" + std::to_string(device_.port()), "--tracker", "held", "--control",
+                                 path("run/control").string(), "--state-dir", path("state").string()},
+        path("station.log"));
+    ASSERT_TRUE(hears(path("station.log"), "ticking at 2 kHz")) << text_of(path("station.log"));
+  }
+  [[nodiscard]] fs::path path(const std::string& name) const { return folder_.path() / name; }
+  int rearm() {
+    ChildProcess command(kPrograms / "telepalp-station", {"rearm", "--control", path("run/control").string()},
+                         path("rearm.log"));
+    return command.wait(10s).value_or(-1);
+  }
+
+  support::TemporaryFolder folder_;
+  device::FakeUdpDevice device_;
+  std::optional<ChildProcess> server_;
+  std::optional<ChildProcess> station_;
+};
+
+TEST_F(StationFault, LetsGoKeepsWhatLedToItAndIsRearmedOnlyWhenTheCauseIsGone) {
+  EXPECT_EQ(rearm(), 1);
+  EXPECT_NE(text_of(path("rearm.log")).find("there is no fault"), std::string::npos);
+
+  std::this_thread::sleep_for(1s);  // of ticks for the black box
+  device_.fault = Fault::Silent;
+  ASSERT_TRUE(hears(path("station.log"), "fault: the haptic device is silent")) << text_of(path("station.log"));
+  EXPECT_EQ(rearm(), 1);
+  EXPECT_NE(text_of(path("rearm.log")).find("not re-armed: the haptic device is silent"), std::string::npos)
+      << text_of(path("rearm.log"));
+
+  ASSERT_TRUE(hears(path("station.log"), "black box: ")) << text_of(path("station.log"));
+  const fs::path kept = fs::directory_iterator(path("state"))->path();
+  auto file = wire::McapReader::open(kept);
+  ASSERT_TRUE(file) << to_string(file.error());
+  EXPECT_GT(fs::file_size(kept), 10'000u);
+
+  device_.fault = Fault::None;
+  std::this_thread::sleep_for(200ms);
+  EXPECT_EQ(rearm(), 0) << text_of(path("rearm.log")) << text_of(path("station.log"));
+  EXPECT_TRUE(hears(path("station.log"), "re-armed by the operator"));
+
+  ChildProcess report(kPrograms / "telepalp-report", {kept.string(), "--out", path("report").string()},
+                      path("report.log"));
+  EXPECT_EQ(report.wait(60s), 0) << text_of(path("report.log"));
+  EXPECT_NE(text_of(path("report/report.html")).find("faulted"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace telepalp
