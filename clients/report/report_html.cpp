@@ -4,6 +4,7 @@
 
 #include "clients/plot/number.h"
 #include "clients/plot/svg.h"
+#include "clients/report/compensation_figures.h"
 #include "clients/report/html.h"
 #include "clients/report/motion_figures.h"
 #include "clients/report/phases.h"
@@ -112,6 +113,11 @@ std::string timing_sections(const Session& session, const Summary& summary) {
   way += plot::to_svg(frame_rate(session));
   out += section("From the camera to the hand",
                  "Latency by stage, the age of what was touched, and how steadily frames came.", way);
+  if (const std::vector<plot::Chart> done = compensation(session); !done.empty())
+    out += section("What is done about delay",
+                   "Hand and surface are carried forward to now by their own motion; a newer surface is let in slowly. "
+                   "Where the uncertainty outgrows what is carried, the hand feels a guess.",
+                   stacked(done));
   if (summary.bill.empty()) return out;
   std::vector<std::vector<std::string>> rows;
   for (const msg::EffectCost& cost : summary.bill)

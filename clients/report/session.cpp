@@ -75,6 +75,7 @@ bool add_readable(Session& session, const wire::Message& message) {
     return read<msg::StationTicks>(message, [&](const auto& batch) { return add_ticks(session.ticks, batch); });
   if (topic == wire::kStationState.name) return keep_all(message, session.states);
   if (topic == wire::kStationSurface.name) return keep_all(message, session.surfaces);
+  if (topic == wire::kStationCompensation.name) return keep_all(message, session.compensations);
   if (topic == wire::kStationEvents.name) return keep_all(message, session.events);
   if (topic == wire::kStationStats.name) return keep_last(message, session.station_stats);
   if (topic == wire::kServerStats.name) return keep_last(message, session.server_stats);

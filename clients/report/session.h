@@ -40,6 +40,7 @@ struct Session {
   Ticks ticks;
   std::vector<msg::StationState> states;
   std::vector<msg::SurfaceReport> surfaces;
+  std::vector<msg::StationCompensation> compensations;
   std::vector<msg::StationEvent> events;
   std::optional<msg::StationStats> station_stats;                   ///< the last
   std::optional<msg::ServerStats> server_stats;                     ///< the last

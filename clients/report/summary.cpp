@@ -26,10 +26,10 @@ double ms_between(std::uint64_t from_ns, std::uint64_t to_ns) {
   return static_cast<double>(static_cast<std::int64_t>(to_ns - from_ns)) * 1e-6;
 }
 
-template <class Take>
-Quantiles over(const std::vector<msg::SurfaceReport>& surfaces, Take take) {
+template <class Proto, class Take>
+Quantiles over(const std::vector<Proto>& messages, Take take) {
   std::vector<double> values;
-  for (const msg::SurfaceReport& surface : surfaces) values.push_back(take(surface));
+  for (const Proto& message : messages) values.push_back(take(message));
   return quantiles(std::move(values));
 }
 
@@ -50,6 +50,13 @@ void add_latencies(Summary& summary, const Session& session) {
   for (const msg::StationState& state : session.states)
     ages.push_back(ms_between(state.surface_captured_ns(), state.stamp_ns()));
   summary.surface_age_ms = quantiles(std::move(ages));
+}
+
+void add_compensation(Summary& summary, const Session& session) {
+  using Told = msg::StationCompensation;
+  const auto& all = session.compensations;
+  summary.surface_carried_mm = over(all, [](const Told& t) { return std::abs(t.surface_carried_m()) * 1e3; });
+  summary.hand_carried_mm = over(all, [](const Told& t) { return t.hand_carried_m() * 1e3; });
 }
 
 std::size_t index_of(msg::Phase phase) { return static_cast<std::size_t>(&words_for(phase) - kPhases.data()); }
@@ -166,6 +173,7 @@ Summary summarise(const Session& session) {
     state_times.push_back(static_cast<std::int64_t>(state.stamp_ns()));
   summary.states_per_s = mean_rate(state_times);
   add_latencies(summary, session);
+  add_compensation(summary, session);
   add_stats(summary, session);
   add_frames(summary, session);
   return summary;

@@ -17,7 +17,10 @@ void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcep
 
 void HapticLoop::hand_sampled(SessionTime at, const Point<HapticBase>& hand) noexcept {
   const tracking::Taken taken = hand_.update(at, hand);
-  if (taken == tracking::Taken::Used || taken == tracking::Taken::Restarted) hand_sampled_ = at;
+  if (taken == tracking::Taken::Used || taken == tracking::Taken::Restarted) {
+    hand_sampled_ = at;
+    newest_hand_ = hand;
+  }
 }
 
 control::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) const noexcept {
@@ -44,10 +47,19 @@ HapticLoop::Act HapticLoop::tick(const DeviceReading& device, SessionTime now, d
                                  .contact = contact_of(touch),
                                  .rearm = rearm_};
   rearm_ = false;
+  last_touch_ = touch;
+  last_hand_ = hand;
   // Decide.
   const control::ControlOutput out = controller_.step(in, dt_s);
+  last_out_ = out;
   // Act: the caller applies the force.
   return {.force = out.force, .contact = in.contact, .control = out, .told = tell(device, in, out)};
+}
+
+Compensation HapticLoop::compensation() const noexcept {
+  Compensation told = compensation_of(last_hand_, newest_hand_, last_touch_, touch_.displaced(), last_out_);
+  told.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
+  return told;
 }
 
 TickSample HapticLoop::tell(const DeviceReading& device, const control::ControlInput& in,

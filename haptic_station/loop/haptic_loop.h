@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "haptic_station/control/encountered_controller.h"
+#include "haptic_station/loop/compensation.h"
 #include "haptic_station/loop/rig.h"
 #include "haptic_station/loop/tick_sample.h"
 #include "haptic_station/surface/touch.h"
@@ -50,6 +51,9 @@ class HapticLoop {
   };
   [[nodiscard]] Act tick(const DeviceReading& device, SessionTime now, double dt_s) noexcept;
 
+  /// What the last tick did about delay, but for its time.
+  [[nodiscard]] Compensation compensation() const noexcept;
+
   [[nodiscard]] const control::EncounteredController& controller() const noexcept { return controller_; }
   [[nodiscard]] control::EncounteredController& controller() noexcept { return controller_; }
 
@@ -63,6 +67,10 @@ class HapticLoop {
   control::EncounteredController controller_;
   Transform<HapticBase, DepthCamera> haptic_from_camera_;
   Transform<DepthCamera, HapticBase> camera_from_haptic_;
+  surface::TouchSample last_touch_;
+  tracking::HandPrediction last_hand_;
+  control::ControlOutput last_out_;
+  Point<HapticBase> newest_hand_;  // as sampled
   SessionTime surface_captured_{};
   SessionTime hand_sampled_{};
   bool has_surface_ = false;

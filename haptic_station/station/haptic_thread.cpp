@@ -12,6 +12,7 @@ using Clock = TickTimer::Clock;
 
 constexpr double kTick_s = std::chrono::duration<double>(kTickPeriod).count();
 constexpr std::uint64_t kTicksPerBill = 2000;
+constexpr std::uint64_t kTicksPerCompensation = 20;  // 100 Hz
 constexpr int kTicksOfGreeting = 2000;
 constexpr double kGreeted_s = 0.02;  // heard so lately, it will be heard at the first tick too
 // A thread that was away for longer does not make the simulated world catch up in one burst.
@@ -77,6 +78,11 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
   act.told.stamp_ns = to_nanoseconds(now);
   act.told.late_ns = static_cast<std::uint32_t>(due.late.count());
   act.told.work_us = std::chrono::duration<float, std::micro>(decided - began).count();
+  if (tick_ % kTicksPerCompensation == 0) {
+    Compensation compensation = loop_.compensation();
+    compensation.stamp_ns = act.told.stamp_ns;
+    compensation_.put(compensation);
+  }
   if (tick_ % kTicksPerBill == 0) bill_.put(bill_of(loop_.controller().effects()));
   if (!ticks_.try_push(act.told)) counts_.ticks_untold.fetch_add(1, std::memory_order_relaxed);
 }

@@ -43,6 +43,8 @@ class HapticThread {
   void rearm() noexcept { rearm_.store(true, std::memory_order_relaxed); }
   /// What the effects cost, about once a second. The network thread takes it.
   [[nodiscard]] LatestValue<Bill>& bill() noexcept { return bill_; }
+  /// What is done about delay, 100 times a second. The network thread takes it.
+  [[nodiscard]] LatestValue<Compensation>& compensation() noexcept { return compensation_; }
   /// Where the device is, at every tick. The collision thread takes it, where there is one.
   [[nodiscard]] LatestValue<Point<HapticBase>>& device() noexcept { return device_; }
 
@@ -61,8 +63,9 @@ class HapticThread {
   LatestValue<TouchableSurface>& surfaces_;  // written by: surface thread
   TickRing& ticks_;                          // read by: network thread
   HapticCounts counts_;
-  LatestValue<Point<HapticBase>> device_;  // read by: collision thread
-  LatestValue<Bill> bill_;                 // read by: network thread
+  LatestValue<Point<HapticBase>> device_;   // read by: collision thread
+  LatestValue<Compensation> compensation_;  // read by: network thread
+  LatestValue<Bill> bill_;                  // read by: network thread
   std::atomic<std::int64_t> clock_offset_ns_{0};
   std::atomic<bool> running_{false};
   std::atomic<bool> rearm_{false};

@@ -38,8 +38,8 @@ wire::ClientLink::Options link_options(const StationOptions& options) {
           .name = kName,
           .role = "doctor",
           .subscribes = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraInfo.name)},
-          .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface, wire::kStationEvents,
-                        wire::kStationStats}};
+          .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface, wire::kStationCompensation,
+                        wire::kStationEvents, wire::kStationStats}};
 }
 
 std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration) {
@@ -215,6 +215,9 @@ void Station::start_haptic_thread() {
 void Station::every_10_ms() {
   telemetry_.drain(now());
   look_for_faults(false);
+  if (haptic_ && haptic_->compensation().take())
+    publish(
+        wire::make_message(wire::kStationCompensation, now(), compensation_message(haptic_->compensation().current())));
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   const bool time_is_up = haptic_ && options_.seconds > 0.0 &&
                           std::chrono::steady_clock::now() - ticking_since_ >= from_seconds(options_.seconds);

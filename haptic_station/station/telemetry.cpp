@@ -61,6 +61,23 @@ msg::StationState state_message(const TickSample& sample) {
   return state;
 }
 
+msg::StationCompensation compensation_message(const Compensation& compensation) {
+  msg::StationCompensation out;
+  out.set_stamp_ns(static_cast<std::uint64_t>(compensation.stamp_ns));
+  out.set_surface_captured_ns(static_cast<std::uint64_t>(compensation.surface_captured_ns));
+  out.set_hand_age_s(compensation.hand_age_s);
+  out.set_hand_carried_m(compensation.hand_carried_m);
+  out.set_hand_sigma_m(compensation.hand_sigma_m);
+  out.set_surface_age_s(compensation.surface_age_s);
+  out.set_surface_carried_m(compensation.surface_carried_m);
+  out.set_surface_sigma_m(compensation.surface_sigma_m);
+  out.set_slewed_m(compensation.slewed_m);
+  out.set_support(compensation.support);
+  out.set_shown_offset_m(compensation.shown_offset_m);
+  out.set_damping_n(compensation.damping_N);
+  return out;
+}
+
 msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from) {
   const char* before = from == 0 ? "start" : control::name(static_cast<control::Phase>(from));
   msg::StationEvent event;

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "haptic_station/loop/compensation.h"
 #include "haptic_station/loop/tick_sample.h"
 #include "haptic_station/station/histogram.h"
 #include "messages/station.pb.h"
@@ -12,6 +13,9 @@ namespace telepalp::station {
 
 /// One tick as the message of /station/state.
 [[nodiscard]] msg::StationState state_message(const TickSample& sample);
+
+/// What is done about delay, as the message of /station/compensation.
+[[nodiscard]] msg::StationCompensation compensation_message(const Compensation& compensation);
 
 /// A change of phase at this tick, as the message of /station/events; `from` 0: the first phase of all.
 [[nodiscard]] msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from);

@@ -203,6 +203,14 @@ double Touch::freshness() const noexcept {
   return 1.0 - smooth_step((age_s() - settings_.stale_after_s) / settings_.let_go_over_s);
 }
 
+Displaced Touch::displaced() const noexcept {
+  if (snapshot_ == nullptr || !has_foot_) return {};
+  const FieldSample captured = snapshot_->evaluate(foot_, normal_, MotionBasis{});
+  const FieldSample now = snapshot_->evaluate(foot_, normal_, basis_);
+  if (!captured.valid || !now.valid) return {};
+  return {.carried_m = captured.f_m - now.f_m, .slewed_m = now.f_m - slew_.shown(now, foot_).f_m};
+}
+
 TouchSample Touch::answer(const Vector3d& device) const noexcept {
   TouchSample out;
   out.age_s = age_s();

@@ -37,6 +37,13 @@ struct TouchSample {
   double age_s = 0.0;                                ///< since the snapshot's capture
 };
 
+/// By how much the displayed surface at the foot differs from the newest snapshot as it was captured, outwards
+/// positive.
+struct Displaced {
+  double carried_m = 0.0;  ///< by prediction, over the snapshot's age
+  double slewed_m = 0.0;   ///< what is left of the last snapshot's step: the displayed surface has yet to sink by it
+};
+
 /// The touch of one device point: owns the proxy, carries the surface forward and slews new snapshots in.
 /// Owner: the haptic thread. step() and adopt() neither allocate, lock, throw nor call the system, as long as the
 /// snapshot says realtime_safe().
@@ -52,6 +59,9 @@ class Touch {
   /// Where the device is now; `dt_s` since the last step. A position that is not finite changes nothing and is answered
   /// with valid = false; time that goes back is taken as standing still.
   [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s) noexcept;
+
+  /// Looks twice at the surface; zero without a foot.
+  [[nodiscard]] Displaced displaced() const noexcept;
 
   [[nodiscard]] std::uint64_t out_of_order() const noexcept { return out_of_order_; }
 

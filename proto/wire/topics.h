@@ -21,12 +21,13 @@ inline constexpr Topic kServerStats{"/server/stats", "telepalp.msg.ServerStats"}
 inline constexpr Topic kStationState{"/station/state", "telepalp.msg.StationState"};
 inline constexpr Topic kStationTicks{"/station/ticks", "telepalp.msg.StationTicks"};
 inline constexpr Topic kStationSurface{"/station/surface", "telepalp.msg.SurfaceReport"};
+inline constexpr Topic kStationCompensation{"/station/compensation", "telepalp.msg.StationCompensation"};
 inline constexpr Topic kStationEvents{"/station/events", "telepalp.msg.StationEvent"};
 inline constexpr Topic kStationStats{"/station/stats", "telepalp.msg.StationStats"};
 
 inline constexpr std::array kTopics{kCameraColor,    kCameraDepth,   kCameraInfo,   kCameraStatus,
                                     kClock,          kServerStats,   kStationState, kStationTicks,
-                                    kStationSurface, kStationEvents, kStationStats};
+                                    kStationSurface, kStationEvents, kStationStats, kStationCompensation};
 
 /// The topic of that name, if it is one of ours.
 [[nodiscard]] std::optional<Topic> find_topic(std::string_view name) noexcept;

@@ -21,6 +21,7 @@ bool parses(const std::string& payload) {
 constexpr std::array kAllowed{Allowed{wire::kStationState.name, parses<msg::StationState>},
                               Allowed{wire::kStationTicks.name, parses<msg::StationTicks>},
                               Allowed{wire::kStationSurface.name, parses<msg::SurfaceReport>},
+                              Allowed{wire::kStationCompensation.name, parses<msg::StationCompensation>},
                               Allowed{wire::kStationEvents.name, parses<msg::StationEvent>},
                               Allowed{wire::kStationStats.name, parses<msg::StationStats>}};
 

@@ -165,6 +165,14 @@ void add_station(std::vector<wire::Message>& out, double seconds) {
     out.push_back(wire::make_message(wire::kStationTicks, time_of((first + 100) * 5e-4), ticks_from(first, 100)));
   for (int i = 0; i < static_cast<int>(seconds * 100.0); ++i)
     out.push_back(wire::make_message(wire::kStationState, time_of(i * 0.01), state_at(i * 0.01)));
+  for (int i = 0; i < static_cast<int>(seconds * 100.0); ++i) {
+    msg::StationCompensation told;
+    told.set_stamp_ns(stamp(i * 0.01));
+    told.set_surface_age_s(0.03);
+    told.set_surface_carried_m(i % 2 == 0 ? 0.0002 : -0.0002);
+    told.set_hand_carried_m(0.001);
+    out.push_back(wire::make_message(wire::kStationCompensation, time_of(i * 0.01), told));
+  }
   for (int frame = 0; frame / 30.0 < seconds - 0.1; ++frame) {
     msg::SurfaceReport surface;
     const double at = frame / 30.0;

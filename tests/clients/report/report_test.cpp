@@ -92,6 +92,13 @@ TEST(Summary, LatencyStagesAddUpToTheWhole) {
   EXPECT_LE(s.capture_to_touchable_ms.p99, 23.1);
 }
 
+TEST(Summary, TellsHowFarPredictionCarriedHandAndSurfaceWithoutTheirSign) {
+  const Summary s = summarise(session_of({.seconds = 4.0}));
+  EXPECT_NEAR(s.surface_carried_mm.p50, 0.2, 1e-9);
+  EXPECT_NEAR(s.surface_carried_mm.p99, 0.2, 1e-9);
+  EXPECT_NEAR(s.hand_carried_mm.p50, 1.0, 1e-9);
+}
+
 TEST(Summary, AStageThatWasNotStampedIsUnknownRatherThanHuge) {
   Session session;
   msg::SurfaceReport surface;

@@ -40,7 +40,18 @@ struct Outcome {
   double largest_force_N = 0.0;
   double largest_step_N = 0.0;  ///< of the force, from tick to tick, within the body
   bool finite = true;
+  Compensation most;  ///< of each figure, without its sign
 
+  void add(const Compensation& told) {
+    const auto raise = [](double& most_so_far, double value) { most_so_far = std::max(most_so_far, std::abs(value)); };
+    raise(most.hand_age_s, told.hand_age_s);
+    raise(most.hand_carried_m, told.hand_carried_m);
+    raise(most.hand_sigma_m, told.hand_sigma_m);
+    raise(most.surface_age_s, told.surface_age_s);
+    raise(most.surface_carried_m, told.surface_carried_m);
+    raise(most.surface_sigma_m, told.surface_sigma_m);
+    raise(most.shown_offset_m, told.shown_offset_m);
+  }
   void add(const HapticLoop::Act& act, const HapticLoop::Act& before) {
     if (act.control.phase == control::Phase::OutBody) ++out_body;
     finite = finite && act.force.N.allFinite() && act.control.displayed_hand.m.allFinite();
@@ -79,6 +90,7 @@ Outcome run(const server::SyntheticPatient& patient, double seconds) {
       const HapticLoop::Act act = loop.tick(rig.read(), now, kTick_s);
       rig.apply(act.force, act.contact, kTick_s);
       outcome.add(act, before);
+      outcome.add(loop.compensation());
       before = act;
     }
     reach = surface::Reach{.centre = haptic_from_camera.inverse() * before.contact.proxy, .radius_m = 0.16};
@@ -95,6 +107,19 @@ TEST(HapticLoop, TouchesABreathingPatientThroughANoisyCameraWithoutAHeap) {
   EXPECT_GT(outcome.largest_force_N, 0.3);
   // The limiter lets 0.2 N a tick through; a live surface must stay far from leaning on it.
   EXPECT_LE(outcome.largest_step_N, 0.1);
+}
+
+TEST(HapticLoop, TellsWhatItDoesAboutDelayAndByHowMuch) {
+  const Compensation most = run(breathing_patient(), 4.0).most;
+  EXPECT_NEAR(most.hand_age_s, 0.010, 0.002) << "the tracker's period";
+  EXPECT_NEAR(most.surface_age_s, 0.0335, 0.001) << "a frame's period, without a network";
+  EXPECT_GT(most.hand_carried_m, 0.001) << "a hand at 0.3 m/s, 10 ms later";
+  EXPECT_LT(most.hand_carried_m, 0.01);
+  EXPECT_GT(most.hand_sigma_m, 0.0);
+  EXPECT_GT(most.surface_carried_m, 1e-5);
+  EXPECT_LT(most.surface_carried_m, 0.002) << "a breath moves no faster than 25 mm/s";
+  EXPECT_GT(most.surface_sigma_m, 0.0);
+  EXPECT_GT(most.shown_offset_m, 0.005) << "the drawn hand stays on the skin, the tracked one is in it";
 }
 
 TEST(HapticLoop, WithoutASurfaceThereIsNoForce) {
