@@ -1,126 +1,177 @@
-#include <chrono>
-#include <cmath>
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
-#include <fstream>
-#include <memory>
+#include <string_view>
 
+#include "haptic_station/probe/palpation_path.h"
 #include "haptic_station/probe/probed_surface.h"
-#include "haptic_station/probe/trajectory.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/probe/touch_run.h"
 #include "proto/program/options.h"
 
 namespace {
 
 using namespace telepalp;
 
-program::Usage usage() {
-  return {.program = "telepalp-probe",
-          .purpose = "touches a cloud, a mesh or a depth image along a trajectory and writes what was felt",
-          .positional = "",
-          .options = {{"cloud", "FILE", "a .pcd, .ply or .obj to touch"},
-                      {"depth", "FILE", "or a 16-bit depth PNG"},
-                      {"camera", "FILE", "camera.textproto of that PNG"},
-                      {"trajectory", "FILE", "CSV with columns t_s,x,y,z: metres, in the cloud's frame"},
-                      {"out", "FILE", "CSV to write"},
-                      {"setting", "NAME", "how the surface is made: fast, smooth, paper, cloud …", "fast"},
-                      {"k", "N/M", "stiffness of the coupling", "500"},
-                      {"unit-m", "M", "metres for one unit of the cloud's coordinates", "1"}},
-          .example = "telepalp-probe --cloud torso.pcd --trajectory path.csv --out felt.csv"};
+/// What both ways to call it say of the surface.
+std::vector<program::Option> surface_options() {
+  return {{"cloud", "FILE", "a .pcd, .ply or .obj to touch"},
+          {"depth", "FILE", "or a 16-bit depth PNG"},
+          {"camera", "FILE", "camera.textproto of that PNG"},
+          {"setting", "NAME", "how the surface is made: fast, smooth, paper, cloud …", "fast"},
+          {"unit-m", "M", "metres for one unit of the cloud's coordinates", "1"},
+          {"samples", "N", "points a mesh is resampled to", "16000"},
+          {"flip-normals", "", "the other side is outside"}};
 }
 
-struct Asked {
-  probe::ProbedSurface surface;
-  std::vector<probe::Waypoint> trajectory;
-  double stiffness_N_per_m = 500.0;
-  std::string out;
-};
+program::Usage touch_usage() {
+  program::Usage usage{.program = "telepalp-probe",
+                       .purpose =
+                           "touches a cloud, a mesh or a depth image along a trajectory and writes what was "
+                           "felt; telepalp-probe path makes such a trajectory",
+                       .positional = "",
+                       .options = surface_options(),
+                       .example = "telepalp-probe --cloud torso.pcd --trajectory path.csv --out felt.csv"};
+  usage.options.insert(usage.options.end(),
+                       {{"trajectory", "FILE", "CSV with columns t_s,x,y,z: metres, in the cloud's frame"},
+                        {"k", "N/M", "stiffness of the coupling", "500"},
+                        {"out", "FILE", "CSV to write"},
+                        {"plot", "FILE", "also an SVG of distance, force and time over time"}});
+  return usage;
+}
+
+program::Usage path_usage() {
+  program::Usage usage{.program = "telepalp-probe path",
+                       .purpose =
+                           "makes a path that palpates a cloud, a mesh or a depth image: presses, circles at "
+                           "depth, leaves, and goes on to the next spot",
+                       .positional = "",
+                       .options = surface_options(),
+                       .example = "telepalp-probe path --cloud torso.pcd --out path.csv"};
+  usage.options.insert(usage.options.end(), {{"at", "X,Y,Z", "where to begin, in metres; left out: in the middle"},
+                                             {"spots", "N", "where to press", "5"},
+                                             {"depth-mm", "MM", "how deep", "10"},
+                                             {"speed-mm-s", "MM/S", "how fast", "100"},
+                                             {"rate-hz", "HZ", "waypoints a second", "2000"},
+                                             {"out", "FILE", "CSV to write"}});
+  return usage;
+}
 
 Error asked_wrongly(const std::string& what) {
   return {.what = what, .where = "telepalp-probe", .fix = "see telepalp-probe --help"};
 }
 
-Result<probe::ProbedSurface> open_surface(const program::Arguments& arguments,
-                                          const surface::SurfaceSettings& settings) {
-  const Result<double> unit_m = arguments.number("unit-m", 1e-6, 1e6);
-  if (!unit_m) return unit_m.error();
-  if (!arguments.text("cloud").empty()) return probe::open_cloud(arguments.text("cloud"), *unit_m, settings);
-  return probe::open_depth(arguments.text("depth"), arguments.text("camera"), settings);
-}
-
-/// What can be told wrong from the command line alone.
-Result<void> check(const program::Arguments& arguments) {
+/// What can be told wrong of the surface from the command line alone.
+Result<void> check_surface(const program::Arguments& arguments) {
   const bool cloud = !arguments.text("cloud").empty();
   const bool depth = !arguments.text("depth").empty();
   if (cloud == depth) return asked_wrongly("give either --cloud or --depth");
   if (depth && arguments.text("camera").empty()) return asked_wrongly("--depth needs --camera");
-  if (arguments.text("trajectory").empty()) return asked_wrongly("--trajectory is missing");
   if (arguments.text("out").empty()) return asked_wrongly("--out is missing");
   if (const auto setting = surface::surface_settings(arguments.text("setting")); !setting) return setting.error();
-  if (const auto k = arguments.number("k", 0.0, 1e5); !k) return k.error();
+  if (const auto unit = arguments.number("unit-m", 1e-6, 1e6); !unit) return unit.error();
+  if (const auto samples = arguments.whole("samples", 100, 1'000'000); !samples) return samples.error();
   return {};
 }
 
-Result<Asked> prepare(const program::Arguments& arguments) {
-  Result<std::vector<probe::Waypoint>> trajectory = probe::read_trajectory(arguments.text("trajectory"));
-  if (!trajectory) return trajectory.error();
-  Result<probe::ProbedSurface> surface = open_surface(arguments, *surface::surface_settings(arguments.text("setting")));
-  if (!surface) return surface.error();
-  return Asked{std::move(*surface), std::move(*trajectory), *arguments.number("k", 0.0, 1e5), arguments.text("out")};
+Result<probe::ProbedSurface> open_surface(const program::Arguments& arguments) {
+  const surface::SurfaceSettings settings = *surface::surface_settings(arguments.text("setting"));
+  if (arguments.text("cloud").empty())
+    return probe::open_depth(arguments.text("depth"), arguments.text("camera"), settings);
+  const probe::CloudOptions options{.unit_m = *arguments.number("unit-m", 1e-6, 1e6),
+                                    .samples = static_cast<std::size_t>(*arguments.whole("samples", 100, 1'000'000)),
+                                    .flip_normals = arguments.has("flip-normals")};
+  Result<probe::ProbedSurface> surface = probe::open_cloud(arguments.text("cloud"), options, settings);
+  if (surface && !surface->remarks.empty()) std::fprintf(stderr, "note: %s\n", surface->remarks.c_str());
+  return surface;
 }
 
-void write_row(std::FILE* out, double t_s, const surface::TouchSample& sample, const Eigen::Vector3d& force_N,
-               double step_us) {
-  const Eigen::Vector3d& p = sample.proxy.m;
-  const Eigen::Vector3d& n = sample.normal;
-  std::fprintf(out, "%.9g,%.9g,%.9g,%.9g,%.9g,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.3f\n", t_s, p.x(), p.y(), p.z(),
-               sample.valid ? sample.distance_m : std::nan(""), sample.in_body ? 1 : 0, n.x(), n.y(), n.z(),
-               force_N.x(), force_N.y(), force_N.z(), step_us);
-}
-
-/// Touches every waypoint in turn. No surface in reach: distance is nan and the force zero. A waypoint that is not a
-/// number is answered at the last place that was one.
-Result<void> touch_all(const Asked& asked) {
-  const std::string beside = asked.out + ".part";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(beside.c_str(), "w"), &std::fclose);
-  if (!out) return Error{.what = "cannot be written", .where = asked.out, .fix = "check the folder and its rights"};
-  std::fputs("t_s,px,py,pz,distance_m,in_body,nx,ny,nz,fx,fy,fz,step_us\n", out.get());
-  surface::TouchSettings settings;
-  settings.slewed_start = false;  // offline, a start in the body is an answer, not a danger
-  surface::Touch touch(settings);
-  touch.adopt(*asked.surface.snapshot, SessionTime{});
-  double last_s = asked.trajectory.front().t_s;
-  Eigen::Vector3d last_at = Eigen::Vector3d::Zero();
-  for (const probe::Waypoint& waypoint : asked.trajectory) {
-    const auto start = std::chrono::steady_clock::now();
-    const surface::TouchSample felt = touch.step({waypoint.at_m}, SessionTime{}, waypoint.t_s - last_s);
-    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
-    last_s = waypoint.t_s;
-    surface::TouchSample sample = felt;
-    if (waypoint.at_m.allFinite())
-      last_at = waypoint.at_m;
-    else
-      sample.proxy.m = last_at;
-    if (!sample.valid) sample.proxy.m = last_at;
-    write_row(out.get(), waypoint.t_s, sample, asked.stiffness_N_per_m * (sample.proxy.m - last_at), took.count());
+/// The last figures, for somebody who looks at the terminal first.
+void say_summary(const std::vector<probe::Felt>& felt) {
+  std::size_t in_body = 0;
+  double most_N = 0.0;
+  std::vector<double> step_us;
+  for (const probe::Felt& one : felt) {
+    in_body += one.in_body ? 1U : 0U;
+    most_N = std::max(most_N, one.force_N.norm());
+    step_us.push_back(one.step_us);
   }
-  if (std::fflush(out.get()) != 0 || std::rename(beside.c_str(), asked.out.c_str()) != 0)
-    return Error{.what = "cannot be written to its end", .where = asked.out, .fix = "check the disk"};
-  return {};
+  const auto middle = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);
+  std::nth_element(step_us.begin(), middle, step_us.end());
+  std::fprintf(stderr, "%zu waypoints, %zu in contact, force at most %.3g N, step %.3g us at the median\n", felt.size(),
+               in_body, most_N, *middle);
+}
+
+int touch(const program::Arguments& arguments) {
+  if (const auto checked = check_surface(arguments); !checked)
+    return program::fail(checked.error(), program::kAskedWrongly);
+  if (arguments.text("trajectory").empty())
+    return program::fail(asked_wrongly("--trajectory is missing"), program::kAskedWrongly);
+  const Result<double> stiffness = arguments.number("k", 0.0, 1e5);
+  if (!stiffness) return program::fail(stiffness.error(), program::kAskedWrongly);
+  const Result<std::vector<probe::Waypoint>> trajectory = probe::read_trajectory(arguments.text("trajectory"));
+  if (!trajectory) return program::fail(trajectory.error());
+  const Result<probe::ProbedSurface> surface = open_surface(arguments);
+  if (!surface) return program::fail(surface.error());
+  std::fprintf(stderr, "touching %u points through the %s\n", surface->snapshot->points, surface->snapshot->index_name);
+  const std::vector<probe::Felt> felt = probe::touch_along(*surface->snapshot, *trajectory, *stiffness);
+  if (const auto done = probe::write_felt(arguments.text("out"), felt); !done) return program::fail(done.error());
+  say_summary(felt);
+  if (!arguments.has("plot")) return program::kDone;
+  const std::filesystem::path touched = arguments.text("cloud") + arguments.text("depth");
+  const std::string title = touched.filename().string() + ", " + arguments.text("setting");
+  const auto done = probe::plot_felt(arguments.text("plot"), felt, title);
+  return done ? program::kDone : program::fail(done.error());
+}
+
+Result<std::optional<Eigen::Vector3d>> place_of(const std::string& text) {
+  if (text.empty()) return std::optional<Eigen::Vector3d>{};
+  const auto waypoint = probe::parse_trajectory("0," + text, "--at");
+  if (!waypoint || !waypoint->front().at_m.allFinite()) return asked_wrongly("--at is not X,Y,Z in metres");
+  return std::optional{waypoint->front().at_m};
+}
+
+Result<probe::PalpationSettings> palpation_of(const program::Arguments& arguments) {
+  const auto at = place_of(arguments.text("at"));
+  if (!at) return at.error();
+  const auto spots = arguments.whole("spots", 1, 1000);
+  if (!spots) return spots.error();
+  const auto depth_mm = arguments.number("depth-mm", 0.0, 100.0);
+  if (!depth_mm) return depth_mm.error();
+  const auto speed = arguments.number("speed-mm-s", 1.0, 5000.0);
+  if (!speed) return speed.error();
+  const auto rate = arguments.number("rate-hz", 1.0, 100'000.0);
+  if (!rate) return rate.error();
+  probe::PalpationSettings settings;
+  settings.at_m = *at;
+  settings.spots = static_cast<int>(*spots);
+  settings.depth_m = 1e-3 * *depth_mm;
+  settings.speed_m_per_s = 1e-3 * *speed;
+  settings.rate_hz = *rate;
+  return settings;
+}
+
+int path(const program::Arguments& arguments) {
+  if (const auto checked = check_surface(arguments); !checked)
+    return program::fail(checked.error(), program::kAskedWrongly);
+  const Result<probe::PalpationSettings> settings = palpation_of(arguments);
+  if (!settings) return program::fail(settings.error(), program::kAskedWrongly);
+  const Result<probe::ProbedSurface> surface = open_surface(arguments);
+  if (!surface) return program::fail(surface.error());
+  const auto path = probe::palpation_path(*surface->snapshot, surface->on_surface, *settings);
+  if (!path) return program::fail(path.error());
+  if (const auto done = probe::write_trajectory(arguments.text("out"), *path); !done)
+    return program::fail(done.error());
+  std::fprintf(stderr, "%zu waypoints, %.3g s\n", path->size(), path->back().t_s);
+  return program::kDone;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
+  const bool makes_path = argc > 1 && std::string_view(argv[1]) == "path";
+  const auto read = makes_path ? program::read_arguments(path_usage(), argc - 1, argv + 1)
+                               : program::read_arguments(touch_usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;
-  if (const Result<void> checked = check(**read); !checked)
-    return program::fail(checked.error(), program::kAskedWrongly);
-  const Result<Asked> asked = prepare(**read);
-  if (!asked) return program::fail(asked.error());
-  if (!asked->surface.remarks.empty()) std::fprintf(stderr, "note: %s\n", asked->surface.remarks.c_str());
-  std::fprintf(stderr, "touching %u points through the %s\n", asked->surface.snapshot->points,
-               asked->surface.snapshot->index_name);
-  if (const Result<void> done = touch_all(*asked); !done) return program::fail(done.error());
-  return program::kDone;
+  return makes_path ? path(**read) : touch(**read);
 }

@@ -84,6 +84,27 @@ std::shared_ptr<const surface::SurfaceSnapshot> still(const DepthField& depth, c
   return snapshot;
 }
 
+/// At most some ten thousand finite points, evenly picked.
+std::vector<Eigen::Vector3d> some_of(const std::vector<Eigen::Vector3f>& points) {
+  constexpr std::size_t kSome = 20'000;
+  std::vector<Eigen::Vector3d> some;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / kSome);
+  for (std::size_t i = stride / 2; i < points.size(); i += stride)
+    if (points[i].allFinite()) some.push_back(points[i].cast<double>());
+  return some;
+}
+
+std::vector<Eigen::Vector3f> positions(const std::vector<surface::CloudPoint>& cloud,
+                                       const Eigen::Vector3d& origin_m = Eigen::Vector3d::Zero()) {
+  std::vector<Eigen::Vector3f> at;
+  for (const surface::CloudPoint& point : cloud) at.push_back((origin_m + point.at_m.cast<double>()).cast<float>());
+  return at;
+}
+
+std::vector<Eigen::Vector3f> positions(const surface::CloudSnapshot& model) {
+  return positions(model.cloud(), model.shape().origin_m);
+}
+
 Error with_place(Error error, const std::filesystem::path& file) {
   error.where = file.string();
   return error;
@@ -144,30 +165,30 @@ Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit
 
 }  // namespace
 
-Result<ProbedSurface> open_cloud(const std::filesystem::path& file, double unit_m, const SurfaceSettings& settings) {
+Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudOptions& options,
+                                 const SurfaceSettings& settings) {
   Result<PointModel> read = surface::read_point_model(file);
   if (!read) return read.error();
   PointModel& model = *read;
+  for (Eigen::Vector3f& at : model.points) at = (options.unit_m * at.cast<double>()).cast<float>();
+  if (const std::string complaint = surface::unit_complaint(model); !complaint.empty())
+    return Error{.what = complaint, .where = file.string(), .fix = surface::kSayTheUnit};
+  if (!surface::spans_a_surface(model)) return with_place(surface::no_surface(), file);
   const std::optional<Intrinsics> camera = camera_of(model);
-  if (camera && settings.method != Method::Cloud) {
-    for (Eigen::Vector3f& at : model.points) at *= static_cast<float>(unit_m);
-    if (const std::string complaint = surface::unit_complaint(model); !complaint.empty())
-      return Error{.what = complaint, .where = file.string(), .fix = "say the unit of the file's coordinates"};
-    if (settings.method == Method::Grid) return ProbedSurface{still(depth_of(model, *camera), *camera, settings), ""};
-  }
+  if (camera && settings.method == Method::Grid)
+    return ProbedSurface{still(depth_of(model, *camera), *camera, settings), "", some_of(model.points)};
   if (settings.method == Method::Paper) {
-    if (!camera)
-      for (Eigen::Vector3f& at : model.points) at *= static_cast<float>(unit_m);
+    if (!model.triangles.empty()) model.points = positions(surface::poisson_disk_samples(model, options.samples, 1));
     auto paper = std::make_shared<surface::PaperSurface>(surface::IndexedPoints{model.points, model.width}, settings);
     paper->motion.ages = false;
-    return ProbedSurface{std::move(paper), "normals are turned to the origin, as the paper's camera stood there"};
+    return ProbedSurface{std::move(paper), "normals are turned to the origin, as the paper's camera stood there",
+                         some_of(model.points)};
   }
-  surface::StaticModelSettings how;
-  how.unit_m = unit_m;
+  surface::StaticModelSettings how{.samples = options.samples, .flip_normals = options.flip_normals};
   if (settings.method == Method::Cloud) how.support_m = settings.radius_m;
   const Result<surface::StaticModel> made = surface::make_static_model(model, how);
   if (!made) return with_place(made.error(), file);
-  return ProbedSurface{made->snapshot, made->remarks};
+  return ProbedSurface{made->snapshot, made->remarks, some_of(positions(*made->snapshot))};
 }
 
 Result<ProbedSurface> open_depth(const std::filesystem::path& png, const std::filesystem::path& camera_file,
@@ -192,9 +213,11 @@ Result<ProbedSurface> open_depth(const std::filesystem::path& png, const std::fi
   if (camera.ignore_above() > 0)
     for (std::uint16_t& sample : image->samples)
       if (sample > camera.ignore_above()) sample = 0;
-  if (settings.method == Method::Grid)
-    return ProbedSurface{still(surface::to_depth_field(*image), intrinsics, settings), ""};
-  return ProbedSurface{surface::build_snapshot(*image, intrinsics, SessionTime{}, std::nullopt, settings), ""};
+  const DepthField depth = surface::to_depth_field(*image);
+  const std::vector<Eigen::Vector3f> points = surface::to_points(depth, intrinsics).at_m;
+  if (settings.method == Method::Grid) return ProbedSurface{still(depth, intrinsics, settings), "", some_of(points)};
+  return ProbedSurface{surface::build_snapshot(*image, intrinsics, SessionTime{}, std::nullopt, settings), "",
+                       some_of(points)};
 }
 
 }  // namespace telepalp::probe

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "haptic_station/surface/surface_settings.h"
 #include "haptic_station/surface/surface_snapshot.h"
@@ -14,11 +16,20 @@ namespace telepalp::probe {
 struct ProbedSurface {
   std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
   std::string remarks;
+  std::vector<Eigen::Vector3d> on_surface;  ///< some of its points [m], spread over it: where a path may begin
+};
+
+/// What a cloud's or mesh's file does not say of itself.
+struct CloudOptions {
+  double unit_m = 1.0;          ///< metres for one unit of the file
+  std::size_t samples = 16000;  ///< of a mesh
+  bool flip_normals = false;    ///< of a mesh, or of a cloud without a camera's order
 };
 
 /// A cloud or mesh file. An organised cloud that a pinhole camera took is touched through its lattice, like a depth
-/// image; any other as points. `unit_m`: metres for one unit of the file.
-[[nodiscard]] Result<ProbedSurface> open_cloud(const std::filesystem::path& file, double unit_m,
+/// image; any other as points. Without a single finite point, with all in one place or on one line, or in a unit that
+/// is no metre: an error.
+[[nodiscard]] Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudOptions& options,
                                                const surface::SurfaceSettings& settings);
 
 /// A 16-bit depth PNG with its camera.textproto.

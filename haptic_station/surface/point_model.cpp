@@ -55,12 +55,12 @@ Result<PointModel> read_point_model(const std::filesystem::path& file) {
 
 std::string unit_complaint(const PointModel& model) {
   const double size = extent(model);
-  const auto looks = [&](const char* unit, const char* metres) {
-    return "the points span " + std::to_string(size) + " metres, which looks like " + unit + ": --unit-m " + metres;
+  const auto looks = [&](const char* unit) {
+    return "the points span " + std::to_string(size) + " metres, which looks like " + unit;
   };
-  if (size > 100.0) return looks("millimetres", "0.001");
-  if (size > 12.0) return looks("decimetres or centimetres", "0.1 or 0.01");
-  if (size > 0.0 && size < 0.002) return looks("kilometres", "1000");
+  if (size > 100.0) return looks("millimetres, 0.001 m each");
+  if (size > 12.0) return looks("decimetres, 0.1 m each, or centimetres, 0.01 m");
+  if (size > 0.0 && size < 0.002) return looks("kilometres, 1000 m each");
   return {};
 }
 

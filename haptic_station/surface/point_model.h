@@ -24,7 +24,8 @@ struct PointModel {
 inline constexpr std::size_t kMostModelPoints = 20'000'000;
 
 /// Reads a file by its ending: .pcd (ascii, binary, binary_compressed), .ply (ascii, binary_little_endian), .obj. An
-/// OBJ with a group `body` is only that group: MakeHuman's other groups are helpers. Sizes are checked against the
+/// OBJ with a group `body` is only that group: MakeHuman's other groups are helpers. A vertex of an OBJ whose corners
+/// have several normals gets their mean. Sizes are checked against the
 /// bytes that are there before anything is allocated; every error names the file and what to do.
 [[nodiscard]] Result<PointModel> read_point_model(const std::filesystem::path& file);
 
@@ -35,5 +36,6 @@ inline constexpr std::size_t kMostModelPoints = 20'000'000;
 
 /// A reason to believe that the coordinates are not metres, with the unit that fits a patient; empty when plausible.
 [[nodiscard]] std::string unit_complaint(const PointModel& model);
+inline constexpr const char* kSayTheUnit = "say the unit of the file's coordinates: --unit-m, or unit_m in a scene";
 
 }  // namespace telepalp::surface

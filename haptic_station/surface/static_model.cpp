@@ -1,5 +1,6 @@
 #include "haptic_station/surface/static_model.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -30,10 +31,12 @@ PointModel centred(const PointModel& model, const Vector3d& middle, double unit_
   return near;
 }
 
-/// Six times the signed volume, and how many edges have no partner, of a mesh.
+/// How a mesh encloses what it encloses.
 struct Closure {
-  double volume6 = 0.0;
-  std::size_t open_edges = 0;
+  double volume6 = 0.0;           ///< six times the signed volume; positive where faces look outwards
+  double agreement = 0.0;         ///< of the vertices' normals with their faces', by area; zero without normals
+  std::size_t open_edges = 0;     ///< without a partner
+  std::size_t without_place = 0;  ///< triangles with a corner that is not finite
 };
 
 Closure closure_of(const PointModel& model) {
@@ -47,8 +50,15 @@ Closure closure_of(const PointModel& model) {
   for (const auto& triangle : model.triangles) {
     const Vector3d a = model.points[triangle[0]].cast<double>();
     const Vector3d b = model.points[triangle[1]].cast<double>();
-    closure.volume6 += a.dot(b.cross(model.points[triangle[2]].cast<double>()));
+    const Vector3d c = model.points[triangle[2]].cast<double>();
+    if (!a.allFinite() || !b.allFinite() || !c.allFinite()) {
+      ++closure.without_place;
+      continue;
+    }
+    closure.volume6 += a.dot(b.cross(c));
     for (std::size_t k = 0; k < 3; ++k) {
+      if (!model.normals.empty() && model.normals[triangle[k]].allFinite())
+        closure.agreement += (b - a).cross(c - a).dot(model.normals[triangle[k]].cast<double>());
       ++edges[key(triangle[k], triangle[(k + 1) % 3])];
       --edges[key(triangle[(k + 1) % 3], triangle[k])];
     }
@@ -65,9 +75,14 @@ std::vector<CloudPoint> sampled_mesh(const PointModel& mesh, const StaticModelSe
   std::vector<CloudPoint> points = poisson_disk_samples(mesh, settings.samples, settings.seed);
   if (mesh.normals.empty()) say(remarks, "the mesh has no normals: its faces' are taken");
   const Closure closure = closure_of(mesh);
+  const bool against_faces = closure.agreement < 0.0;
+  if (closure.without_place > 0)
+    say(remarks, std::to_string(closure.without_place) + " triangles have a corner that is not a number: left out");
   if (closure.open_edges > 0) {
-    say(remarks, "the mesh is open (" + std::to_string(closure.open_edges) + " edges without a partner)");
-  } else if (closure.volume6 < 0.0) {
+    say(remarks, "the mesh is open (" + std::to_string(closure.open_edges) +
+                     " edges without a partner), so which side is outside is taken from its " +
+                     (mesh.normals.empty() ? "faces" : "normals"));
+  } else if ((closure.volume6 < 0.0) != against_faces) {
     say(remarks, "the mesh is inside out: its normals are turned over");
     for (CloudPoint& point : points) point.normal = -point.normal;
   }
@@ -90,19 +105,36 @@ std::vector<CloudPoint> cloud_points(const PointModel& cloud, const StaticModelS
 
 }  // namespace
 
+bool spans_a_surface(const PointModel& model) {
+  const Vector3d middle = middle_of(model.points);
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vector3f& at : model.points)
+    if (at.allFinite()) {
+      const Vector3d from = at.cast<double>() - middle;
+      spread += from * from.transpose();
+    }
+  const Vector3d sizes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
+  return sizes[1] > 1e-9 * sizes[2] && sizes[2] > 0.0;
+}
+
+Error no_surface() {
+  return {.what = "has no surface: no finite points, or all in one place or on one line",
+          .where = "model",
+          .fix = "give a cloud of a surface, three points or more apart from each other"};
+}
+
 Result<StaticModel> make_static_model(const PointModel& model, const StaticModelSettings& settings) {
   const Vector3d middle = middle_of(model.points);
   const PointModel near = centred(model, middle, settings.unit_m);
   if (const std::string complaint = unit_complaint(near); !complaint.empty())
-    return Error{.what = complaint, .where = "model", .fix = "say the unit of the file's coordinates"};
+    return Error{.what = complaint, .where = "model", .fix = kSayTheUnit};
   StaticModel made;
   std::vector<CloudPoint> points = near.triangles.empty()
                                        ? cloud_points(near, settings, settings.unit_m * middle, made.remarks)
                                        : sampled_mesh(near, settings, made.remarks);
-  if (points.empty())
-    return Error{.what = "has no surface: no finite points, or all in one place or on one line",
-                 .where = "model",
-                 .fix = "give a cloud of a surface, three points or more apart from each other"};
+  if (points.empty()) return no_surface();
+  if (settings.flip_normals)
+    for (CloudPoint& point : points) point.normal = -point.normal;
   CloudShape shape;
   shape.origin_m = settings.unit_m * middle;
   shape.support_m = settings.support_m;

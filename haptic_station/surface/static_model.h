@@ -14,6 +14,7 @@ struct StaticModelSettings {
   int normal_neighbors = 16;                              ///< of clouds without normals
   Eigen::Vector3d viewpoint_m = Eigen::Vector3d::Zero();  ///< where normals of such clouds look to
   double support_m = 0.0;                                 ///< 0: three times the spacing
+  bool flip_normals = false;                              ///< the other side is outside
 };
 
 /// What became of a model, for the person who gave it.
@@ -24,9 +25,13 @@ struct StaticModel {
 
 /// A mesh or cloud as a surface to touch, in the file's own frame. A mesh is resampled to `samples` points by
 /// Poisson-disk elimination, with its vertices' normals interpolated, or its faces' where it has none; a closed mesh
-/// whose faces look inwards is turned over. A cloud keeps its points, and its normals where it has them. An error when
-/// nothing is left that has a normal, or the coordinates cannot be metres.
+/// whose normals look inwards is turned over; of an open one nobody can tell. A cloud keeps its points, and its normals
+/// where it has them. An error when nothing is left that has a normal, or the coordinates cannot be metres.
 [[nodiscard]] Result<StaticModel> make_static_model(const PointModel& model, const StaticModelSettings& settings);
+
+/// Whether a model has three finite points that are neither in one place nor on one line.
+[[nodiscard]] bool spans_a_surface(const PointModel& model);
+[[nodiscard]] Error no_surface();
 
 /// `count` points on the triangles, no two nearer than a blue-noise spacing allows: four times as many random points by
 /// area, thinned by dropping the most crowded first. Source: Yuksel 2015, sample elimination.

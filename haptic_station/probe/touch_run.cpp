@@ -1,0 +1,71 @@
+#include "haptic_station/probe/touch_run.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "haptic_station/surface/touch.h"
+
+namespace telepalp::probe {
+namespace {
+
+constexpr double kTeleport_m = 0.5;  // in one step: no hand, and whatever was held there is let go
+
+constexpr const char* kColumns = "t_s,px,py,pz,distance_m,in_body,nx,ny,nz,fx,fy,fz,step_us\n";
+
+void write_row(std::FILE* out, const Felt& felt) {
+  const auto& [p, n, f] = std::tie(felt.proxy_m, felt.normal, felt.force_N);
+  std::fprintf(out, "%.9g,%.9g,%.9g,%.9g,%.9g,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.3f\n", felt.t_s, p.x(), p.y(), p.z(),
+               felt.distance_m, felt.in_body ? 1 : 0, n.x(), n.y(), n.z(), f.x(), f.y(), f.z(), felt.step_us);
+}
+
+}  // namespace
+
+std::vector<Felt> touch_along(const surface::SurfaceSnapshot& snapshot, const std::vector<Waypoint>& trajectory,
+                              double stiffness_N_per_m) {
+  surface::TouchSettings settings;
+  settings.slewed_start = false;  // offline, a start in the body is an answer, not a danger
+  surface::Touch touch(settings);
+  touch.adopt(snapshot, SessionTime{});
+  std::vector<Felt> all;
+  all.reserve(trajectory.size());
+  double last_s = trajectory.empty() ? 0.0 : trajectory.front().t_s;
+  Eigen::Vector3d last_m = Eigen::Vector3d::Zero();
+  for (const Waypoint& waypoint : trajectory) {
+    if (waypoint.at_m.allFinite() && (waypoint.at_m - last_m).norm() > kTeleport_m) {
+      touch.release();
+      touch.adopt(snapshot, SessionTime{});
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const surface::TouchSample sample = touch.step({waypoint.at_m}, SessionTime{}, waypoint.t_s - last_s);
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
+    const bool measured = waypoint.at_m.allFinite();
+    if (measured) last_m = waypoint.at_m;
+    last_s = waypoint.t_s;
+    const bool felt = measured && sample.valid;
+    const Eigen::Vector3d proxy = felt ? sample.proxy.m : last_m;
+    all.push_back({.t_s = waypoint.t_s,
+                   .proxy_m = proxy,
+                   .distance_m = felt ? sample.distance_m : std::numeric_limits<double>::quiet_NaN(),
+                   .in_body = felt && sample.in_body,
+                   .normal = felt ? sample.normal : Eigen::Vector3d::Zero(),
+                   .force_N = stiffness_N_per_m * (proxy - last_m),
+                   .step_us = took.count()});
+  }
+  return all;
+}
+
+Result<void> write_felt(const std::filesystem::path& file, const std::vector<Felt>& felt) {
+  const std::filesystem::path beside = file.string() + ".part";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(beside.c_str(), "w"), &std::fclose);
+  if (!out) return Error{.what = "cannot be written", .where = file.string(), .fix = "check the folder and its rights"};
+  std::fputs(kColumns, out.get());
+  for (const Felt& one : felt) write_row(out.get(), one);
+  if (std::fflush(out.get()) != 0 || std::rename(beside.c_str(), file.c_str()) != 0)
+    return Error{.what = "cannot be written to its end", .where = file.string(), .fix = "check the disk"};
+  return {};
+}
+
+}  // namespace telepalp::probe

@@ -1,0 +1,155 @@
+#include "haptic_station/surface/static_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <sstream>
+
+#include "haptic_station/surface/touch.h"
+
+namespace telepalp::surface {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+/// A ball of triangles around `middle`; `with_normals`: exact ones at its vertices.
+PointModel ball(double radius_m, const Vector3d& middle, bool with_normals, int rings = 40) {
+  PointModel mesh;
+  for (int j = 0; j <= rings; ++j)
+    for (int i = 0; i < 2 * rings; ++i) {
+      const double polar = M_PI * j / rings;
+      const double around = M_PI * i / rings;
+      const double ring = j == 0 || j == rings ? 0.0 : std::sin(polar);  // poles are one place, as in any exporter's
+      const Vector3d n(ring * std::cos(around), ring * std::sin(around), std::cos(polar));
+      mesh.points.push_back((middle + radius_m * n).cast<float>());
+      if (with_normals) mesh.normals.push_back(n.cast<float>());
+    }
+  const auto at = [&](int j, int i) { return static_cast<std::uint32_t>(j * 2 * rings + i % (2 * rings)); };
+  for (int j = 0; j < rings; ++j)
+    for (int i = 0; i < 2 * rings; ++i) {
+      if (j > 0) mesh.triangles.push_back({at(j, i), at(j + 1, i), at(j, i + 1)});
+      if (j + 1 < rings) mesh.triangles.push_back({at(j, i + 1), at(j + 1, i), at(j + 1, i + 1)});
+    }
+  return mesh;
+}
+
+double nearest_m(const std::vector<CloudPoint>& points, std::size_t of) {
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (i != of) least = std::min(least, (points[i].at_m - points[of].at_m).squaredNorm());
+  return std::sqrt(static_cast<double>(least));
+}
+
+TEST(PoissonDisk, GivesTheCountAskedForSpreadEvenlyOverTheArea) {
+  const PointModel mesh = ball(0.1, {0, 0, 1}, true);
+  constexpr std::size_t kCount = 2000;
+  const std::vector<CloudPoint> points = poisson_disk_samples(mesh, kCount, 7);
+  ASSERT_EQ(points.size(), kCount);
+  // Hexagonal packing of as many discs would keep its points this far apart: blue noise reaches two thirds of it.
+  const double best_m = std::sqrt(2.0 / std::sqrt(3.0) * 4.0 * M_PI * 0.01 / kCount);
+  double least_m = 1.0;
+  int upper = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    least_m = std::min(least_m, nearest_m(points, i));
+    upper += points[i].at_m.z() > 1.0F ? 1 : 0;
+  }
+  EXPECT_GT(least_m, 0.55 * best_m) << "a uniform draw comes to about 0.01";
+  EXPECT_NEAR(upper, 1000, 25);
+}
+
+TEST(PoissonDisk, TheSameSeedGivesTheSamePoints) {
+  const PointModel mesh = ball(0.1, {0, 0, 1}, false, 12);
+  const auto first = poisson_disk_samples(mesh, 500, 3);
+  const auto again = poisson_disk_samples(mesh, 500, 3);
+  ASSERT_EQ(first.size(), again.size());
+  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].at_m, again[i].at_m);
+}
+
+TEST(PoissonDisk, KeepsTheNormalsThatTheMeshGave) {
+  for (const CloudPoint& point : poisson_disk_samples(ball(0.1, {0, 0, 1}, true), 1000, 1)) {
+    const Vector3f outwards = (point.at_m - Vector3f(0, 0, 1)).normalized();
+    ASSERT_GT(outwards.dot(point.normal), 0.9999F);
+  }
+}
+
+TEST(StaticModel, ABallIsTouchedWhereItIsFromEverySideHoweverFarAway) {
+  for (const Vector3d& middle : {Vector3d(0, 0, 1), Vector3d(2000, -1000, 500)}) {
+    const auto model = make_static_model(ball(0.1, middle, true), {});
+    ASSERT_TRUE(model.ok());
+    EXPECT_EQ(model->remarks, "");
+    for (const Vector3d& side : {Vector3d(1, 0, 0), Vector3d(0, -1, 0), Vector3d(0.6, 0, 0.8), Vector3d(0, 0, -1)}) {
+      Touch touch;
+      touch.adopt(*model->snapshot, SessionTime{});
+      TouchSample felt;
+      for (int i = 0; i <= 300; ++i) felt = touch.step({middle + (0.12 - 0.0001 * i) * side}, SessionTime{}, 0.0005);
+      ASSERT_TRUE(felt.in_body) << side.transpose();
+      const double tolerance_m = middle.norm() > 100.0 ? 5e-4 : 2.5e-4;  // of the file's floats; of the triangles
+      EXPECT_NEAR((felt.proxy.m - middle).norm(), 0.1, tolerance_m) << side.transpose();
+      EXPECT_GT(felt.normal.dot(side), 0.999) << side.transpose();
+    }
+  }
+}
+
+TEST(StaticModel, ACloudKeepsItsPointsAndItsGivenNormals) {
+  PointModel cloud;
+  for (int j = 0; j < 40; ++j)
+    for (int i = 0; i < 40; ++i) {
+      cloud.points.emplace_back(0.002F * static_cast<float>(i), 0.002F * static_cast<float>(j), 0.5F);
+      cloud.normals.emplace_back(0.0F, 0.0F, 3.0F);  // away from the origin, and not of unit length
+    }
+  cloud.normals[7].setConstant(std::numeric_limits<float>::quiet_NaN());
+  cloud.normals[9].setZero();
+  const auto model = make_static_model(cloud, {});
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(model->snapshot->points, 1598U) << "two have no normal";
+  const FieldSample above = model->snapshot->evaluate({0.04, 0.04, 0.503}, Vector3d::Zero(), {});
+  EXPECT_NEAR(above.f_m, 0.003, 1e-6);
+  EXPECT_GT(above.normal.z(), 0.999);
+}
+
+TEST(MeshFiles, AnObjWithNormalsKeepsThemAndACloudOfPointsHasNone) {
+  const std::string triangle = "v 0 0 1\nv 1 0 1\nv 0 1 1\nvn 0 0 -1\nvn 0 1 0\n";
+  const auto mesh = parse_obj(bytes_of(triangle + "f 1//1 2/5/1 3//2\n"), "a.obj");
+  ASSERT_TRUE(mesh.ok()) << to_string(mesh.error());
+  ASSERT_EQ(mesh->normals.size(), 3U);
+  EXPECT_EQ(mesh->normals[1], Vector3f(0, 0, -1));
+  EXPECT_EQ(mesh->normals[2], Vector3f(0, 1, 0));
+  const auto cloud = parse_obj(bytes_of("v 0 0 1\nv 1 0 1\nvn 0 0 -1\nvn 0 1 0\n"), "a.obj");
+  ASSERT_TRUE(cloud.ok());
+  EXPECT_EQ(cloud->normals.size(), 2U) << "one normal a vertex: they belong together";
+  EXPECT_TRUE(parse_obj(bytes_of(triangle), "a.obj")->normals.empty()) << "nobody says which is whose";
+}
+
+TEST(MeshFiles, ABinaryPlyWithNormalsIsRead) {
+  std::string ply =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  const auto put = [&](const auto& value) {
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    ply.append(raw, sizeof value);
+  };
+  for (int vertex = 0; vertex < 3; ++vertex) {
+    for (const float value : {static_cast<float>(vertex), 1.0F, 2.0F, 0.0F, 0.0F, -1.0F}) put(value);
+    put(std::uint8_t{9});
+  }
+  put(std::uint8_t{3});
+  for (const std::int32_t corner : {0, 1, 2}) put(corner);
+  const auto read = parse_ply(bytes_of(ply), "a.ply");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  ASSERT_EQ(read->points.size(), 3U);
+  EXPECT_EQ(read->points[2], Vector3f(2, 1, 2));
+  EXPECT_EQ(read->normals[2], Vector3f(0, 0, -1));
+  EXPECT_EQ(read->triangles.size(), 1U);
+  for (std::size_t cut = 0; cut < ply.size(); ++cut)
+    EXPECT_FALSE(parse_ply(bytes_of(ply).first(cut), "a.ply").ok()) << "cut at " << cut;
+}
+
+}  // namespace
+}  // namespace telepalp::surface
