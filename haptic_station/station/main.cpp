@@ -7,6 +7,7 @@
 #include "haptic_station/station/calibrated_scene.h"
 #include "haptic_station/station/rearm_command.h"
 #include "haptic_station/station/rig_choice.h"
+#include "haptic_station/station/static_patient.h"
 #include "haptic_station/station/station.h"
 #include "haptic_station/surface/surface_settings.h"
 #include "haptic_station/trials/trials_command.h"
@@ -28,6 +29,8 @@ program::Usage usage() {
       .positional = "",
       .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:7400"},
                   {"scene", "FILE", "what can be felt: a *.scene.textproto; left out: palpation"},
+                  {"surface", "NAME|model:FILE",
+                   "instead of the scene's: how the streamed surface is made, or a mesh or cloud to touch"},
                   {"calibration", "FILE", "measured by telepalp-station calibrate; instead of the scene's transforms"},
                   {"device", station::kDeviceWords, "the haptic device", "simulated"},
                   {"tracker", station::kTrackerWords, "the hand tracker; held: the hand is where the device is",
@@ -95,30 +98,50 @@ Result<std::filesystem::path> scene_of(const program::Arguments& arguments) {
 /// The scene, with what was measured at this site in its place.
 Result<scenes::Scene> read_calibrated(const std::filesystem::path& scene_file, const program::Arguments& arguments) {
   Result<scenes::Scene> scene = scenes::read_scene(scene_file);
+  if (scene)
+    if (const auto asked = station::ask_for_surface(arguments.text("surface"), *scene); !asked) return asked.error();
   if (!scene || !arguments.has("calibration")) return scene;
   return station::calibrated(std::move(scene).value(), arguments.text("calibration"));
 }
 
-int check(const Result<scenes::Scene>& scene) {
+/// The model that the scene names, where it names one.
+Result<std::optional<station::StaticPatient>> model_of(const scenes::Scene& scene,
+                                                       const std::filesystem::path& scene_file) {
+  if (!scene.message.patient_surface().has_static_model()) return std::optional<station::StaticPatient>{};
+  Result<station::StaticPatient> patient = station::open_static_patient(scene, scene_file.parent_path());
+  if (!patient) return patient.error();
+  return std::optional{std::move(patient).value()};
+}
+
+int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene_file) {
   if (!scene) return program::fail(scene.error());
   const Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
   if (!trace) return program::fail(trace.error());
   const Result<surface::SurfaceSettings> surface = surface_of(*scene);
   if (!surface) return program::fail(surface.error());
+  const Result<std::optional<station::StaticPatient>> model = model_of(*scene, scene_file);
+  if (!model) return program::fail(model.error());
+  const std::string touched = *model ? std::to_string((*model)->snapshot->points) + " points of " +
+                                           scene->message.patient_surface().static_model().file() +
+                                           ((*model)->remarks.empty() ? "" : " (" + (*model)->remarks + ")")
+                                     : surface->name;
   std::string effects;
   for (const effects::EffectBill& line : scene->effects.bill()) effects += std::string(" ") + line.name;
   std::printf("%s: %s; surface: %s; effects:%s\n", scene->name.c_str(), scene->message.purpose().c_str(),
-              surface->name.c_str(), effects.c_str());
+              touched.c_str(), effects.c_str());
   return program::kDone;
 }
 
-int run(const station::StationOptions& options, const Result<scenes::Scene>& scene,
+int run(station::StationOptions options, const Result<scenes::Scene>& scene, const std::filesystem::path& scene_file,
         const station::RigChoice& rig_choice) {
   if (!scene) return program::fail(scene.error());
   Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
   if (!trace) return program::fail(trace.error());
   const Result<surface::SurfaceSettings> surface = surface_of(*scene);
   if (!surface) return program::fail(surface.error());
+  Result<std::optional<station::StaticPatient>> model = model_of(*scene, scene_file);
+  if (!model) return program::fail(model.error());
+  options.model = std::move(model).value();
   Result<std::unique_ptr<station::Rig>> rig = station::connect_rig(rig_choice, *scene);
   if (!rig) return program::fail(rig.error());
   station::Station station(options, *scene, *surface, std::move(trace).value(), std::move(rig).value());
@@ -142,5 +165,5 @@ int main(int argc, char** argv) {
   const Result<std::filesystem::path> scene = scene_of(**read);
   if (!scene) return program::fail(scene.error());
   const Result<scenes::Scene> calibrated = read_calibrated(*scene, **read);
-  return (*read)->has("check") ? check(calibrated) : run(*options, calibrated, *rig);
+  return (*read)->has("check") ? check(calibrated, *scene) : run(*options, calibrated, *scene, *rig);
 }

@@ -37,7 +37,9 @@ wire::ClientLink::Options link_options(const StationOptions& options) {
           .port = options.port,
           .name = kName,
           .role = "doctor",
-          .subscribes = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraInfo.name)},
+          .subscribes = options.model ? std::vector<std::string>{}
+                                      : std::vector<std::string>{std::string(wire::kCameraDepth.name),
+                                                                 std::string(wire::kCameraInfo.name)},
           .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface, wire::kStationCompensation,
                         wire::kStationEvents, wire::kStationStats}};
 }
@@ -94,7 +96,7 @@ Station::Station(StationOptions options, const scenes::Scene& scene, const surfa
       link_(io_, link_options(options_),
             {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); }}),
-      in_tick_(surface::runs_in_tick(surface)),
+      in_tick_(options_.model || surface::runs_in_tick(surface)),
       loop_(make_loop(scene)),
       rig_(std::move(rig)),
       telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }) {
@@ -123,6 +125,7 @@ Result<void> Station::run() {
     if (const Result<void> listening = control_socket_.listen(options_.control); !listening) return listening.error();
   started_ = std::chrono::steady_clock::now();
   link_.start();
+  if (options_.model) touch_model();
   every_10_ms();
   every_second();
   io_.run();
@@ -193,6 +196,14 @@ void Station::on_depth(const wire::Message& message) {
 void Station::on_surface(const msg::SurfaceReport& report) {
   publish(wire::make_message(wire::kStationSurface, now(), report));
   if (!haptic_) start_haptic_thread();
+}
+
+/// The network thread hands the model over in the surface thread's place, which has nothing to do.
+void Station::touch_model() {
+  if (!options_.model->remarks.empty()) say("model: " + options_.model->remarks);
+  say("touching " + std::to_string(options_.model->snapshot->points) + " points of a model; a server is not needed");
+  surfaces_.put({options_.model->snapshot, options_.model->haptic_from_model});
+  start_haptic_thread();
 }
 
 void Station::start_haptic_thread() {

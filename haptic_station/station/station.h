@@ -15,6 +15,7 @@
 #include "haptic_station/station/collision_thread.h"
 #include "haptic_station/station/control_socket.h"
 #include "haptic_station/station/haptic_thread.h"
+#include "haptic_station/station/static_patient.h"
 #include "haptic_station/station/surface_worker.h"
 #include "haptic_station/station/telemetry_publisher.h"
 #include "proto/wire/client_link.h"
@@ -27,8 +28,9 @@ struct StationOptions {
   std::uint16_t port = 0;
   double seconds = 0.0;  ///< of ticking, then end; 0: until asked to end
   Realtime realtime = Realtime::Prefer;
-  std::filesystem::path control;       ///< of the socket that operators speak to; empty: there is none
-  std::filesystem::path state_folder;  ///< where the black box goes at a fault
+  std::filesystem::path control;                      ///< of the socket that operators speak to; empty: there is none
+  std::filesystem::path state_folder;                 ///< where the black box goes at a fault
+  std::optional<StaticPatient> model = std::nullopt;  ///< touched instead of what a server streams
 };
 
 /// The station: a link to the server, the surface thread and the haptic thread, joined by hand-offs. Runs on the
@@ -49,6 +51,7 @@ class Station {
   void on_link(wire::LinkState state, const std::string& detail);
   void say_link(const std::string& text, wire::LinkState state);
   void on_surface(const msg::SurfaceReport& report);
+  void touch_model();
   void start_haptic_thread();
   void every_10_ms();
   void every_second();

@@ -121,5 +121,21 @@ TEST_F(StationProgram, EveryShippedSceneCanBeChecked) {
   }
 }
 
+TEST_F(StationProgram, TouchesAModelWithoutAServer) {
+  const std::string scene = TELEPALP_SOURCE_DIR "/haptic_station/scenes/model.scene.textproto";
+  EXPECT_EQ(run({"--connect", "127.0.0.1:9", "--scene", scene, "--seconds", "5"}), 0) << text_of(log());
+  EXPECT_NE(text_of(log()).find("touching 16000 points of a model"), std::string::npos) << text_of(log());
+  EXPECT_NE(text_of(log()).find("effects in contact: skin"), std::string::npos) << text_of(log());
+}
+
+TEST_F(StationProgram, AModelInAnotherUnitIsNamedUntilItsUnitIsSaid) {
+  const fs::path model = folder_.path() / "mm.obj";
+  std::ofstream(model) << "v 0 0 0\nv 300 0 0\nv 0 0 300\nv 300 0 300\nf 1 3 2\nf 2 3 4\n";
+  EXPECT_EQ(run({"--surface", "model:" + model.string(), "--check"}), 1);
+  EXPECT_NE(text_of(log()).find("looks like millimetres"), std::string::npos) << text_of(log());
+  EXPECT_EQ(run({"--surface", "model:" + model.string() + ",unit_m=0.001,samples=2000", "--check"}), 0);
+  EXPECT_EQ(run({"--surface", "model:" + model.string() + ",unit=mm", "--check"}), 1);
+}
+
 }  // namespace
 }  // namespace telepalp
