@@ -29,21 +29,48 @@ GridSnapshot::GridSnapshot(const DepthField& depth, const Intrinsics& camera, co
   index_name = "depth lattice";
 }
 
+namespace {
+
+/// The field's terms on one row of the image, as coefficients across it.
+void blend_down(const MotionField& field, double v, std::vector<MotionTerms>& across) {
+  const CellLattice& lattice = field.lattice();
+  const Knots down = knots_at(v, lattice.rows);
+  for (int column = 0; column < lattice.columns; ++column) {
+    MotionTerms& sum = across[static_cast<std::size_t>(column)];
+    sum = {};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const MotionTerms& terms = field.terms()[lattice.at(column, down.cell[k])];
+      for (std::size_t term = 0; term < terms.size(); ++term) sum[term] += down.share[k] * terms[term];
+    }
+  }
+}
+
+}  // namespace
+
 void GridSnapshot::carry_forward(const MotionField& field) {
   motion = field.model();
-  for (int row = 0; row < layout_.rows; ++row)
+  std::vector<Knots> knots;
+  for (int column = 0; column < layout_.columns; ++column)
+    knots.push_back(knots_at(layout_.left_px + column * layout_.step_px, field.lattice().columns));
+  std::vector<MotionTerms> across(static_cast<std::size_t>(field.lattice().columns));
+  for (int row = 0; row < layout_.rows; ++row) {
+    const double v = layout_.top_px + row * layout_.step_px;
+    blend_down(field, v, across);
+    const auto y = static_cast<float>((v - layout_.camera.cy) / layout_.camera.fy);
     for (int column = 0; column < layout_.columns; ++column) {
       GridNode& node = storage_[static_cast<std::size_t>(row * layout_.columns + column)];
       if (node.confidence <= 0.0F) continue;
-      const double u = layout_.left_px + column * layout_.step_px;
-      const double v = layout_.top_px + row * layout_.step_px;
-      const Eigen::Vector3d ray((u - layout_.camera.cx) / layout_.camera.fx,
-                                (v - layout_.camera.cy) / layout_.camera.fy, 1.0);
-      const Eigen::Vector3f normal(node.normal[0], node.normal[1], node.normal[2]);
-      const float along_normal = normal.dot(ray.cast<float>());
-      node.motion = field.terms_at(u, v);
-      for (float& term : node.motion) term *= along_normal;
+      const auto x =
+          static_cast<float>((layout_.left_px + column * layout_.step_px - layout_.camera.cx) / layout_.camera.fx);
+      const float along_normal = node.normal[0] * x + node.normal[1] * y + node.normal[2];
+      const Knots& at = knots[static_cast<std::size_t>(column)];
+      MotionTerms sum{};
+      for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t term = 0; term < sum.size(); ++term)
+          sum[term] += at.share[k] * along_normal * across[static_cast<std::size_t>(at.cell[k])][term];
+      node.motion = sum;
     }
+  }
 }
 
 }  // namespace telepalp::surface

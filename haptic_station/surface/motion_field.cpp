@@ -10,31 +10,38 @@ namespace {
 // innovations lean to one side, since there the motion changes; long where they are chance, since a cell's noise would
 // move all its pixels together and no average of theirs would take it out.
 constexpr double kQuickTheta = 0.60;
-constexpr double kCalmTheta = 0.93;
+constexpr double kCalmTheta = 0.90;
 constexpr double kLeanGain = 0.3;
-constexpr double kCalmUpTo = 2.0;  // sigmas of the lean
-constexpr double kQuickFrom = 4.5;
-constexpr double kSmoothedSigma = 0.375;  // of nine cells weighted 4 : 2 : 1, over one cell's
+constexpr double kCalmUpTo = 3.5;  // sigmas of the lean
+constexpr double kQuickFrom = 9.0;
 constexpr double kEnergyMemory_s = 4.0;
 constexpr double kLeastCount = 12.0;  // pixels, before a cell's mean says anything
 constexpr double kVelocityFade_s = 1.0;
+constexpr double kRoughnessLeak = 0.1;  // of a frame
+
+/// How clearly a running mean leans to one side: 0 by chance, 1 without doubt.
+double leaning(double lean_m, double sigma_m) noexcept {
+  const double chance_m = sigma_m * std::sqrt(kLeanGain / (2.0 - kLeanGain)) + 1e-6;
+  return std::clamp((std::abs(lean_m) / chance_m - kCalmUpTo) / (kQuickFrom - kCalmUpTo), 0.0, 1.0);
+}
 
 }  // namespace
 
 MotionField::MotionField(int width_px, int height_px, bool breathing)
-    : columns_((width_px + kCell_px - 1) / kCell_px),
-      rows_((height_px + kCell_px - 1) / kCell_px),
+    : lattice_(lattice_of(width_px, height_px)),
       breathing_wanted_(breathing),
-      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
-      displacement_(cells_.size(), 0.0F),
-      observed_(cells_.size(), 0.0F),
-      weight_(cells_.size(), 0.0F),
-      change_(cells_.size(), 0.0F),
-      correction_(cells_.size(), 0.0F),
-      innovation_(cells_.size(), 0.0F),
-      terms_(cells_.size()) {}
+      cells_(lattice_.size()),
+      means_(lattice_.size()),
+      moving_(lattice_.size()),
+      displacement_(lattice_.size(), 0.0F),
+      observed_(lattice_.size(), 0.0F),
+      weight_(lattice_.size(), 0.0F),
+      change_(lattice_.size(), 0.0F),
+      moved_(lattice_.size(), 0.0F),
+      expected_(lattice_.size(), 0.0F),
+      terms_(lattice_.size()) {}
 
-const std::vector<float>& MotionField::predict(double dt_s) {
+void MotionField::predict(double dt_s) {
   MotionModel ahead = model();
   ahead.linear_fade_s = 1e3;  // between frames a velocity holds; it is beyond them that it is believed less and less
   const MotionBasis basis = motion_basis(ahead, dt_s);
@@ -49,67 +56,82 @@ const std::vector<float>& MotionField::predict(double dt_s) {
     displacement_[i] += change;
     change_[i] = change;
   }
-  return change_;
 }
 
-/// A cell's innovation with its neighbours', 4 : 2 : 1.
-CellInnovation MotionField::smoothed(const std::vector<CellInnovation>& seen, int column, int row) const noexcept {
-  CellInnovation sum;
-  for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r)
-    for (int c = std::max(0, column - 1); c <= std::min(columns_ - 1, column + 1); ++c) {
-      const CellInnovation& near = seen[static_cast<std::size_t>(r * columns_ + c)];
-      const double weight = near.count * (r == row ? 2.0 : 1.0) * (c == column ? 2.0 : 1.0);
-      sum.mean_m += weight * near.mean_m;
-      sum.count += weight;
-    }
-  sum.mean_m /= std::max(sum.count, 1e-9);
-  sum.sigma_m = kSmoothedSigma * seen[static_cast<std::size_t>(row * columns_ + column)].sigma_m;
-  return sum;
+/// Where the innovations lean to one side. A body moves as one and chance does not, so neighbourhoods are looked at;
+/// and gains that change from cell to cell would make a smooth motion rough.
+void MotionField::update_moving(const std::vector<CellInnovation>& seen) {
+  const std::vector<CellMean> wide = wide_means(lattice_, means_);
+  for (std::size_t at = 0; at < cells_.size(); ++at) {
+    const double narrower = std::sqrt(seen[at].count / std::max(wide[at].count, 1.0));
+    double& lean_m = cells_[at].lean_m;
+    lean_m += kLeanGain * (wide[at].mean - lean_m);
+    moving_[at] = {leaning(lean_m, narrower * seen[at].sigma_m), seen[at].count};
+  }
+  moving_ = wide_means(lattice_, moving_);
 }
 
 /// A young cell takes what it sees at once; its gains settle as it ages.
-void MotionField::correct_cell(std::size_t at, const CellInnovation& innovation, double dt_s) noexcept {
+void MotionField::correct_cell(std::size_t at, double innovation_m, double dt_s) noexcept {
   Cell& cell = cells_[at];
   cell.frames += 1.0;
-  cell.lean_m += kLeanGain * (innovation.mean_m - cell.lean_m);
-  const double chance_m = innovation.sigma_m * std::sqrt(kLeanGain / (2.0 - kLeanGain)) + 1e-6;
-  const double leaning = (std::abs(cell.lean_m) / chance_m - kCalmUpTo) / (kQuickFrom - kCalmUpTo);
-  const double theta = kCalmTheta + std::clamp(leaning, 0.0, 1.0) * (kQuickTheta - kCalmTheta);
+  const double theta = kCalmTheta + moving_[at].mean * (kQuickTheta - kCalmTheta);
   const double position_gain = std::max(1.0 - theta * theta, 1.0 / cell.frames);
   const double velocity_gain = cell.frames < 3.0 ? 0.0 : (1.0 - theta) * (1.0 - theta);
-  const auto correction = static_cast<float>(position_gain * innovation.mean_m);
-  observed_[at] = displacement_[at] + static_cast<float>(innovation.mean_m);
+  const auto correction = static_cast<float>(position_gain * innovation_m);
   displacement_[at] += correction;
-  correction_[at] = correction;
-  innovation_[at] = static_cast<float>(innovation.mean_m);
-  cell.velocity_m_per_s += velocity_gain * innovation.mean_m / dt_s;
+  moved_[at] = change_[at] + correction;
+  expected_[at] = change_[at] + static_cast<float>(innovation_m);
+  cell.velocity_m_per_s += velocity_gain * innovation_m / dt_s;
   const double speed2 = cell.velocity_m_per_s * cell.velocity_m_per_s;
   cell.energy += dt_s / kEnergyMemory_s * (speed2 - cell.energy);
 }
 
-const std::vector<float>& MotionField::correct(const std::vector<CellInnovation>& seen, double dt_s) {
+/// Displacement as measured, smoothed as a whole. With the coefficients' own sum and the smoothed innovation on top,
+/// what smoothing takes away would come from the breathing model alone, and it would be fitted to its own echo.
+void MotionField::update_observed() {
+  const std::vector<float> modelled = means_of(lattice_, displacement_);
+  for (std::size_t at = 0; at < means_.size(); ++at) means_[at].mean += static_cast<double>(modelled[at]);
+  observed_ = smooth_coefficients(lattice_, means_);
+}
+
+/// What smoothing takes out of the innovations is out of the filter's sight: velocities forget it.
+void MotionField::smooth_velocities() {
+  std::vector<float> velocity(cells_.size());
+  std::transform(cells_.begin(), cells_.end(), velocity.begin(),
+                 [](const Cell& cell) { return static_cast<float>(cell.velocity_m_per_s); });
+  const std::vector<float> means = means_of(lattice_, velocity);
+  std::vector<CellMean> whole(means.size());
+  std::transform(means.begin(), means.end(), whole.begin(), [](float mean) {
+    return CellMean{static_cast<double>(mean), CellLattice::kCell_px * CellLattice::kCell_px};
+  });
+  const std::vector<float> smooth = smooth_coefficients(lattice_, whole);
+  for (std::size_t at = 0; at < cells_.size(); ++at)
+    cells_[at].velocity_m_per_s += kRoughnessLeak * (static_cast<double>(smooth[at]) - cells_[at].velocity_m_per_s);
+}
+
+void MotionField::correct(const std::vector<CellInnovation>& seen, double dt_s) {
   frame_s_ = dt_s;
+  std::transform(seen.begin(), seen.end(), means_.begin(), [](const CellInnovation& cell) {
+    return CellMean{cell.mean_m, cell.count};
+  });
+  const std::vector<float> innovation = smooth_coefficients(lattice_, means_);
+  update_moving(seen);
+  update_observed();
   double moving = 1e-18;
   double missed = 0.0;
-  for (int row = 0; row < rows_; ++row)
-    for (int column = 0; column < columns_; ++column) {
-      const auto at = static_cast<std::size_t>(row * columns_ + column);
-      Cell& cell = cells_[at];
-      if (seen[at].count < kLeastCount) {
-        cell = {};
-        correction_[at] = innovation_[at] = weight_[at] = 0.0F;
-        continue;
-      }
-      const CellInnovation innovation = smoothed(seen, column, row);
-      correct_cell(at, innovation, dt_s);
-      weight_[at] = static_cast<float>(1e12 * cell.energy * cell.energy);  // squared: noise must not outvote the belly
-      moving += static_cast<double>(weight_[at]);
-      missed += static_cast<double>(weight_[at]) * std::abs(innovation.mean_m);
-    }
+  for (std::size_t at = 0; at < cells_.size(); ++at) {
+    const auto innovation_m = static_cast<double>(innovation[at]);
+    correct_cell(at, innovation_m, dt_s);
+    const double energy = seen[at].count < kLeastCount ? 0.0 : cells_[at].energy;
+    weight_[at] = static_cast<float>(1e12 * energy * energy);  // squared: noise must not outvote the belly
+    moving += static_cast<double>(weight_[at]);
+    missed += static_cast<double>(weight_[at]) * std::abs(innovation_m);
+  }
+  smooth_velocities();
   miss_m_ += 0.1 * (missed / moving - miss_m_);
   if (breathing_wanted_) breathing_.add(observed_, weight_, dt_s);
   update_terms();
-  return correction_;
 }
 
 void MotionField::update_terms() {
@@ -121,26 +143,6 @@ void MotionField::update_terms() {
     terms[0] = static_cast<float>((1.0 - share) * cells_[i].velocity_m_per_s);
     terms_[i] = terms;
   }
-}
-
-MotionTerms MotionField::terms_at(double u, double v) const noexcept {
-  const double x = std::clamp((u + 0.5) / kCell_px - 0.5, 0.0, static_cast<double>(columns_ - 1));
-  const double y = std::clamp((v + 0.5) / kCell_px - 0.5, 0.0, static_cast<double>(rows_ - 1));
-  const int left = std::min(static_cast<int>(x), std::max(0, columns_ - 2));
-  const int top = std::min(static_cast<int>(y), std::max(0, rows_ - 2));
-  const auto fx = static_cast<float>(x - left);
-  const auto fy = static_cast<float>(y - top);
-  MotionTerms sum{};
-  const auto add = [&](int column, int row, float weight) {
-    if (weight <= 0.0F) return;
-    const MotionTerms& terms = terms_[static_cast<std::size_t>(row * columns_ + column)];
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * terms[k];
-  };
-  add(left, top, (1.0F - fx) * (1.0F - fy));
-  add(left + 1, top, fx * (1.0F - fy));
-  add(left, top + 1, (1.0F - fx) * fy);
-  add(left + 1, top + 1, fx * fy);
-  return sum;
 }
 
 MotionModel MotionField::model() const noexcept {

@@ -36,7 +36,7 @@ struct SurfaceSettings {
 
   // over time
   bool temporal = true;         ///< average what is still, follow what moves
-  double memory_frames = 60.0;  ///< longest average; its latency on an unmodelled change is about as long
+  double memory_frames = 120.0;  ///< longest average of what the cells do not follow: about one breath
   bool predict = true;          ///< carry snapshots forward by their velocity
   bool breathing = true;        ///< and by the breathing model once it has locked on
 

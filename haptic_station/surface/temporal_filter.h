@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "haptic_station/surface/depth_field.h"
 #include "haptic_station/surface/motion_field.h"
 #include "haptic_station/surface/surface_settings.h"
@@ -23,21 +21,18 @@ class TemporalFilter {
  private:
   void observe(const DepthField& seen);
   void update(const DepthField& seen);
-  void watch_patches();
+  void end_of_cells(int cell_row);
+  void end_of_patches(int patch_row);
 
   static constexpr int kPatch_px = 4;
 
   DepthField average_;
   MotionField motion_;
-  std::vector<float> change_at_;      ///< of one row of pixels
-  std::vector<float> correction_at_;  ///< the same
-  std::vector<float> innovation_at_;  ///< the same
+  std::vector<float> moved_at_;     ///< of one row of pixels, padded as spread_over_row() asks
+  std::vector<float> expected_at_;  ///< the same
+  std::vector<float> sums_;         ///< by column: four or two rows, added up over the rows of a cell or a patch
   std::vector<CellInnovation> seen_;
-  std::vector<float> patch_sum_;
-  std::vector<float> patch_count_;
   std::vector<float> patch_mean_;  ///< running
-  const std::vector<float>* change_ = nullptr;
-  const std::vector<float>* correction_ = nullptr;
   float memory_frames_;
   float noise_scale_ = 1.0F;  ///< measured noise over the model's
   double noise_sum_ = 0.0;
