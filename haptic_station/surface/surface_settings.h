@@ -29,7 +29,7 @@ struct SurfaceSettings {
   // Grid
   int node_step_px = 2;
   double support_nodes = 2.5;  ///< radius of the weights
-  int fit_radius_px = 7;       ///< half side of the window of each node's quadratic fit
+  int fit_radius_px = 8;       ///< half side of the window of each node's quadratic fit
   double gate_m = 0.02;        ///< farther planes belong to another surface
   double break_m = 0.015;      ///< a depth step between neighbouring pixels that ends a surface, at 1 m; grows with z²
   int bridge_px = 2;           ///< holes of at most this radius are bridged
