@@ -14,7 +14,7 @@ struct Progress {
 /// Age as the model lives it: true at first, then slowing to a stop, C1. A surface nobody has seen for long must not be
 /// carried on by a model that nobody has checked.
 Progress lived(double age_s, double freeze_from_s) noexcept {
-  if (age_s <= 0.0) return {};
+  if (age_s < 0.0) return {};
   if (age_s <= freeze_from_s) return {age_s, 1.0};
   const double late = std::min(age_s - freeze_from_s, freeze_from_s);
   return {freeze_from_s + late - late * late / (2.0 * freeze_from_s), 1.0 - late / freeze_from_s};
