@@ -191,6 +191,18 @@ std::optional<Seed> GridSurface::seed(const Vector3d& query) const noexcept {
   return Seed{there, vector_of(node.normal).dot(query - there) >= 0.0};
 }
 
+void GridSurface::prefetch(const Vector3d& query) const noexcept {
+  if (!(query.z() > kNearestDepth_m) || nodes_.empty()) return;
+  const LatticePoint at = to_lattice(layout_, query);
+  if (!std::isfinite(at.column) || !std::isfinite(at.row)) return;
+  const Window columns = window(at.column, layout_.support_nodes, layout_.columns);
+  const Window rows = window(at.row, layout_.support_nodes, layout_.rows);
+  for (int row = rows.first; row <= rows.last; ++row)
+    for (int column = columns.first; column <= columns.last; ++column)
+      __builtin_prefetch(&nodes_[static_cast<std::size_t>(row) * static_cast<std::size_t>(layout_.columns) +
+                                 static_cast<std::size_t>(column)]);
+}
+
 double GridSurface::stride_m(const Vector3d& query) const noexcept {
   return 0.5 * layout_.support_nodes * layout_.step_px * std::max(query.z(), kNearestDepth_m) / layout_.camera.fx;
 }

@@ -44,6 +44,7 @@ class GridSurface : public SurfaceSnapshot {
                                      const MotionBasis& basis) const noexcept final;
   [[nodiscard]] std::optional<Seed> seed(const Eigen::Vector3d& query) const noexcept final;
   [[nodiscard]] double stride_m(const Eigen::Vector3d& query) const noexcept final;
+  void prefetch(const Eigen::Vector3d& query) const noexcept final;
   [[nodiscard]] const GridLayout& layout() const noexcept { return layout_; }
   [[nodiscard]] std::span<const GridNode> nodes() const noexcept { return nodes_; }
 

@@ -71,6 +71,9 @@ class SurfaceSnapshot {
   /// How far the proxy may slide in one iteration [m]: within the support of evaluate().
   [[nodiscard]] virtual double stride_m(const Eigen::Vector3d& query) const noexcept = 0;
 
+  /// Asks for what evaluate() near `query` will read, while nobody waits for it yet.
+  virtual void prefetch(const Eigen::Vector3d& query) const noexcept { (void)query; }
+
   [[nodiscard]] virtual bool realtime_safe() const noexcept { return true; }
 
  protected:

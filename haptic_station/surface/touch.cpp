@@ -44,10 +44,18 @@ void Touch::adopt(const SurfaceSnapshot& snapshot, SessionTime now) noexcept {
   snapshot_ = &snapshot;
   snapshot_captured_ = snapshot.captured;
   now_ = std::max(now_, now);
-  basis_ = motion_basis(snapshot.motion, age_s());
-  if (!has_foot_ || !at_foot_.valid) return;
-  const FieldSample fresh = snapshot.evaluate(foot_, normal_, basis_);
-  if (fresh.valid) slew_.begin(at_foot_, fresh, foot_, settings_.slew);
+  if (!has_foot_) return;
+  swapped_ = true;
+  snapshot.prefetch(foot_);
+}
+
+/// The displayed surface at the foot. The first look at a new snapshot is also where it begins to be slewed in: a tick
+/// with a swap evaluates no more often than one without.
+FieldSample Touch::field_at_foot() noexcept {
+  const FieldSample raw = snapshot_->evaluate(foot_, normal_, basis_);
+  if (swapped_ && at_foot_.valid && raw.valid) slew_.begin(at_foot_, raw, foot_, settings_.slew);
+  swapped_ = false;
+  return slew_.shown(raw, foot_);
 }
 
 void Touch::release() noexcept {
@@ -102,6 +110,7 @@ void Touch::reseed(const Vector3d& device) noexcept {
   foot_ = seed->at;
   normal_ = Vector3d::Zero();
   has_foot_ = true;
+  swapped_ = false;
   slew_.stop();
 }
 
@@ -119,7 +128,7 @@ FieldSample Touch::farthest_known(Vector3d& goal) const noexcept {
 /// time with the tangential step that the curvature allows and a Newton step onto f = 0. Ends after one look when both
 /// steps are so short that their error, their square over the support, is nothing.
 void Touch::follow(const Vector3d& device) noexcept {
-  FieldSample here = field(foot_);
+  FieldSample here = field_at_foot();
   ConstraintPlane last;
   for (int iteration = 0; here.valid; ++iteration) {
     const double steepness = here.gradient.norm();

@@ -69,6 +69,7 @@ class Touch {
   enum class Side { Unknown, Outside, Inside };
 
   [[nodiscard]] FieldSample field(const Eigen::Vector3d& at) const noexcept;
+  [[nodiscard]] FieldSample field_at_foot() noexcept;
   [[nodiscard]] FieldSample farthest_known(Eigen::Vector3d& goal) const noexcept;
   void look(const Eigen::Vector3d& device) noexcept;
   void reseed(const Eigen::Vector3d& device) noexcept;
@@ -91,7 +92,8 @@ class Touch {
   SessionTime now_{};
   Side side_ = Side::Unknown;
   bool has_foot_ = false;
-  FieldSample at_foot_;  // displayed, at foot_
+  bool swapped_ = false;  // a new snapshot, not looked at yet
+  FieldSample at_foot_;   // displayed, at foot_
   Eigen::Vector3d foot_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  // last valid one
   Eigen::Vector3d device_ = Eigen::Vector3d::Zero();  // of the last step

@@ -101,6 +101,8 @@ void add_costs(Report& report, const server::SyntheticPatient& patient, const te
   report.rows.push_back(at_most("proxy step in contact, p99.9", swapping.p999(), "us", 25.0));
   report.rows.push_back(measured("proxy step, paper's reference, p50", reference.p50(), "us"));
   report.rows.push_back(at_least("paper's reference over default, p50", reference.p50() / swapping.p50(), "x", 5.0));
+  report.rows.push_back(measured("step without swaps, p50", steady.p50(), "us"));
+  report.rows.push_back(measured("step without swaps, p99", steady.p99(), "us"));
   report.rows.push_back(at_most("step p99 with swaps over without", swapping.p99() / steady.p99(), "x", 1.10));
 }
 
