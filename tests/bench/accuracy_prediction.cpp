@@ -91,16 +91,18 @@ std::vector<TimeVariant> time_variants() {
     return settings;
   };
   const double usual = SurfaceSettings{}.memory_frames;
-  return {{"none", "each frame alone", with(false, usual, false, false)},
-          {"hold", "average, shown as it was seen", with(true, usual, false, false)},
-          {"velocity", "average, carried by its normal velocity", with(true, usual, true, false)},
-          {"breathing (default)", "and by the breathing model; memory " + std::to_string(static_cast<int>(usual)),
-           with(true, usual, true, true)},
-          {"breathing, memory 5", "average over at most 5 frames", with(true, 5.0, true, true)},
-          {"breathing, memory 10", "at most 10 frames", with(true, 10.0, true, true)},
-          {"breathing, memory 20", "at most 20 frames", with(true, 20.0, true, true)},
-          {"breathing, memory 30", "at most 30 frames", with(true, 30.0, true, true)},
-          {"breathing, memory 120", "at most 120 frames", with(true, 120.0, true, true)}};
+  std::vector<TimeVariant> variants{
+      {"none", "each frame alone", with(false, usual, false, false)},
+      {"hold", "average, shown as it was seen", with(true, usual, false, false)},
+      {"velocity", "average, carried by its normal velocity", with(true, usual, true, false)},
+      {"breathing (default)", "and by the breathing model; memory " + std::to_string(static_cast<int>(usual)),
+       with(true, usual, true, true)}};
+  for (const int frames : {10, 30, 60, 120, 240})
+    if (frames != static_cast<int>(usual))
+      variants.push_back({"breathing, memory " + std::to_string(frames),
+                          "average over at most " + std::to_string(frames) + " frames",
+                          with(true, frames, true, true)});
+  return variants;
 }
 
 /// f where the true surface is: 25 places around the spot, at one instant.

@@ -76,9 +76,9 @@ std::vector<plot::Tick> ticks(std::initializer_list<double> at) {
 plot::Chart pareto_chart(const std::vector<Tried>& all, const std::vector<std::size_t>& front, std::size_t knee) {
   plot::Chart chart{.title = "Error against cost, torso with 1 mm noise after one second",
                     .x = {.label = "share of one core for live touch [%]",
-                          .include = plot::Range{5.0, 500.0},
+                          .include = plot::Range{3.0, 500.0},
                           .logarithmic = true,
-                          .ticks = ticks({5, 10, 20, 50, 100, 200, 500})},
+                          .ticks = ticks({3, 5, 10, 20, 50, 100, 200, 500})},
                     .y = {.label = "position error, RMS [mm]",
                           .include = plot::Range{0.015, 1.0},
                           .logarithmic = true,
