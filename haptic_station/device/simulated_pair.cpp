@@ -86,6 +86,7 @@ void SimulatedPair::step(const Force<HapticBase>& motors, const Intention& inten
   speeds[1] = solve(1, pressing);
   if (pressing && felt_.N.y() < 0.0) {  // flesh does not stick: the damper alone must not hold them together
     pressing = false;
+    was_above_ = true;  // it leaves upwards, though its flesh is still pressed in: next it may meet again
     speeds[1] = solve(1, false);
   }
   for (const int i : {0, 2}) speeds[i] = solve(i, pressing);

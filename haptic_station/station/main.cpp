@@ -33,8 +33,8 @@ program::Usage usage() {
                    "instead of the scene's: how the streamed surface is made, or a mesh or cloud to touch"},
                   {"calibration", "FILE", "measured by telepalp-station calibrate; instead of the scene's transforms"},
                   {"device", station::kDeviceWords, "the haptic device", "simulated"},
-                  {"tracker", station::kTrackerWords, "the hand tracker; held: the hand is where the device is",
-                   "simulated"},
+                  {"tracker", station::kTrackerWords,
+                   "the hand tracker; held: the hand is where the device is; browser: in a viewer", "simulated"},
                   {"check", "", "read the scene, say what can be felt in it, and leave"},
                   {"control", "PATH",
                    "the socket by which telepalp-station rearm speaks to this station, or none; left out: in "
@@ -142,7 +142,7 @@ int run(station::StationOptions options, const Result<scenes::Scene>& scene, con
   Result<std::optional<station::StaticPatient>> model = model_of(*scene, scene_file);
   if (!model) return program::fail(model.error());
   options.model = std::move(model).value();
-  Result<std::unique_ptr<station::Rig>> rig = station::connect_rig(rig_choice, *scene);
+  Result<station::ConnectedRig> rig = station::connect_rig(rig_choice, *scene);
   if (!rig) return program::fail(rig.error());
   station::Station station(options, *scene, *surface, std::move(trace).value(), std::move(rig).value());
   const Result<void> done = station.run();

@@ -46,6 +46,7 @@ Result<DeviceChoice> read_device_choice(const std::string& text) {
 Result<TrackerChoice> read_tracker_choice(const std::string& text) {
   if (text == "simulated") return TrackerChoice{Simulated{}};
   if (text == "held") return TrackerChoice{Held{}};
+  if (text == "browser") return TrackerChoice{Browser{}};
   if (const auto url = after(text, "leap")) {
     if (url->empty()) return TrackerChoice{Leap{device::WebSocketUrl(tracking::standard_leap_url())}};
     const auto read = device::parse_websocket_url(*url, tracking::standard_leap_url(), "--tracker leap");
@@ -68,7 +69,11 @@ Result<RigChoice> read_rig_choice(const std::string& device, const std::string& 
   if (simulated && std::holds_alternative<Held>(*chosen_tracker))
     return Error{.what = "nobody holds a simulated device",
                  .where = "--tracker",
-                 .fix = "give --tracker simulated or --tracker leap"};
+                 .fix = "give --tracker simulated, --tracker leap or --tracker browser"};
+  if (!simulated && std::holds_alternative<Browser>(*chosen_tracker))
+    return Error{.what = "a hand in a browser is not the one at " + device,
+                 .where = "--tracker",
+                 .fix = "give --device simulated with it, or --tracker leap, or --tracker held"};
   return RigChoice{*chosen_device, *chosen_tracker};
 }
 
@@ -94,8 +99,9 @@ Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice, 
   return made;
 }
 
-Result<std::unique_ptr<Rig>> connect_rig(const RigChoice& choice, const scenes::Scene& scene) {
-  if (choice.is_simulated()) return std::unique_ptr<Rig>();
+Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& scene) {
+  ConnectedRig connected;
+  if (choice.is_simulated()) return connected;
   Result<std::unique_ptr<device::Device>> device = connect_device(choice.device, scene);
   if (!device) return device.error();
   std::unique_ptr<tracking::Tracker> tracker = std::make_unique<tracking::HeldHand>();
@@ -103,8 +109,13 @@ Result<std::unique_ptr<Rig>> connect_rig(const RigChoice& choice, const scenes::
     Result<std::unique_ptr<tracking::LeapTracker>> made = connect_leap(*leap, scene);
     if (!made) return made.error();
     tracker = std::move(made).value();
+  } else if (std::holds_alternative<Browser>(choice.tracker)) {
+    auto made = std::make_unique<tracking::BrowserHand>();
+    connected.browser = made.get();
+    tracker = std::move(made);
   }
-  return std::unique_ptr<Rig>(std::make_unique<device::JoinedRig>(std::move(device).value(), std::move(tracker)));
+  connected.rig = std::make_unique<device::JoinedRig>(std::move(device).value(), std::move(tracker));
+  return connected;
 }
 
 }  // namespace telepalp::station

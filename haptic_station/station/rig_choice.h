@@ -9,6 +9,7 @@
 #include "haptic_station/device/protocol/websocket_line.h"
 #include "haptic_station/loop/rig.h"
 #include "haptic_station/scenes/scene.h"
+#include "haptic_station/tracking/protocol/browser_hand.h"
 #include "haptic_station/tracking/protocol/leap_tracker.h"
 #include "proto/program/address.h"
 
@@ -22,10 +23,11 @@ struct Haply {
 struct Leap {
   device::WebSocketUrl url;
 };
-struct Held {};  ///< the hand is where the device is
+struct Held {};     ///< the hand is where the device is
+struct Browser {};  ///< the hand is held in a viewer
 
 using DeviceChoice = std::variant<Simulated, Haply, program::Address>;
-using TrackerChoice = std::variant<Simulated, Held, Leap>;
+using TrackerChoice = std::variant<Simulated, Held, Leap, Browser>;
 
 struct RigChoice {
   DeviceChoice device;
@@ -37,7 +39,7 @@ struct RigChoice {
 
 /// What `--device` and `--tracker` can say, for help texts.
 inline constexpr const char* kDeviceWords = "simulated|haply[:URL]|udp:HOST:PORT";
-inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]";
+inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser";
 
 [[nodiscard]] Result<DeviceChoice> read_device_choice(const std::string& text);
 [[nodiscard]] Result<TrackerChoice> read_tracker_choice(const std::string& text);
@@ -54,8 +56,13 @@ inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 [[nodiscard]] Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice,
                                                                           const scenes::Scene& scene);
 
-/// The rig that was chosen, connected; or which part of it does not answer and what to do about it. A rig that is
-/// simulated as a whole is not made here: nullptr.
-[[nodiscard]] Result<std::unique_ptr<Rig>> connect_rig(const RigChoice& choice, const scenes::Scene& scene);
+/// A rig whose parts have answered. Without one, the station makes the rig that is simulated as a whole.
+struct ConnectedRig {
+  std::unique_ptr<Rig> rig;
+  tracking::BrowserHand* browser = nullptr;  ///< the rig's tracker, when that is what it is: told of /viewer/hand
+};
+
+/// The rig that was chosen, connected; or which part of it does not answer and what to do about it.
+[[nodiscard]] Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& scene);
 
 }  // namespace telepalp::station

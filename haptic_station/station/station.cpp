@@ -11,6 +11,7 @@
 #include "haptic_station/station/cost_clock.h"
 #include "haptic_station/station/placement.h"
 #include "proto/program/log.h"
+#include "proto/wire/viewer_hand.h"
 
 namespace telepalp::station {
 namespace {
@@ -32,16 +33,19 @@ HapticLoop make_loop(const scenes::Scene& scene) {
   return HapticLoop({}, controller);
 }
 
-wire::ClientLink::Options link_options(const StationOptions& options) {
-  return {.host = options.host,
-          .port = options.port,
-          .name = kName,
-          .role = "doctor",
-          .subscribes = options.model ? std::vector<std::string>{}
-                                      : std::vector<std::string>{std::string(wire::kCameraDepth.name),
-                                                                 std::string(wire::kCameraInfo.name)},
-          .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface, wire::kStationCompensation,
-                        wire::kStationEvents, wire::kStationStats}};
+wire::ClientLink::Options link_options(const StationOptions& options, bool takes_viewer_hand) {
+  wire::ClientLink::Options link{.host = options.host,
+                                 .port = options.port,
+                                 .name = kName,
+                                 .role = "doctor",
+                                 .subscribes = options.model
+                                                   ? std::vector<std::string>{}
+                                                   : std::vector<std::string>{std::string(wire::kCameraDepth.name),
+                                                                              std::string(wire::kCameraInfo.name)},
+                                 .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface,
+                                               wire::kStationCompensation, wire::kStationEvents, wire::kStationStats}};
+  if (takes_viewer_hand) link.subscribes.emplace_back(wire::kViewerHand.name);
+  return link;
 }
 
 std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration) {
@@ -83,7 +87,7 @@ SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<t
 }  // namespace
 
 Station::Station(StationOptions options, const scenes::Scene& scene, const surface::SurfaceSettings& surface,
-                 std::optional<tracking::HandTrace> trace, std::unique_ptr<Rig> rig)
+                 std::optional<tracking::HandTrace> trace, ConnectedRig rig)
     : options_(std::move(options)),
       scene_(scene),
       trace_(std::move(trace)),
@@ -93,15 +97,18 @@ Station::Station(StationOptions options, const scenes::Scene& scene, const surfa
       rearm_timer_(io_),
       control_socket_(
           io_, [this](const std::string& command, const ControlSocket::Reply& reply) { on_command(command, reply); }),
-      link_(io_, link_options(options_),
+      link_(io_, link_options(options_, rig.browser != nullptr),
             {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); }}),
       in_tick_(options_.model || surface::runs_in_tick(surface)),
       loop_(make_loop(scene)),
-      rig_(std::move(rig)),
+      rig_(std::move(rig.rig)),
+      browser_hand_(rig.browser),
       telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }) {
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
-    return place(scene_, depth, camera);
+    const auto placed = place(scene_, depth, camera);
+    boost::asio::post(io_, [this, placed] { haptic_from_camera_ = placed; });
+    return placed;
   };
   worker_.emplace(surface, placement,
                   SurfaceWorker::Handlers{.now = [this] { return now(); },
@@ -171,6 +178,7 @@ void Station::say_link(const std::string& text, wire::LinkState state) {
 void Station::on_message(const wire::Message& message) {
   if (message.topic.name == wire::kCameraDepth.name) on_depth(message);
   if (message.topic.name == wire::kCameraInfo.name) on_camera_info(message);
+  if (message.topic.name == wire::kViewerHand.name) on_viewer_hand(message);
 }
 
 void Station::on_camera_info(const wire::Message& message) {
@@ -193,6 +201,16 @@ void Station::on_depth(const wire::Message& message) {
   worker_->offer({.depth = message, .camera = *camera_, .received = now(), .device = device});
 }
 
+void Station::on_viewer_hand(const wire::Message& message) {
+  const std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(*message.payload);
+  if (browser_hand_ == nullptr || !haptic_from_camera_ || !hand) return;
+  const msg::Vec3& at = hand->hand_camera();
+  const Point<HapticBase> in_haptic = *haptic_from_camera_ * Point<DepthCamera>{{at.x(), at.y(), at.z()}};
+  const auto taken = browser_hand_->hear(*hand, in_haptic, std::chrono::steady_clock::now());
+  if (std::exchange(hand_taken_, taken) != taken)
+    say("/viewer/hand: viewer " + std::to_string(hand->viewer()) + ": " + tracking::in_words(taken));
+}
+
 void Station::on_surface(const msg::SurfaceReport& report) {
   publish(wire::make_message(wire::kStationSurface, now(), report));
   if (!haptic_) start_haptic_thread();
@@ -202,6 +220,7 @@ void Station::on_surface(const msg::SurfaceReport& report) {
 void Station::touch_model() {
   if (!options_.model->remarks.empty()) say("model: " + options_.model->remarks);
   say("touching " + std::to_string(options_.model->snapshot->points) + " points of a model; a server is not needed");
+  haptic_from_camera_ = options_.model->haptic_from_model;
   surfaces_.put({options_.model->snapshot, options_.model->haptic_from_model});
   start_haptic_thread();
 }

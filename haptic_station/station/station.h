@@ -15,6 +15,7 @@
 #include "haptic_station/station/collision_thread.h"
 #include "haptic_station/station/control_socket.h"
 #include "haptic_station/station/haptic_thread.h"
+#include "haptic_station/station/rig_choice.h"
 #include "haptic_station/station/static_patient.h"
 #include "haptic_station/station/surface_worker.h"
 #include "haptic_station/station/telemetry_publisher.h"
@@ -37,9 +38,9 @@ struct StationOptions {
 /// calling thread, which becomes the network thread, until the time is up or a signal asks it to end.
 class Station {
  public:
-  /// `trace`: the recorded hand that the scene names, if it names one. `rig`: a connected one; null: simulated.
+  /// `trace`: the recorded hand that the scene names, if it names one. `rig`: a connected one, or none: simulated.
   Station(StationOptions options, const scenes::Scene& scene, const surface::SurfaceSettings& surface,
-          std::optional<tracking::HandTrace> trace, std::unique_ptr<Rig> rig = nullptr);
+          std::optional<tracking::HandTrace> trace, ConnectedRig rig = {});
 
   /// Done, or why the station could not do its work.
   [[nodiscard]] Result<void> run();
@@ -48,6 +49,7 @@ class Station {
   void on_message(const wire::Message& message);
   void on_camera_info(const wire::Message& message);
   void on_depth(const wire::Message& message);
+  void on_viewer_hand(const wire::Message& message);
   void on_link(wire::LinkState state, const std::string& detail);
   void say_link(const std::string& text, wire::LinkState state);
   void on_surface(const msg::SurfaceReport& report);
@@ -78,12 +80,15 @@ class Station {
   std::optional<Error> failure_;
   std::set<std::string> said_of_trying_;
 
-  const bool in_tick_;                           // the surface is quick enough to be asked in the tick
-  LatestValue<TouchableSurface> slow_surfaces_;  // surface thread to collision thread, where there is one
-  LatestValue<TouchableSurface> surfaces_;       // surface or collision thread to haptic thread
-  TickRing ticks_;                               // haptic thread to network thread
-  HapticLoop loop_;                              // owner: haptic thread, once it runs
-  std::unique_ptr<Rig> rig_;                     // owner: haptic thread, once it runs
+  const bool in_tick_;                                      // the surface is quick enough to be asked in the tick
+  LatestValue<TouchableSurface> slow_surfaces_;             // surface thread to collision thread, where there is one
+  LatestValue<TouchableSurface> surfaces_;                  // surface or collision thread to haptic thread
+  TickRing ticks_;                                          // haptic thread to network thread
+  HapticLoop loop_;                                         // owner: haptic thread, once it runs
+  std::unique_ptr<Rig> rig_;                                // owner: haptic thread, once it runs
+  std::optional<tracking::BrowserHand::Taken> hand_taken_;  // what was last said of a viewer's hand
+  tracking::BrowserHand* browser_hand_;                     // of rig_; its hear() is this thread's
+  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // once the first image told
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;
   std::optional<CollisionThread> collision_;

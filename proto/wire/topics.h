@@ -24,10 +24,11 @@ inline constexpr Topic kStationSurface{"/station/surface", "telepalp.msg.Surface
 inline constexpr Topic kStationCompensation{"/station/compensation", "telepalp.msg.StationCompensation"};
 inline constexpr Topic kStationEvents{"/station/events", "telepalp.msg.StationEvent"};
 inline constexpr Topic kStationStats{"/station/stats", "telepalp.msg.StationStats"};
+inline constexpr Topic kViewerHand{"/viewer/hand", "telepalp.msg.ViewerHand"};
 
-inline constexpr std::array kTopics{kCameraColor,    kCameraDepth,   kCameraInfo,   kCameraStatus,
-                                    kClock,          kServerStats,   kStationState, kStationTicks,
-                                    kStationSurface, kStationEvents, kStationStats, kStationCompensation};
+inline constexpr std::array kTopics{kCameraColor,  kCameraDepth,         kCameraInfo,   kCameraStatus,   kClock,
+                                    kServerStats,  kStationState,        kStationTicks, kStationSurface, kStationEvents,
+                                    kStationStats, kStationCompensation, kViewerHand};
 
 /// The topic of that name, if it is one of ours.
 [[nodiscard]] std::optional<Topic> find_topic(std::string_view name) noexcept;

@@ -22,7 +22,9 @@ std::string to_json(const google::protobuf::Message& message) {
 }
 
 Error refused(std::string what) {
-  return {.what = std::move(what), .where = "client's text", .fix = "send subscribe or unsubscribe, as JSON"};
+  return {.what = std::move(what),
+          .where = "client's text",
+          .fix = "send subscribe, unsubscribe, advertise or unadvertise, as JSON"};
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -53,6 +55,8 @@ std::string server_info(std::string_view name, std::string_view session_id) {
   texts::ServerInfo info;
   info.set_op("serverInfo");
   info.set_name(std::string(name));
+  info.add_capabilities("clientPublish");
+  info.add_supportedencodings("protobuf");
   info.set_sessionid(std::string(session_id));
   return to_json(info);
 }
@@ -88,6 +92,15 @@ std::array<std::uint8_t, kMessageHeaderBytes> message_header(std::uint32_t subsc
   return header;
 }
 
+std::optional<ClientData> read_client_data(std::string_view bytes) {
+  constexpr std::size_t kHeaderBytes = 5;
+  if (bytes.size() < kHeaderBytes || bytes[0] != 0x01) return std::nullopt;
+  ClientData data{0, std::string(bytes.substr(kHeaderBytes))};
+  for (std::size_t byte = 0; byte < 4; ++byte)
+    data.channel |= static_cast<std::uint32_t>(static_cast<std::uint8_t>(bytes[1 + byte])) << (8 * byte);
+  return data;
+}
+
 Result<Request> read_request(const std::string& text) {
   json::JsonParseOptions options;
   options.ignore_unknown_fields = true;
@@ -99,6 +112,11 @@ Result<Request> read_request(const std::string& text) {
     for (const auto& wanted : client.subscriptions()) request.subscribe.push_back({wanted.id(), wanted.channelid()});
   } else if (client.op() == "unsubscribe") {
     request.unsubscribe.assign(client.subscriptionids().begin(), client.subscriptionids().end());
+  } else if (client.op() == "advertise") {
+    for (const auto& channel : client.channels())
+      request.advertise.push_back({channel.id(), channel.topic(), channel.encoding()});
+  } else if (client.op() == "unadvertise") {
+    request.unadvertise.assign(client.channelids().begin(), client.channelids().end());
   } else {
     return refused("operation '" + client.op().substr(0, 64) + "' is not offered here");
   }

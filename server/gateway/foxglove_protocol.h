@@ -14,7 +14,7 @@
 
 namespace telepalp::server::foxglove {
 
-/// The subprotocols that we speak. Both mean the same for a server that clients only listen to.
+/// The subprotocols that we speak. What we use of both is the same.
 inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1", "foxglove.websocket.v1"};
 
 /// The first of the client's offers (a Sec-WebSocket-Protocol header) that we speak.
@@ -39,9 +39,23 @@ struct Request {
     std::uint32_t id;
     std::uint32_t channel;
   };
+  struct Channel {
+    std::uint32_t id;
+    std::string topic;
+    std::string encoding;
+  };
   std::vector<Subscription> subscribe;
   std::vector<std::uint32_t> unsubscribe;
+  std::vector<Channel> advertise;  ///< what the client will publish
+  std::vector<std::uint32_t> unadvertise;
 };
+
+/// A client's binary message: 01 | channel u32, little-endian | payload. nullopt for anything else.
+struct ClientData {
+  std::uint32_t channel;
+  std::string payload;
+};
+[[nodiscard]] std::optional<ClientData> read_client_data(std::string_view bytes);
 
 /// Reads a client's text. An error for what is no JSON object of the protocol, or an operation that is not offered.
 /// `text` is bounded by the connection.

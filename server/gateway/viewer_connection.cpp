@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "server/gateway/foxglove_protocol.h"
+#include "server/gateway/viewer_voice.h"
 
 namespace telepalp::server {
 namespace {
@@ -86,14 +87,23 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void handle(const std::string& message) {
     if (!subscriber_) return;
-    if (!stream_.got_text()) return warn("this server takes no data from viewers");
+    if (!stream_.got_text()) return publish(message);
     const Result<foxglove::Request> request = foxglove::read_request(message);
     if (!request) return warn(to_string(request.error()));
     for (const std::uint32_t id : request->unsubscribe) subscriptions_.erase(id);
     for (const auto& wanted : request->subscribe) subscribe(wanted);
+    for (const std::uint32_t id : request->unadvertise) voice_.unadvertise(id);
+    for (const auto& channel : request->advertise)
+      if (const Result<void> taken = voice_.advertise(channel); !taken) warn(to_string(taken.error()));
     std::vector<std::string> topics;
     for (const auto& [id, topic] : subscriptions_) topics.emplace_back(topic);
     context()->hub.subscribe(*subscriber_, topics);
+  }
+
+  void publish(const std::string& bytes) {
+    const auto message = voice_.hear(bytes, *subscriber_, context()->now());
+    if (!message) return warn(to_string(message.error()));
+    if (*message) context()->hub.publish(**message);
   }
 
   void subscribe(const foxglove::Request::Subscription& wanted) {
@@ -162,7 +172,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   beast::flat_buffer incoming_;                              // bounded by read_message_max
   std::optional<SubscriberId> subscriber_;                   // from the greeting until the end
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics
-  std::deque<std::string> texts_;                            // to write before data
+  ViewerVoice voice_;
+  std::deque<std::string> texts_;  // to write before data
   bool writing_ = false;
   std::optional<wire::Message> message_;  // being written
   std::deque<std::uint32_t> to_;          // subscriptions that it still goes to

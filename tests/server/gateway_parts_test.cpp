@@ -149,9 +149,14 @@ TEST(FoxgloveProtocol, RequestsAreReadAndOtherOperationsAreNamedInTheRefusal) {
   ASSERT_EQ(subscribe->subscribe.size(), 1u);
   EXPECT_EQ(subscribe->subscribe[0].id, 7u);
   EXPECT_EQ(subscribe->subscribe[0].channel, 2u);
-  const auto publish = foxglove::read_request(R"({"op":"advertise","channels":[]})");
-  ASSERT_FALSE(publish);
-  EXPECT_NE(to_string(publish.error()).find("'advertise'"), std::string::npos);
+  const auto advertise = foxglove::read_request(
+      R"({"op":"advertise","channels":[{"id":9,"topic":"/viewer/hand","encoding":"protobuf","schemaName":"x"}]})");
+  ASSERT_TRUE(advertise);
+  ASSERT_EQ(advertise->advertise.size(), 1u);
+  EXPECT_EQ(advertise->advertise[0].topic, "/viewer/hand");
+  const auto other = foxglove::read_request(R"({"op":"setParameters","parameters":[]})");
+  ASSERT_FALSE(other);
+  EXPECT_NE(to_string(other.error()).find("'setParameters'"), std::string::npos);
 }
 
 TEST(FoxgloveProtocol, NonsenseIsAnErrorAndNeverMore) {

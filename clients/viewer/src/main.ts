@@ -1,5 +1,6 @@
 import {wireControls} from './controls';
 import {type DecodedDepth, DepthDecoder} from './depth/depth_decoder';
+import {HeldHand} from './held_hand';
 import type {CompressedImage, StationState} from './link/messages';
 import {SessionClock} from './link/session_clock';
 import {Stream} from './link/stream';
@@ -15,13 +16,15 @@ const READOUTS_EVERY_MS = 100;
 const clock = new SessionClock();
 const state = new ViewerState(clock);
 const readouts = new Readouts();
+const canvas = document.getElementById('scene') as HTMLCanvasElement;
 const view = openView();
+const heldHand = new HeldHand(view, canvas, (hand) => stream.publish('/viewer/hand', hand));
 let cameraMatrix: readonly number[] | undefined;
 let decodingPicture = false;
 
 function openView(): SceneView {
   try {
-    return new SceneView(document.getElementById('scene') as HTMLCanvasElement);
+    return new SceneView(canvas);
   } catch (problem) {
     readouts.tell({level: 'alarm', title: 'No 3D here', text: 'This browser has no WebGL 2: use another, or a newer one.'});
     throw problem;
@@ -94,6 +97,7 @@ const stream = new Stream(
         state.lateTicks = Number(stats.deadlinesMissed);
       },
     },
+    ['/viewer/hand'],
     () => {
       clock.restart();
       state.connected();
@@ -104,6 +108,7 @@ const status = publishStatus(() => ({
   ...read(),
   meshVertices: view.drawnVertices,
   handPosition: view.hand.mesh.visible ? view.hand.mesh.position.toArray() : undefined,
+  holdsHand: heldHand.held,
   undecodable: stream.undecodable + decoder.undecodable,
   overtaken: decoder.overtaken,
   drawn_ms: view.drawn_ms,
@@ -111,5 +116,5 @@ const status = publishStatus(() => ({
 }));
 
 clock.start();
-wireControls(view);
+wireControls(view, heldHand);
 window.setInterval(() => readouts.show(read()), READOUTS_EVERY_MS);

@@ -4,6 +4,7 @@ import type {Reading} from './viewer_state';
 interface Facts extends Reading {
   meshVertices: number;
   handPosition: number[] | undefined;
+  holdsHand: boolean;
   undecodable: number;
   overtaken: number;
   drawn_ms: number;
@@ -24,6 +25,7 @@ export interface ViewerStatus {
   readonly pictureAge_ms: number | undefined;
   readonly linkAge_ms: number | undefined;
   readonly surfaceAge_ms: number | undefined;
+  readonly holdsHand: boolean;
   readonly undecodable: number;
   readonly decode_ms: number;
   readonly drawn_ms: number;
@@ -48,6 +50,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       pictureAge_ms: now.picture_ms,
       linkAge_ms: now.link_ms,
       surfaceAge_ms: now.surface_ms,
+      holdsHand: now.holdsHand,
       undecodable: now.undecodable,
       decode_ms: own.decode_ms,
       drawn_ms: now.drawn_ms,

@@ -58,20 +58,18 @@ void LeapTracker::on_frame(const leap::Frame& frame) {
   const std::chrono::microseconds told(frame.timestamp_us);
   const auto at = service_clock_.map(told, Clock::now().time_since_epoch());
   if (const auto hand = followed_.choose(std::chrono::duration<double>(told).count(), frame.hands))
-    sightings_.put({Clock::time_point(at), hand->palm});
+    sightings_.put(Clock::time_point(at), hand->palm);
 }
 
 std::optional<station::HandSample> LeapTracker::sample(SessionTime now, const station::DeviceReading&) noexcept {
-  (void)session_clock_.map(now.time_since_epoch(), Clock::now().time_since_epoch());
-  if (!sightings_.take()) return std::nullopt;
-  const Sighting& seen = sightings_.current();
-  return station::HandSample{SessionTime(seen.at.time_since_epoch() - session_clock_.difference()),
-                             haptic_from_tracker_ * seen.palm};
+  const auto seen = sightings_.take(now);
+  if (!seen) return std::nullopt;
+  return station::HandSample{seen->at, haptic_from_tracker_ * seen->hand};
 }
 
 std::optional<Point<HandTracker>> LeapTracker::palm() noexcept {
-  if (!sightings_.take()) return std::nullopt;
-  return sightings_.current().palm;
+  const auto seen = sightings_.take();
+  return seen ? std::optional(seen->hand) : std::nullopt;
 }
 
 }  // namespace telepalp::tracking

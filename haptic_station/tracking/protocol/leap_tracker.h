@@ -9,8 +9,8 @@
 #include "haptic_station/device/protocol/websocket_line.h"
 #include "haptic_station/tracking/protocol/clock_envelope.h"
 #include "haptic_station/tracking/protocol/followed_hand.h"
+#include "haptic_station/tracking/protocol/sightings.h"
 #include "haptic_station/tracking/tracker.h"
-#include "proto/words/latest_value.h"
 
 namespace telepalp::tracking {
 
@@ -39,10 +39,6 @@ class LeapTracker final : public Tracker {
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct Sighting {
-    Clock::time_point at;
-    Point<HandTracker> palm;
-  };
 
   void on_text(std::string_view text);
   void on_hello(const leap::Hello& hello);
@@ -58,9 +54,8 @@ class LeapTracker final : public Tracker {
   bool spoke_ = false;           // owner: thread_
   bool line_is_up_ = false;      // owner: thread_
   std::atomic<std::uint64_t> refused_{0};
-  LatestValue<Sighting> sightings_;  // thread_ to haptic thread
+  Sightings<HandTracker> sightings_;  // thread_ to haptic thread
   const Transform<HapticBase, HandTracker> haptic_from_tracker_;
-  ClockEnvelope session_clock_{0.02};  // owner: haptic thread; the session's clock is slewed
 };
 
 }  // namespace telepalp::tracking

@@ -9,6 +9,7 @@
 #include "messages/camera.pb.h"
 #include "messages/clock.pb.h"
 #include "messages/station.pb.h"
+#include "messages/viewer.pb.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::wire {
@@ -21,8 +22,11 @@ using google::protobuf::FileDescriptor;
 /// A static library's type is known at run time only if something names it: one type for each file of topics' types.
 const DescriptorPool& pool_with_our_types() {
   static const Descriptor* const linked[] = {foxglove::CameraCalibration::descriptor(),
-                                             foxglove::CompressedImage::descriptor(), msg::DepthImage::descriptor(),
-                                             msg::Clock::descriptor(), msg::StationState::descriptor()};
+                                             foxglove::CompressedImage::descriptor(),
+                                             msg::DepthImage::descriptor(),
+                                             msg::Clock::descriptor(),
+                                             msg::StationState::descriptor(),
+                                             msg::ViewerHand::descriptor()};
   return *linked[0]->file()->pool();
 }
 

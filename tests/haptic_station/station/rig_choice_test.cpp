@@ -25,7 +25,7 @@ TEST(RigChoice, LeavesTheSimulatedRigToTheStation) {
   ASSERT_TRUE(choice);
   const auto rig = connect_rig(*choice, {});
   ASSERT_TRUE(rig);
-  EXPECT_EQ(*rig, nullptr);
+  EXPECT_EQ(rig->rig, nullptr);
 }
 
 TEST(RigChoice, RefusesWhatCannotWorkTogetherAndSaysWhatCan) {
@@ -37,7 +37,8 @@ TEST(RigChoice, RefusesWhatCannotWorkTogetherAndSaysWhatCan) {
   for (const Case& c : {Case{"haply", "simulated", "--tracker held"}, Case{"simulated", "held", "--tracker leap"},
                         Case{"falcon", "leap", "simulated|haply"}, Case{"haply", "kinect", "simulated|held"},
                         Case{"udp:", "held", "simulated|haply"}, Case{"udp:localhost", "held", "--device udp"},
-                        Case{"haply:wss://x", "held", "ws://127.0.0.1:10001/"}}) {
+                        Case{"haply:wss://x", "held", "ws://127.0.0.1:10001/"},
+                        Case{"haply", "browser", "--device simulated"}, Case{"simulated", "browser:1", "browser"}}) {
     const Result<RigChoice> choice = read_rig_choice(c.device, c.tracker);
     ASSERT_FALSE(choice) << c.device << " " << c.tracker;
     EXPECT_NE(to_string(choice.error()).find(c.says), std::string::npos) << to_string(choice.error());
@@ -51,11 +52,11 @@ TEST(ConnectedRig, AHeldHaplyIsDeviceAndHandAndItsForceComesOut) {
   auto rig = connect_rig(*choice, {});
   ASSERT_TRUE(rig) << to_string(rig.error());
   std::optional<HandSample> hand;
-  EXPECT_TRUE(soon([&] { return (hand = (*rig)->hand(now())).has_value(); }));
+  EXPECT_TRUE(soon([&] { return (hand = rig->rig->hand(now())).has_value(); }));
   EXPECT_LT((hand->hand.m - Vector3d(0, 0.03, 0)).norm(), 1e-12);
-  EXPECT_LT(((*rig)->read().at.m - Vector3d(0, 0.03, 0)).norm(), 1e-12);
+  EXPECT_LT((rig->rig->read().at.m - Vector3d(0, 0.03, 0)).norm(), 1e-12);
   EXPECT_TRUE(soon([&] {
-    (*rig)->apply({{0, 1.25, 0}}, {}, 0.0005);
+    rig->rig->apply({{0, 1.25, 0}}, {}, 0.0005);
     return service.newest().find(R"("z":1.250000)") != std::string::npos;
   })) << service.newest();
 }
@@ -68,14 +69,14 @@ TEST(ConnectedRig, ATrackedHandPushesTheSimulatedDevice) {
   ASSERT_TRUE(choice);
   auto rig = connect_rig(*choice, {});
   ASSERT_TRUE(rig) << to_string(rig.error());
-  EXPECT_GT((*rig)->read().at.m.y(), 0.05) << "it rests well above where the hand will be";
+  EXPECT_GT(rig->rig->read().at.m.y(), 0.05) << "it rests well above where the hand will be";
   service.say(R"({"timestamp":1000000,"hands":[{"id":1,"palmPosition":[0,20,0],"palmVelocity":[0,0,0]}]})");
   std::optional<HandSample> hand;
-  ASSERT_TRUE(soon([&] { return (hand = (*rig)->hand(now())).has_value(); }));
+  ASSERT_TRUE(soon([&] { return (hand = rig->rig->hand(now())).has_value(); }));
   EXPECT_NEAR(hand->hand.m.y(), 0.02, 1e-12);
-  for (int tick = 0; tick < 4000; ++tick) (*rig)->apply({{0, 0.5, 0}}, {}, 0.0005);
-  EXPECT_NEAR((*rig)->read().at.m.y(), 0.02, 0.005) << "the hand presses it down, against the motors";
-  EXPECT_FALSE((*rig)->hand(now())) << "each sample once: the watchdog sees a silent tracker";
+  for (int tick = 0; tick < 4000; ++tick) rig->rig->apply({{0, 0.5, 0}}, {}, 0.0005);
+  EXPECT_NEAR(rig->rig->read().at.m.y(), 0.02, 0.005) << "the hand presses it down, against the motors";
+  EXPECT_FALSE(rig->rig->hand(now())) << "each sample once: the watchdog sees a silent tracker";
 }
 
 TEST(CalibratedScene, TakesTheMeasuredTransformsAndNoLongerCentresTheCamera) {

@@ -87,6 +87,17 @@ export interface Clock {
   sessionNs: bigint;
 }
 
+/** Where somebody holds the hand here; the server adds which viewer it was. */
+export type ViewerHand = {
+  sampledUs: bigint;
+  handCamera: Vec3;
+};
+
+/** What the viewer itself says: topic name -> what its messages hold. */
+export interface OwnTopics {
+  '/viewer/hand': ViewerHand;
+}
+
 /** Topic name -> what its messages hold. */
 export interface Topics {
   '/clock': Clock;

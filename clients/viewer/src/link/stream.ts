@@ -1,7 +1,7 @@
 import {FoxgloveClient, type Channel, type SubscriptionId} from '@foxglove/ws-protocol';
 
-import type {Topics} from './messages';
-import {decoderFor, type Decode} from './schemas';
+import type {OwnTopics, Topics} from './messages';
+import {decoderFor, encoderFor, type Decode, type Encode} from './schemas';
 
 const FIRST_RETRY_MS = 500;
 const SLOWEST_RETRY_MS = 5000;
@@ -15,7 +15,12 @@ interface Subscription {
   decode: Decode;
 }
 
-/** The server's messages, decoded. Connects, and connects again by itself for as long as the page is open. */
+interface Publication {
+  channel: number;
+  encode: Encode;
+}
+
+/** The server's messages, decoded, and ours to it. Connects, and connects again by itself for as long as the page is open. */
 export class Stream {
   connected = false;
   /** When the next attempt begins, on performance.now(); undefined while connected or connecting. */
@@ -23,6 +28,7 @@ export class Stream {
   undecodable = 0;
 
   private readonly subscriptions = new Map<SubscriptionId, Subscription>();
+  private readonly publications = new Map<string, Publication>();
   private client: FoxgloveClient | undefined;
   private retry_ms = FIRST_RETRY_MS;
   private heard_ms = 0;
@@ -30,15 +36,23 @@ export class Stream {
   constructor(
       private readonly url: string,
       private readonly handlers: Handlers,
+      private readonly publishes: readonly (keyof OwnTopics)[],
       private readonly onConnected: () => void,
   ) {
     window.setInterval(() => this.endIfSilent(), 1000);
     this.connect();
   }
 
+  /** Sends `message` when there is a server that takes it; else it is lost, for a newer one comes soon. */
+  publish<Topic extends keyof OwnTopics>(topic: Topic, message: OwnTopics[Topic]): void {
+    const publication = this.publications.get(topic);
+    if (publication !== undefined) this.client?.sendMessage(publication.channel, publication.encode(message));
+  }
+
   private connect(): void {
     this.retryAt_ms = undefined;
     this.subscriptions.clear();
+    this.publications.clear();
     this.heard_ms = performance.now();
     const client = new FoxgloveClient({ws: new WebSocket(this.url, [FoxgloveClient.SUPPORTED_SUBPROTOCOL])});
     this.client = client;
@@ -47,7 +61,10 @@ export class Stream {
       this.retry_ms = FIRST_RETRY_MS;
       this.onConnected();
     });
-    client.on('advertise', (channels) => channels.forEach((channel) => this.subscribe(client, channel)));
+    client.on('advertise', (channels) => channels.forEach((channel) => {
+      this.subscribe(client, channel);
+      this.offer(client, channel);
+    }));
     client.on('message', ({subscriptionId, timestamp, data}) => {
       this.heard_ms = performance.now();
       this.deliver(subscriptionId, timestamp, new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
@@ -67,6 +84,13 @@ export class Stream {
     } catch (problem) {
       console.error(`${channel.topic}: ${String(problem)}`);
     }
+  }
+
+  /** The server tells the schema of each topic, of those too that viewers publish. */
+  private offer(client: FoxgloveClient, {topic, encoding, schema, schemaName}: Channel): void {
+    if (!this.publishes.some((own) => own === topic) || encoding !== 'protobuf') return;
+    const encode = encoderFor(schemaName, schema);
+    this.publications.set(topic, {channel: client.advertise({topic, encoding, schemaName}), encode});
   }
 
   private deliver(id: SubscriptionId, published_ns: bigint, payload: Uint8Array): void {
@@ -92,6 +116,7 @@ export class Stream {
   private retry(): void {
     this.connected = false;
     this.client = undefined;
+    this.publications.clear();
     this.retryAt_ms = performance.now() + this.retry_ms;
     window.setTimeout(() => this.connect(), this.retry_ms);
     this.retry_ms = Math.min(2 * this.retry_ms, SLOWEST_RETRY_MS);

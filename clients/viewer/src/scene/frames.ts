@@ -6,3 +6,8 @@ import type {Vec3} from '../link/messages';
 export function fromCamera({x, y, z}: Vec3): Vector3 {
   return new Vector3(x, -y, -z);
 }
+
+/** The other way. */
+export function toCamera({x, y, z}: Vector3): Vec3 {
+  return {x, y: -y, z: -z};
+}

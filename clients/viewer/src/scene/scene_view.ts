@@ -3,9 +3,13 @@ import {
   Color,
   DirectionalLight,
   HemisphereLight,
+  MOUSE,
   PerspectiveCamera,
+  Raycaster,
   Scene,
   Spherical,
+  TOUCH,
+  Vector2,
   Vector3,
   WebGLRenderer,
 } from 'three';
@@ -42,6 +46,7 @@ export class SceneView {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(42, 1, 0.01, 20);
   private readonly controls: OrbitControls;
+  private readonly caster = new Raycaster();
   private readonly home = {target: new Vector3(0, 0, -1), distance_m: 0.9};
   private placed = false;
   private size = '';
@@ -93,6 +98,20 @@ export class SceneView {
     this.home.distance_m = Math.min(2.2, Math.max(0.45, 0.88 * middle_m));
     if (!this.placed) this.resetView();
     this.placed = true;
+  }
+
+  /** Whether the first button and one finger turn the view; else they are free for something else. */
+  setTurning(wanted: boolean): void {
+    this.controls.mouseButtons.LEFT = wanted ? MOUSE.ROTATE : null;
+    this.controls.touches.ONE = wanted ? TOUCH.ROTATE : null;
+  }
+
+  /** Where the measured surface is under a place of the page. */
+  surfaceUnder(clientX: number, clientY: number): Vector3 | undefined {
+    const {left, top, width, height} = this.canvas.getBoundingClientRect();
+    const place = new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
+    this.caster.setFromCamera(place, this.camera);
+    return this.surface.meet(this.caster.ray.origin, this.caster.ray.direction);
   }
 
   resetView(): void {

@@ -41,6 +41,7 @@ export class Surface {
 
   private measured = 0;
   private stride = 1;
+  private frame: DepthFrame | undefined;
   private depth: DataTexture | undefined;
   private readonly color = new Texture();
   private picture: ImageBitmap | undefined;
@@ -86,6 +87,7 @@ export class Surface {
   /** `k`: the camera matrix, row-major; without one, what a Kinect's lens would be for the frame's size. */
   showDepth(frame: DepthFrame, summary: DepthSummary, k: readonly number[] | undefined): void {
     const {width, height} = frame;
+    this.frame = frame;
     const size = this.uniforms.size.value;
     if (this.depth === undefined || size.x !== width || size.y !== height) this.resize(frame);
     else this.depth.image.data = frame.samples;
@@ -97,6 +99,28 @@ export class Surface {
     this.uniforms.range_m.value.set(summary.near_m, summary.middle_m, summary.far_m);
     this.measured = summary.measured;
     this.mesh.visible = true;
+  }
+
+  /** Where the ray first meets the measured surface; undefined: nowhere within 4 m. `direction` is of length one. */
+  meet(origin: Vector3, direction: Vector3): Vector3 | undefined {
+    const [step_m, far_m, thick_m] = [0.004, 4, 0.05];  // so far behind what is seen, the ray passes behind its rim
+    const at = new Vector3();
+    for (let way_m = 0; way_m < far_m; way_m += step_m) {
+      const measured_m = this.depthBehind(at.copy(direction).multiplyScalar(way_m).add(origin));
+      if (measured_m > 0 && -at.z >= measured_m && -at.z < measured_m + thick_m)
+        return at.multiplyScalar(measured_m / -at.z);
+    }
+    return undefined;
+  }
+
+  /** The depth measured where the camera sees the point `at`; 0 where it measured none. */
+  private depthBehind({x, y, z}: Vector3): number {
+    if (this.frame === undefined || z > -0.05) return 0;
+    const {width, height, samples, unit_m} = this.frame;
+    const {x: fx, y: fy, z: cx, w: cy} = this.uniforms.intrinsics.value;
+    const [column, row] = [Math.round(cx - (fx * x) / z), Math.round(cy + (fy * y) / z)];
+    if (column < 0 || row < 0 || column >= width || row >= height) return 0;
+    return (samples[row * width + column] ?? 0) * unit_m;
   }
 
   showPicture(picture: ImageBitmap): void {

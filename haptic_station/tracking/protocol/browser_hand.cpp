@@ -1,0 +1,48 @@
+#include "haptic_station/tracking/protocol/browser_hand.h"
+
+#include <algorithm>
+
+namespace telepalp::tracking {
+namespace {
+
+constexpr std::chrono::milliseconds kOtherAfter{300};
+constexpr double kReach_m = 0.5;
+
+/// False for what is not a number, too.
+bool in_reach(const Point<HapticBase>& at) noexcept { return at.m.norm() <= kReach_m; }
+
+}  // namespace
+
+BrowserHand::Taken BrowserHand::hear(const msg::ViewerHand& hand, const Point<HapticBase>& at,
+                                     Clock::time_point now) noexcept {
+  const bool another = hand.viewer() != viewer_;
+  if (another && viewer_ != 0 && now - heard_ < kOtherAfter) return Taken::OtherViewer;
+  if (!in_reach(at)) return Taken::OutOfReach;
+  if (another) viewers_clock_ = ClockEnvelope();
+  viewer_ = hand.viewer();
+  heard_ = now;
+  // A century fits, so that no clock of a viewer overflows ours.
+  constexpr std::uint64_t kLatest_us = 3'200'000'000'000'000;
+  const std::chrono::microseconds sampled(static_cast<std::int64_t>(std::min(hand.sampled_us(), kLatest_us)));
+  sightings_.put(Clock::time_point(viewers_clock_.map(sampled, now.time_since_epoch())), at);
+  return Taken::Followed;
+}
+
+std::optional<station::HandSample> BrowserHand::sample(SessionTime now, const station::DeviceReading&) noexcept {
+  const auto seen = sightings_.take(now);
+  return seen ? std::optional(station::HandSample{seen->at, seen->hand}) : std::nullopt;
+}
+
+const char* in_words(BrowserHand::Taken taken) noexcept {
+  switch (taken) {
+    case BrowserHand::Taken::Followed:
+      return "its hand is followed";
+    case BrowserHand::Taken::OtherViewer:
+      return "not followed, another viewer holds the hand";
+    case BrowserHand::Taken::OutOfReach:
+      return "not followed, its hand is out of the device's reach";
+  }
+  return "?";
+}
+
+}  // namespace telepalp::tracking

@@ -1,0 +1,24 @@
+#include "proto/wire/viewer_hand.h"
+
+namespace telepalp::wire {
+namespace {
+
+/// False for what is not a number, too.
+bool is_near(double coordinate_m) noexcept {
+  constexpr double kFurthest_m = 10.0;
+  return coordinate_m >= -kFurthest_m && coordinate_m <= kFurthest_m;
+}
+
+}  // namespace
+
+std::optional<msg::ViewerHand> read_viewer_hand(const std::string& payload) {
+  msg::ViewerHand hand;
+  if (payload.size() > kMaxViewerHandBytes || !hand.ParseFromString(payload) || !hand.has_hand_camera())
+    return std::nullopt;
+  hand.DiscardUnknownFields();
+  const msg::Vec3& at = hand.hand_camera();
+  if (!is_near(at.x()) || !is_near(at.y()) || !is_near(at.z())) return std::nullopt;
+  return hand;
+}
+
+}  // namespace telepalp::wire

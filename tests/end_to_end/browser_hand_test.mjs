@@ -1,0 +1,144 @@
+// A hand held in a browser, through the real server, moves the real station: node browser_hand_test.mjs SERVER STATION
+// VIEWER_DIR
+import assert from 'node:assert/strict';
+import {writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+import test from 'node:test';
+
+import {openBrowser, untilStatus} from './browser.mjs';
+import {sleep, until, Workplace} from './running_program.mjs';
+
+const borrowed = createRequire(new URL('../npm/package.json', import.meta.url));
+const {FoxgloveClient} = borrowed('@foxglove/ws-protocol');
+const {WebSocket} = borrowed('ws');
+const protobuf = borrowed('protobufjs');
+const descriptor = borrowed('protobufjs/ext/descriptor');
+const [server, station, viewer] = process.argv.slice(2);
+
+/** A level patient of 160 x 120 points, 0.7 m before the camera: small, for a browser that draws without a graphics card. */
+function levelPatient(folder) {
+  const [width, height, focal, depth_m] = [160, 120, 145, 0.7];
+  const points = [];
+  for (let row = 0; row < height; ++row)
+    for (let column = 0; column < width; ++column)
+      points.push(`${((column - width / 2) * depth_m) / focal} ${((row - height / 2) * depth_m) / focal} ${depth_m}`);
+  const file = join(folder, 'level.pcd');
+  writeFileSync(file, `VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH ${width}\nHEIGHT ${height}\n` +
+      `VIEWPOINT 0 0 0 1 0 0 0\nPOINTS ${points.length}\nDATA ascii\n${points.join('\n')}\n`);
+  return file;
+}
+
+const start = async (workplace, tracker) => {
+  const source = `pcd:${levelPatient(workplace.folder)}`;
+  const {port, http_port} = await workplace.server(server, ['--source', source, '--viewer', viewer]);
+  const child = workplace.start(station, ['--connect', `127.0.0.1:${port}`, '--tracker', tracker]);
+  await until('the station ticks', () => child.heard.includes('ticking at 2 kHz'));
+  return {child, http_port};
+};
+
+test('the pointer meets the skin, presses, and when it leaves the page the station lets go', async () => {
+  const workplace = new Workplace('browser_hand');
+  let browser;
+  try {
+    const {child, http_port} = await start(workplace, 'browser');
+    browser = await openBrowser(workplace.folder, {width: 700, height: 520});
+    const {page, problems} = browser;
+    await page.goto(`http://127.0.0.1:${http_port}/`);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 10_000);
+    await untilStatus(page, 'without a hand it has let go', (now) => now.phase === 'Released');
+    await page.click('#hold-hand');
+    await page.mouse.move(350, 270);
+    await untilStatus(page, 'the hand is followed', (now) => now.holdsHand && now.phase === 'Out body');
+    await page.mouse.down();
+    const pressed = await untilStatus(page, 'the skin is pressed', (now) => now.phase === 'In body' && now.force_N > 0.2);
+    assert.ok(pressed.force_N <= 10.001, 'the limiter holds');
+    await page.mouse.up();
+    await untilStatus(page, 'the hand has risen', (now) => now.force_N === 0 || now.phase !== 'In body');
+    await page.click('#hold-hand');
+    await untilStatus(page, 'the station lets go', (now) => now.phase === 'Released' && now.force_N === 0);
+    assert.match(child.heard, /its hand is followed/);
+    assert.deepEqual(problems, []);
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
+/** Foxglove's own client, holding a hand. */
+async function connect(port) {
+  const client = new FoxgloveClient({
+    ws: new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]),
+  });
+  const heard = {channels: [], info: undefined, warnings: [], phase: undefined, types: {}};
+  client.on('serverInfo', (info) => (heard.info = info));
+  client.on('advertise', (channels) => heard.channels.push(...channels));
+  client.on('status', ({message}) => heard.warnings.push(message));
+  await until('the topics are advertised', () => heard.channels.length > 0);
+  const channel = (topic) => heard.channels.find((one) => one.topic === topic);
+  const type = (topic) => {
+    const {schema, schemaName} = channel(topic);
+    const set = descriptor.FileDescriptorSet.decode(Buffer.from(schema, 'base64'));
+    return protobuf.Root.fromDescriptor(set).lookupType(schemaName);
+  };
+  const states = type('/station/state');
+  client.on('message', ({data}) => {
+    heard.phase = states.decode(new Uint8Array(data.buffer, data.byteOffset, data.byteLength)).phase;
+  });
+  client.subscribe(channel('/station/state').id);
+  const id = client.advertise({topic: '/viewer/hand', encoding: 'protobuf', schemaName: 'telepalp.msg.ViewerHand'});
+  const hands = type('/viewer/hand');
+  const tell = (x, y, z, extra = {}) => client.sendMessage(id, hands.encode(hands.fromObject({
+    sampled_us: Math.round(1000 * performance.now()), hand_camera: {x, y, z}, ...extra,
+  })).finish());
+  return {client, heard, tell, id};
+}
+
+/** Holds a hand for `ms`, as often as a tracker would. */
+async function hold(ms, tell) {
+  for (const end = Date.now() + ms; Date.now() < end; await sleep(10)) tell();
+}
+
+const [OUT_BODY, RELEASED] = [3, 8];
+
+test('what a hostile viewer sends never becomes a hand, and an honest one is served beside it', async () => {
+  const workplace = new Workplace('browser_hand_hostile');
+  try {
+    const {http_port} = await start(workplace, 'browser');
+    const hostile = await connect(http_port);
+    assert.deepEqual(hostile.heard.info.capabilities, ['clientPublish']);
+    hostile.client.advertise({topic: '/station/events', encoding: 'protobuf', schemaName: 'telepalp.msg.StationEvent'});
+    await until('the topic is denied', () => hostile.heard.warnings.some((text) => text.includes('/station/events')));
+    await hold(600, () => {
+      for (const bad of [NaN, Infinity, 1e300, 11]) hostile.tell(0, 0, bad);
+      hostile.client.sendMessage(hostile.id, Buffer.alloc(1000, 0xff));
+      hostile.client.sendMessage(77, Buffer.from([1, 2, 3]));
+      hostile.tell(0, 0, 9.9);  // well formed, out of the device's reach
+    });
+    await until('the station tells', () => hostile.heard.phase !== undefined);
+    assert.equal(hostile.heard.phase, RELEASED);
+    const honest = await connect(http_port);
+    await until('the honest hand is followed', async () => {
+      await hold(200, () => honest.tell(0, 0, 0.63));
+      return honest.heard.phase === OUT_BODY;
+    });
+    await until('its silence is let go of', () => honest.heard.phase === RELEASED);
+    hostile.client.close();
+    honest.client.close();
+  } finally {
+    await workplace.end();
+  }
+});
+
+test('a station that was not asked to takes no hand from a viewer', async () => {
+  const workplace = new Workplace('browser_hand_unasked');
+  try {
+    const {child, http_port} = await start(workplace, 'simulated');
+    const {client, tell} = await connect(http_port);
+    await hold(500, () => tell(0, 0, 0.63));
+    assert.doesNotMatch(child.heard, /viewer/);
+    client.close();
+  } finally {
+    await workplace.end();
+  }
+});

@@ -1,0 +1,87 @@
+// What a viewer may say, and what it may not.
+
+#include "server/gateway/viewer_voice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "proto/wire/viewer_hand.h"
+
+namespace telepalp::server {
+namespace {
+
+std::string hand_at(double x, double y, double z, std::uint64_t viewer = 999) {
+  msg::ViewerHand hand;
+  hand.set_viewer(viewer);
+  hand.set_sampled_us(7);
+  hand.mutable_hand_camera()->set_x(x);
+  hand.mutable_hand_camera()->set_y(y);
+  hand.mutable_hand_camera()->set_z(z);
+  return hand.SerializeAsString();
+}
+
+std::string data(const std::string& payload, std::string header = std::string("\x01\x05\0\0\0", 5)) {
+  return header + payload;
+}
+
+/// One that has advertised its hand as channel 5.
+ViewerVoice voice() {
+  ViewerVoice made;
+  EXPECT_TRUE(made.advertise({5, "/viewer/hand", "protobuf"}));
+  return made;
+}
+
+TEST(ViewerVoice, AHandIsPublishedStampedAndSignedByTheServer) {
+  ViewerVoice viewer = voice();
+  const auto heard = viewer.hear(data(hand_at(0.1, -0.2, 0.8)), 3, session_time(1'000));
+  ASSERT_TRUE(heard);
+  ASSERT_TRUE(heard->has_value());
+  EXPECT_EQ((*heard)->topic.name, "/viewer/hand");
+  EXPECT_EQ((*heard)->published, session_time(1'000));
+  const auto hand = wire::read_viewer_hand(*(*heard)->payload);
+  ASSERT_TRUE(hand);
+  EXPECT_EQ(hand->viewer(), 3u) << "whatever the viewer wrote";
+  EXPECT_EQ(hand->hand_camera().y(), -0.2);
+}
+
+TEST(ViewerVoice, NothingElseMayBeSaid) {
+  ViewerVoice viewer;
+  for (const auto& channel :
+       {foxglove::Request::Channel{1, "/station/events", "protobuf"},
+        foxglove::Request::Channel{1, "/camera/depth", "protobuf"},
+        foxglove::Request::Channel{1, "/viewer/hand", "json"}, foxglove::Request::Channel{1, "", ""}})
+    EXPECT_FALSE(viewer.advertise(channel)) << channel.topic;
+  EXPECT_FALSE(viewer.hear(std::string("\x01\x01\0\0\0", 5) + hand_at(0, 0, 1), 1, {})) << "not advertised";
+  for (std::uint32_t id = 0; id < 8; ++id) EXPECT_TRUE(viewer.advertise({id, "/viewer/hand", "protobuf"}));
+  EXPECT_FALSE(viewer.advertise({8, "/viewer/hand", "protobuf"})) << "channels are bounded";
+}
+
+TEST(ViewerVoice, HandsThatCannotBeAreRefused) {
+  const double nan = std::nan("");
+  const double infinity = std::numeric_limits<double>::infinity();
+  ViewerVoice viewer = voice();
+  std::int64_t at = 0;
+  for (const std::string& bytes :
+       {std::string(), std::string("\x01"), std::string("\x02\x05\0\0\0", 5), data(""), data("\xff\xff\xff"),
+        data(hand_at(nan, 0, 1)), data(hand_at(0, infinity, 1)), data(hand_at(0, 0, -10.1)), data(hand_at(1e300, 0, 1)),
+        data(hand_at(0, 0, 1) + std::string(200, ' ')), data(std::string(64'000, '\x0a'))})
+    EXPECT_FALSE(viewer.hear(bytes, 1, session_time(at += 1'000'000'000))) << bytes.size();
+}
+
+TEST(ViewerVoice, AFloodIsThinnedToFiveHundredASecond) {
+  ViewerVoice viewer = voice();
+  int published = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const auto heard = viewer.hear(data(hand_at(0, 0, 1)), 1, session_time(i * 10'000));
+    ASSERT_TRUE(heard);
+    if (*heard) ++published;
+  }
+  EXPECT_EQ(published, 500);
+  const auto after_the_clock_went_back = viewer.hear(data(hand_at(0, 0, 1)), 1, session_time(0));
+  EXPECT_TRUE(after_the_clock_went_back && *after_the_clock_went_back);
+}
+
+}  // namespace
+}  // namespace telepalp::server
