@@ -34,18 +34,37 @@ struct Lane {
   bool west_stayed = false;
 };
 
+/// What the encoder knows of a row before it codes it, a place a pixel.
+struct RowPlan {
+  uint16_t* context = nullptr;
+  uint16_t* predicted = nullptr;
+  uint16_t* symbol = nullptr;
+  uint16_t* before_class = nullptr;  // in dependent frames
+};
+
+inline uint16_t* take_row(uint8_t*& scratch, int width) {
+  auto* const row = reinterpret_cast<uint16_t*>(scratch) + kMargin;
+  scratch += row_bytes(width);
+  return row;
+}
+
+/// As they are at the start of a slice.
+inline Model* take_models(uint8_t*& scratch, const ContextTables& tables) {
+  auto* const models = reinterpret_cast<Model*>(scratch);
+  const size_t bytes = static_cast<size_t>(tables.count) * sizeof(Model);
+  memcpy(models, tables.models, bytes);
+  scratch += bytes;
+  return models;
+}
+
 template <class Coder>
 void start(Lane<Coder>& lane, uint8_t*& scratch, int width, const ContextTables& tables) {
-  lane.models = reinterpret_cast<Model*>(scratch);
-  const size_t model_bytes = static_cast<size_t>(tables.count) * sizeof(Model);
-  memcpy(lane.models, tables.models, model_bytes);
-  scratch += model_bytes;
+  lane.models = take_models(scratch, tables);
   uint16_t** const rows[] = {&lane.filled, &lane.filled_above, &lane.measured, &lane.measured_above,
                              &lane.context_above};
   for (uint16_t** row : rows) {
     memset(scratch, 0, row_bytes(width));
-    *row = reinterpret_cast<uint16_t*>(scratch) + kMargin;
-    scratch += row_bytes(width);
+    *row = take_row(scratch, width);
   }
   for (int x = -kMargin; x < width + kMargin; ++x) lane.filled_above[x] = 1;
 }
@@ -55,8 +74,10 @@ template <class Coder>
 void begin_row(Lane<Coder>& lane, int width) {
   const uint16_t* const filled = lane.filled_above;
   const uint16_t* const measured = lane.measured_above;
+  uint16_t* const context_above = lane.context_above;
+#pragma GCC ivdep
   for (int x = 0; x < width; ++x)
-    lane.context_above[x] = static_cast<uint16_t>(context_from_above(filled + x, measured + x));
+    context_above[x] = static_cast<uint16_t>(context_from_above(filled + x, measured + x));
   lane.west = lane.west_west = lane.north_west = lane.filled_above[0];
   lane.west_measured = false;
   lane.west_stayed = false;
@@ -101,22 +122,83 @@ inline void step_east(Lane<Coder>& lane, int x, int filled, bool is_measured) {
   lane.coder.encode_bits(step < 0 ? 1 : 0, 1);
 }
 
-[[gnu::noinline]] int decode_far(Lane<RangeDecoder>& lane) {
-  const int size = static_cast<int>(decode_number(lane.coder, lane.far_model)) + kLargestStep + 1;
-  return lane.coder.decode_bits(1) != 0 ? -size : size;
+[[gnu::noinline]] int decode_far(RangeDecoder& coder, Model& model) {
+  const int size = static_cast<int>(decode_number(coder, model)) + kLargestStep + 1;
+  return coder.decode_bits(1) != 0 ? -size : size;
+}
+
+/// A bit for each of 16 numbers that is zero.
+inline uint32_t zeros_of(const uint16_t* at) {
+#if defined(__SSE2__)
+  const __m128i zero = _mm_setzero_si128();
+  const __m128i low = _mm_cmpeq_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)), zero);
+  const __m128i high = _mm_cmpeq_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at + 8)), zero);
+  return static_cast<uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(low, high)));
+#else
+  uint32_t zeros = 0;
+  for (uint32_t i = 0; i < 16; ++i) zeros |= (at[i] == 0 ? 1U : 0U) << i;
+  return zeros;
+#endif
+}
+
+/// The row with its gaps filled by predictions, one after the other; measured pixels as they are.
+inline void fill_gaps(Lane<RangeEncoder>& lane, const uint16_t* ranks, int width) {
+  uint16_t* const filled = lane.filled;
+  const uint16_t* const above = lane.filled_above;
+  memcpy(lane.measured, ranks, static_cast<size_t>(width) * sizeof(uint16_t));
+  memcpy(filled, ranks, static_cast<size_t>(width) * sizeof(uint16_t));
+  filled[-1] = filled[-2] = above[0];  // as begin_row() says of the decoder's
+  for (int from = 0; from < width; from += 16) {
+    uint32_t gaps = zeros_of(lane.measured + from);
+    if (width - from < 16) gaps &= (1U << (width - from)) - 1;
+    for (; gaps != 0; gaps &= gaps - 1) {
+      const int x = from + __builtin_ctz(gaps);
+      filled[x] = static_cast<uint16_t>(predict(filled[x - 1], above[x], above[x - 1]));
+    }
+  }
+}
+
+/// All that a row's coding needs, pixel by pixel without waiting for one another, so that compilers make vectors of it.
+template <bool kDependent>
+inline void plan_row(const Lane<RangeEncoder>& lane, const RowPlan& plan, int width) {
+  const uint16_t* const filled = lane.filled;
+  const uint16_t* const above = lane.filled_above;
+  const uint16_t* const measured = lane.measured;
+  const uint16_t* const context_above = lane.context_above;
+  uint16_t* const __restrict context = plan.context;
+  uint16_t* const __restrict predicted = plan.predicted;
+  uint16_t* const __restrict symbol = plan.symbol;
+#pragma GCC ivdep
+  for (int x = 0; x < width; ++x) {
+    const int west = filled[x - 1];
+    const int north_west = above[x - 1];
+    const int expected = predict(west, above[x], north_west);
+    const int step = bounded(static_cast<int>(filled[x]) - expected, 7);
+    const int zigzag = step > 0 ? 2 * step : (step < 0 ? 1 - 2 * step : 0);
+    predicted[x] = static_cast<uint16_t>(expected);
+    symbol[x] = static_cast<uint16_t>(measured[x] == 0 ? int{kNotMeasured} : (zigzag < kFarther ? zigzag : kFarther));
+    context[x] = static_cast<uint16_t>(context_above[x] + (bounded(filled[x - 2] - west, 2) + 2) +
+                                       kWestClass * (bounded(west - north_west, 2) + 2) +
+                                       (measured[x - 1] != 0 ? kWestMeasured : 0));
+  }
+  if constexpr (!kDependent) return;
+  uint16_t* const __restrict before_classes = plan.before_class;
+  const uint16_t* const before = lane.before;
+  before_classes[0] = static_cast<uint16_t>(before_class(before[0], predicted[0], false));
+  for (int x = 1; x < width; ++x)
+    before_classes[x] = static_cast<uint16_t>(before_class(before[x], predicted[x], measured[x - 1] == before[x - 1]));
 }
 
 template <class Vector, bool kDependent>
-inline void encode_pixel(Lane<RangeEncoder>& lane, int x, int rank, const ContextTables& tables) {
-  const int predicted = predict(lane.west, lane.filled_above[x], lane.north_west);
-  Model& model = model_for<kDependent>(lane, x, predicted, tables);
-  const int step = rank - predicted;
-  const int symbol = rank == 0 ? int{kNotMeasured} : int{kSymbolOf[bounded(step, 7) + 7]};
+inline void encode_pixel(Lane<RangeEncoder>& lane, const RowPlan& plan, int x, const ContextTables& tables) {
+  int index = tables.cluster_of[plan.context[x]];
+  if constexpr (kDependent) index = index * kBeforeClasses + plan.before_class[x];
+  Model& model = lane.models[index];
+  const int symbol = plan.symbol[x];
   lane.coder.encode(model, symbol);
   Vector::learn(model, symbol);
   if (symbol == kFarther) [[unlikely]]
-    encode_far(lane, step);
-  step_east<kDependent>(lane, x, rank == 0 ? predicted : rank, rank != 0);
+    encode_far(lane, static_cast<int>(lane.filled[x]) - plan.predicted[x]);
 }
 
 template <class Vector, bool kDependent>
@@ -127,17 +209,15 @@ inline void decode_pixel(Lane<RangeDecoder>& lane, int x, const ContextTables& t
   Vector::learn(model, symbol);
   int step = kStepOf[symbol];
   if (symbol == kFarther) [[unlikely]]
-    step = decode_far(lane);
+    step = decode_far(lane.coder, lane.far_model);
   step_east<kDependent>(lane, x, predicted + step, symbol != kNotMeasured);
 }
 
 template <class Vector, bool kDependent, int kCount>
-void encode_row(Lane<RangeEncoder>* lanes, const EncodeSlice* slices, int row, int width, const ContextTables& tables) {
-  const size_t first = static_cast<size_t>(row) * static_cast<size_t>(width);
+void encode_row(Lane<RangeEncoder>* lanes, const RowPlan* plans, int width, const ContextTables& tables) {
   for (int x = 0; x < width; ++x)
 #pragma GCC unroll 4
-    for (int i = 0; i < kCount; ++i)
-      encode_pixel<Vector, kDependent>(lanes[i], x, slices[i].ranks[first + static_cast<size_t>(x)], tables);
+    for (int i = 0; i < kCount; ++i) encode_pixel<Vector, kDependent>(lanes[i], plans[i], x, tables);
 }
 
 template <class Vector, bool kDependent, int kCount>
@@ -150,9 +230,11 @@ void decode_row(Lane<RangeDecoder>* lanes, int width, const ContextTables& table
 template <class Vector, bool kDependent>
 void encode_slices(EncodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch) {
   Lane<RangeEncoder> lanes[kLanes];
+  RowPlan plans[kLanes];
   auto* room = static_cast<uint8_t*>(scratch);
   for (int i = 0; i < count; ++i) {
     start(lanes[i], room, width, tables);
+    plans[i] = {take_row(room, width), take_row(room, width), take_row(room, width), take_row(room, width)};
     lanes[i].coder.start(slices[i].bytes, slices[i].room);
   }
   for (int row = 0; row < slices[0].rows; ++row) {
@@ -161,11 +243,13 @@ void encode_slices(EncodeSlice* slices, int count, int width, const ContextTable
     for (int i = 0; i < active; ++i) {
       begin_row(lanes[i], width);
       if constexpr (kDependent) lanes[i].before = slices[i].before + first;
+      fill_gaps(lanes[i], slices[i].ranks + first, width);
+      plan_row<kDependent>(lanes[i], plans[i], width);
     }
     if (active == kLanes) {
-      encode_row<Vector, kDependent, kLanes>(lanes, slices, row, width, tables);
+      encode_row<Vector, kDependent, kLanes>(lanes, plans, width, tables);
     } else {
-      for (int i = 0; i < active; ++i) encode_row<Vector, kDependent, 1>(lanes + i, slices + i, row, width, tables);
+      for (int i = 0; i < active; ++i) encode_row<Vector, kDependent, 1>(lanes + i, plans + i, width, tables);
     }
     for (int i = 0; i < active; ++i) end_row(lanes[i], width);
   }
