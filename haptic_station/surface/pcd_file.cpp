@@ -219,6 +219,8 @@ Result<PointModel> parse_compressed(std::span<const std::byte> bytes, const Head
   for (const Field& field : header.fields) point_bytes += field.bytes * field.count;
   if (sizes[0] > bytes.size() - sizeof sizes || sizes[1] != point_bytes * header.points)
     return bad(name, "has compressed sizes that do not fit the file or the header");
+  constexpr std::uint64_t kMostExpansion = 88;  // three bytes say at most 264: more is a lie, and would be allocated
+  if (sizes[1] > kMostExpansion * sizes[0]) return bad(name, "promises more than its compressed data can hold");
   std::vector<std::byte> plain(sizes[1]);
   if (!decompress_lzf(bytes.subspan(sizeof sizes, sizes[0]), plain)) return bad(name, "has damaged compressed data");
   return parse_binary(plain, header, places, true, name);

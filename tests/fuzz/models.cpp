@@ -1,0 +1,53 @@
+// Files that people give to the probe and the station: the first byte says of which kind the rest is.
+
+#include <cstdint>
+#include <string>
+
+#include "haptic_station/probe/trajectory.h"
+#include "haptic_station/surface/point_model.h"
+#include "proto/words/demand.h"
+
+namespace {
+
+using namespace telepalp;
+
+/// What a reader may give: everything refers to what is there.
+void check(const Result<surface::PointModel>& read) {
+  if (!read) {
+    demand(!read.error().what.empty() && read.error().where == "fuzz", "an error says what and where");
+    return;
+  }
+  demand(read->normals.empty() || read->normals.size() == read->points.size(), "one normal a point, or none");
+  for (const auto& triangle : read->triangles)
+    for (const std::uint32_t corner : triangle) demand(corner < read->points.size(), "a face names what is there");
+  demand(read->width >= 0 && (read->width == 0 || read->points.size() % static_cast<std::size_t>(read->width) == 0),
+         "an organised cloud has whole rows");
+  (void)surface::unit_complaint(*read);
+}
+
+void check(const Result<std::vector<probe::Waypoint>>& read) {
+  if (!read) return;
+  demand(!read->empty(), "a trajectory has waypoints");
+  for (std::size_t i = 1; i < read->size(); ++i) demand((*read)[i].t_s >= (*read)[i - 1].t_s, "time never goes back");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::span<const std::byte> rest = std::as_bytes(std::span(data + 1, size - 1));
+  switch (data[0] % 4) {
+    case 0:
+      check(surface::parse_pcd(rest, "fuzz"));
+      break;
+    case 1:
+      check(surface::parse_ply(rest, "fuzz"));
+      break;
+    case 2:
+      check(surface::parse_obj(rest, "fuzz"));
+      break;
+    default:
+      check(probe::parse_trajectory({reinterpret_cast<const char*>(data + 1), size - 1}, "fuzz"));
+  }
+  return 0;
+}
