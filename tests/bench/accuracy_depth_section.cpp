@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "clients/plot/chart.h"
 #include "clients/plot/palette.h"
 #include "tests/bench/accuracy_depth.h"
@@ -40,12 +42,18 @@ PageTable bounded_table(const std::vector<Priced>& all, double near_m) {
   return table;
 }
 
+/// What nobody feels has no place on a logarithmic axis.
+double felt_mN(double force_N) {
+  constexpr double kUnfelt_N = 1e-3;
+  return force_N < kUnfelt_N ? std::nan("") : 1e3 * force_N;
+}
+
 plot::Series curve(const std::vector<Priced>& all, const std::string& name, std::string_view color, bool rare) {
   plot::Series series{name, {}, {}, std::string(color), rare ? plot::Style::Dashed : plot::Style::Line};
   for (auto one = all.rbegin(); one != all.rend(); ++one) {
     if (!one->name.empty()) continue;  // without loss: no error, which a logarithm cannot show
     series.x.push_back(one->price.bits_per_pixel);
-    series.y.push_back(1e3 * (rare ? one->price.force_p99_N : one->price.force_rms_N));
+    series.y.push_back(felt_mN(rare ? one->price.force_p99_N : one->price.force_rms_N));
   }
   return series;
 }
@@ -132,7 +140,7 @@ Result<Section> depth_section() {
     chart.series.push_back(curve(*bounds, sequence.name + ", RMS", kColors[i], false));
     chart.series.push_back(curve(*bounds, sequence.name + ", p99", kColors[i], true));
     for (std::size_t k = 1; k < bounds->size(); ++k)
-      chart.marks.push_back({(*bounds)[k].price.bits_per_pixel, 1e3 * (*bounds)[k].price.force_rms_N,
+      chart.marks.push_back({(*bounds)[k].price.bits_per_pixel, felt_mN((*bounds)[k].price.force_rms_N),
                              "x " + cell(kScales[k - 1]), std::string(kColors[i])});
     auto priced = modes_of(sequence, section.rows);
     if (!priced) return priced.error();

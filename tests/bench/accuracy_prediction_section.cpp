@@ -67,8 +67,9 @@ std::string time_text(const std::vector<SurfacePredictionError>& errors) {
     if (error.model.find("default") != std::string::npos) usual = &error;
     if (best == nullptr || product(error) < product(*best)) best = &error;
   }
-  if (usual == nullptr || usual == best)
-    return "Of still error × breathing error 100 ms late, the default has the least.\n";
+  constexpr double kAsGood = 1.02;
+  if (usual == nullptr || product(*usual) <= kAsGood * product(*best))
+    return "Of still error × breathing error 100 ms late, the default has the least, or within 2 % of it.\n";
   return "Of still error × breathing error 100 ms late, *" + best->model + "* has the least: still " +
          cell(best->still_1s_m / usual->still_1s_m) + " times, breathing " +
          cell(best->breathing_m[kDelayed] / usual->breathing_m[kDelayed]) + " times the default's.\n";
