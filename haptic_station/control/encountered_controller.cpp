@@ -49,8 +49,9 @@ ControlInput without_numbers(const ControlInput& in, const Point<HapticBase>& de
 bool in_body(const ControlInput& in) noexcept { return in.contact.valid && in.contact.in_body; }
 
 bool stale(const ControlInput& in, const AgeLimits& ages) noexcept {
-  // Written so that an age that is not a number counts as stale.
-  return !(in.hand_valid && in.hand_age_s <= ages.tracker_s && in.contact.age_s <= ages.surface_s);
+  // Written so that an age that is not a number counts as stale; and a sample from the future, which would never age.
+  const bool hand_is_fresh = in.hand_age_s <= ages.tracker_s && in.hand_age_s >= -ages.tracker_s;
+  return !(in.hand_valid && hand_is_fresh && in.contact.age_s <= ages.surface_s);
 }
 
 Event object_event(effects::ObjectTouch touch) noexcept {

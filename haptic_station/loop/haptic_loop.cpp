@@ -33,7 +33,16 @@ control::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch
           .age_s = has_surface_ ? touch.age_s : std::numeric_limits<double>::infinity()};
 }
 
+void HapticLoop::begin_new_time_line() noexcept {
+  touch_.release();
+  hand_.forget();
+  has_surface_ = false;
+}
+
 HapticLoop::Act HapticLoop::tick(const DeviceReading& device, SessionTime now, double dt_s) noexcept {
+  constexpr std::chrono::milliseconds kSameSession{50};  // clocks are slewed, a step is another session
+  if (now + kSameSession < last_tick_) begin_new_time_line();
+  last_tick_ = now;
   // Sense.
   const surface::TouchSample touch = touch_.step(camera_from_haptic_ * device.at, now, dt_s);
   const tracking::HandPrediction hand = hand_.predict(now);

@@ -41,8 +41,9 @@ class HapticLoop {
   /// An operator asks to re-arm; counts for the next tick.
   void rearm() noexcept { rearm_ = true; }
 
-  /// The force to apply until the next tick [N, in H], already limited, and all that is told of the tick, but for its
-  /// number and times.
+  /// Time may stand still or be late, but when it goes back by more than 50 ms, it is another session's: nothing of
+  /// before is believed then, and the station lets go until surface and hand come again. The force to apply until the
+  /// next tick [N, in H], already limited, and all that is told of the tick, but for its number and times.
   struct Act {
     Force<HapticBase> force;
     control::SurfaceContact contact;
@@ -58,6 +59,7 @@ class HapticLoop {
   [[nodiscard]] control::EncounteredController& controller() noexcept { return controller_; }
 
  private:
+  void begin_new_time_line() noexcept;
   [[nodiscard]] control::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
   [[nodiscard]] TickSample tell(const DeviceReading& device, const control::ControlInput& in,
                                 const control::ControlOutput& out) const noexcept;
@@ -73,6 +75,7 @@ class HapticLoop {
   Point<HapticBase> newest_hand_;  // as sampled
   SessionTime surface_captured_{};
   SessionTime hand_sampled_{};
+  SessionTime last_tick_{};
   bool has_surface_ = false;
   bool rearm_ = false;
 };

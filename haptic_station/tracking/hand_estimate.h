@@ -50,6 +50,8 @@ class HandEstimate {
 
   /// A sample taken at `at`. Only Used and Restarted change the estimate.
   Taken update(SessionTime at, const Point<HapticBase>& hand) noexcept;
+  /// Begins anew: no sample yet.
+  void forget() noexcept { started_ = false; }
   [[nodiscard]] HandPrediction predict(SessionTime now) const noexcept;
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }
 
