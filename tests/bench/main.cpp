@@ -7,6 +7,7 @@
 #include "tests/bench/depth_bench.h"
 #include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
+#include "tests/bench/station_bench.h"
 #include "tests/bench/surface_bench.h"
 #include "tests/bench/synthetic_bench.h"
 
@@ -25,6 +26,8 @@ constexpr std::array kBenches{
     bench::Bench{"depth", "ratio and time of each depth mode, beside what else compresses depth", bench::run_depth},
     bench::Bench{"pipeline", "a frame's way from the camera to the hand, and the 2 kHz loop's time",
                  bench::run_pipeline},
+    bench::Bench{"station", "the 2 kHz thread's jitter beside an idle one's, and calibration under S3's noise",
+                 bench::run_station},
     bench::Bench{"synthetic", "what the synthetic patient costs, and how true it is", bench::run_synthetic},
     bench::Bench{"surface", "touching a noisy, moving cloud: cost, error and steadiness", bench::run_surface},
 };

@@ -114,6 +114,21 @@ TEST_F(StationProgram, WhatIsAskedWronglyEndsWithTwo) {
   EXPECT_EQ(run({"--seconds", "-3"}), 2);
 }
 
+TEST_F(StationProgram, CalibratesFromTheShippedPairsAndReadsWhatItKept) {
+  const std::string pairs = TELEPALP_SOURCE_DIR "/deploy/demo_data/calibration/pairs.csv";
+  const std::string kept = (folder_.path() / "site.calibration.textproto").string();
+  EXPECT_EQ(run({"calibrate", "points", "--pairs", pairs, "--from", "camera", "--out", kept}), 0) << text_of(log());
+  EXPECT_NE(text_of(kept).find("haptic_from_camera"), std::string::npos);
+  EXPECT_NE(text_of(kept).find("residual_mean_m: 0.001"), std::string::npos) << text_of(kept);
+  EXPECT_EQ(run({"--calibration", kept, "--check"}), 0) << text_of(log());
+
+  const fs::path flat = folder_.path() / "flat.csv";
+  std::ofstream(flat) << "place,to_x_m,to_y_m,to_z_m,from_x_m,from_y_m,from_z_m\n"
+                         "0,0,0,0,1,0,0\n1,0.1,0,0,1.1,0,0\n2,0.2,0,0,1.2,0,0\n";
+  EXPECT_EQ(run({"calibrate", "points", "--pairs", flat.string(), "--from", "camera", "--out", kept}), 1);
+  EXPECT_NE(text_of(log()).find("rank"), std::string::npos) << text_of(log());
+}
+
 TEST_F(StationProgram, EveryShippedSceneCanBeChecked) {
   for (const auto& entry : fs::directory_iterator(TELEPALP_SOURCE_DIR "/haptic_station/scenes")) {
     if (!entry.path().string().ends_with(".scene.textproto")) continue;

@@ -1,0 +1,146 @@
+#include "tests/bench/station_bench.h"
+
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "haptic_station/loop/plane_snapshot.h"
+#include "haptic_station/loop/simulated_rig.h"
+#include "haptic_station/station/haptic_thread.h"
+#include "tests/bench/distribution.h"
+#include "tests/haptic_station/calibration/registration_trial.h"
+
+namespace telepalp::bench {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+/// Machines have good and bad seconds: both threads get the same ones, turn by turn.
+constexpr auto kTurn = 500ms;
+
+/// What one thread suffered.
+struct Jitter {
+  Distribution late_us;
+  Distribution work_us;
+  std::uint64_t missed = 0;
+  bool realtime = false;
+};
+
+/// A thread like the haptic one, which does nothing but wait for its next deadline.
+void idle_turn(Jitter& jitter) {
+  std::thread idle([&jitter] {
+    const Result<bool> granted = station::enter_realtime(station::Realtime::Prefer);
+    jitter.realtime = granted && *granted;
+    station::TickTimer timer(Clock::now() + station::kTickPeriod, station::kTickPeriod);
+    for (const auto end = Clock::now() + kTurn; Clock::now() < end;) {
+      const station::TickTimer::Tick tick = timer.wait();
+      jitter.late_us.add(std::chrono::duration<double, std::micro>(tick.late).count());
+      jitter.missed += tick.missed;
+    }
+  });
+  idle.join();
+}
+
+/// The station's own loop, thread and telemetry, over a level skin and a hand that palpates it.
+class Station {
+ public:
+  Station()
+      : loop_({}, control::EncounteredController({}, skin())),
+        rig_({.device = {}, .hand = {}, .tracker = {}, .rest = {{0.0, 0.05, 0.0}}},
+             device::ScriptedIntention(device::waypoints(device::Trial::IndentSeveralPoints), {})) {}
+
+  Result<void> turn(Jitter& jitter) {
+    station::HapticThread thread(loop_, rig_, surfaces_, *ticks_);
+    tell_surface();
+    const Result<bool> started = thread.start(station::Realtime::Prefer);
+    if (!started) return started.error();
+    jitter.realtime = *started;
+    for (const auto end = Clock::now() + kTurn; Clock::now() < end; std::this_thread::sleep_for(33ms)) {
+      tell_surface();
+      drain(jitter);
+    }
+    thread.stop();
+    drain(jitter);
+    jitter.missed += thread.counts().deadlines_missed.load();
+    return {};
+  }
+
+ private:
+  static effects::EffectBank skin() {
+    effects::EffectBank bank;
+    (void)bank.add(effects::Skin());
+    return bank;
+  }
+  void tell_surface() {
+    const auto plane = std::make_shared<station::PlaneSnapshot>(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), 1.0);
+    plane->captured = SessionTime(Clock::now().time_since_epoch());
+    surfaces_.put({plane, {}});
+  }
+  void drain(Jitter& jitter) {
+    for (station::TickSample tick; ticks_->try_pop(tick);) {
+      jitter.late_us.add(tick.late_ns * 1e-3);
+      jitter.work_us.add(static_cast<double>(tick.work_us));
+    }
+  }
+
+  station::HapticLoop loop_;
+  station::SimulatedRig rig_;
+  LatestValue<station::TouchableSurface> surfaces_;
+  std::unique_ptr<station::TickRing> ticks_ = std::make_unique<station::TickRing>();
+};
+
+void tell(const std::string& name, const Jitter& jitter, Report& report) {
+  report.rows.push_back(measured(name + ", woken late, p50", jitter.late_us.p50(), "us"));
+  report.rows.push_back(measured(name + ", woken late, p99", jitter.late_us.p99(), "us"));
+  report.rows.push_back(measured(name + ", woken late, p99.9", jitter.late_us.p999(), "us"));
+  report.rows.push_back(measured(name + ", woken late, max", jitter.late_us.max(), "us"));
+  const double ticks = static_cast<double>(jitter.late_us.count() + jitter.missed);
+  report.rows.push_back(measured(name + ", deadlines missed", 100.0 * static_cast<double>(jitter.missed) / ticks, "%"));
+}
+
+Result<void> measure_jitter(double seconds, Report& report) {
+  Jitter idle;
+  Jitter busy;
+  Station station;
+  for (auto left = from_seconds(seconds); left > 0s; left -= 2 * kTurn) {
+    idle_turn(idle);
+    if (const Result<void> done = station.turn(busy); !done) return done.error();
+  }
+  tell("a thread that only waits", idle, report);
+  tell("the haptic thread", busy, report);
+  report.rows.push_back(measured("the haptic thread, work in a tick, p99.9", busy.work_us.p999(), "us"));
+  report.notes.push_back(std::string("both threads ") + (busy.realtime ? "with" : "without") +
+                         " real-time priority and locked memory, in turns of half a second");
+  return {};
+}
+
+void measure_calibration(Report& report) {
+  using namespace calibration;
+  constexpr int kRuns = 2000;
+  const auto by_covariance = registration_errors({}, RotationBy::Covariance, kRuns, 1);
+  const auto as_printed = registration_errors({}, RotationBy::AffinePolar, kRuns, 1);
+  report.rows.push_back(measured("calibration: a click's own error, mean", by_covariance.noise.mean_m() * 1e3, "mm"));
+  report.rows.push_back(
+      measured("calibration: a click's own error, deviation", by_covariance.noise.deviation_m() * 1e3, "mm"));
+  report.rows.push_back(
+      at_most("calibration: error at other places, mean", by_covariance.at_targets.mean_m() * 1e3, "mm", 1.35));
+  report.rows.push_back(at_most("calibration: error at other places, deviation",
+                                by_covariance.at_targets.deviation_m() * 1e3, "mm", 0.58));
+  report.rows.push_back(
+      measured("the same by S3's affine fit and polar part, mean", as_printed.at_targets.mean_m() * 1e3, "mm"));
+  report.notes.push_back("calibration: 8 places, 3 clicks each, 2000 seeded runs; S3 4.2 reports 1.35 +- 0.58 mm");
+}
+
+}  // namespace
+
+Result<Report> run_station(const program::Arguments& arguments) {
+  const Result<double> seconds = arguments.number("seconds", 0.1, 3600.0);
+  if (!seconds) return seconds.error();
+  Report report{.bench = "station", .rows = {}, .notes = {}};
+  if (const Result<void> done = measure_jitter(*seconds, report); !done) return done.error();
+  measure_calibration(report);
+  return report;
+}
+
+}  // namespace telepalp::bench
