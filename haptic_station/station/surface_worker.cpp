@@ -1,5 +1,6 @@
 #include "haptic_station/station/surface_worker.h"
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 
 #include "codec/depth_codec.h"
@@ -38,7 +39,8 @@ std::optional<surface::Reach> reach_of(const SurfaceWorker::Work& work) {
 
 SurfaceWorker::SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
                              LatestValue<TouchableSurface>& to_haptic)
-    : builder_(settings),
+    : choice_(settings),
+      builder_(settings),
       placement_(std::move(placement)),
       handlers_(std::move(handlers)),
       to_haptic_(to_haptic),
@@ -78,8 +80,9 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work) {
     return Error{.what = "nothing is measured around the image's centre, where the patient should be",
                  .where = "/camera/depth " + std::to_string(message.sequence()),
                  .fix = "aim the camera at the patient"};
-  const auto snapshot =
-      builder_.add(*depth, work.camera, session_time(static_cast<std::int64_t>(message.captured_ns())), reach_of(work));
+  const SessionTime captured = session_time(static_cast<std::int64_t>(message.captured_ns()));
+  const SessionTime begun = handlers_.now();
+  const auto snapshot = builder_.add(*depth, work.camera, captured, reach_of(work));
   if (!snapshot)
     return Error{.what = "the image is not newer than the last one, or not well formed",
                  .where = "/camera/depth " + std::to_string(message.sequence()),
@@ -94,7 +97,18 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work) {
   report.set_sequence(message.sequence());
   report.set_points(snapshot->points);
   report.set_index(snapshot->index_name);
+  judge(report, captured, to_seconds(handlers_.now() - begun));
   return report;
+}
+
+/// Tells by which setting the snapshot was made and what it cost, and picks the next one's.
+void SurfaceWorker::judge(msg::SurfaceReport& report, SessionTime captured, double cost_s) {
+  report.set_setting(choice_.now().name);
+  report.set_build_ms(1e3 * cost_s);
+  constexpr double kLongest_s = 0.1;  // between frames: a gap buys nobody time
+  const double frame_s = std::min(kLongest_s, to_seconds(captured - last_captured_));
+  last_captured_ = captured;
+  if (choice_.add(cost_s, frame_s)) builder_.use(choice_.now());
 }
 
 }  // namespace telepalp::station

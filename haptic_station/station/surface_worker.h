@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/surface/setting_choice.h"
 #include "haptic_station/surface/surface_builder.h"
 #include "messages/station.pb.h"
 #include "proto/wire/message.h"
@@ -52,7 +53,11 @@ class SurfaceWorker {
   void work_off_newest();
   Result<msg::SurfaceReport> build(const Work& work);
 
+  void judge(msg::SurfaceReport& report, SessionTime captured, double cost_s);
+
+  surface::SettingChoice choice_;    // owner: surface thread
   surface::SurfaceBuilder builder_;  // owner: surface thread
+  SessionTime last_captured_{};      // owner: surface thread
   Placement placement_;
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
   Handlers handlers_;

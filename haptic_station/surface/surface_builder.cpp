@@ -73,6 +73,8 @@ SurfaceBuilder& SurfaceBuilder::operator=(SurfaceBuilder&&) noexcept = default;
 const BuilderCounts& SurfaceBuilder::counts() const noexcept { return state_->counts; }
 const SurfaceSettings& SurfaceBuilder::settings() const noexcept { return state_->settings; }
 
+void SurfaceBuilder::use(const SurfaceSettings& settings) { state_->settings = settings; }
+
 void SurfaceBuilder::restart() {
   state_->last.reset();
   state_->filter.reset();

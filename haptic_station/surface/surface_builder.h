@@ -34,6 +34,9 @@ class SurfaceBuilder {
   [[nodiscard]] const BuilderCounts& counts() const noexcept;
   [[nodiscard]] const SurfaceSettings& settings() const noexcept;
 
+  /// The next snapshot is made by `settings`; what was seen stays.
+  void use(const SurfaceSettings& settings);
+
   /// Forgets everything seen: another camera, or the same one moved.
   void restart();
 

@@ -35,10 +35,10 @@ struct SurfaceSettings {
   int bridge_px = 2;           ///< holes of at most this radius are bridged
 
   // over time
-  bool temporal = true;         ///< average what is still, follow what moves
+  bool temporal = true;          ///< average what is still, follow what moves
   double memory_frames = 120.0;  ///< longest average of what the cells do not follow: about one breath
-  bool predict = true;          ///< carry snapshots forward by their velocity
-  bool breathing = true;        ///< and by the breathing model once it has locked on
+  bool predict = true;           ///< carry snapshots forward by their velocity
+  bool breathing = true;         ///< and by the breathing model once it has locked on
 
   // Paper and Cloud
   Index index = Index::PclKdTree;

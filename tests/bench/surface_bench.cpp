@@ -24,7 +24,7 @@ using testing::scene_time;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kStiffness_N_per_m = 500.0;
-constexpr double kReach_m = 0.10;
+constexpr double kReach_m = 0.16;  // the station's: two frames of a hand at 2 m/s, and the support around it
 
 double since_us(Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
@@ -42,12 +42,10 @@ Distribution build_times_ms(const std::vector<RgbdFrame>& frames, const testing:
   Distribution times;
   for (int n = 0; n < 90; ++n) {
     const RgbdFrame& frame = frames[static_cast<std::size_t>(n) % frames.size()];
-    const double along = 0.1 * std::sin(n * kFrame_s * hand_m_per_s / 0.1);
-    const Reach reach{{spot.at + Vector3d(along, 0.0, 0.0)}, kReach_m + hand_m_per_s * kFrame_s};
-    const Reach still{{spot.at}, reach.radius_m};
+    const double along = 0.05 * std::sin(n * kFrame_s * hand_m_per_s / 0.05);
+    const Reach reach{{spot.at + Vector3d(along, 0.0, 0.0)}, kReach_m};
     const auto start = Clock::now();
-    const auto snapshot =
-        builder.add(frame.depth, frame.camera.depth, scene_time(n * kFrame_s), hand_m_per_s > 0.0 ? reach : still);
+    const auto snapshot = builder.add(frame.depth, frame.camera.depth, scene_time(n * kFrame_s), reach);
     const double took_ms = since_us(start) / 1000.0;
     if (snapshot && n >= 5) times.add(took_ms);
   }
@@ -87,8 +85,7 @@ void add_costs(Report& report, const server::SyntheticPatient& patient, const te
   report.rows.push_back(measured("depth to touchable, hand still, p50", still.p50(), "ms"));
   report.rows.push_back(at_most("depth to touchable, hand still, p99", still.p99(), "ms", 8.0));
   report.rows.push_back(at_most("depth to touchable, hand at 1 m/s, p99", moving.p99(), "ms", 8.0));
-  report.rows.push_back(measured("same, p50 over the same reach held still",
-                                 moving.p50() / build_times_ms(frames, spot, 1e-9).p50(), ""));
+  report.rows.push_back(at_most("hand at 1 m/s over still, p50", moving.p50() / still.p50(), "x", 1.10));
 
   const Reach reach{{spot.at}, kReach_m};
   const std::vector<Captured> fast = testing::watch(patient, SurfaceSettings{}, reach, 1.0, 0.5);
@@ -157,33 +154,53 @@ void add_still(Report& report, const server::SyntheticPatient& patient, const te
   report.rows.push_back(measured("probe held still, force RMSE", held.force_rmse_N, "N"));
 }
 
+/// Places on the belly within 30 mm of `spot`, each 10 mm under the skin at exhale.
+std::vector<Vector3d> presses(const server::SyntheticPatient& patient, const testing::Spot& spot) {
+  std::vector<Vector3d> inside;
+  const server::TrueSurface skin = patient.true_surface(scene_time(0.0));
+  for (const auto& [x, y] : {std::pair(0.0, 0.0), {-0.03, -0.03}, {-0.03, 0.03}, {0.03, -0.03}, {0.03, 0.03}}) {
+    const auto point = skin.on_ray_through({spot.at + Vector3d(x, y, 0.0)});
+    inside.emplace_back(point.at.m - 0.01 * point.normal.v);
+  }
+  return inside;
+}
+
+/// Root of the mean over places of the squared force error.
+double force_rmse_N(const server::SyntheticPatient& patient, const std::vector<Captured>& snapshots,
+                    const std::vector<Vector3d>& places, double from_s, double until_s, double delay_s) {
+  double square = 0.0;
+  for (const Vector3d& at : places) {
+    const auto run = testing::run_touch(
+        patient, snapshots, [&](double) { return at; }, from_s, until_s, delay_s, kStiffness_N_per_m);
+    square += run.force_rmse_N * run.force_rmse_N;
+  }
+  return std::sqrt(square / static_cast<double>(places.size()));
+}
+
 Result<void> add_breathing(Report& report) {
   const auto patient = testing::torso({.sigma_m = 0.001, .amplitude_m = 0.005});
   if (!patient) return patient.error();
   const testing::Spot spot = testing::belly(*patient);
-  const Reach reach{{spot.at}, 0.06};
-  const Vector3d inside = spot.at - 0.01 * spot.normal;
-  const auto held = [&](double) { return inside; };
+  const Reach reach{{spot.at}, 0.08};
+  const std::vector<Vector3d> places = presses(*patient, spot);
+  const auto held = [&](double) { return places.front(); };
   const std::vector<Captured> all = testing::watch(*patient, SurfaceSettings{}, reach, 20.0, 2.0);
   const std::pair<double, double> asked[] = {{0.05, 0.02}, {0.10, 0.04}, {0.20, 0.08}};
   for (const auto& [delay_s, reach_N] : asked) {
-    const auto run = testing::run_touch(*patient, all, held, 12.0, 20.0, delay_s, kStiffness_N_per_m);
     report.rows.push_back(at_most("breathing, force RMSE at " + std::to_string(static_cast<int>(1e3 * delay_s)) + " ms",
-                                  run.force_rmse_N, "N", reach_N));
+                                  force_rmse_N(*patient, all, places, 12.0, 20.0, delay_s), "N", reach_N));
   }
   for (const auto& [delay_s, reach_N] : asked) {
-    const auto run = testing::run_touch(*patient, all, held, 2.5, 6.0, delay_s, kStiffness_N_per_m);
     report.rows.push_back(
         measured("same before the model locks on, " + std::to_string(static_cast<int>(1e3 * delay_s)) + " ms",
-                 run.force_rmse_N, "N"));
+                 force_rmse_N(*patient, all, places, 2.5, 6.0, delay_s), "N"));
   }
   std::mt19937_64 random(9);
   std::bernoulli_distribution lost(0.1);
   const std::vector<Captured> lossy =
       testing::watch(*patient, SurfaceSettings{}, reach, 20.0, 11.0, [&](int) { return lost(random); });
-  report.rows.push_back(at_most(
-      "breathing, 10 % lost, force RMSE at 50 ms",
-      testing::run_touch(*patient, lossy, held, 12.0, 20.0, 0.05, kStiffness_N_per_m).force_rmse_N, "N", 0.025));
+  report.rows.push_back(at_most("breathing, 10 % lost, force RMSE at 50 ms",
+                                force_rmse_N(*patient, lossy, places, 12.0, 20.0, 0.05), "N", 0.025));
   const std::vector<Captured> gap = testing::watch(*patient, SurfaceSettings{}, reach, 18.0, 11.0,
                                                    [](int n) { return n * kFrame_s > 14.0 && n * kFrame_s < 14.5; });
   const auto outage = testing::run_touch(*patient, gap, held, 12.0, 18.0, 0.05, kStiffness_N_per_m,
@@ -205,8 +222,9 @@ Result<Report> run_surface(const program::Arguments& /*arguments*/) {
   add_shapes(report);
   add_still(report, *patient, spot);
   if (const Result<void> done = add_breathing(report); !done) return done.error();
-  report.notes = {"synthetic torso, 640x480, Gaussian noise 1 mm, holes on, no disparity steps; reach 0.10 m",
+  report.notes = {"synthetic torso, 640x480, Gaussian noise 1 mm, holes on, no disparity steps; reach 0.16 m",
                   "step: device circles at 60 mm/s 10 mm under the skin, snapshots at 30 Hz",
+                  "breathing 5 mm at 0.25 Hz, pressed 10 mm deep at five places, force as a vector",
                   "shapes: 1.5 mm sampling, radius >= 50 mm, seen within 40 degrees"};
   return report;
 }
