@@ -1,6 +1,7 @@
 #pragma once
 
 #include "codec/context_kernel.h"
+#include "proto/words/vectorised.h"
 
 // The coder's inner loop, once for each instruction set: `Vector` finds and learns symbols its own way. Internal
 // linkage for the same reason as in range_coder.h.
@@ -75,7 +76,7 @@ void begin_row(Lane<Coder>& lane, int width) {
   const uint16_t* const filled = lane.filled_above;
   const uint16_t* const measured = lane.measured_above;
   uint16_t* const context_above = lane.context_above;
-#pragma GCC ivdep
+  TELEPALP_INDEPENDENT_TURNS
   for (int x = 0; x < width; ++x)
     context_above[x] = static_cast<uint16_t>(context_from_above(filled + x, measured + x));
   lane.west = lane.west_west = lane.north_west = lane.filled_above[0];
@@ -168,7 +169,7 @@ inline void plan_row(const Lane<RangeEncoder>& lane, const RowPlan& plan, int wi
   uint16_t* const __restrict context = plan.context;
   uint16_t* const __restrict predicted = plan.predicted;
   uint16_t* const __restrict symbol = plan.symbol;
-#pragma GCC ivdep
+  TELEPALP_INDEPENDENT_TURNS
   for (int x = 0; x < width; ++x) {
     const int west = filled[x - 1];
     const int north_west = above[x - 1];

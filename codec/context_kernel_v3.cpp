@@ -41,7 +41,7 @@ uint16_t* take_rows_together(uint8_t*& scratch, int width, uint16_t value) {
 
 /// context_from_above() of four slices.
 void contexts_from_above(const uint16_t* filled, const uint16_t* measured, uint16_t* context, int width) {
-#pragma GCC ivdep
+  TELEPALP_INDEPENDENT_TURNS
   for (int i = 0; i < kLanes * width; ++i) {
     const int classes = 25 * (bounded(filled[i + kLanes] - filled[i], 2) + 2) +
                         kNorthClass * (bounded(filled[i] - filled[i - kLanes], 2) + 2);

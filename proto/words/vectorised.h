@@ -7,3 +7,10 @@
 #else
 #define TELEPALP_VECTORISED
 #endif
+
+/// Before a loop: no turn of it reads what another writes, so the compiler need not ask at run time. clang asks anyway.
+#if defined(__clang__)
+#define TELEPALP_INDEPENDENT_TURNS
+#else
+#define TELEPALP_INDEPENDENT_TURNS _Pragma("GCC ivdep")
+#endif
