@@ -1,10 +1,12 @@
 #include "tests/bench/depth_peers.h"
 
+#include <png.h>
 #include <zstd.h>
 
 #include <cstring>
 
 #include "server/capture/images/image_file.h"
+#include "tests/bench/depth_peer_ffv1.h"
 
 #if defined(TELEPALP_HAVE_CHARLS)
 #include <charls/charls.h>
@@ -35,19 +37,37 @@ DepthPeer zstd_peer(int level) {
           }};
 }
 
+/// libpng as most programs call it: level 6, its own choice of filters.
+std::string encode_png_6(const DepthImage& depth) {
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  std::string packet;
+  png_set_write_fn(
+      png, &packet,
+      [](png_structp writer, png_bytep bytes, std::size_t count) {
+        static_cast<std::string*>(png_get_io_ptr(writer))->append(reinterpret_cast<const char*>(bytes), count);
+      },
+      nullptr);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(depth.width), static_cast<png_uint_32>(depth.height), 16,
+               PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_compression_level(png, 6);
+  png_write_info(png, info);
+  png_set_swap(png);
+  for (int row = 0; row < depth.height; ++row)
+    png_write_row(
+        png, reinterpret_cast<png_const_bytep>(depth.samples.data() + static_cast<std::ptrdiff_t>(row) * depth.width));
+  png_write_end(png, nullptr);
+  png_destroy_write_struct(&png, &info);
+  return packet;
+}
+
 DepthPeer png_peer() {
-  return {.name = "PNG-16",
-          .encode =
-              [](const DepthImage& depth) {
-                return server::encode_png(server::GrayImage16{depth.width, depth.height, depth.samples});
-              },
-          .decode =
-              [](const std::string& packet, DepthImage& depth) {
-                Result<server::AnyImage> image = server::decode_png(std::as_bytes(std::span(packet)), "png");
-                auto* const gray = image ? std::get_if<server::GrayImage16>(&*image) : nullptr;
-                if (gray != nullptr) depth.samples = std::move(gray->samples);
-                return gray != nullptr;
-              }};
+  return {.name = "PNG-6", .encode = encode_png_6, .decode = [](const std::string& packet, DepthImage& depth) {
+            Result<server::AnyImage> image = server::decode_png(std::as_bytes(std::span(packet)), "png");
+            auto* const gray = image ? std::get_if<server::GrayImage16>(&*image) : nullptr;
+            if (gray != nullptr) depth.samples = std::move(gray->samples);
+            return gray != nullptr;
+          }};
 }
 
 #if defined(TELEPALP_HAVE_CHARLS)
@@ -124,6 +144,9 @@ std::vector<DepthPeer> depth_peers() {
 #if defined(TELEPALP_HAVE_CHARLS)
   peers.push_back(charls_peer());
 #endif
+#if defined(TELEPALP_HAVE_FFV1)
+  peers.push_back(ffv1_peer());
+#endif
 #if defined(TELEPALP_HAVE_JXL)
   peers.push_back({.name = "JPEG XL, effort 1", .encode = encode_jxl, .decode = decode_jxl});
 #endif
@@ -134,6 +157,9 @@ std::string missing_depth_peers() {
   std::string missing;
 #if !defined(TELEPALP_HAVE_CHARLS)
   missing += " CharLS";
+#endif
+#if !defined(TELEPALP_HAVE_FFV1)
+  missing += " FFV1";
 #endif
 #if !defined(TELEPALP_HAVE_JXL)
   missing += " JPEG XL";

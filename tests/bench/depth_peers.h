@@ -16,7 +16,7 @@ struct DepthPeer {
   std::function<bool(const std::string& packet, DepthImage& depth)> decode;  ///< `depth` has the size already
 };
 
-/// zstd and PNG, and those of CharLS and JPEG XL that the build found.
+/// zstd and PNG, and those of CharLS, FFV1 and JPEG XL that the build found.
 [[nodiscard]] std::vector<DepthPeer> depth_peers();
 
 /// What the build did not find, for the report's foot.

@@ -39,6 +39,7 @@ program::Usage usage() {
           .options = {{"json", "", "print JSON instead of a table"},
                       {"list", "", "name the benchmarks and leave"},
                       {"input", "FILE|DIR", "what to run on, where a benchmark takes one"},
+                      {"held-out", "SET,SET…", "depth: frames never trained on, for the mean ratio"},
                       {"write", "DIR", "also write the page of a benchmark that has one: accuracy.md in docs"},
                       {"seconds", "S", "how long, where a benchmark takes time", "10"}},
           .example = "telepalp-bench pipeline --json"};
