@@ -93,6 +93,9 @@ TickSample HapticLoop::tell(const DeviceReading& device, const control::ControlI
   told.indentation_m = static_cast<float>(out.indentation.v.norm());
   told.distance_m = static_cast<float>(in.contact.distance_m);
   told.passivity_J = static_cast<float>(out.passivity_J);
+  told.device_age_s = static_cast<float>(in.device_age_s);
+  told.hand_age_s = static_cast<float>(in.hand_age_s);
+  told.surface_age_s = static_cast<float>(in.contact.age_s);
   told.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
   told.hand_sampled_ns = to_nanoseconds(hand_sampled_);
   return told;

@@ -32,6 +32,9 @@ struct TickSample {
   float indentation_m = 0.0F;  ///< |d| of S1 eq. (8); 0 out of the body
   float distance_m = 0.0F;     ///< signed, of the device point; negative inside
   float passivity_J = 0.0F;
+  float device_age_s = 0.0F;  ///< of the three inputs, as the watchdog saw them
+  float hand_age_s = 0.0F;
+  float surface_age_s = 0.0F;
   std::int64_t surface_captured_ns = 0;
   std::int64_t hand_sampled_ns = 0;
 };

@@ -115,6 +115,9 @@ msg::StationTicks ticks_message(const std::vector<TickSample>& samples, std::uin
     ticks.add_force_z(sample.force[2]);
     ticks.add_indentation_m(sample.indentation_m);
     ticks.add_distance_m(sample.distance_m);
+    ticks.add_device_age_s(sample.device_age_s);
+    ticks.add_hand_age_s(sample.hand_age_s);
+    ticks.add_surface_age_s(sample.surface_age_s);
   }
   return ticks;
 }

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
+#include "messages/station.pb.h"
 #include "proto/wire/mcap/reader.h"
 #include "tests/haptic_station/device/protocol/fake_udp_device.h"
 #include "tests/support/child_process.h"
@@ -32,6 +34,25 @@ bool hears(const fs::path& log, const std::string& phrase) {
     std::this_thread::sleep_for(100ms);
   }
   return false;
+}
+
+/// How many ticks tell of a device that is silent for longer than its limit of 0.1 s; beyond 50 ms more, none has
+/// force.
+int ticks_of_silence(wire::McapReader& file) {
+  int silent = 0;
+  for (auto message = file.next(); message && *message; message = file.next()) {
+    if ((*message)->topic.name != wire::kStationTicks.name) continue;
+    msg::StationTicks ticks;
+    EXPECT_TRUE(ticks.ParseFromString(*(*message)->payload));
+    EXPECT_EQ(ticks.device_age_s_size(), ticks.force_y_size());
+    for (int i = 0; i < ticks.device_age_s_size(); ++i) {
+      if (ticks.device_age_s(i) > 0.1F) ++silent;
+      if (ticks.device_age_s(i) > 0.15F) {
+        EXPECT_EQ(std::hypot(ticks.force_x(i), ticks.force_y(i), ticks.force_z(i)), 0.0F) << i;
+      }
+    }
+  }
+  return silent;
 }
 
 class StationFault : public ::testing::Test {
@@ -79,6 +100,8 @@ TEST_F(StationFault, LetsGoKeepsWhatLedToItAndIsRearmedOnlyWhenTheCauseIsGone) {
   auto file = wire::McapReader::open(kept);
   ASSERT_TRUE(file) << to_string(file.error());
   EXPECT_GT(fs::file_size(kept), 10'000u);
+  EXPECT_GT(ticks_of_silence(*file), 500)
+      << "the device's age tells why, and from 50 ms after its limit there is no force";
 
   device_.fault = Fault::None;
   std::this_thread::sleep_for(200ms);

@@ -82,6 +82,9 @@ TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
   EXPECT_EQ(ticks.phase_size(), 2);
   EXPECT_EQ(ticks.force_y(1), 2.0F);
   EXPECT_EQ(ticks.distance_m_size(), 2);
+  EXPECT_EQ(ticks.device_age_s_size(), 2);
+  EXPECT_EQ(ticks.hand_age_s_size(), 2);
+  EXPECT_EQ(ticks.surface_age_s_size(), 2);
 }
 
 }  // namespace
