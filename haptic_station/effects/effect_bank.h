@@ -5,9 +5,11 @@
 #include <span>
 #include <variant>
 
+#include "haptic_station/effects/friction.h"
 #include "haptic_station/effects/inner_cylinder.h"
 #include "haptic_station/effects/inner_sphere.h"
 #include "haptic_station/effects/skin.h"
+#include "haptic_station/effects/stiff_regions.h"
 
 namespace telepalp::effects {
 
@@ -26,7 +28,7 @@ struct EffectBill {
 class EffectBank {
  public:
   static constexpr std::size_t kMostEffects = 8;
-  using Effect = std::variant<Skin, InnerCylinder, InnerSphere>;
+  using Effect = std::variant<Skin, InnerCylinder, InnerSphere, Friction, StiffRegions>;
 
   /// False when the bank is full.
   bool add(const Effect& effect) noexcept;

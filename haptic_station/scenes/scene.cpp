@@ -1,5 +1,6 @@
 #include "haptic_station/scenes/scene.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "haptic_station/effects/tissue_presets.h"
@@ -54,7 +55,7 @@ void read_tissue(FieldCheck& check, const msg::SkinEffect& message, effects::Ski
     law = preset->law;
 }
 
-effects::Skin read_skin(FieldCheck& check, const msg::SkinEffect& message) {
+effects::Skin::Settings read_skin_settings(FieldCheck& check, const msg::SkinEffect& message) {
   effects::Skin::Settings skin;
   double stiffness = 160.0;
   double at_m = 0.06;
@@ -71,7 +72,7 @@ effects::Skin read_skin(FieldCheck& check, const msg::SkinEffect& message) {
   skin.law.by_axis = message.stiffness_by_axis();
   if (message.anchor() == msg::SkinEffect::ANCHOR_FIXED) skin.anchor = effects::SkinAnchor::Fixed;
   if (message.anchor() == msg::SkinEffect::ANCHOR_SLIDING) skin.anchor = effects::SkinAnchor::Sliding;
-  return effects::Skin(skin);
+  return skin;
 }
 
 effects::InnerCylinder read_cylinder(FieldCheck& check, const msg::CylinderEffect& message) {
@@ -93,16 +94,50 @@ effects::InnerSphere read_sphere(FieldCheck& check, const msg::SphereEffect& mes
   return effects::InnerSphere(sphere);
 }
 
+/// The load is what the scene's first skin gives, wherever it stands in the file.
+effects::Friction read_friction(FieldCheck& check, const msg::FrictionEffect& message, const msg::Scene& scene) {
+  effects::Friction::Settings friction;
+  TELEPALP_READ(check, "friction.", message, coefficient, friction.coefficient, {0, 3, ""});
+  TELEPALP_READ(check, "friction.", message, bristle_stiffness_n_per_m, friction.bristle_stiffness_N_per_m,
+                {10, 3000, "N/m"});
+  const auto skin = std::ranges::find_if(scene.effects(), [](const msg::Effect& effect) { return effect.has_skin(); });
+  if (skin == scene.effects().end())
+    check.complain("friction has no skin to rub on", "add effects { skin { anchor: ANCHOR_SLIDING } }");
+  else
+    friction.load = read_skin_settings(check, skin->skin()).law;
+  return effects::Friction(friction);
+}
+
+effects::StiffRegions read_regions(FieldCheck& check, const msg::RegionsEffect& message) {
+  effects::StiffRegions regions;
+  if (message.region().empty()) check.complain("regions names no region", "add region { center_m { x: 0 z: 0 } }");
+  for (const msg::RegionsEffect::Region& given : message.region()) {
+    effects::StiffRegion region;
+    region.center.m = read_xyz(check, "region.center_m", given.center_m(), {-1, 1, "m"});
+    TELEPALP_READ(check, "region.", given, radius_m, region.radius_m, {0, 0.3, "m"});
+    TELEPALP_READ(check, "region.", given, fade_m, region.fade_m, {0.001, 0.3, "m"});
+    TELEPALP_READ(check, "region.", given, added_n_per_m, region.added_N_per_m, {0, 3000, "N/m"});
+    if (!regions.add(region))
+      check.complain("regions names more than " + std::to_string(effects::StiffRegions::kMostRegions) + " regions",
+                     "leave some out, or add a second effect");
+  }
+  return regions;
+}
+
 void read_effects(FieldCheck& check, const msg::Scene& message, effects::EffectBank& bank) {
   if (message.effects().empty()) check.complain("names no effect", "add at least effects { skin {} }");
   for (const msg::Effect& effect : message.effects()) {
     bool room = true;
     if (effect.has_skin())
-      room = bank.add(read_skin(check, effect.skin()));
+      room = bank.add(effects::Skin(read_skin_settings(check, effect.skin())));
     else if (effect.has_cylinder())
       room = bank.add(read_cylinder(check, effect.cylinder()));
     else if (effect.has_sphere())
       room = bank.add(read_sphere(check, effect.sphere()));
+    else if (effect.has_friction())
+      room = bank.add(read_friction(check, effect.friction(), message));
+    else if (effect.has_regions())
+      room = bank.add(read_regions(check, effect.regions()));
     else
       check.complain("an effect without a kind", "name it, as in effects { skin {} }");
     if (!room)

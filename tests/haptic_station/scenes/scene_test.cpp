@@ -54,6 +54,23 @@ TEST(Scene, ASceneWithoutAnEffectIsRefused) {
   EXPECT_FALSE(parse_scene("haptic_from_camera {}", "empty.scene.textproto").ok());
 }
 
+TEST(Scene, EachEffectHasASceneThatNamesItAfterTheSkinAndNoOther) {
+  const std::string folder = TELEPALP_SOURCE_DIR "/haptic_station/scenes/";
+  for (const std::string name : {"sphere", "friction", "regions"}) {
+    const Result<Scene> scene = read_scene(folder + name + ".scene.textproto");
+    ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+    ASSERT_EQ(scene->effects.bill().size(), 2U);
+    EXPECT_STREQ(scene->effects.bill()[0].name, "skin");
+    EXPECT_EQ(scene->effects.bill()[1].name, name);
+  }
+}
+
+TEST(Scene, FrictionWithoutASkinIsRefused) {
+  const auto scene = parse_scene("haptic_from_camera {} effects { friction {} }", "dry.scene.textproto");
+  ASSERT_FALSE(scene.ok());
+  EXPECT_NE(to_string(scene.error()).find("no skin to rub on"), std::string::npos);
+}
+
 TEST(Scene, TwoWaysToGiveTheStiffnessAreOneTooMany) {
   EXPECT_NE(complaint("effects { skin { alpha_N_per_m2: 1500 stiffness_N_per_m: 160 } }").find("one of the two"),
             std::string::npos);
