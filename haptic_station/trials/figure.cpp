@@ -11,7 +11,7 @@ constexpr double kLeft = 70.0;
 constexpr double kRight = 885.0;
 constexpr double kTop = 30.0;
 constexpr double kBottom = 215.0;
-constexpr int kTicks = 6;
+constexpr double kMostTicks = 8.0;
 
 struct Range {
   double least = 1e300;
@@ -49,17 +49,35 @@ std::string polyline(const Curve& curve, const Range& x, const Range& y) {
   return "<polyline fill=\"none\" stroke-width=\"1.3\" stroke=\"" + curve.color + "\" points=\"" + points + "\"/>\n";
 }
 
+/// 1, 2 or 5 times a power of ten: the least of them that parts `length` into no more than kMostTicks.
+double round_step(double length) {
+  const double least = length / kMostTicks;
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * decade >= least) return factor * decade;
+  return 10.0 * decade;
+}
+
+/// Calls `draw` with each round number within the range.
+template <class Draw>
+void for_each_tick(const Range& range, Draw draw) {
+  const double step = round_step(range.most - range.least);
+  for (double count = std::ceil(range.least / step); count * step <= range.most; ++count)
+    draw(count == 0.0 ? 0.0 : count * step);  // never -0
+}
+
 std::string axes(const Range& x, const Range& y) {
   std::string out;
-  for (int i = 0; i <= kTicks; ++i) {
-    const double share = static_cast<double>(i) / kTicks;
-    const double at_x = kLeft + (kRight - kLeft) * share;
-    const double at_y = kBottom - (kBottom - kTop) * share;
-    out += format("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#ddd\"/>\n", at_x, kTop, kBottom);
-    out += format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#ddd\"/>\n", kLeft, at_y, kRight);
-    out += text_at(at_x, kBottom + 14.0, "middle", format("%.3g", x.least + share * (x.most - x.least)));
-    out += text_at(kLeft - 6.0, at_y + 4.0, "end", format("%.3g", y.least + share * (y.most - y.least)));
-  }
+  for_each_tick(x, [&](double value) {
+    const double at = kLeft + (kRight - kLeft) * x.share(value);
+    out += format("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#ddd\"/>\n", at, kTop, kBottom);
+    out += text_at(at, kBottom + 14.0, "middle", format("%.6g", value));
+  });
+  for_each_tick(y, [&](double value) {
+    const double at = kBottom - (kBottom - kTop) * y.share(value);
+    out += format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#ddd\"/>\n", kLeft, at, kRight);
+    out += text_at(kLeft - 6.0, at + 4.0, "end", format("%.6g", value));
+  });
   return out;
 }
 

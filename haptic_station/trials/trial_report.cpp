@@ -16,6 +16,13 @@ std::string number(double value) {
   return text;
 }
 
+/// For people: three digits say enough.
+std::string readable(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }  // of our own names alone
 
 const char* color_of(Phase phase) {
@@ -136,7 +143,9 @@ std::string to_html(std::span<const TrialResult> results) {
   std::string out =
       "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>telepalp: the four trials</title>\n"
       "<style>body{font-family:sans-serif;max-width:940px;margin:2em auto}span{padding:2px 6px;margin-right:6px}"
-      "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>";
+      "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>Run in virtual time by a "
+      "simulated hand on a simulated device, over a level skin that is known "
+      "exactly: what is seen here is the controller alone, without camera or network.</p>\n<p>";
   for (std::size_t i = 0; i < control::kPhaseCount; ++i) {
     const auto phase = static_cast<Phase>(i + 1);
     out += "<span style=\"background:" + std::string(color_of(phase)) + "\">" + name(phase) +
@@ -145,9 +154,9 @@ std::string to_html(std::span<const TrialResult> results) {
   out += "</p>\n";
   for (const TrialResult& result : results) {
     const TrialFigures& f = result.figures;
-    out += "<h2>" + std::string(title(result.trial)) + "</h2>\n<p>largest force " + number(f.most_force_N) +
-           " N, largest step " + number(f.worst_force_step_N) + " N a tick, end-effector jump at transitions " +
-           number(f.worst_jump_m * 1e3) + " mm, " + number(f.contact_s) + " s in contact</p>\n";
+    out += "<h2>" + std::string(title(result.trial)) + "</h2>\n<p>largest force " + readable(f.most_force_N) +
+           " N, largest step " + readable(f.worst_force_step_N) + " N a tick, end-effector jump at transitions " +
+           readable(f.worst_jump_m * 1e3) + " mm, " + readable(f.contact_s) + " s in contact</p>\n";
     for (const Figure& figure : figures_of(result)) out += to_svg(figure);
   }
   return out + "</html>\n";
