@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proto/words/vectorised.h"
+
 // Compiled for the processor found at run time, too: the loops are most of what a frame costs. Nothing here may come
 // from a header with code of its own that another file compiles for another processor.
-#define TELEPALP_VECTORISED __attribute__((target_clones("default", "arch=x86-64-v3")))
 
 namespace telepalp::surface {
 namespace {

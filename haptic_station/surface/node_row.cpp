@@ -2,8 +2,9 @@
 
 #include <cmath>
 
+#include "proto/words/vectorised.h"
+
 // As in filter_rows.cpp.
-#define TELEPALP_VECTORISED __attribute__((target_clones("default", "arch=x86-64-v3")))
 
 namespace telepalp::surface {
 namespace {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "proto/words/vectorised.h"
+
 // As in filter_rows.cpp.
-#define TELEPALP_VECTORISED __attribute__((target_clones("default", "arch=x86-64-v3")))
 
 namespace telepalp::surface {
 
