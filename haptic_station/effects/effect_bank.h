@@ -8,6 +8,7 @@
 #include "haptic_station/effects/friction.h"
 #include "haptic_station/effects/inner_cylinder.h"
 #include "haptic_station/effects/inner_sphere.h"
+#include "haptic_station/effects/organ.h"
 #include "haptic_station/effects/skin.h"
 #include "haptic_station/effects/stiff_regions.h"
 
@@ -28,7 +29,7 @@ struct EffectBill {
 class EffectBank {
  public:
   static constexpr std::size_t kMostEffects = 8;
-  using Effect = std::variant<Skin, InnerCylinder, InnerSphere, Friction, StiffRegions>;
+  using Effect = std::variant<Skin, InnerCylinder, InnerSphere, Friction, StiffRegions, Organ>;
 
   /// False when the bank is full.
   bool add(const Effect& effect) noexcept;

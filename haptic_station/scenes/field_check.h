@@ -36,6 +36,11 @@ class FieldCheck {
              places_.where(file_, field, value));
   }
 
+  /// Of something that a field names, such as a file.
+  void fail(Error error) {
+    if (!error_) error_ = std::move(error);
+  }
+
   void complain(std::string what, std::string fix) { complain(std::move(what), std::move(fix), file_); }
 
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }

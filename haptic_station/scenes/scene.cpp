@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "haptic_station/effects/tissue_presets.h"
+#include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/scenes/field_check.h"
 #include "proto/program/text_format.h"
 
@@ -124,7 +125,29 @@ effects::StiffRegions read_regions(FieldCheck& check, const msg::RegionsEffect& 
   return regions;
 }
 
-void read_effects(FieldCheck& check, const msg::Scene& message, effects::EffectBank& bank) {
+/// The mesh is read only when the numbers beside it are right.
+effects::Organ read_organ(FieldCheck& check, const msg::OrganEffect& message, const std::filesystem::path& folder) {
+  organs::OrganShapeSettings shape;
+  effects::Organ::Settings organ;
+  TELEPALP_READ(check, "organ.", message, unit_m, shape.unit_m, {1e-6, 1000, "m"});
+  TELEPALP_READ(check, "organ.", message, stiffness_n_per_m, organ.stiffness_N_per_m, {0, 5000, "N/m"});
+  TELEPALP_READ(check, "organ.", message, around_m, organ.around_m, {0, 0.1, "m"});
+  TELEPALP_READ(check, "organ.", message, cell_m, shape.cell_m, {0.001, 0.02, "m"});
+  shape.haptic_from_model = read_transform(check, "organ.haptic_from_model", message.haptic_from_model());
+  shape.margin_m = organ.around_m + 3.0 * shape.cell_m;
+  if (message.file().empty()) check.complain("organ.file is empty", "name a closed mesh, .ply or .obj");
+  if (check.error()) return effects::Organ(organ);
+  const auto read = organs::read_organ_shape(folder / message.file(), shape);
+  if (!read) {
+    check.fail(read.error());
+    return effects::Organ(organ);
+  }
+  organ.shape = *read;
+  return effects::Organ(organ);
+}
+
+void read_effects(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder,
+                  effects::EffectBank& bank) {
   if (message.effects().empty()) check.complain("names no effect", "add at least effects { skin {} }");
   for (const msg::Effect& effect : message.effects()) {
     bool room = true;
@@ -138,6 +161,8 @@ void read_effects(FieldCheck& check, const msg::Scene& message, effects::EffectB
       room = bank.add(read_friction(check, effect.friction(), message));
     else if (effect.has_regions())
       room = bank.add(read_regions(check, effect.regions()));
+    else if (effect.has_organ())
+      room = bank.add(read_organ(check, effect.organ(), folder));
     else
       check.complain("an effect without a kind", "name it, as in effects { skin {} }");
     if (!room)
@@ -226,7 +251,7 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
       Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();  // S1 eq. (4)
   if (message.has_haptic_from_tracker())
     scene.haptic_from_tracker.iso = read_transform(check, "haptic_from_tracker", message.haptic_from_tracker());
-  read_effects(check, message, scene.effects);
+  read_effects(check, message, name.parent_path(), scene.effects);
   read_plane_and_transitions(check, message, scene.control);
   read_position_control(check, message.position_control(), scene.control.position);
   read_limits(check, message, scene.control);

@@ -18,6 +18,8 @@ struct Section {
 [[nodiscard]] Result<Section> surface_section();
 /// Models that predict the hand, and what carries the surface forward.
 [[nodiscard]] Result<Section> prediction_section();
+/// An organ's cells: what a coarser lattice saves, and how far the organ moves.
+[[nodiscard]] Result<Section> organ_section();
 /// The depth codec's modes, and what Bounded's error costs the finger.
 [[nodiscard]] Result<Section> depth_section();
 

@@ -56,13 +56,21 @@ TEST(Scene, ASceneWithoutAnEffectIsRefused) {
 
 TEST(Scene, EachEffectHasASceneThatNamesItAfterTheSkinAndNoOther) {
   const std::string folder = TELEPALP_SOURCE_DIR "/haptic_station/scenes/";
-  for (const std::string name : {"sphere", "friction", "regions"}) {
+  for (const std::string name : {"sphere", "friction", "regions", "organ"}) {
     const Result<Scene> scene = read_scene(folder + name + ".scene.textproto");
     ASSERT_TRUE(scene.ok()) << to_string(scene.error());
     ASSERT_EQ(scene->effects.bill().size(), 2U);
     EXPECT_STREQ(scene->effects.bill()[0].name, "skin");
     EXPECT_EQ(scene->effects.bill()[1].name, name);
   }
+}
+
+TEST(Scene, AnOrgansFileIsNamedWhereItCannotBeUsed) {
+  EXPECT_NE(complaint("effects { organ {} }").find("organ.file is empty"), std::string::npos);
+  EXPECT_NE(complaint("effects { organ { file: \"none.ply\" } }").find("none.ply"), std::string::npos);
+  const std::string open = TELEPALP_SOURCE_DIR "/deploy/demo_data/torso/visible_human_torso.ply";
+  const std::string text = complaint("effects { organ { file: \"" + open + "\" } }");
+  EXPECT_NE(text.find("visible_human_torso.ply: is not closed"), std::string::npos) << text;
 }
 
 TEST(Scene, FrictionWithoutASkinIsRefused) {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "haptic_station/effects/distance_lattice.h"
+#include "haptic_station/effects/effect.h"
+
+namespace telepalp::effects {
+
+struct OrganSettings {
+  std::shared_ptr<const DistanceLattice> shape;  ///< in H; none: nothing is felt
+  double stiffness_N_per_m = 300.0;
+  double around_m = 0.01;  ///< margin in which the hand is "around" it
+};
+
+/// An organ inside the body, of any closed shape. The force is the gradient of 1/2 k depth^2, outwards, with the depth
+/// from a sampled distance: as the sphere's of S1 II.D on a shape that was scanned.
+class Organ {
+ public:
+  static constexpr const char* kName = "organ";
+  using Settings = OrganSettings;
+
+  explicit Organ(Settings settings = {}) noexcept : settings_(std::move(settings)) {}
+  void begin(const EffectInput&) noexcept {}
+  [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
+  [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
+  [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput&) const noexcept { return {}; }
+  [[nodiscard]] ObjectTouch touch() const noexcept { return touch_; }
+
+ private:
+  Settings settings_;
+  double energy_J_ = 0.0;
+  ObjectTouch touch_ = ObjectTouch::None;
+};
+
+}  // namespace telepalp::effects
