@@ -140,15 +140,22 @@ void EncounteredController::sink_in(ControlInput& in, bool begins, double dt_s) 
 Vector3d EncounteredController::effects_force_N(const ControlInput& in, double dt_s) noexcept {
   const Vector3d moved = in.device.m - last_device_.m;
   const effects::EffectInput felt{in.device, in.device_velocity, in.contact, {moved}};
-  const Vector3d force_N = effects_.step(felt, dt_s, cost_clock_).N;
+  Force<HapticBase> force;
+  Exchange exchange;
+  if (coupling_.engaged()) {
+    force = coupling_.pull(effects_.step(coupling_.at_tool(felt), dt_s, cost_clock_));
+    exchange.absorbed_J = coupling_.absorbed_J();
+    exchange.stored_J = coupling_.energy_J();
+  } else {
+    force = effects_.step(felt, dt_s, cost_clock_);
+  }
+  exchange.absorbed_J += effects_.absorbed_J();
+  exchange.stored_J += effects_.energy_J();
   const Vector3d relative = in.device_velocity.v - in.contact.surface_speed_m_per_s * in.contact.normal.v;
-  const Vector3d moved_on_surface = moved - in.contact.surface_speed_m_per_s * dt_s * in.contact.normal.v;
-  damping_ = passivity_.step({.absorbed_J = effects_.absorbed_J(),
-                              .stored_J = effects_.energy_J(),
-                              .moved = {moved_on_surface},
-                              .velocity = {relative}},
-                             dt_s);
-  return force_N + damping_.N;
+  exchange.velocity = {relative};
+  exchange.moved = {moved - in.contact.surface_speed_m_per_s * dt_s * in.contact.normal.v};
+  damping_ = passivity_.step(exchange, dt_s);
+  return force.N + damping_.N;
 }
 
 /// Out body: proportional-derivative control to eq. (5)'s target, over the hand's x and z, on the plane.
@@ -236,6 +243,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   if (touching) sink_in(in, !touching_, dt_s);
   if (touching && !touching_) {
     effects_.begin({in.device, in.device_velocity, in.contact, {}});
+    coupling_.begin(in.device);
     last_device_ = in.device;
     passivity_.begin(0.0);
   }

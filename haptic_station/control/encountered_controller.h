@@ -45,7 +45,10 @@ struct ControlOutput {
 class EncounteredController {
  public:
   EncounteredController(const ControlSettings& settings, const effects::EffectBank& effects) noexcept
-      : settings_(settings), effects_(effects), limiter_(settings.limits) {}
+      : settings_(settings),
+        effects_(effects),
+        limiter_(settings.limits),
+        coupling_(settings.coupling, effects.stiffest_N_per_m(settings.limits.peak_N)) {}
 
   /// One tick, `dt_s` after the last.
   [[nodiscard]] ControlOutput step(const ControlInput& in, double dt_s) noexcept;
@@ -54,6 +57,7 @@ class EncounteredController {
   void book_costs_with(effects::CostClock clock) noexcept { cost_clock_ = clock; }
   [[nodiscard]] const effects::EffectBank& effects() const noexcept { return effects_; }
   [[nodiscard]] const PassivityController& passivity() const noexcept { return passivity_; }
+  [[nodiscard]] const VirtualCoupling& coupling() const noexcept { return coupling_; }
   [[nodiscard]] Phase phase() const noexcept { return phase_; }
 
  private:
@@ -80,6 +84,7 @@ class EncounteredController {
   effects::EffectBank effects_;
   ForceLimiter limiter_;
   PassivityController passivity_;
+  VirtualCoupling coupling_;
   effects::CostClock cost_clock_ = nullptr;
 
   Phase phase_ = Phase::Released;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "haptic_station/control/force_limiter.h"
+#include "haptic_station/control/virtual_coupling.h"
 
 namespace telepalp::control {
 
@@ -44,6 +45,7 @@ struct ControlSettings {
   PositionControlSettings position;
   AgeLimits ages;
   ForceLimits limits;
+  CouplingSettings coupling;
 };
 
 }  // namespace telepalp::control

@@ -21,6 +21,7 @@ enum class ObjectTouch { None, Near, Lateral, Upper };
 //   Force<HapticBase> step(const EffectInput&, dt)  the force on the hand
 //   double energy_J() const                         elastic energy stored at the last step
 //   Vector<HapticBase> carried_at(const EffectInput&) const   velocity of what it is fixed to: the skin breathes
+//   double stiffest_N_per_m(double most_N) const    of its spring, at forces up to `most_N`
 //   ObjectTouch touch() const                       None, but for inner objects
 //   static constexpr const char* kName
 // EffectBank holds and steps them.

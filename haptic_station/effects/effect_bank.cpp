@@ -58,6 +58,13 @@ double EffectBank::energy_J() const noexcept {
   return sum_J;
 }
 
+double EffectBank::stiffest_N_per_m(double most_N) const noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count_; ++i)
+    sum += with(effects_[i], [&](const auto& e) noexcept { return e.stiffest_N_per_m(most_N); });
+  return sum;
+}
+
 ObjectTouch EffectBank::touch() const noexcept {
   ObjectTouch nearest = ObjectTouch::None;
   for (std::size_t i = 0; i < count_; ++i)

@@ -42,6 +42,8 @@ class EffectBank {
   /// Work taken from the hand since the step before: what each effect's force, held over the tick, did against the
   /// device's way relative to what the effect is fixed to. Exact, so that it also sees what sampling leaks [J].
   [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
+  /// The stiffest that all effects can be together, at forces up to `most_N`.
+  [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;
   [[nodiscard]] ObjectTouch touch() const noexcept;               ///< the nearest of all inner objects
   [[nodiscard]] Vector<HapticBase> indentation() const noexcept;  ///< of the first skin, S1 eq. (8); zero without
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }

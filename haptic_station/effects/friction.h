@@ -26,6 +26,7 @@ class Friction {
     return 0.5 * settings_.bristle_stiffness_N_per_m * bristle_m_.squaredNorm();
   }
   [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput&) const noexcept { return {}; }
+  [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.bristle_stiffness_N_per_m; }
   [[nodiscard]] ObjectTouch touch() const noexcept { return ObjectTouch::None; }
 
  private:

@@ -29,6 +29,9 @@ class Skin {
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
   [[nodiscard]] double energy_J() const noexcept { return skin_energy_J(settings_.law, indentation_.v); }
   [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput& in) const noexcept;
+  [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept {
+    return skin_stiffest_N_per_m(settings_.law, most_N);
+  }
   [[nodiscard]] ObjectTouch touch() const noexcept { return ObjectTouch::None; }
   [[nodiscard]] const Vector<HapticBase>& indentation() const noexcept { return indentation_; }
 

@@ -24,4 +24,16 @@ double skin_energy_J(const SkinLaw& law, const Eigen::Vector3d& d_m) noexcept {
          energy_along_J(law, std::abs(d_m.z()));
 }
 
+double skin_stiffest_N_per_m(const SkinLaw& law, double most_N) noexcept {
+  double deepest_m = 0.2;
+  if (law.stiffness_N_per_m(deepest_m) * deepest_m > most_N) {
+    double shallow_m = 0.0;
+    for (int i = 0; i < 40; ++i) {
+      const double middle_m = 0.5 * (shallow_m + deepest_m);
+      (law.stiffness_N_per_m(middle_m) * middle_m > most_N ? deepest_m : shallow_m) = middle_m;
+    }
+  }
+  return law.constant_N_per_m + (2.0 * law.slope_N_per_m2 + 3.0 * law.curve_N_per_m3 * deepest_m) * deepest_m;
+}
+
 }  // namespace telepalp::effects

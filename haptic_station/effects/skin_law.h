@@ -38,4 +38,7 @@ struct SkinLaw {
 /// Energy [J] that the skin stores at `d_m`: the integral of skin_force_N's opposite.
 [[nodiscard]] double skin_energy_J(const SkinLaw& law, const Eigen::Vector3d& d_m) noexcept;
 
+/// Slope of force over depth [N/m] where the force reaches `most_N`, or at 0.2 m: the skin is nowhere stiffer before.
+[[nodiscard]] double skin_stiffest_N_per_m(const SkinLaw& law, double most_N) noexcept;
+
 }  // namespace telepalp::effects

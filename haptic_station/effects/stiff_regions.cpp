@@ -32,4 +32,10 @@ Force<HapticBase> StiffRegions::step(const EffectInput& in, double) noexcept {
   return sum;
 }
 
+double StiffRegions::stiffest_N_per_m(double) const noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) sum += regions_[i].added_N_per_m;
+  return sum;
+}
+
 }  // namespace telepalp::effects

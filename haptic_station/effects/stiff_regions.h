@@ -29,6 +29,8 @@ class StiffRegions {
   [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput& in) const noexcept {
     return {in.contact.surface_speed_m_per_s * in.contact.normal.v};
   }
+  /// As if all regions lay in one place.
+  [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;
   [[nodiscard]] ObjectTouch touch() const noexcept { return ObjectTouch::None; }
 
  private:

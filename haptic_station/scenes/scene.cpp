@@ -40,10 +40,17 @@ std::string tissue_names() {
   return names;
 }
 
-/// Instead of S1's law: a linear spring, or a tissue's curve.
+/// Instead of S1's law: a linear spring, a curve, or a tissue's.
 void read_tissue(FieldCheck& check, const msg::SkinEffect& message, effects::SkinLaw& law) {
-  if (message.has_linear_stiffness_n_per_m() && message.has_tissue())
-    check.complain("skin gives both a linear stiffness and a tissue", "give one of the two");
+  if (int{message.has_linear_stiffness_n_per_m()} + int{message.has_tissue()} + int{message.has_measured()} > 1)
+    check.complain("skin gives more than one of linear_stiffness_N_per_m, tissue and measured", "give one of them");
+  if (message.has_measured()) {
+    const msg::SkinEffect::Curve& curve = message.measured();
+    law = effects::linear_law(0.0);
+    check.number("skin.measured.constant_N_per_m", curve.constant_n_per_m(), {0, 5000, "N/m"}, law.constant_N_per_m);
+    check.number("skin.measured.slope_N_per_m2", curve.slope_n_per_m2(), {0, 1e6, "N/m^2"}, law.slope_N_per_m2);
+    check.number("skin.measured.curve_N_per_m3", curve.curve_n_per_m3(), {0, 1e8, "N/m^3"}, law.curve_N_per_m3);
+  }
   if (message.has_linear_stiffness_n_per_m()) {
     law = effects::linear_law(0.0);
     TELEPALP_READ(check, "skin.", message, linear_stiffness_n_per_m, law.constant_N_per_m, {0, 5000, "N/m"});
@@ -221,6 +228,7 @@ void read_simulation(FieldCheck& check, const msg::Scene& message, const std::fi
   TELEPALP_READ(check, "simulated_device.", device, encoder_step_m, scene.simulated_device.encoder_step_m,
                 {0, 0.001, "m"});
   TELEPALP_READ(check, "simulated_device.", device, peak_n, scene.simulated_device.peak_N, {0.1, 50, "N"});
+  scene.control.coupling.device_damping_N_s_per_m = scene.simulated_device.damping_N_s_per_m;
   const msg::HandIntention& hand = message.hand();
   TELEPALP_READ(check, "hand.", hand, arm_stiffness_n_per_m, scene.simulated_hand.stiffness_N_per_m, {1, 5000, "N/m"});
   TELEPALP_READ(check, "hand.", hand, arm_damping_n_s_per_m, scene.simulated_hand.damping_N_s_per_m, {0, 200, "N s/m"});

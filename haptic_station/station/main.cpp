@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "haptic_station/station/rig_choice.h"
 #include "haptic_station/station/static_patient.h"
 #include "haptic_station/station/station.h"
+#include "haptic_station/station/tissue_command.h"
 #include "haptic_station/surface/surface_settings.h"
 #include "haptic_station/trials/trials_command.h"
 #include "proto/program/address.h"
@@ -19,13 +21,23 @@ namespace {
 
 using namespace telepalp;
 
+/// What the program also does, by its first word.
+struct Command {
+  std::string_view name;
+  int (*run)(int argc, const char* const* argv);
+};
+constexpr std::array kCommands{Command{"trials", trials::trials_command},
+                               Command{"calibrate", station::calibrate_command},
+                               Command{"rearm", station::rearm_command}, Command{"tissue", station::tissue_command}};
+
 program::Usage usage() {
   return {
       .program = "telepalp-station",
       .purpose =
           "turns a served depth stream into a surface that can be touched, at 2 kHz; or, as telepalp-station "
           "trials, runs the palpation study's trials in virtual time; or, as telepalp-station calibrate, measures "
-          "where its devices stand; or, as telepalp-station rearm, lets a faulted station touch again",
+          "where its devices stand; or, as telepalp-station rearm, lets a faulted station touch again; or, as "
+          "telepalp-station tissue, fits the skin to a compression test",
       .positional = "",
       .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:7400"},
                   {"scene", "FILE", "what can be felt: a *.scene.textproto; left out: palpation"},
@@ -129,6 +141,10 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
   for (const effects::EffectBill& line : scene->effects.bill()) effects += std::string(" ") + line.name;
   std::printf("%s: %s; surface: %s; effects:%s\n", scene->name.c_str(), scene->message.purpose().c_str(),
               touched.c_str(), effects.c_str());
+  const double effects_N_per_m = scene->effects.stiffest_N_per_m(scene->control.limits.peak_N);
+  if (const control::VirtualCoupling coupling(scene->control.coupling, effects_N_per_m); coupling.engaged())
+    std::printf("the effects reach %.0f N/m: felt through a coupling of %.0f N/m, as stiff as the device can show\n",
+                effects_N_per_m, coupling.stiffness_N_per_m());
   return program::kDone;
 }
 
@@ -152,9 +168,8 @@ int run(station::StationOptions options, const Result<scenes::Scene>& scene, con
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "trials") return trials::trials_command(argc - 1, argv + 1);
-  if (argc > 1 && std::string_view(argv[1]) == "calibrate") return station::calibrate_command(argc - 1, argv + 1);
-  if (argc > 1 && std::string_view(argv[1]) == "rearm") return station::rearm_command(argc - 1, argv + 1);
+  for (const Command& command : kCommands)
+    if (argc > 1 && argv[1] == command.name) return command.run(argc - 1, argv + 1);
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;

@@ -17,7 +17,7 @@ void append(std::vector<T>& to, std::vector<T>&& from) {
 
 Result<Report> run_accuracy(const program::Arguments& arguments) {
   Section all;
-  for (const auto part : {surface_section, prediction_section, organ_section, depth_section}) {
+  for (const auto part : {surface_section, prediction_section, organ_section, z_width_section, depth_section}) {
     Result<Section> section = part();
     if (!section) return section.error();
     append(all.rows, std::move(section->rows));

@@ -20,6 +20,8 @@ struct Section {
 [[nodiscard]] Result<Section> prediction_section();
 /// An organ's cells: what a coarser lattice saves, and how far the organ moves.
 [[nodiscard]] Result<Section> organ_section();
+/// The stiffest wall that the simulated device can show, over sampling rate and damping.
+[[nodiscard]] Result<Section> z_width_section();
 /// The depth codec's modes, and what Bounded's error costs the finger.
 [[nodiscard]] Result<Section> depth_section();
 

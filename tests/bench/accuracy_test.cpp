@@ -45,7 +45,7 @@ TEST(Page, AMissingMarkerIsNamed) {
 TEST(Page, ThePageThatShipsHasEveryMarker) {
   std::ifstream in(TELEPALP_SOURCE_DIR "/docs/accuracy.md");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
-  for (const char* part : {"conditions", "surface", "knee", "noise", "density", "time", "hand", "organ", "modes", "bounded"}) {
+  for (const char* part : {"conditions", "surface", "knee", "noise", "density", "time", "hand", "organ", "z-width", "modes", "bounded"}) {
     const auto made = with_parts(page, {{part, "x\n"}}, "accuracy.md");
     EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
   }

@@ -79,6 +79,22 @@ TEST(Scene, FrictionWithoutASkinIsRefused) {
   EXPECT_NE(to_string(scene.error()).find("no skin to rub on"), std::string::npos);
 }
 
+TEST(Scene, ASkinTakesACurveThatWasMeasured) {
+  const auto scene = parse_scene(
+      "haptic_from_camera {} effects { skin { measured { constant_N_per_m: 100 slope_N_per_m2: 2000 "
+      "curve_N_per_m3: 5e4 } } }",
+      "measured.scene.textproto");
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  effects::EffectInput in;
+  in.contact.normal = {Eigen::Vector3d::UnitY()};
+  effects::EffectBank bank = scene->effects;
+  bank.begin(in);
+  in.device.m = {0.0, -0.01, 0.0};
+  in.contact.distance_m = -0.01;
+  EXPECT_NEAR(bank.step(in, 0.0005).N.y(), 0.01 * (100.0 + 20.0 + 5.0), 1e-9);
+  EXPECT_NE(complaint("effects { skin { tissue: \"muscle\" measured {} } }").find("more than one"), std::string::npos);
+}
+
 TEST(Scene, TwoWaysToGiveTheStiffnessAreOneTooMany) {
   EXPECT_NE(complaint("effects { skin { alpha_N_per_m2: 1500 stiffness_N_per_m: 160 } }").find("one of the two"),
             std::string::npos);

@@ -121,6 +121,22 @@ std::vector<HardCase> hard_cases() {
          EXPECT_LT(felt.fastest_device, 0.5);
          EXPECT_LE(felt.energy_out_J, 0.001);
        }},
+      {"EffectsStackedInOnePlace", "29 kN/m together, seven times what the device can show: as calm as what it can",
+       [] {
+         Scene scene;
+         scene.settings.effects = {};
+         (void)scene.settings.effects.add(effects::Skin({.law = effects::linear_law(5000.0)}));
+         effects::StiffRegions regions;
+         for (int i = 0; i < 8; ++i) (void)regions.add({.center = {}, .added_N_per_m = 3000.0});
+         (void)scene.settings.effects.add(regions);
+         scene.person = presses_to(0.01);
+         const Felt felt = feel(scene);
+         EXPECT_TRUE(felt.finite);
+         EXPECT_LE(felt.most_N, 10.0);
+         EXPECT_LT(felt.fastest_device, 0.5);
+         EXPECT_LE(felt.energy_out_J, 0.001);
+         EXPECT_LE(felt.worst_step_N, 0.5);
+       }},
       {"StiffnessJumpsAtAnInclusion", "energy bounded at the edge of something five times as stiff",
        [] {
          Scene scene;

@@ -1,0 +1,58 @@
+#include <cmath>
+
+#include "clients/plot/chart.h"
+#include "clients/plot/palette.h"
+#include "haptic_station/control/virtual_coupling.h"
+#include "haptic_station/device/z_width.h"
+#include "tests/bench/accuracy_sections.h"
+
+namespace telepalp::bench {
+namespace {
+
+constexpr double kRates_hz[] = {250.0, 500.0, 1000.0, 2000.0, 4000.0, 8000.0};
+constexpr double kDampings[] = {0.25, 0.5, 1.0, 2.0, 4.0};  // [N s/m]
+constexpr std::string_view kColors[] = {plot::kSky, plot::kBlue, plot::kGreen, plot::kOrange, plot::kVermilion};
+constexpr double kUsualDamping = 1.0;
+
+std::string damping_name(double damping) { return cell(damping) + " N s/m"; }
+
+}  // namespace
+
+Result<Section> z_width_section() {
+  Section section;
+  PageTable table{.head = {"damping, N s/m"}, .rows = {}};
+  for (const double rate_hz : kRates_hz) table.head.push_back(cell(rate_hz) + " Hz");
+  plot::Chart chart{.title = "the stiffest wall that comes to rest: measured (dots), theory 2 b / T (lines)",
+                    .x = {.label = "sampling rate [Hz]", .logarithmic = true},
+                    .y = {.label = "stiffness [N/m]", .logarithmic = true}};
+  chart.height_px = 420.0;
+  for (std::size_t i = 0; i < std::size(kDampings); ++i) {
+    const double damping = kDampings[i];
+    const std::string color(kColors[i]);
+    plot::Series measured_dots{"", {}, {}, color, plot::Style::Dots};
+    plot::Series theory{damping_name(damping), {}, {}, color, plot::Style::Line};
+    table.rows.push_back({cell(damping)});
+    for (const double rate_hz : kRates_hz) {
+      const double shown = device::largest_stable_stiffness_N_per_m(rate_hz, damping);
+      const double limit = 2.0 * damping * rate_hz;
+      measured_dots.x.push_back(rate_hz);
+      measured_dots.y.push_back(shown);
+      theory.x.push_back(rate_hz);
+      theory.y.push_back(limit);
+      table.rows.back().push_back(cell(shown));
+      section.rows.push_back(measured("Z-width at " + cell(rate_hz) + " Hz, " + damping_name(damping) + ": of 2 b / T",
+                                      shown / limit, ""));
+    }
+    chart.series.push_back(std::move(theory));
+    chart.series.push_back(std::move(measured_dots));
+  }
+  const double coupled = control::stiffest_shown_N_per_m({.device_damping_N_s_per_m = kUsualDamping});
+  chart.rules.push_back(
+      {coupled, "stiffer scenes are coupled, " + damping_name(kUsualDamping) + " at 2 kHz", std::string(plot::kGrey)});
+  section.rows.push_back(measured("stiffest without coupling, " + damping_name(kUsualDamping), coupled, "N/m"));
+  section.parts = {{"z-width", to_markdown(table)}};
+  section.pictures = {{"accuracy/z_width.svg", plot::to_svg(chart)}};
+  return section;
+}
+
+}  // namespace telepalp::bench
