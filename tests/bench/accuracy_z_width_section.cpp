@@ -26,6 +26,7 @@ Result<Section> z_width_section() {
                     .x = {.label = "sampling rate [Hz]", .logarithmic = true},
                     .y = {.label = "stiffness [N/m]", .logarithmic = true}};
   chart.height_px = 420.0;
+  for (const double rate_hz : kRates_hz) chart.x.ticks.push_back({rate_hz, cell(rate_hz)});
   for (std::size_t i = 0; i < std::size(kDampings); ++i) {
     const double damping = kDampings[i];
     const std::string color(kColors[i]);

@@ -8,7 +8,6 @@
 #include <limits>
 #include <memory>
 
-#include "haptic_station/device/z_width.h"
 #include "haptic_station/loop/haptic_loop.h"
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/surface/surface_builder.h"
@@ -264,15 +263,6 @@ void time_watchdog(Report& report) {
   report.rows.push_back(at_most("watchdog, from age limit to zero force", worst_ms, "ms", 50.0));
 }
 
-void measure_z_width(Report& report) {
-  for (const double rate_hz : {250.0, 500.0, 1000.0, 2000.0, 4000.0})
-    report.rows.push_back(measured("Z-width at " + std::to_string(static_cast<int>(rate_hz)) + " Hz, damping 1 N s/m",
-                                   device::largest_stable_stiffness_N_per_m(rate_hz, 1.0), "N/m"));
-  for (const double damping : {0.25, 4.0})
-    report.rows.push_back(measured("Z-width at 2000 Hz, damping " + std::to_string(damping).substr(0, 4) + " N s/m",
-                                   device::largest_stable_stiffness_N_per_m(2000.0, damping), "N/m"));
-}
-
 }  // namespace
 
 Result<Report> run_control(const program::Arguments& arguments) {
@@ -286,7 +276,6 @@ Result<Report> run_control(const program::Arguments& arguments) {
   if (const Result<void> done = predict_hands(report); !done) return done.error();
   batter_limiter(report);
   time_watchdog(report);
-  measure_z_width(report);
   report.notes = {"trials and searches: virtual time, 2 kHz, skin still and breathing 5 mm (searches 3 mm) at 0.25 Hz",
                   "hand prediction: every other sample of a real Leap trace held out, about 9 ms ahead; RMSE"};
   return report;
