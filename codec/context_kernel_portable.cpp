@@ -1,4 +1,4 @@
-#include "codec/context_kernel_impl.h"
+#include "codec/context_together.h"
 
 namespace telepalp::codec {
 namespace {
@@ -18,7 +18,7 @@ size_t scratch_bytes(int width, const ContextTables& tables) {
 }
 
 const ContextKernel& portable_context_kernel() {
-  static const ContextKernel kernel{"portable", encode<Plain>, decode<Plain>};
+  static const ContextKernel kernel{"portable", encode<Plain>, decode_together<Plain>};
   return kernel;
 }
 

@@ -31,7 +31,7 @@ constexpr int kLargestStep = 6;
 constexpr int kLearningRate = 6;
 
 /// Step of each symbol from the prediction. A pixel that was not measured is filled with its prediction.
-constexpr int16_t kStepOf[16] = {0, 0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 0, 0};
+constexpr int8_t kStepOf[16] = {0, 0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 0, 0};
 
 /// Symbol of each step from −7 to 7.
 constexpr uint8_t kSymbolOf[15] = {14, 13, 11, 9, 7, 5, 3, 0, 2, 4, 6, 8, 10, 12, 14};

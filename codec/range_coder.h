@@ -50,14 +50,18 @@ constexpr Model kFlatModel = [] {
   return model;
 }();
 
-/// Moves 1/2^kRate of the way. 16 additions that any compiler turns into vectors.
+/// Half a model, in one register of any processor since 2004.
+using HalfModel [[gnu::vector_size(16), gnu::may_alias]] = int16_t;
+
+/// Moves 1/2^kRate of the way. Why not a loop: not every compiler makes vectors of it.
 template <int kRate>
 inline void learn(Model& model, int symbol) {
-  const int16_t* const target = kTargets.of[symbol];
-  for (int place = 0; place < 16; ++place) {
-    const auto way = static_cast<int16_t>(target[place] - model.cdf[place]);
-    model.cdf[place] = static_cast<uint16_t>(model.cdf[place] + (way >> kRate));
-  }
+  auto* const at = reinterpret_cast<HalfModel*>(model.cdf);
+  const auto* const target = reinterpret_cast<const HalfModel*>(kTargets.of[symbol]);
+  const HalfModel low = at[0];
+  const HalfModel high = at[1];
+  at[0] = low + ((target[0] - low) >> kRate);
+  at[1] = high + ((target[1] - high) >> kRate);
 }
 
 /// The symbol of a model that a cumulative frequency falls on.
@@ -199,6 +203,11 @@ struct RangeDecoder {
       at += 4;
       return __builtin_bswap32(word);
     }
+    return last_word();
+  }
+
+  /// Zeros behind the end.
+  [[gnu::noinline, nodiscard]] uint32_t last_word() {
     uint32_t word = 0;
     for (int byte = 0; byte < 4; ++byte) word = word << 8 | (at != end ? *at++ : 0U);
     return word;
