@@ -49,4 +49,9 @@ Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> bytes) {
                          .since_key = header.since_key};
 }
 
+bool stands_alone(std::span<const std::byte> bytes) {
+  const Result<Packet> packet = read_packet(bytes);
+  return packet.ok() && packet->header.coding != Coding::Dependent;
+}
+
 }  // namespace telepalp::codec

@@ -48,4 +48,8 @@ struct DepthPacketInfo {
 
 [[nodiscard]] Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> packet);
 
+/// Whether `packet` can be decoded without the one before it: fast and intra frames, and key frames. False for what is
+/// no packet.
+[[nodiscard]] bool stands_alone(std::span<const std::byte> packet);
+
 }  // namespace telepalp::codec

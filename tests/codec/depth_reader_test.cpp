@@ -1,0 +1,90 @@
+#include "codec/depth_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "codec/key_asking.h"
+#include "tests/codec/depth_frames.h"
+
+namespace telepalp::codec {
+namespace {
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 80;
+
+DepthImage frame(unsigned number) { return kinect_like(kWidth, kHeight, number, static_cast<int>(number)); }
+
+std::vector<std::string> stream_of(DepthMode mode, unsigned frames, int key_every) {
+  DepthEncoder encoder({.mode = mode, .key_every = key_every});
+  std::vector<std::string> packets;
+  for (unsigned i = 0; i < frames; ++i) packets.push_back(encoder.encode(frame(i)));
+  return packets;
+}
+
+TEST(DepthReader, ReadsAnyFrameThoughThoseBeforeItWerePassedOver) {
+  for (const DepthMode mode : {DepthMode::Fast, DepthMode::Intra, DepthMode::Temporal}) {
+    const std::vector<std::string> packets = stream_of(mode, 12, 5);
+    for (unsigned wanted = 0; wanted < 12; ++wanted) {
+      DepthReader reader;
+      for (unsigned i = 0; i < wanted; ++i) reader.pass_over(packets[i]);
+      const Result<DepthImage> back = reader.read(bytes_of(packets[wanted]));
+      ASSERT_TRUE(back.ok()) << name(mode) << " " << wanted << ": " << to_string(back.error());
+      EXPECT_EQ(back->samples, frame(wanted).samples);
+    }
+  }
+}
+
+TEST(DepthReader, ReadsOnAfterSomeWereReadAndSomePassedOver) {
+  const std::vector<std::string> packets = stream_of(DepthMode::Temporal, 20, 9);
+  DepthReader reader;
+  for (unsigned i = 0; i < packets.size(); ++i) {
+    if (i % 3 != 0) {
+      reader.pass_over(packets[i]);
+      continue;
+    }
+    const Result<DepthImage> back = reader.read(bytes_of(packets[i]));
+    ASSERT_TRUE(back.ok()) << i;
+    EXPECT_EQ(back->samples, frame(i).samples);
+  }
+}
+
+TEST(DepthReader, KeepsItsPlaceInAGroupLongerThanItKeepsPackets) {
+  const std::vector<std::string> packets = stream_of(DepthMode::Temporal, 80, 1000);
+  DepthReader reader;
+  for (unsigned i = 0; i + 1 < packets.size(); ++i) reader.pass_over(packets[i]);
+  const Result<DepthImage> back = reader.read(bytes_of(packets.back()));
+  ASSERT_TRUE(back.ok());
+  EXPECT_EQ(back->samples, frame(79).samples);
+}
+
+TEST(DepthReader, DamageAmongWhatWasPassedOverIsAnErrorUntilTheNextKeyFrameAndNeverWrongDepth) {
+  std::vector<std::string> packets = stream_of(DepthMode::Temporal, 10, 6);
+  char& byte = packets[3][packets[3].size() / 2];
+  byte = static_cast<char>(byte ^ 1);
+  DepthReader reader;
+  for (unsigned i = 0; i < 4; ++i) reader.pass_over(packets[i]);
+  EXPECT_FALSE(reader.read(bytes_of(packets[4])).ok());
+  EXPECT_FALSE(reader.read(bytes_of(packets[5])).ok());
+  const Result<DepthImage> key = reader.read(bytes_of(packets[6]));
+  ASSERT_TRUE(key.ok());
+  EXPECT_EQ(key->samples, frame(6).samples);
+}
+
+TEST(KeyAsking, AsksAtOnceAndAgainOnlyWhileNothingCanBeRead) {
+  KeyAsking asking;
+  const SessionTime start = session_time(1'000'000'000);
+  EXPECT_TRUE(asking.failed(start));
+  EXPECT_FALSE(asking.failed(start + std::chrono::milliseconds(33)));
+  EXPECT_FALSE(asking.failed(start + std::chrono::milliseconds(299)));
+  EXPECT_TRUE(asking.failed(start + std::chrono::milliseconds(300)));
+  asking.succeeded();
+  EXPECT_TRUE(asking.failed(start + std::chrono::milliseconds(333)));
+}
+
+TEST(KeyAsking, AClockThatGoesBackDoesNotSilenceIt) {
+  KeyAsking asking;
+  EXPECT_TRUE(asking.failed(session_time(5'000'000'000)));
+  EXPECT_TRUE(asking.failed(session_time(1'000'000'000)));
+}
+
+}  // namespace
+}  // namespace telepalp::codec
