@@ -90,9 +90,13 @@ bool ClientLink::publish(Message message) {
     ++counts_.not_sent;
     return false;
   }
-  if (outgoing_.push(message)) ++counts_.not_sent;
+  counts_.not_sent += outgoing_.push(message).size();
   if (connected) connection_->wake();
   return connected;
+}
+
+void ClientLink::want_key(const Message& unreadable) {
+  if (connection_ && connection_->ready()) connection_->want_key(unreadable);
 }
 
 SessionClock ClientLink::clock() const noexcept {

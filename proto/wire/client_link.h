@@ -73,6 +73,10 @@ class ClientLink : private ConnectionOwner {
   /// next one, since a state that is seconds old serves nobody.
   bool publish(Message message);
 
+  /// Tells the server that `unreadable`, as on_message gave it, cannot be read without the one before it, which is not
+  /// at hand. One that stands alone follows soon. Nothing while there is no connection: after one, it comes anyway.
+  void want_key(const Message& unreadable);
+
   /// The session clock as known now; before the first connection, this machine's wall-clock guess. Any thread.
   /// Ask again for each reading: the offset within is slewed, and so changes with time.
   [[nodiscard]] SessionClock clock() const noexcept;
@@ -90,6 +94,7 @@ class ClientLink : private ConnectionOwner {
   void on_message(Message message) override;
   void on_subscribe(std::vector<std::string>) override {}  // a server takes what it is sent
   void on_clock(const ClockSample& sample) override;
+  void on_want_key(const Topic&, SessionTime) override {}  // what a client publishes stands alone
   void on_closed(const std::string& reason) override;
   std::optional<Message> next_to_send() override;
   SessionTime session_now() override { return clock().now(); }

@@ -88,6 +88,13 @@ void Connection::probe_clock() {
   send(std::move(control));
 }
 
+void Connection::want_key(const Message& unreadable) {
+  msg::Control control;
+  control.mutable_want_key()->set_topic(std::string(unreadable.topic.name));
+  control.mutable_want_key()->set_published_ns(to_nanoseconds(unreadable.published));
+  send(std::move(control));
+}
+
 void Connection::close(const std::string& reason) {
   drains_ = phase_ == Phase::Open;
   leave(reason);
@@ -175,6 +182,10 @@ Result<void> Connection::on_control(const Frame& frame) {
     }
     case msg::Control::kClockReply:
       on_clock_reply(control.clock_reply());
+      return {};
+    case msg::Control::kWantKey:
+      if (const std::optional<Topic> topic = find_topic(control.want_key().topic()))
+        owner_->on_want_key(*topic, session_time(control.want_key().published_ns()));
       return {};
     case msg::Control::kGoodbye:
       finish("peer left: " + control.goodbye().reason());

@@ -34,6 +34,8 @@ class ConnectionOwner {
   virtual void on_message(Message message) = 0;
   virtual void on_subscribe(std::vector<std::string> topics) = 0;
   virtual void on_clock(const ClockSample& sample) = 0;
+  /// The peer could not read the message of `topic` published at `published`, for want of the one before it.
+  virtual void on_want_key(const Topic& topic, SessionTime published) = 0;
   /// The last call: nothing is asked or told after it. `reason` is for people.
   virtual void on_closed(const std::string& reason) = 0;
   /// The next message to send; nullopt: none now, and wake() follows when there is one. The owner's bounded
@@ -68,6 +70,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void wake();                                             ///< there is something to send
   void subscribe(const std::vector<std::string>& topics);  ///< replaces what was asked for before
   void probe_clock();
+  /// Asks the peer for a message that stands alone, since `unreadable` does not.
+  void want_key(const Message& unreadable);
   /// Sends what next_to_send() still has, says Goodbye and closes, at the latest after half a second.
   void close(const std::string& reason);
   /// Closes at once; the owner hears nothing more.

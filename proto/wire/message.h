@@ -21,6 +21,8 @@ struct Message {
   std::shared_ptr<const std::string> payload;
   std::uint64_t sequence = 0;  ///< counts the topic's messages at whoever sends them on, from 1; a gap is a loss.
                                ///< 0: not numbered yet
+  bool stands_alone = true;    ///< false: of use only to who has the topic's message before it. Its publisher's word;
+                               ///< not on the wire
 };
 
 /// Serialises `proto` as a message of `topic`.

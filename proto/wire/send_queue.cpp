@@ -12,17 +12,20 @@ std::size_t queue_limit(std::string_view topic) noexcept {
   return topic == kCameraColor.name || topic == kCameraDepth.name ? kImages : kSmall;
 }
 
-std::optional<Message> SendQueue::push(const Message& message) {
+std::vector<Message> SendQueue::push(const Message& message) {
   const auto same_topic = [&](const Message& other) { return other.topic.name == message.topic.name; };
-  std::optional<Message> overtaken;
+  std::vector<Message> gone;
   const auto waiting = static_cast<std::size_t>(std::count_if(waiting_.begin(), waiting_.end(), same_topic));
   if (waiting >= queue_limit(message.topic.name)) {
-    const auto oldest = std::find_if(waiting_.begin(), waiting_.end(), same_topic);
-    overtaken = std::move(*oldest);
-    waiting_.erase(oldest);
+    if (!message.stands_alone) return {message};
+    auto oldest = std::find_if(waiting_.begin(), waiting_.end(), same_topic);
+    do {
+      gone.push_back(std::move(*oldest));
+      oldest = std::find_if(waiting_.erase(oldest), waiting_.end(), same_topic);
+    } while (oldest != waiting_.end() && !oldest->stands_alone);
   }
   waiting_.push_back(message);
-  return overtaken;
+  return gone;
 }
 
 std::optional<Message> SendQueue::pop() {

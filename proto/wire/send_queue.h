@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "proto/wire/message.h"
 
@@ -13,8 +14,10 @@ namespace telepalp::wire {
 /// oldest messages and cannot push out a small one. It is the only queue of messages between publisher and socket.
 class SendQueue {
  public:
-  /// Adds `message`. Returns what had to go to make room, if anything did.
-  std::optional<Message> push(const Message& message);
+  /// Adds `message`. Returns what could not stay: the topic's oldest, with those that depend on it; or `message`
+  /// itself, when it depends on one that waits and there is no room, for making room would take away what it depends
+  /// on.
+  std::vector<Message> push(const Message& message);
   std::optional<Message> pop();
   [[nodiscard]] bool empty() const noexcept { return waiting_.empty(); }
   [[nodiscard]] std::size_t size() const noexcept { return waiting_.size(); }

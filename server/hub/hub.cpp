@@ -43,17 +43,46 @@ void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
   if (found == subscribers_.end()) return;
   Subscriber& subscriber = found->second;
   const std::vector<std::string> before = std::exchange(subscriber.topics, topics);
+  forget_unwanted(subscriber);
   for (const auto& [name, message] : latched_)
     if (wants(topics, name) && !wants(before, name)) offer(subscriber, message);
+  for (const auto& [name, wish] : wishes_)
+    if (wish.in_groups && wants(topics, name) && !wants(before, name)) ask_for_key(name);
+}
+
+/// A viewer that lost its place unsubscribes and subscribes again: what still waits would be of no use to it.
+void Hub::forget_unwanted(Subscriber& subscriber) {
+  subscriber.queue.remove_if([&](const wire::Message& message) {
+    if (wants(subscriber.topics, message.topic.name)) return false;
+    drop(subscriber.count, message);
+    return true;
+  });
+  std::erase_if(subscriber.places, [&](const auto& place) { return !wants(subscriber.topics, place.first); });
 }
 
 void Hub::publish(wire::Message message) {
   TopicCount& count = topics_[message.topic.name];
   message.sequence = ++count.published;
   count.bytes += message.payload->size();
+  KeyWish& wish = wishes_[message.topic.name];
+  wish = after_publishing(wish, message.stands_alone, message.published);
   if (is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)
     if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
+}
+
+void Hub::want_key(SubscriberId id, const wire::Topic& topic, SessionTime unreadable) {
+  const auto found = subscribers_.find(id);
+  if (found == subscribers_.end() || !wants(found->second.topics, topic.name)) return;
+  const KeyWish& wish = wishes_[topic.name];
+  if (!wish.in_groups || !still_lost(wish, unreadable)) return;
+  found->second.places[topic.name] = {};
+  ask_for_key(topic.name);
+}
+
+void Hub::ask_for_key(std::string_view topic) {
+  if (std::exchange(wishes_[topic].pending, true)) return;
+  if (key_wanted_) key_wanted_(topic);
 }
 
 void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
@@ -63,8 +92,14 @@ void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
 
 void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
   ++subscriber.count.topics[message.topic.name].published;
+  GroupPlace& place = subscriber.places[message.topic.name];
   const bool was_empty = subscriber.queue.empty();
-  if (const std::optional<wire::Message> overtaken = subscriber.queue.push(message)) drop(subscriber.count, *overtaken);
+  const bool usable = can_use(place, message.sequence, message.stands_alone);
+  const std::vector<wire::Message> gone = usable ? subscriber.queue.push(message) : std::vector{message};
+  for (const wire::Message& lost : gone) drop(subscriber.count, lost);
+  const bool queued = gone.empty() || gone.back().sequence != message.sequence;
+  place = {.last = queued ? message.sequence : 0};
+  if (!queued) return ask_for_key(message.topic.name);
   if (was_empty) subscriber.wake();
 }
 

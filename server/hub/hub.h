@@ -7,10 +7,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "proto/wire/message.h"
 #include "proto/wire/send_queue.h"
+#include "server/hub/group_place.h"
 
 namespace telepalp::server {
 
@@ -20,6 +22,8 @@ using SubscriberId = std::uint64_t;
 /// copies nothing: all subscribers share one payload. A subscriber that does not keep up loses its own oldest
 /// messages, topic by topic, and nobody else notices. Owner: the server's network thread; no locks, no sockets,
 /// no clock. A new subscriber is given the last message of each latched topic (/camera/info, /camera/status).
+/// A message that does not stand alone goes only to who has the one before it; whoever lost its place is given nothing
+/// of the topic until a message stands alone again, and the publisher is asked for one.
 class Hub {
  public:
   /// `wake` is called, on the publishing call, when the subscriber's queue stops being empty.
@@ -33,13 +37,19 @@ class Hub {
   /// Numbers `message` within its topic, so that a subscriber sees from the gap what it was not sent.
   void publish(wire::Message message);
 
+  /// The subscriber could not read what was published on `topic` at `unreadable`, for want of the one before it.
+  void want_key(SubscriberId subscriber, const wire::Topic& topic, SessionTime unreadable);
+
+  /// Is called when somebody waits for a message of a topic that stands alone, once until one comes.
+  void on_key_wanted(std::function<void(std::string_view topic)> handler) { key_wanted_ = std::move(handler); }
+
   /// The next message for this subscriber, oldest first; nullopt when none waits.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
   struct TopicCount {
     std::uint64_t published = 0;  ///< of a subscriber: offered to it
     std::uint64_t sent = 0;       ///< taken by a subscriber with next(); published = sent + dropped + still waiting
-    std::uint64_t dropped = 0;    ///< overtaken in a subscriber's queue, or waiting there when it left
+    std::uint64_t dropped = 0;    ///< overtaken in a subscriber's queue, waiting there when it left, or of no use to it
     std::uint64_t bytes = 0;      ///< published; of a subscriber: sent to it
   };
   using TopicCounts = std::map<std::string_view, TopicCount>;  // keys live in wire::kTopics
@@ -58,14 +68,19 @@ class Hub {
     SubscriberCount count;
     std::vector<std::string> topics;
     wire::SendQueue queue;
+    std::map<std::string_view, GroupPlace> places;  // by topic
     std::function<void()> wake;
   };
   void drop(SubscriberCount& subscriber, const wire::Message& message);
   void offer(Subscriber& subscriber, const wire::Message& message);
+  void forget_unwanted(Subscriber& subscriber);
+  void ask_for_key(std::string_view topic);
 
   std::map<SubscriberId, Subscriber> subscribers_;
   TopicCounts topics_;
   std::map<std::string_view, wire::Message> latched_;
+  std::map<std::string_view, KeyWish> wishes_;  // by topic
+  std::function<void(std::string_view)> key_wanted_;
   SubscriberId last_id_ = 0;
 };
 

@@ -80,6 +80,9 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     if (is_valid_upstream(message)) return listener_.hub_.publish(std::move(message));
     ++listener_.counts_.invalid_messages;
   }
+  void on_want_key(const wire::Topic& topic, SessionTime published) override {
+    listener_.hub_.want_key(subscriber_, topic, published);
+  }
   void on_clock(const wire::ClockSample&) override {}  // a server's clock is the session's: it asks nobody
   void on_closed(const std::string& reason) override {
     leave_hub();

@@ -145,5 +145,27 @@ TEST(Link, ALinkThatIsDestroyedWhileItConnectsLeavesNothingBehind) {
   EXPECT_TRUE(site.run_until([&] { return site.listener->peers() == 0; }));
 }
 
+TEST(Link, AClientThatLostItsPlaceIsHeardAndGivenAKeyFrame) {
+  Site site;
+  int asked = 0;
+  site.hub.on_key_wanted([&](std::string_view) { ++asked; });
+  Client client(site, {"/camera/depth"});
+  ASSERT_TRUE(site.run_until([&] { return client.connected(); }));
+  const auto publish = [&](int number, bool is_key) {
+    wire::Message depth{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>("d")};
+    depth.stands_alone = is_key;
+    site.hub.publish(depth);
+  };
+  publish(1, true);
+  publish(2, false);
+  ASSERT_TRUE(site.run_until([&] { return client.messages.size() == 2; }));
+  client.link.want_key(client.messages.back());
+  ASSERT_TRUE(site.run_until([&] { return asked == 1; }));
+  publish(3, false);
+  publish(4, true);
+  ASSERT_TRUE(site.run_until([&] { return client.messages.size() == 3; }));
+  EXPECT_EQ(client.messages.back().published, session_time(4));
+}
+
 }  // namespace
 }  // namespace telepalp::server

@@ -1,0 +1,191 @@
+// Topics in which messages depend on the one before, as a hub hands them on; each message is its number.
+
+#include <gtest/gtest.h>
+
+#include "server/hub/hub.h"
+#include "server/pipeline/key_pacing.h"
+
+namespace telepalp::server {
+namespace {
+
+wire::Message frame(int number, bool is_key) {
+  wire::Message message{wire::kCameraDepth, session_time(number),
+                        std::make_shared<const std::string>(std::to_string(number))};
+  message.stands_alone = is_key;
+  return message;
+}
+
+/// A hub whose camera makes a key frame when asked, and subscribers that can be slow.
+struct Stage {
+  Hub hub;
+  int asked = 0;
+  int published = 0;
+
+  Stage() {
+    hub.on_key_wanted([this](std::string_view topic) {
+      EXPECT_EQ(topic, wire::kCameraDepth.name);
+      ++asked;
+    });
+  }
+  SubscriberId join() {
+    const SubscriberId id = hub.join("s", "", [] {});
+    hub.subscribe(id, {"/camera/depth"});
+    return id;
+  }
+  void key() { hub.publish(frame(++published, true)); }
+  void dependent() { hub.publish(frame(++published, false)); }
+  std::string taken(SubscriberId id) {
+    std::string numbers;
+    while (const auto next = hub.next(id)) numbers += (numbers.empty() ? "" : " ") + *next->payload;
+    return numbers;
+  }
+};
+
+TEST(HubGroups, WhoJoinsMidGroupIsGivenNothingUntilAKeyFrameWhichIsAskedForAtOnce) {
+  Stage stage;
+  stage.key();
+  stage.dependent();
+  const SubscriberId late = stage.join();
+  EXPECT_EQ(stage.asked, 1);
+  stage.dependent();
+  EXPECT_EQ(stage.taken(late), "");
+  stage.key();
+  stage.dependent();
+  EXPECT_EQ(stage.taken(late), "4 5");
+  EXPECT_EQ(stage.hub.subscriber_counts().front().dropped(), 1u);
+}
+
+TEST(HubGroups, TwoWhoJoinTogetherAskOnceAndFollowFromTheSameKeyFrame) {
+  Stage stage;
+  stage.key();
+  stage.dependent();
+  const SubscriberId first = stage.join();
+  stage.dependent();
+  const SubscriberId second = stage.join();
+  stage.dependent();
+  EXPECT_EQ(stage.asked, 1);
+  stage.key();
+  stage.dependent();
+  EXPECT_EQ(stage.taken(first), "5 6");
+  EXPECT_EQ(stage.taken(second), "5 6");
+}
+
+TEST(HubGroups, WhoDoesNotKeepUpIsNeverGivenAFrameWithoutTheOneBeforeIt) {
+  Stage stage;
+  const SubscriberId slow = stage.join();
+  stage.key();
+  stage.dependent();
+  stage.dependent();  // no room: it and those after it are of no use
+  stage.dependent();
+  EXPECT_EQ(stage.asked, 1);
+  EXPECT_EQ(stage.taken(slow), "1 2");
+  stage.dependent();
+  EXPECT_EQ(stage.taken(slow), "");
+  stage.key();
+  stage.dependent();
+  EXPECT_EQ(stage.taken(slow), "6 7");
+  const Hub::TopicCount count = stage.hub.topic_counts().at(wire::kCameraDepth.name);
+  EXPECT_EQ(count.dropped, 3u);
+  EXPECT_EQ(count.sent + count.dropped, count.published);
+}
+
+TEST(HubGroups, AKeyFrameOvertakesTheKeyFrameThatWaitsWithAllThatDependsOnIt) {
+  Stage stage;
+  const SubscriberId stalled = stage.join();
+  stage.key();
+  stage.dependent();
+  stage.key();
+  EXPECT_EQ(stage.taken(stalled), "3");
+  EXPECT_EQ(stage.hub.topic_counts().at(wire::kCameraDepth.name).dropped, 2u);
+}
+
+TEST(HubGroups, OthersNoticeNothingOfOneThatDoesNotKeepUp) {
+  Stage stage;
+  (void)stage.join();
+  const SubscriberId quick = stage.join();
+  stage.key();
+  std::string all = stage.taken(quick);
+  for (int i = 0; i < 6; ++i) {
+    stage.dependent();
+    all += " " + stage.taken(quick);
+  }
+  EXPECT_EQ(all, "1 2 3 4 5 6 7");
+}
+
+TEST(HubGroups, WhoSaysThatItsReferenceIsMissingIsGivenAKeyFrameNext) {
+  Stage stage;
+  const SubscriberId id = stage.join();
+  stage.key();
+  stage.dependent();
+  EXPECT_EQ(stage.taken(id), "1 2");
+  stage.hub.want_key(id, wire::kCameraDepth, session_time(2));
+  EXPECT_EQ(stage.asked, 1);
+  stage.dependent();
+  EXPECT_EQ(stage.taken(id), "");
+  stage.key();
+  EXPECT_EQ(stage.taken(id), "4");
+}
+
+TEST(HubGroups, WhoAsksAgainBeforeTheKeyFrameIsThereAsksForNothingMore) {
+  Stage stage;
+  const SubscriberId id = stage.join();
+  stage.key();
+  stage.dependent();
+  for (int i = 0; i < 1000; ++i) stage.hub.want_key(id, wire::kCameraDepth, session_time(2));
+  EXPECT_EQ(stage.asked, 1);
+  stage.key();
+  stage.hub.want_key(id, wire::kCameraDepth, session_time(2));  // said before the key frame came
+  EXPECT_EQ(stage.asked, 1);
+}
+
+TEST(HubGroups, NobodyAsksForWhatItDidNotSubscribeToNorWhereEveryMessageStandsAlone) {
+  Stage stage;
+  const SubscriberId other = stage.hub.join("other", "", [] {});
+  const SubscriberId id = stage.join();
+  stage.key();
+  stage.hub.want_key(id, wire::kCameraDepth, session_time(9));
+  stage.dependent();
+  stage.hub.want_key(other, wire::kCameraDepth, session_time(9));
+  stage.hub.want_key(77, wire::kCameraDepth, session_time(9));
+  EXPECT_EQ(stage.asked, 0);
+}
+
+TEST(HubGroups, WhoSubscribesAgainBeginsWithAKeyFrame) {
+  Stage stage;
+  const SubscriberId id = stage.join();
+  stage.key();
+  stage.dependent();
+  stage.hub.subscribe(id, {});
+  stage.hub.subscribe(id, {"/camera/*"});
+  EXPECT_EQ(stage.asked, 1);
+  stage.dependent();
+  stage.key();
+  EXPECT_EQ(stage.taken(id), "4");
+}
+
+TEST(KeyPacing, WhoeverAsksAtEveryFrameGetsOneKeyFrameInFour) {
+  KeyPacing pacing;
+  std::string made;
+  for (int i = 0; i < 13; ++i) {
+    pacing.asked = true;
+    const bool is_key = i == 0 || key_is_due(pacing);
+    made += is_key ? 'K' : '.';
+    pacing = after_frame(pacing, is_key);
+  }
+  EXPECT_EQ(made, "K...K...K...K");
+}
+
+TEST(KeyPacing, AWishIsKeptUntilAKeyFrameIsMadeForWhateverReason) {
+  KeyPacing pacing = after_frame({}, true);
+  pacing.asked = true;
+  pacing = after_frame(pacing, false);
+  EXPECT_TRUE(pacing.asked);
+  pacing = after_frame(pacing, true);
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_FALSE(key_is_due(pacing));
+    pacing = after_frame(pacing, false);
+  }
+}
+
+}  // namespace
+}  // namespace telepalp::server
