@@ -32,7 +32,9 @@ program::Usage usage() {
                       {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; left out: none"},
                       {"viewer", "DIR", "the web viewer's files; left out: those built beside this program"},
                       {"ready-file", "FILE", "write the ports there once it listens"},
-                      {"depth-mode", "MODE", "how depth is compressed", "fast"},
+                      {"depth-mode", "MODE", "fast, intra, temporal (all without loss) or bounded (for the eye alone)",
+                       "fast"},
+                      {"key-every", "N", "frames from key frame to key frame, temporal and bounded", "12"},
                       {"jpeg-quality", "1..100", "of colour", "85"},
                       {"name", "NAME", "told to peers", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};
@@ -91,6 +93,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!quality) return quality.error();
   const Result<codec::DepthMode> mode = depth_mode(arguments);
   if (!mode) return mode.error();
+  const Result<std::int64_t> key_every = arguments.whole("key-every", 1, 65535);
+  if (!key_every) return key_every.error();
   const Result<boost::asio::ip::address> address = server::loopback_address(arguments.text("bind"));
   if (!address) return address.error();
   const Result<std::optional<server::GatewayOptions>> gateway = gateway_options(arguments);
@@ -103,7 +107,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                .server = {.name = arguments.text("name"),
                           .bind = arguments.text("bind"),
                           .port = static_cast<std::uint16_t>(*port),
-                          .encode = {.depth_mode = *mode, .jpeg_quality = static_cast<int>(*quality)},
+                          .encode = {.depth = {.mode = *mode, .key_every = static_cast<int>(*key_every)},
+                                     .jpeg_quality = static_cast<int>(*quality)},
                           .log = say},
                .gateway = *gateway};
 }

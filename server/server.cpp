@@ -51,7 +51,11 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
   return server;
 }
 
-Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_(std::move(options)), second_(io) {}
+Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_(std::move(options)), second_(io) {
+  hub_.on_key_wanted([this](std::string_view topic) {
+    if (capture_ && topic == wire::kCameraDepth.name) capture_->want_key();
+  });
+}
 
 void Server::start(std::unique_ptr<CaptureSource> source, const std::string& source_name,
                    std::function<void()> on_end) {

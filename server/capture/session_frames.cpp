@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "codec/color_codec.h"
-#include "codec/depth_codec.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::server {
@@ -95,7 +94,7 @@ void SessionFrames::note(const wire::Message& message) {
       return;
     }
     next_ = std::exchange(gathering_, std::nullopt);
-    if (!pinhole_) return;
+    if (!pinhole_) return depth_.pass_over(std::move(*encoded.depth.mutable_data()));
     encoded.pinhole = *pinhole_;
     if (color_ && captured_ns(*color_) == captured_ns(encoded.depth))
       encoded.color = std::exchange(color_, std::nullopt);
@@ -103,9 +102,14 @@ void SessionFrames::note(const wire::Message& message) {
   }
 }
 
+void SessionFrames::skip() {
+  Encoded passed = std::move(*std::exchange(next_, std::nullopt));
+  depth_.pass_over(std::move(*passed.depth.mutable_data()));
+}
+
 std::optional<RgbdFrame> SessionFrames::take() {
   const Encoded encoded = std::move(*std::exchange(next_, std::nullopt));
-  Result<DepthImage> depth = codec::decode_depth(bytes_of(encoded.depth.data()));
+  Result<DepthImage> depth = depth_.read(bytes_of(encoded.depth.data()));
   if (!depth) {
     ++damaged_;
     return std::nullopt;

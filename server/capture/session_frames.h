@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "codec/depth_reader.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
@@ -24,8 +25,8 @@ class SessionFrames {
   /// The next frame, decoded; nullopt when it turns out to be damaged. Only after peek() named it.
   [[nodiscard]] std::optional<RgbdFrame> take();
 
-  /// Passes over the frame that peek() named, at no cost.
-  void skip() { next_.reset(); }
+  /// Passes over the frame that peek() named; its depth is decoded only if a frame that is taken depends on it.
+  void skip();
 
   /// Starts again from the beginning.
   void rewind();
@@ -47,6 +48,7 @@ class SessionFrames {
   std::optional<foxglove::CompressedImage> color_;  // the last one seen
   std::optional<Encoded> gathering_;                // a depth image whose colour may still come
   std::optional<Encoded> next_;
+  codec::DepthReader depth_;
   std::uint64_t damaged_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "server/pipeline/camera_messages.h"
 
 #include <string>
+#include <utility>
 
 #include "codec/color_codec.h"
 
@@ -17,7 +18,7 @@ void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
 
 }  // namespace
 
-msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode) {
+msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode, std::string packet) {
   msg::DepthImage image;
   image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(frame.captured)));
   image.set_sequence(frame.sequence);
@@ -26,7 +27,7 @@ msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode) {
   image.set_height(static_cast<std::uint32_t>(frame.depth.height));
   image.set_unit_m(frame.depth.unit_m);
   image.set_format(std::string(codec::name(mode)));
-  image.set_data(codec::encode_depth(frame.depth, mode));
+  image.set_data(std::move(packet));
   return image;
 }
 

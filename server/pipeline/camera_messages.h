@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "codec/depth_codec.h"
@@ -15,8 +16,8 @@ namespace telepalp::server {
 inline constexpr std::string_view kDepthFrameId = "camera_depth";
 inline constexpr std::string_view kColorFrameId = "camera_color";
 
-/// The depth of `frame`, compressed; `encoded_ns` is left for whoever has a clock. `frame` is well formed.
-[[nodiscard]] msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode);
+/// The depth of `frame`, compressed in `mode` to `packet`; `encoded_ns` is left for whoever has a clock.
+[[nodiscard]] msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode, std::string packet);
 
 /// The colour of `frame` as JPEG. `frame` is well formed and has colour.
 [[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality);

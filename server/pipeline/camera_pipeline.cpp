@@ -19,12 +19,13 @@ bool equal(const Intrinsics& a, const Intrinsics& b) noexcept {
 }  // namespace
 
 CameraPipeline::CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options,
-                               wire::SessionClock clock, std::function<void(wire::Message)> publish)
+                               wire::SessionClock clock, Handlers handlers)
     : source_(source),
       source_name_(std::move(source_name)),
       options_(options),
       clock_(clock),
-      publish_(std::move(publish)),
+      handlers_(std::move(handlers)),
+      encoder_(options.depth),
       rate_since_(clock_.now()) {}
 
 bool CameraPipeline::step() {
@@ -40,13 +41,23 @@ void CameraPipeline::publish_frame(const RgbdFrame& frame) {
   if (!refused_.empty()) return;
   color_registered_ = frame.camera.color_registered;
   publish_calibration_when_due(frame);
-  msg::DepthImage depth = depth_message(frame, options_.depth_mode);
-  const SessionTime encoded = clock_.now();
-  depth.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(encoded)));
-  publish(wire::kCameraDepth, encoded, depth);
+  publish_depth(frame);
   if (frame.color.rgb.empty()) return;
   const foxglove::CompressedImage color = color_message(frame, options_.jpeg_quality);
   publish(wire::kCameraColor, clock_.now(), color);
+}
+
+void CameraPipeline::publish_depth(const RgbdFrame& frame) {
+  if (handlers_.take_key_wish()) keys_.asked = true;
+  if (key_is_due(keys_)) encoder_.want_key_frame();
+  std::string packet = encoder_.encode(frame.depth);
+  const bool stands_alone = codec::stands_alone(std::as_bytes(std::span(packet)));
+  keys_ = after_frame(keys_, stands_alone);
+  msg::DepthImage depth = depth_message(frame, options_.depth.mode, std::move(packet));
+  const SessionTime encoded = clock_.now();
+  depth.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(encoded)));
+  // What nobody has, nobody can follow.
+  if (!publish(wire::kCameraDepth, encoded, depth, stands_alone)) encoder_.want_key_frame();
 }
 
 void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {
@@ -86,11 +97,13 @@ void CameraPipeline::measure_rate(SessionTime now) {
 }
 
 template <class Proto>
-void CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Proto& proto) {
+bool CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Proto& proto, bool stands_alone) {
   wire::Message message = wire::make_message(topic, at, proto);
-  if (message.payload->size() <= wire::kMaxPayloadBytes) return publish_(std::move(message));
+  message.stands_alone = stands_alone;
+  if (message.payload->size() <= wire::kMaxPayloadBytes) return handlers_.publish(std::move(message));
   refused_ = std::string(topic.name) + " needs " + std::to_string(message.payload->size()) + " B, more than the " +
              std::to_string(wire::kMaxPayloadBytes) + " B of a message; give a smaller image or --jpeg-quality";
+  return false;
 }
 
 }  // namespace telepalp::server

@@ -6,24 +6,29 @@
 #include <optional>
 #include <string>
 
-#include "codec/depth_codec.h"
+#include "codec/depth_stream.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
 #include "server/capture/capture_source.h"
+#include "server/pipeline/key_pacing.h"
 
 namespace telepalp::server {
 
 struct EncodeOptions {
-  codec::DepthMode depth_mode = codec::DepthMode::Fast;
+  codec::DepthStreamSettings depth{.mode = codec::DepthMode::Fast, .key_every = 12};
   int jpeg_quality = 85;
 };
 
 /// Turns what a source gives into the messages of /camera/…, in the order in which they are worth having: depth,
-/// which the hand feels, before colour. Owner: the capture thread. `publish` is called on it, and hands over.
+/// which the hand feels, before colour. Owner: the capture thread, on which the handlers are called.
 class CameraPipeline {
  public:
+  struct Handlers {
+    std::function<bool(wire::Message)> publish;  ///< hands it over; false: it was lost, and nobody will have it
+    std::function<bool()> take_key_wish;         ///< whether somebody has asked for a key frame since the last call
+  };
   CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options, wire::SessionClock clock,
-                 std::function<void(wire::Message)> publish);
+                 Handlers handlers);
 
   /// Waits for one frame, a tenth of a second at most, and publishes it, and the source's state when it is due.
   /// False: the source has ended, and has said so.
@@ -36,14 +41,17 @@ class CameraPipeline {
   void publish_calibration_when_due(const RgbdFrame& frame);
   void publish_status_when_due();
   void measure_rate(SessionTime now);
+  void publish_depth(const RgbdFrame& frame);
   template <class Proto>
-  void publish(const wire::Topic& topic, SessionTime at, const Proto& proto);
+  bool publish(const wire::Topic& topic, SessionTime at, const Proto& proto, bool stands_alone = true);
 
   CaptureSource& source_;
   std::string source_name_;
   EncodeOptions options_;
   wire::SessionClock clock_;
-  std::function<void(wire::Message)> publish_;
+  Handlers handlers_;
+  codec::DepthEncoder encoder_;
+  KeyPacing keys_;
 
   std::uint64_t frames_ = 0;
   std::string refused_;  // why the last frame could not be sent; empty: it was

@@ -29,7 +29,8 @@ void CaptureThread::stop() {
 
 void CaptureThread::run(const std::string& source_name, EncodeOptions options, wire::SessionClock clock) {
   CameraPipeline pipeline(*source_, source_name, options, clock,
-                          [this](wire::Message message) { hand_over(std::move(message)); });
+                          {.publish = [this](wire::Message message) { return hand_over(std::move(message)); },
+                           .take_key_wish = [this] { return key_wanted_.exchange(false); }});
   while (!stopping_) {
     const bool more = pipeline.step();
     frames_ = pipeline.frames();
@@ -39,16 +40,17 @@ void CaptureThread::run(const std::string& source_name, EncodeOptions options, w
   }
 }
 
-void CaptureThread::hand_over(wire::Message message) {
+bool CaptureThread::hand_over(wire::Message message) {
   if (on_the_way_ >= kMostOnTheWay) {
     ++dropped_;
-    return;
+    return false;
   }
   ++on_the_way_;
   boost::asio::post(network_, [this, message = std::move(message)]() mutable {
     --on_the_way_;
     handlers_.on_message(std::move(message));
   });
+  return true;
 }
 
 }  // namespace telepalp::server

@@ -27,18 +27,21 @@ class CaptureThread {
   ~CaptureThread();
 
   void stop();
+  /// The next depth frame that may be one shall be a key frame. Any thread.
+  void want_key() noexcept { key_wanted_ = true; }
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
   /// Messages that found the network thread too far behind; they are gone.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
 
  private:
   void run(const std::string& source_name, EncodeOptions options, wire::SessionClock clock);
-  void hand_over(wire::Message message);
+  [[nodiscard]] bool hand_over(wire::Message message);
 
   boost::asio::io_context& network_;
   std::unique_ptr<CaptureSource> source_;
   Handlers handlers_;
   std::atomic<bool> stopping_{false};
+  std::atomic<bool> key_wanted_{false};
   std::atomic<int> on_the_way_{0};  // posted and not yet taken
   std::atomic<std::uint64_t> frames_{0};
   std::atomic<std::uint64_t> dropped_{0};

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "codec/color_codec.h"
+#include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
@@ -124,6 +126,58 @@ TEST(Server, NamesThePortThatIsInUse) {
   ASSERT_FALSE(second.ok());
   EXPECT_NE(to_string(second.error()).find("port is in use"), std::string::npos);
   EXPECT_NE(second.error().where.find(std::to_string((*first)->port())), std::string::npos);
+}
+
+/// One client of a server: decodes what it gets, and may ask for a key frame at every message.
+struct Onlooker {
+  codec::DepthDecoder decoder;
+  std::vector<bool> is_key;
+  int unreadable = 0;
+  bool asks_always = false;
+  wire::ClientLink link;
+
+  Onlooker(boost::asio::io_context& io, std::uint16_t port)
+      : link(io, {.port = port, .name = "test", .subscribes = {"/camera/depth"}},
+             {.on_message = [this](const wire::Message& message) { on_depth(message); }, .on_state = {}}) {
+    link.start();
+  }
+  void on_depth(const wire::Message& message) {
+    const auto depth = parsed<msg::DepthImage>(message);
+    is_key.push_back(codec::stands_alone(bytes_of(depth.data())));
+    unreadable += decoder.decode(bytes_of(depth.data())).ok() ? 0 : 1;
+    if (asks_always) link.want_key(message);
+  }
+};
+
+TEST(Server, TemporalDepthBeginsWithAKeyFrameForEveryoneAndNobodyCanMakeEachFrameOne) {
+  boost::asio::io_context io;
+  auto server = Server::listen(io, {.encode = {.depth = {.mode = codec::DepthMode::Temporal, .key_every = 1000}}});
+  ASSERT_TRUE(server.ok());
+  (*server)->start(std::make_unique<StillSource>(1000, 5ms, (*server)->clock()), "still", [] {});
+  Onlooker first(io, (*server)->port());
+  const auto run_until = [&](auto done) {
+    for (int i = 0; i < 4000 && !done(); ++i) io.run_one_for(5ms);
+    return done();
+  };
+  ASSERT_TRUE(run_until([&] { return first.is_key.size() >= 20; }));
+  Onlooker late(io, (*server)->port());
+  ASSERT_TRUE(run_until([&] { return late.is_key.size() >= 20; }));
+  EXPECT_TRUE(first.is_key.front());
+  EXPECT_TRUE(late.is_key.front());
+  EXPECT_EQ(first.unreadable + late.unreadable, 0);
+  const auto keys_of = [](const Onlooker& onlooker, std::size_t from) {
+    return std::count(onlooker.is_key.begin() + static_cast<std::ptrdiff_t>(from), onlooker.is_key.end(), true);
+  };
+  const std::size_t from = first.is_key.size();
+  late.asks_always = true;
+  ASSERT_TRUE(run_until([&] { return first.is_key.size() >= from + 40; }));
+  EXPECT_GE(keys_of(first, from), 3) << "what is asked for is made";
+  EXPECT_LE(keys_of(first, from), 11) << "one in four at most";
+  EXPECT_EQ(first.unreadable, 0);
+  first.link.stop();
+  late.link.stop();
+  (*server)->stop("end of the test");
+  io.run_for(2s);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "codec/depth_stream.h"
 #include "proto/wire/mcap/writer.h"
 #include "server/capture/images/image_file.h"
 #include "server/capture/session_frames.h"
@@ -228,7 +229,9 @@ TEST_F(SourceFolder, ADamagedRecordingNeitherCrashesNorHangs) {
 }
 
 /// Records what a source gives, as the server publishes it.
-void record(const std::string& spec, const std::string& to, int frames) {
+void record(const std::string& spec, const std::string& to, int frames,
+            const codec::DepthStreamSettings& depth = {.mode = codec::DepthMode::Fast}) {
+  codec::DepthEncoder encoder(depth);
   auto source = open_source(spec, options());
   ASSERT_TRUE(source.ok());
   auto writer = wire::McapWriter::open(to, {});
@@ -239,8 +242,8 @@ void record(const std::string& spec, const std::string& to, int frames) {
     const SessionTime at = frame->captured;
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraInfo, at, calibration_message(*frame))).ok());
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraColor, at, color_message(*frame, 85))).ok());
-    ASSERT_TRUE(
-        writer->write(wire::make_message(wire::kCameraDepth, at, depth_message(*frame, codec::DepthMode::Fast))).ok());
+    const msg::DepthImage image = depth_message(*frame, depth.mode, encoder.encode(frame->depth));
+    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, at, image)).ok());
   }
   ASSERT_TRUE(writer->close().ok());
 }
@@ -288,6 +291,30 @@ TEST_F(SourceFolder, ARecordedSessionLoopsForward) {
     EXPECT_GT(frame->captured, last);
     last = frame->captured;
   }
+}
+
+TEST_F(SourceFolder, ASessionOfTemporalDepthGivesAnyFrameThoughOthersWerePassedOver) {
+  constexpr int kFrames = 9;
+  record("synthetic", file("run.mcap"), kFrames, {.mode = codec::DepthMode::Temporal, .key_every = 4});
+  auto all = SessionFrames::open(file("run.mcap"));
+  auto some = SessionFrames::open(file("run.mcap"));
+  ASSERT_TRUE(all.ok() && some.ok());
+  for (int i = 0; i < 2 * kFrames; ++i) {
+    if (i == kFrames) {
+      all->rewind();
+      some->rewind();
+    }
+    ASSERT_TRUE(all->peek() && some->peek()) << i;
+    const auto truth = all->take();
+    if (i % 3 == 1) {
+      some->skip();
+      continue;
+    }
+    const auto frame = some->take();
+    ASSERT_TRUE(truth && frame) << i;
+    EXPECT_EQ(frame->depth.samples, truth->depth.samples) << i;
+  }
+  EXPECT_EQ(some->damaged(), 0u);
 }
 
 }  // namespace
