@@ -4,6 +4,7 @@
 #include <csignal>
 #include <utility>
 
+#include "codec/depth_codec.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "haptic_station/control/phase.h"
 #include "haptic_station/control/scene_centering.h"
@@ -110,18 +111,22 @@ Station::Station(StationOptions options, const scenes::Scene& scene, const surfa
     boost::asio::post(io_, [this, placed] { haptic_from_camera_ = placed; });
     return placed;
   };
-  worker_.emplace(surface, placement,
-                  SurfaceWorker::Handlers{.now = [this] { return now(); },
-                                          .on_report =
-                                              [this](const msg::SurfaceReport& report) {
-                                                boost::asio::post(io_, [this, report] { on_surface(report); });
-                                              },
-                                          .on_bad_frame =
-                                              [this](const Error& error) {
-                                                boost::asio::post(
-                                                    io_, [error] { say("frame dropped: " + to_string(error)); });
-                                              }},
-                  in_tick_ ? surfaces_ : slow_surfaces_);
+  worker_.emplace(
+      surface, placement,
+      SurfaceWorker::Handlers{.now = [this] { return now(); },
+                              .on_report =
+                                  [this](const msg::SurfaceReport& report) {
+                                    boost::asio::post(io_, [this, report] { on_surface(report); });
+                                  },
+                              .on_bad_frame =
+                                  [this](const Error& error) {
+                                    boost::asio::post(io_, [error] { say("frame dropped: " + to_string(error)); });
+                                  },
+                              .want_key =
+                                  [this](const wire::Message& unreadable) {
+                                    boost::asio::post(io_, [this, unreadable] { link_.want_key(unreadable); });
+                                  }},
+      in_tick_ ? surfaces_ : slow_surfaces_);
 }
 
 Result<void> Station::run() {
@@ -213,7 +218,19 @@ void Station::on_viewer_hand(const wire::Message& message) {
 
 void Station::on_surface(const msg::SurfaceReport& report) {
   publish(wire::make_message(wire::kStationSurface, now(), report));
+  say_depth_mode(report.depth_mode());
   if (!haptic_) start_haptic_thread();
+}
+
+/// Depth that was moved is not what the camera measured, and whoever touches it is told.
+void Station::say_depth_mode(const std::string& mode) {
+  if (std::exchange(depth_mode_, mode) == mode) return;
+  if (mode != codec::name(codec::DepthMode::Bounded)) return say("depth comes without loss (" + mode + ")");
+  const std::string warning =
+      "depth is bounded: moved within an error bound, for the eye and not for touch. fix: telepalp-server --depth-mode "
+      "fast, intra or temporal";
+  say(warning);
+  telemetry_.tell_event(now(), msg::EVENT_KIND_SCENE, warning);
 }
 
 /// The network thread hands the model over in the surface thread's place, which has nothing to do.

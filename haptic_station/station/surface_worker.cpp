@@ -3,23 +3,18 @@
 #include <algorithm>
 #include <boost/asio/post.hpp>
 
-#include "codec/depth_codec.h"
-#include "messages/camera.pb.h"
-
 namespace telepalp::station {
 namespace {
 
 // A hand at 2 m/s goes 0.13 m in two frame times; the rest is the support of the implicit function around it.
 constexpr double kReach_m = 0.16;
 
-Result<DepthImage> decode(const msg::DepthImage& message) {
-  Result<DepthImage> depth = codec::decode_depth(std::as_bytes(std::span(message.data())));
-  if (!depth) return depth;
-  if (depth->width != static_cast<int>(message.width()) || depth->height != static_cast<int>(message.height()))
-    return Error{.what = "the image's size is not the one that its message declares",
-                 .where = "/camera/depth " + std::to_string(message.sequence()),
-                 .fix = "check that both ends were built from the same version"};
-  return depth;
+// Half a second of frames; what comes while so many wait is lost.
+constexpr int kMostWaiting = 16;
+
+std::string mode_of(const msg::DepthImage& message) {
+  const auto packet = codec::inspect_depth(std::as_bytes(std::span(message.data())));
+  return packet ? std::string(codec::name(packet->mode)) : "";
 }
 
 Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
@@ -54,35 +49,53 @@ SurfaceWorker::~SurfaceWorker() {
 
 void SurfaceWorker::offer(Work work) {
   ++offered_;
-  newest_.put(std::move(work));
-  boost::asio::post(io_, [this] { work_off_newest(); });
+  if (waiting_ >= kMostWaiting) return;
+  ++waiting_;
+  boost::asio::post(io_, [this, work = std::move(work)] { work_off(work); });
 }
 
-void SurfaceWorker::work_off_newest() {
-  if (!newest_.take()) return;  // a task before this one took it: this one's message was overtaken
-  const Result<msg::SurfaceReport> report = build(newest_.current());
+void SurfaceWorker::work_off(const Work& work) {
+  const bool is_newest = --waiting_ == 0;
+  msg::DepthImage message;
+  if (!message.ParseFromString(*work.depth.payload))
+    return handlers_.on_bad_frame(
+        {.what = "not a DepthImage", .where = "/camera/depth", .fix = "check that both ends match"});
+  if (!is_newest) return reader_.pass_over(std::move(*message.mutable_data()));
+  const Result<DepthImage> depth = read(message);
+  if (!depth) {
+    if (!asking_.failed(handlers_.now())) return;  // said and asked a moment ago
+    handlers_.on_bad_frame(depth.error());
+    return handlers_.want_key(work.depth);
+  }
+  asking_.succeeded();
+  const Result<msg::SurfaceReport> report = build(work, message, *depth);
   if (!report) return handlers_.on_bad_frame(report.error());
   built_.fetch_add(1, std::memory_order_relaxed);
   handlers_.on_report(*report);
 }
 
-Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work) {
-  msg::DepthImage message;
-  if (!message.ParseFromString(*work.depth.payload))
-    return Error{.what = "not a DepthImage", .where = "/camera/depth", .fix = "check that both ends match"};
-  const Result<DepthImage> depth = decode(message);
-  if (!depth) return depth.error();
-  if (depth->width != work.camera.width || depth->height != work.camera.height)
-    return other_camera(*depth, work.camera);
+Result<DepthImage> SurfaceWorker::read(const msg::DepthImage& message) {
+  Result<DepthImage> depth = reader_.read(std::as_bytes(std::span(message.data())));
+  if (!depth) return depth;
+  if (depth->width != static_cast<int>(message.width()) || depth->height != static_cast<int>(message.height()))
+    return Error{.what = "the image's size is not the one that its message declares",
+                 .where = "/camera/depth " + std::to_string(message.sequence()),
+                 .fix = "check that both ends were built from the same version"};
+  return depth;
+}
+
+Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::DepthImage& message,
+                                                const DepthImage& depth) {
+  if (depth.width != work.camera.width || depth.height != work.camera.height) return other_camera(depth, work.camera);
   const SessionTime decoded = handlers_.now();
-  if (!haptic_from_camera_) haptic_from_camera_ = placement_(*depth, work.camera);
+  if (!haptic_from_camera_) haptic_from_camera_ = placement_(depth, work.camera);
   if (!haptic_from_camera_)
     return Error{.what = "nothing is measured around the image's centre, where the patient should be",
                  .where = "/camera/depth " + std::to_string(message.sequence()),
                  .fix = "aim the camera at the patient"};
   const SessionTime captured = session_time(static_cast<std::int64_t>(message.captured_ns()));
   const SessionTime begun = handlers_.now();
-  const auto snapshot = builder_.add(*depth, work.camera, captured, reach_of(work));
+  const auto snapshot = builder_.add(depth, work.camera, captured, reach_of(work));
   if (!snapshot)
     return Error{.what = "the image is not newer than the last one, or not well formed",
                  .where = "/camera/depth " + std::to_string(message.sequence()),
@@ -97,6 +110,7 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work) {
   report.set_sequence(message.sequence());
   report.set_points(snapshot->points);
   report.set_index(snapshot->index_name);
+  report.set_depth_mode(mode_of(message));
   judge(report, captured, to_seconds(handlers_.now() - begun));
   return report;
 }

@@ -7,9 +7,12 @@
 #include <optional>
 #include <thread>
 
+#include "codec/depth_reader.h"
+#include "codec/key_asking.h"
 #include "haptic_station/loop/haptic_loop.h"
 #include "haptic_station/surface/setting_choice.h"
 #include "haptic_station/surface/surface_builder.h"
+#include "messages/camera.pb.h"
 #include "messages/station.pb.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
@@ -20,7 +23,8 @@
 namespace telepalp::station {
 
 /// The surface thread: newest depth message in, newest touchable surface out. A message that is overtaken while an
-/// older one is being built is dropped and counted; the 2 kHz thread is never waited for.
+/// older one is being built is dropped and counted, but decoded where a newer one depends on it; the 2 kHz thread is
+/// never waited for. While depth cannot be decoded, for want of the frame before, the last surface stays.
 class SurfaceWorker {
  public:
   /// Where the patient lies before the device; asked with each image until it is known.
@@ -30,6 +34,8 @@ class SurfaceWorker {
     std::function<SessionTime()> now;                          ///< session clock; called on the surface thread
     std::function<void(const msg::SurfaceReport&)> on_report;  ///< called on the surface thread
     std::function<void(const Error&)> on_bad_frame;            ///< called on the surface thread
+    /// The stream cannot be read on from here without a key frame. Called on the surface thread.
+    std::function<void(const wire::Message& unreadable)> want_key;
   };
 
   SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
@@ -50,11 +56,13 @@ class SurfaceWorker {
   [[nodiscard]] std::uint64_t dropped() const noexcept { return offered_ - built_.load(std::memory_order_relaxed); }
 
  private:
-  void work_off_newest();
-  Result<msg::SurfaceReport> build(const Work& work);
-
+  void work_off(const Work& work);
+  Result<DepthImage> read(const msg::DepthImage& message);
+  Result<msg::SurfaceReport> build(const Work& work, const msg::DepthImage& message, const DepthImage& depth);
   void judge(msg::SurfaceReport& report, SessionTime captured, double cost_s);
 
+  codec::DepthReader reader_;        // owner: surface thread
+  codec::KeyAsking asking_;          // owner: surface thread
   surface::SettingChoice choice_;    // owner: surface thread
   surface::SurfaceBuilder builder_;  // owner: surface thread
   SessionTime last_captured_{};      // owner: surface thread
@@ -62,8 +70,8 @@ class SurfaceWorker {
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
   Handlers handlers_;
   LatestValue<TouchableSurface>& to_haptic_;
-  LatestValue<Work> newest_;   // written by: network thread, read by: surface thread
-  std::uint64_t offered_ = 0;  // owner: network thread
+  std::atomic<int> waiting_{0};  // offered, and not yet taken by the surface thread
+  std::uint64_t offered_ = 0;    // owner: network thread
   std::atomic<std::uint64_t> built_{0};
   boost::asio::io_context io_{1};
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> stay_;

@@ -1,0 +1,150 @@
+#include "haptic_station/station/surface_worker.h"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <vector>
+
+#include "codec/depth_stream.h"
+#include "messages/camera.pb.h"
+
+namespace telepalp::station {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 120;
+const Intrinsics kCamera{.width = kWidth, .height = kHeight, .fx = 130, .fy = 130, .cx = 79.5, .cy = 59.5};
+
+/// A flat patient that comes nearer by a millimetre with each frame.
+DepthImage plane(int number) {
+  return {.width = kWidth,
+          .height = kHeight,
+          .unit_m = 0.001,
+          .samples = std::vector<std::uint16_t>(kWidth * kHeight, static_cast<std::uint16_t>(900 - number))};
+}
+
+wire::Message message_of(int number, std::string packet) {
+  msg::DepthImage image;
+  const SessionTime captured = session_time(1'000'000'000) + number * 33ms;
+  image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(captured)));
+  image.set_sequence(static_cast<std::uint64_t>(number));
+  image.set_width(kWidth);
+  image.set_height(kHeight);
+  image.set_unit_m(0.001);
+  image.set_data(std::move(packet));
+  return wire::make_message(wire::kCameraDepth, captured, image);
+}
+
+/// A worker, and all that it said, in order: what a test waits for.
+class Bench {
+ public:
+  void offer(const wire::Message& message) {
+    worker_.offer({.depth = message, .camera = kCamera, .received = message.published, .device = std::nullopt});
+  }
+  /// Waits until `count` frames were answered, by a report or an error.
+  bool answered(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, 10s, [&] { return reports_.size() + errors_.size() >= count; });
+  }
+  bool asked(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, 10s, [&] { return wanted_.size() >= count; });
+  }
+  std::vector<msg::SurfaceReport> reports() {
+    const std::scoped_lock lock(mutex_);
+    return reports_;
+  }
+  std::vector<Error> errors() {
+    const std::scoped_lock lock(mutex_);
+    return errors_;
+  }
+  std::vector<SessionTime> wanted() {
+    const std::scoped_lock lock(mutex_);
+    return wanted_;
+  }
+  LatestValue<TouchableSurface> surfaces;
+
+ private:
+  template <class Value>
+  void keep(std::vector<Value>& list, const Value& value) {
+    {
+      const std::scoped_lock lock(mutex_);
+      list.push_back(value);
+    }
+    changed_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<msg::SurfaceReport> reports_;
+  std::vector<Error> errors_;
+  std::vector<SessionTime> wanted_;
+  SurfaceWorker worker_{*surface::surface_settings("fast"),
+                        [](const DepthImage&, const Intrinsics&) { return Transform<HapticBase, DepthCamera>{}; },
+                        {.now = [] { return session_time(2'000'000'000); },
+                         .on_report = [this](const msg::SurfaceReport& report) { keep(reports_, report); },
+                         .on_bad_frame = [this](const Error& error) { keep(errors_, error); },
+                         .want_key = [this](const wire::Message& message) { keep(wanted_, message.published); }},
+                        surfaces};
+};
+
+std::vector<wire::Message> stream_of(codec::DepthMode mode, int frames, int key_every) {
+  codec::DepthEncoder encoder({.mode = mode, .key_every = key_every});
+  std::vector<wire::Message> messages;
+  for (int i = 0; i < frames; ++i) messages.push_back(message_of(i, encoder.encode(plane(i))));
+  return messages;
+}
+
+TEST(SurfaceWorker, EveryFrameOfATemporalStreamBecomesASurfaceThatNamesItsMode) {
+  Bench bench;
+  const auto stream = stream_of(codec::DepthMode::Temporal, 6, 12);
+  for (std::size_t i = 0; i < stream.size(); ++i) {
+    bench.offer(stream[i]);
+    ASSERT_TRUE(bench.answered(i + 1));
+  }
+  ASSERT_EQ(bench.reports().size(), stream.size());
+  EXPECT_EQ(bench.reports().back().depth_mode(), "temporal");
+  EXPECT_TRUE(bench.wanted().empty());
+}
+
+TEST(SurfaceWorker, FramesThatPileUpAreStillReadForTheNewestSake) {
+  Bench bench;
+  const auto stream = stream_of(codec::DepthMode::Temporal, 10, 1000);
+  for (const wire::Message& message : stream) bench.offer(message);
+  ASSERT_TRUE(bench.answered(1));
+  for (int tries = 0; tries < 1000 && bench.reports().back().sequence() != 9; ++tries) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(bench.reports().back().sequence(), 9u);
+  EXPECT_TRUE(bench.errors().empty());
+}
+
+TEST(SurfaceWorker, AMissingReferenceKeepsTheLastSurfaceAndAsksOnceForAKeyFrame) {
+  Bench bench;
+  const auto stream = stream_of(codec::DepthMode::Temporal, 9, 8);
+  bench.offer(stream[0]);
+  ASSERT_TRUE(bench.answered(1));
+  ASSERT_TRUE(bench.surfaces.take());
+  bench.offer(stream[2]);  // the one before it was lost
+  ASSERT_TRUE(bench.asked(1));
+  for (int i = 3; i < 8; ++i) bench.offer(stream[static_cast<std::size_t>(i)]);
+  EXPECT_FALSE(bench.surfaces.take()) << "no surface was made of what could not be read";
+  bench.offer(stream[8]);
+  ASSERT_TRUE(bench.answered(3));
+  EXPECT_EQ(bench.reports().back().sequence(), 8u);
+  EXPECT_EQ(bench.errors().size(), 1u);
+  ASSERT_EQ(bench.wanted().size(), 1u);
+  EXPECT_EQ(bench.wanted().front(), stream[2].published);
+}
+
+TEST(SurfaceWorker, TellsThatDepthIsBounded) {
+  Bench bench;
+  bench.offer(stream_of(codec::DepthMode::Bounded, 1, 12).front());
+  ASSERT_TRUE(bench.answered(1));
+  ASSERT_EQ(bench.reports().size(), 1u);
+  EXPECT_EQ(bench.reports().front().depth_mode(), "bounded");
+}
+
+}  // namespace
+}  // namespace telepalp::station
