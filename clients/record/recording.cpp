@@ -60,7 +60,7 @@ class Recording {
         link_(
             io_,
             {.host = options.server.host, .port = options.server.port, .name = kProgram, .subscribes = options.topics},
-            {.on_message = [this](const wire::Message& message) { disk_.offer(message); },
+            {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); }}) {}
 
   Result<RecordingReport> run() {
@@ -79,6 +79,11 @@ class Recording {
   }
 
  private:
+  /// Depth that depends on a frame which the disk did not take would be of no use to whoever reads the file.
+  void on_message(const wire::Message& message) {
+    if (!disk_.offer(message) && message.topic.name == wire::kCameraDepth.name) link_.want_key(message);
+  }
+
   void on_state(wire::LinkState state, const std::string& detail) {
     if (state == wire::LinkState::Connected) return on_connected();
     if (state == wire::LinkState::Lost && !stopping_) {

@@ -96,6 +96,7 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.add("received", summary.frames_received);
   json.add("dropped", summary.frames_dropped);
   json.end_object();
+  json.add("depth_mode", summary.depth_mode);
   json.begin_object("rates_per_s");
   json.add("camera_depth", summary.camera_depth_per_s);
   json.add("camera_color", summary.camera_color_per_s);

@@ -47,6 +47,7 @@ struct Session {
   std::optional<msg::CaptureStatus> capture;                        ///< the last
   std::map<std::string, foxglove::CameraCalibration> calibrations;  ///< the last by frame
   std::vector<std::int64_t> depth_captured_ns;
+  std::vector<std::int64_t> depth_key_ns;  ///< of each of these: when the newest frame that stands alone was logged
   std::vector<std::int64_t> color_captured_ns;
   std::optional<std::int64_t> first_ns;  ///< of any message
   std::optional<std::int64_t> last_ns;

@@ -1,10 +1,11 @@
 #include "clients/report/session_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "codec/color_codec.h"
-#include "codec/depth_codec.h"
+#include "codec/depth_reader.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/topics.h"
@@ -17,11 +18,18 @@ constexpr Nanoseconds kReach = std::chrono::seconds(2);
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-std::optional<std::int64_t> nearest(const std::vector<std::int64_t>& times, std::int64_t at) {
-  std::optional<std::int64_t> best;
-  for (const std::int64_t time : times)
-    if (!best || std::abs(time - at) < std::abs(*best - at)) best = time;
+/// Where in `times` the one nearest to `at` is.
+std::optional<std::size_t> nearest(const std::vector<std::int64_t>& times, std::int64_t at) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (!best || std::abs(times[i] - at) < std::abs(times[*best] - at)) best = i;
   return best;
+}
+
+std::optional<std::int64_t> nearest_time(const std::vector<std::int64_t>& times, std::int64_t at) {
+  const auto found = nearest(times, at);
+  if (!found) return std::nullopt;
+  return times[*found];
 }
 
 std::int64_t captured_ns(const foxglove::CompressedImage& image) {
@@ -47,9 +55,10 @@ Intrinsics fitted(Intrinsics camera, int width, int height) {
           (camera.cy + 0.5) * down - 0.5};
 }
 
-void take_depth(RgbdFrame& frame, const msg::DepthImage& image, std::int64_t wanted_ns) {
-  if (static_cast<std::int64_t>(image.captured_ns()) != wanted_ns) return;
-  Result<DepthImage> depth = codec::decode_depth(bytes_of(image.data()));
+void take_depth(RgbdFrame& frame, msg::DepthImage& image, std::int64_t wanted_ns, codec::DepthReader& reader) {
+  if (static_cast<std::int64_t>(image.captured_ns()) != wanted_ns)
+    return reader.pass_over(std::move(*image.mutable_data()));
+  Result<DepthImage> depth = reader.read(bytes_of(image.data()));
   if (!depth) return;
   frame.captured = session_time(wanted_ns);
   frame.sequence = image.sequence();
@@ -85,16 +94,19 @@ Result<Session> read_session(const std::filesystem::path& file) {
 
 Result<std::optional<RgbdFrame>> read_frame(const std::filesystem::path& file, const Session& session,
                                             std::int64_t at_ns) {
-  const auto depth_ns = nearest(session.depth_captured_ns, at_ns);
+  const auto nearest_depth = nearest(session.depth_captured_ns, at_ns);
   const auto camera = camera_named(session, "camera_depth");
-  if (!depth_ns || !camera) return std::optional<RgbdFrame>();
-  const auto color_ns = nearest(session.color_captured_ns, *depth_ns);
+  if (!nearest_depth || !camera) return std::optional<RgbdFrame>();
+  const std::int64_t depth_ns = session.depth_captured_ns[*nearest_depth];
+  const std::int64_t key_ns = session.depth_key_ns[*nearest_depth];
+  const auto color_ns = nearest_time(session.color_captured_ns, depth_ns);
 
   Result<wire::McapReader> reader = wire::McapReader::open(file);
   if (!reader) return reader.error();
   reader->select({.topics = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraColor.name)},
-                  .from = session_time(*depth_ns) - kReach,
-                  .until = session_time(*depth_ns) + kReach});
+                  .from = std::min(session_time(depth_ns) - kReach, session_time(key_ns)),
+                  .until = session_time(depth_ns) + kReach});
+  codec::DepthReader depth_reader;
   RgbdFrame frame;
   for (;;) {
     Result<std::optional<wire::Message>> message = reader->next();
@@ -104,7 +116,7 @@ Result<std::optional<RgbdFrame>> read_frame(const std::filesystem::path& file, c
     msg::DepthImage depth;
     foxglove::CompressedImage color;
     if ((**message).topic.name == wire::kCameraDepth.name) {
-      if (depth.ParseFromString(payload)) take_depth(frame, depth, *depth_ns);
+      if (depth.ParseFromString(payload)) take_depth(frame, depth, depth_ns, depth_reader);
     } else if (color.ParseFromString(payload)) {
       take_color(frame, color, color_ns);
     }

@@ -137,6 +137,13 @@ void add_stats(Summary& summary, const Session& session) {
   add_dwells(summary, stats);
 }
 
+std::string depth_mode_of(const Session& session) {
+  std::string mode;
+  for (const msg::SurfaceReport& surface : session.surfaces)
+    if (!surface.depth_mode().empty() && mode != "bounded") mode = surface.depth_mode();
+  return mode;
+}
+
 void add_frames(Summary& summary, const Session& session) {
   if (!session.server_stats) return;
   const auto take = [&](const msg::ServerStats::PerTopic& topic) {
@@ -176,6 +183,7 @@ Summary summarise(const Session& session) {
   add_compensation(summary, session);
   add_stats(summary, session);
   add_frames(summary, session);
+  summary.depth_mode = depth_mode_of(session);
   return summary;
 }
 

@@ -35,6 +35,8 @@ std::vector<Check> checks_of(const Summary& s) {
       {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, "the surface was renewed too seldom"},
       {"frames lost", percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped)), 5.0, "%", true,
        "the link or the station did not keep up"},
+      {"depth moved within a bound", s.depth_mode.empty() ? kUnknown : (s.depth_mode == "bounded" ? 1.0 : 0.0), 0.0, "",
+       true, "the depth that was touched is bounded: for the eye, and not what the camera measured"},
   };
 }
 

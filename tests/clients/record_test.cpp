@@ -103,6 +103,27 @@ std::vector<wire::Message> states(double seconds) {
   return all;
 }
 
+TEST_F(Recorder, DepthBeginsWithAFrameThatStandsAloneThoughItJoinsMidGroup) {
+  Server server;
+  const auto depth = [](int number, bool is_key) {
+    wire::Message message{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>()};
+    message.stands_alone = is_key;
+    return message;
+  };
+  server.publish(depth(1, true));
+  server.publish(depth(2, false));
+  const auto recorder = start(server);
+  publish_slowly(server, {depth(3, false), depth(4, false), depth(5, true), depth(6, false)});
+  ASSERT_TRUE(wait_for([&] { return flushed_messages(session().string() + ".partial") >= 2; })) << log();
+  recorder->signal(SIGINT);
+  EXPECT_EQ(recorder->wait(20s), 0) << log();
+  auto reader = wire::McapReader::open(session());
+  ASSERT_TRUE(reader.ok());
+  const auto first = reader->next();
+  ASSERT_TRUE(first.ok() && first->has_value());
+  EXPECT_EQ((*first)->published, session_time(5));
+}
+
 TEST_F(Recorder, WritesWhatIsPublishedUntilItIsAskedToEnd) {
   Server server;
   const auto recorder = start(server);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "codec/color_codec.h"
-#include "codec/depth_codec.h"
+#include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
@@ -124,7 +124,8 @@ msg::StationState state_at(double at_s) {
   return state;
 }
 
-void add_camera(std::vector<wire::Message>& out, double seconds) {
+void add_camera(std::vector<wire::Message>& out, const MadeSession& made) {
+  const double seconds = made.seconds;
   foxglove::CameraCalibration calibration;
   calibration.set_frame_id("camera_depth");
   calibration.set_width(kWidth);
@@ -132,11 +133,13 @@ void add_camera(std::vector<wire::Message>& out, double seconds) {
   for (const double entry : {kFocal_px, 0.0, kWidth / 2.0, 0.0, kFocal_px, kHeight / 2.0, 0.0, 0.0, 1.0})
     calibration.add_k(entry);
   out.push_back(wire::make_message(wire::kCameraInfo, time_of(0.0), calibration));
-  const std::string depth_bytes = codec::encode_depth(depth_image()), color_bytes = codec::encode_color(color_image());
+  const std::string color_bytes = codec::encode_color(color_image());
+  codec::DepthEncoder encoder({.mode = made.depth_mode, .key_every = made.key_every});
+  const DepthImage scene = depth_image();
   for (int frame = 0; frame / 30.0 < seconds; ++frame) {
     msg::DepthImage depth;
     depth.set_captured_ns(stamp(frame / 30.0));
-    depth.set_data(depth_bytes);
+    depth.set_data(encoder.encode(scene));
     out.push_back(wire::make_message(wire::kCameraDepth, time_of(frame / 30.0 + 0.002), depth));
     foxglove::CompressedImage color;
     color.mutable_timestamp()->set_seconds(static_cast<std::int64_t>(stamp(frame / 30.0) / 1'000'000'000));
@@ -159,7 +162,8 @@ void add_camera(std::vector<wire::Message>& out, double seconds) {
   out.push_back(wire::make_message(wire::kServerStats, time_of(seconds), stats));
 }
 
-void add_station(std::vector<wire::Message>& out, double seconds) {
+void add_station(std::vector<wire::Message>& out, const MadeSession& made) {
+  const double seconds = made.seconds;
   const int ticks = static_cast<int>(seconds * 2000.0);
   for (int first = 0; first < ticks; first += 100)
     out.push_back(wire::make_message(wire::kStationTicks, time_of((first + 100) * 5e-4), ticks_from(first, 100)));
@@ -177,6 +181,7 @@ void add_station(std::vector<wire::Message>& out, double seconds) {
     msg::SurfaceReport surface;
     const double at = frame / 30.0;
     surface.set_captured_ns(stamp(at));
+    surface.set_depth_mode(std::string(codec::name(made.depth_mode)));
     surface.set_encoded_ns(stamp(at + 0.003));
     surface.set_received_ns(stamp(at + 0.0045 + 0.0001 * (frame % 11)));
     surface.set_decoded_ns(stamp(at + 0.0075));
@@ -199,8 +204,8 @@ void add_station(std::vector<wire::Message>& out, double seconds) {
 
 std::vector<wire::Message> made_messages(const MadeSession& made) {
   std::vector<wire::Message> messages;
-  if (made.with_camera) add_camera(messages, made.seconds);
-  if (made.with_station) add_station(messages, made.seconds);
+  if (made.with_camera) add_camera(messages, made);
+  if (made.with_station) add_station(messages, made);
   std::stable_sort(messages.begin(), messages.end(),
                    [](const wire::Message& a, const wire::Message& b) { return a.published < b.published; });
   return messages;

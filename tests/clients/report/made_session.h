@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "codec/depth_codec.h"
 #include "proto/wire/message.h"
 
 namespace telepalp::report {
@@ -12,6 +13,8 @@ struct MadeSession {
   double seconds = 4.0;
   bool with_station = true;
   bool with_camera = true;
+  codec::DepthMode depth_mode = codec::DepthMode::Fast;
+  int key_every = 12;  ///< of modes whose frames depend on one another
 };
 [[nodiscard]] std::vector<wire::Message> made_messages(const MadeSession& made);
 

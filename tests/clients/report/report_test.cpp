@@ -245,6 +245,30 @@ TEST(SessionFile, GivesBackTheFrameNearestToAMoment) {
   EXPECT_TRUE(is_well_formed(**frame));
 }
 
+TEST(SessionFile, GivesAFrameThatDependsOnAKeyFrameLongBeforeIt) {
+  const auto file =
+      written({.seconds = 6.0, .depth_mode = codec::DepthMode::Temporal, .key_every = 1000}, "report_groups.mcap");
+  const auto session = read_session(file);
+  ASSERT_TRUE(session.ok()) << to_string(session.error());
+  for (const double at_s : {5.5, 0.0, 3.0}) {
+    const auto frame = read_frame(file, *session, kMadeStart_ns + static_cast<std::int64_t>(at_s * 1e9));
+    ASSERT_TRUE(frame.ok() && frame->has_value()) << at_s;
+    EXPECT_NEAR(static_cast<double>(to_nanoseconds((*frame)->captured) - kMadeStart_ns) * 1e-9, at_s, 0.02);
+    EXPECT_TRUE(is_well_formed(**frame));
+  }
+}
+
+TEST(Verdict, SaysThatBoundedDepthWasTouchedAndIsContentWithLosslessDepth) {
+  const Summary bounded = summarise(session_of({.seconds = 4.0, .depth_mode = codec::DepthMode::Bounded}));
+  EXPECT_EQ(bounded.depth_mode, "bounded");
+  EXPECT_FALSE(judge(bounded).good);
+  EXPECT_NE(judge(bounded).headline.find("bounded"), std::string::npos);
+  const Summary lossless = summarise(session_of({.seconds = 4.0, .depth_mode = codec::DepthMode::Temporal}));
+  EXPECT_EQ(judge(lossless).headline.find("bounded"), std::string::npos);
+  EXPECT_NE(json_of(session_of({.seconds = 4.0, .depth_mode = codec::DepthMode::Temporal})).find("temporal"),
+            std::string::npos);
+}
+
 TEST(SessionFile, WithoutACameraThereIsNoFrameAndNoError) {
   const auto file = written({.seconds = 1.0, .with_camera = false}, "report_no_camera.mcap");
   const auto session = read_session(file);
