@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 
-import {lookAtMiddle, openBrowser, untilStatus} from './browser.mjs';
+import {lookAtMiddle, openBrowser, status, untilStatus} from './browser.mjs';
 import {Workplace} from './running_program.mjs';
 
 const [server, station, viewer] = process.argv.slice(2);
@@ -24,6 +24,29 @@ test('a browser sees the synthetic patient, and the force move while the station
     assert.ok(pressed.surfaceAge_ms > 0, 'the felt surface has an age');
     const seen = await lookAtMiddle(context, await page.screenshot({timeout: 120_000}));
     assert.ok(seen.drawn > 0.5 && seen.colors > 200, JSON.stringify(seen));
+    assert.deepEqual(problems, []);
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
+test('temporal depth is followed mid-group, and again after the page was stuck for two seconds', async () => {
+  const workplace = new Workplace('browser_temporal');
+  let browser;
+  try {
+    const options = ['--source', 'synthetic', '--viewer', viewer, '--depth-mode', 'temporal', '--key-every', '60000'];
+    const {http_port} = await workplace.server(server, options);
+    browser = await openBrowser(workplace.folder);
+    const {page, problems} = browser;
+    await page.goto(`http://127.0.0.1:${http_port}/`);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 100_000);
+    await page.evaluate(() => {
+      for (const end = performance.now() + 2000; performance.now() < end;);
+    });
+    const {frames} = await status(page);
+    await untilStatus(page, 'frames are shown again', (now) => now.frames > frames + 20 && now.pictureAge_ms < 1000);
+    assert.equal((await status(page)).undecodable, 0, 'what the page is given, it can decode');
     assert.deepEqual(problems, []);
   } finally {
     await browser?.context.close();

@@ -73,7 +73,7 @@ function showStation(station: StationState): void {
   readouts.indentation.add(at_s, 1000 * station.indentationM);
 }
 
-const decoder = new DepthDecoder(showDepth);
+const decoder = new DepthDecoder(showDepth, () => stream.subscribeAgain('/camera/depth'));
 const stream = new Stream(
     `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/stream`,
     {

@@ -1,5 +1,6 @@
 import type {DepthFrame} from './decode_depth';
 import type {DepthSummary} from './depth_summary';
+import {PacketLine} from './packet_line';
 
 export interface DecodedDepth {
   frame: DepthFrame;
@@ -9,39 +10,54 @@ export interface DecodedDepth {
 
 type Reply = DecodedDepth | {problem: string};
 
-/** Decodes depth beside the page's own thread. One packet at a time; of those that wait, the newest wins. */
+const ASK_AGAIN_MS = 500;
+
+/** Decodes depth beside the page's own thread, one packet at a time. */
 export class DepthDecoder {
-  overtaken = 0;
   undecodable = 0;
 
   private readonly worker = new Worker('depth_worker.js', {type: 'module'});
-  private waiting: {packet: Uint8Array; captured_ns: bigint} | undefined;
+  private readonly line = new PacketLine();
   private decoding_ns: bigint | undefined;
+  private asked_ms = -ASK_AGAIN_MS;
 
-  constructor(onDecoded: (decoded: DecodedDepth, captured_ns: bigint) => void) {
+  /** `onLost`: nothing can be shown until a frame comes that stands alone; ask for one. At most twice a second. */
+  constructor(onDecoded: (decoded: DecodedDepth, captured_ns: bigint) => void, private readonly onLost: () => void) {
     this.worker.onmessage = ({data}: MessageEvent<Reply>) => {
       const captured_ns = this.decoding_ns ?? 0n;
       this.decoding_ns = undefined;
       if ('problem' in data) {
         if (this.undecodable++ === 0) console.error(data.problem);
+        this.line.failed();
       } else {
         onDecoded(data, captured_ns);
       }
-      const next = this.waiting;
-      this.waiting = undefined;
-      if (next !== undefined) this.send(next.packet, next.captured_ns);
+      this.decodeNext();
     };
   }
 
-  decode(packet: Uint8Array, captured_ns: bigint): void {
-    if (this.decoding_ns === undefined) return this.send(packet, captured_ns);
-    if (this.waiting !== undefined) ++this.overtaken;
-    this.waiting = {packet, captured_ns};
+  get overtaken(): number {
+    return this.line.overtaken;
   }
 
-  private send(packet: Uint8Array, captured_ns: bigint): void {
-    this.decoding_ns = captured_ns;
-    const own = packet.slice().buffer;  // the packet lies inside a whole WebSocket message, which is not ours to give
+  decode(bytes: Uint8Array, captured_ns: bigint): void {
+    if (!this.line.push({bytes, captured_ns})) this.ask();
+    this.decodeNext();
+  }
+
+  private ask(): void {
+    const now_ms = performance.now();
+    if (now_ms - this.asked_ms < ASK_AGAIN_MS) return;
+    this.asked_ms = now_ms;
+    this.onLost();
+  }
+
+  private decodeNext(): void {
+    if (this.decoding_ns !== undefined) return;
+    const next = this.line.shift();
+    if (next === undefined) return;
+    this.decoding_ns = next.captured_ns;
+    const own = next.bytes.slice().buffer;  // the packet lies inside a whole WebSocket message, which is not ours to give
     this.worker.postMessage({packet: own}, [own]);
   }
 }

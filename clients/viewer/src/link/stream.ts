@@ -11,6 +11,7 @@ const SILENCE_MS = 10_000;
 type Handlers = {[Topic in keyof Topics]?: (message: Topics[Topic], published_ns: bigint, bytes: number) => void};
 
 interface Subscription {
+  channel: number;
   topic: keyof Topics;
   decode: Decode;
 }
@@ -49,6 +50,17 @@ export class Stream {
     if (publication !== undefined) this.client?.sendMessage(publication.channel, publication.encode(message));
   }
 
+  /** Whoever subscribes anew is sent first what stands alone: how a viewer says that it lost its place. */
+  subscribeAgain(topic: keyof Topics): void {
+    const {client} = this;
+    const held = [...this.subscriptions].find(([, subscription]) => subscription.topic === topic);
+    if (client === undefined || held === undefined) return;
+    const [id, subscription] = held;
+    client.unsubscribe(id);
+    this.subscriptions.delete(id);
+    this.subscriptions.set(client.subscribe(subscription.channel), subscription);
+  }
+
   private connect(): void {
     this.retryAt_ms = undefined;
     this.subscriptions.clear();
@@ -80,7 +92,7 @@ export class Stream {
     try {
       const decode = decoderFor(channel.schemaName, channel.schema);
       const topic = channel.topic as keyof Topics;
-      this.subscriptions.set(client.subscribe(channel.id), {topic, decode});
+      this.subscriptions.set(client.subscribe(channel.id), {channel: channel.id, topic, decode});
     } catch (problem) {
       console.error(`${channel.topic}: ${String(problem)}`);
     }
