@@ -44,6 +44,7 @@ void Touch::adopt(const SurfaceSnapshot& snapshot, SessionTime now) noexcept {
   snapshot_ = &snapshot;
   snapshot_captured_ = snapshot.captured;
   now_ = std::max(now_, now);
+  adopted_ = now_;
   if (!has_foot_) return;
   swapped_ = true;
   snapshot.prefetch(foot_);
@@ -204,8 +205,10 @@ double Touch::height_of(const Vector3d& device) const noexcept { return normal_.
 
 double Touch::sideways_of(const Vector3d& device) const noexcept { return tangential(device - foot_, normal_).norm(); }
 
+/// A capture from the future, by a server whose clock is wrong, ages from its adoption on: it must not stay young until
+/// that future has come.
 double Touch::age_s() const noexcept {
-  return snapshot_->motion.ages ? std::max(0.0, to_seconds(now_ - snapshot_->captured)) : 0.0;
+  return snapshot_->motion.ages ? to_seconds(now_ - std::min(snapshot_->captured, adopted_)) : 0.0;
 }
 
 double Touch::freshness() const noexcept {

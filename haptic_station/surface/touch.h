@@ -34,7 +34,7 @@ struct TouchSample {
   double surface_velocity_m_per_s = 0.0;             ///< of the displayed surface at the foot, along the normal
   double uncertainty_m = 0.0;                        ///< 1-sigma of the surface's place: noise, fit and prediction
   double support = 0.0;                              ///< 1 well inside known surface, 0 where it ends or is stale
-  double age_s = 0.0;                                ///< since the snapshot's capture
+  double age_s = 0.0;                                ///< since the snapshot's capture, and at least since its adoption
 };
 
 /// By how much the displayed surface at the foot differs from the newest snapshot as it was captured, outwards
@@ -87,6 +87,7 @@ class Touch {
   TouchSettings settings_;
   const SurfaceSnapshot* snapshot_ = nullptr;  // borrowed
   SessionTime snapshot_captured_{};            // its own copy: the one before is gone when the next comes
+  SessionTime adopted_{};
   Slew slew_;
   MotionBasis basis_;
   SessionTime now_{};
