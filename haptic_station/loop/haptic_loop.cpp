@@ -5,6 +5,11 @@
 #include "haptic_station/loop/packed.h"
 
 namespace telepalp::station {
+namespace {
+
+constexpr std::chrono::milliseconds kSameSession{50};  // clocks are slewed, a step is another session
+
+}  // namespace
 
 void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcept {
   if (!surface.snapshot) return;
@@ -16,6 +21,8 @@ void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcep
 }
 
 void HapticLoop::hand_sampled(SessionTime at, const Point<HapticBase>& hand) noexcept {
+  // From the future: believed once, it would make all that come after it older than what is known.
+  if (ticked_ && at > last_tick_ + kSameSession) return;
   const tracking::Taken taken = hand_.update(at, hand);
   if (taken == tracking::Taken::Used || taken == tracking::Taken::Restarted) {
     hand_sampled_ = at;
@@ -40,9 +47,9 @@ void HapticLoop::begin_new_time_line() noexcept {
 }
 
 HapticLoop::Act HapticLoop::tick(const DeviceReading& device, SessionTime now, double dt_s) noexcept {
-  constexpr std::chrono::milliseconds kSameSession{50};  // clocks are slewed, a step is another session
   if (now + kSameSession < last_tick_) begin_new_time_line();
   last_tick_ = now;
+  ticked_ = true;
   // Sense.
   const surface::TouchSample touch = touch_.step(camera_from_haptic_ * device.at, now, dt_s);
   const tracking::HandPrediction hand = hand_.predict(now);

@@ -35,7 +35,7 @@ class HapticLoop {
   /// A newer surface. Its snapshot must stay alive until the next adopt().
   void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
 
-  /// A sample of the hand tracker, at the tracker's own time.
+  /// A sample of the hand tracker, at the tracker's own time. One from more than 50 ms after the last tick is dropped.
   void hand_sampled(SessionTime at, const Point<HapticBase>& hand) noexcept;
 
   /// An operator asks to re-arm; counts for the next tick.
@@ -77,6 +77,7 @@ class HapticLoop {
   SessionTime hand_sampled_{};
   SessionTime last_tick_{};
   bool has_surface_ = false;
+  bool ticked_ = false;
   bool rearm_ = false;
 };
 
