@@ -11,6 +11,8 @@ using Eigen::Vector3d;
 constexpr double kHandSmoothing_rad_per_s = 25.0;  // bandwidth of the filter over the tracker's 100 Hz steps
 constexpr double kPositionSlew_N_per_s = 56.0;     // 0.028 N a tick
 constexpr double kSinkIn_m_per_s = 0.03;
+constexpr double kSinkInEases_s = 0.05;  // and slower over the last 1.5 mm: damping must not feel it end
+constexpr double kSinkInSlowest_m_per_s = 0.0003;
 constexpr double kReleaseWithin_s = 0.03;  // from peak force to none
 
 Vector3d at_most(const Vector3d& vector, double length) noexcept {
@@ -129,17 +131,41 @@ void EncounteredController::enter(Phase phase, const ControlInput& in) noexcept 
 /// the hand's work. The skin is shown at the device first and then rises, as a patient's would.
 void EncounteredController::sink_in(ControlInput& in, bool begins, double dt_s) noexcept {
   if (begins) unpaid_depth_m_ = std::max(0.0, -in.contact.distance_m);
+  rising_m_per_s_ = 0.0;
   if (unpaid_depth_m_ <= 0.0) return;
-  const double shown_m = std::min(unpaid_depth_m_, kSinkIn_m_per_s * dt_s);
+  const double speed = std::clamp(unpaid_depth_m_ / kSinkInEases_s, kSinkInSlowest_m_per_s, kSinkIn_m_per_s);
+  const double shown_m = std::min(unpaid_depth_m_, speed * dt_s);
+  rising_m_per_s_ = shown_m / std::max(dt_s, 1e-9);
   unpaid_depth_m_ -= shown_m;
   in.contact.proxy.m -= unpaid_depth_m_ * in.contact.normal.v;
   in.contact.distance_m += unpaid_depth_m_;
-  in.contact.surface_speed_m_per_s += shown_m / std::max(dt_s, 1e-9);
+  in.contact.surface_speed_m_per_s += rising_m_per_s_;
+}
+
+/// What the effects are told: seen from the body, which is shown lower by what is unpaid with all that is in it, so
+/// that a contact which begins within an inner object has not that object's energy to give.
+effects::EffectInput EncounteredController::as_the_body_sees(const ControlInput& in) const noexcept {
+  const Vector3d& normal = in.contact.normal.v;
+  effects::EffectInput felt{in.device, in.device_velocity, in.contact, {}};
+  felt.device.m += unpaid_depth_m_ * normal;
+  felt.device_velocity.v -= rising_m_per_s_ * normal;
+  felt.contact.proxy.m += unpaid_depth_m_ * normal;
+  felt.contact.surface_speed_m_per_s -= rising_m_per_s_;
+  return felt;
+}
+
+void EncounteredController::begin_contact(const ControlInput& in) noexcept {
+  const effects::EffectInput felt = as_the_body_sees(in);
+  effects_.begin(felt);
+  coupling_.begin(felt.device);
+  last_felt_ = felt.device;
+  passivity_.begin(0.0);
 }
 
 Vector3d EncounteredController::effects_force_N(const ControlInput& in, double dt_s) noexcept {
-  const Vector3d moved = in.device.m - last_device_.m;
-  const effects::EffectInput felt{in.device, in.device_velocity, in.contact, {moved}};
+  effects::EffectInput felt = as_the_body_sees(in);
+  felt.moved.v = felt.device.m - last_felt_.m;
+  last_felt_ = felt.device;
   Force<HapticBase> force;
   Exchange exchange;
   if (coupling_.engaged()) {
@@ -151,9 +177,9 @@ Vector3d EncounteredController::effects_force_N(const ControlInput& in, double d
   }
   exchange.absorbed_J += effects_.absorbed_J();
   exchange.stored_J += effects_.energy_J();
-  const Vector3d relative = in.device_velocity.v - in.contact.surface_speed_m_per_s * in.contact.normal.v;
-  exchange.velocity = {relative};
-  exchange.moved = {moved - in.contact.surface_speed_m_per_s * dt_s * in.contact.normal.v};
+  const Vector3d skin_velocity = felt.contact.surface_speed_m_per_s * felt.contact.normal.v;
+  exchange.velocity = {felt.device_velocity.v - skin_velocity};
+  exchange.moved = {felt.moved.v - skin_velocity * dt_s};
   damping_ = passivity_.step(exchange, dt_s);
   return force.N + damping_.N;
 }
@@ -241,12 +267,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   const bool touching = in_body(in) && (is_inside(phase_) || phase_ == Phase::BodyToPlane);
   const bool contact_changed = touching != touching_;
   if (touching) sink_in(in, !touching_, dt_s);
-  if (touching && !touching_) {
-    effects_.begin({in.device, in.device_velocity, in.contact, {}});
-    coupling_.begin(in.device);
-    last_device_ = in.device;
-    passivity_.begin(0.0);
-  }
+  if (touching && !touching_) begin_contact(in);
   touching_ = touching;
   damping_ = {};
   target_ = in.device;
@@ -256,7 +277,6 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   const bool outer_change = phase_ != out.previous && !(is_inside(phase_) && is_inside(out.previous));
   wanted_N_ = faded_N(raw_N, outer_change || contact_changed, dt_s);
 
-  last_device_ = in.device;
   out.phase = phase_;
   out.force = limiter_.limit({wanted_N_}, dt_s);
   out.limited = limiter_.limited();

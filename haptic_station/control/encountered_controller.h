@@ -73,8 +73,10 @@ class EncounteredController {
   void rearm() noexcept;
   void move_plane(const ControlInput& in, double dt_s) noexcept;
   void enter(Phase phase, const ControlInput& in) noexcept;
-  Eigen::Vector3d effects_force_N(const ControlInput& in, double dt_s) noexcept;
   void sink_in(ControlInput& in, bool begins, double dt_s) noexcept;
+  [[nodiscard]] effects::EffectInput as_the_body_sees(const ControlInput& in) const noexcept;
+  void begin_contact(const ControlInput& in) noexcept;
+  Eigen::Vector3d effects_force_N(const ControlInput& in, double dt_s) noexcept;
   Eigen::Vector3d position_force_N(const ControlInput& in, double dt_s) noexcept;
   [[nodiscard]] Eigen::Vector3d lift_force_N(const ControlInput& in) const noexcept;
   Eigen::Vector3d faded_N(const Eigen::Vector3d& raw_N, bool starts_anew, double dt_s) noexcept;
@@ -104,8 +106,9 @@ class EncounteredController {
   Point<HapticBase> last_proxy_;
   Force<HapticBase> damping_;
   Point<HapticBase> target_;
-  Point<HapticBase> last_device_;
+  Point<HapticBase> last_felt_;  ///< the end-effector as the effects saw it last
   double unpaid_depth_m_ = 0.0;  ///< at which the contact began, not yet shown
+  double rising_m_per_s_ = 0.0;  ///< at which it is being shown
 };
 
 }  // namespace telepalp::control
