@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <random>
@@ -11,15 +10,17 @@
 #include "haptic_station/surface/surface_builder.h"
 #include "haptic_station/surface/touch.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
+#include "tests/hard_cases/claims.h"
+#include "tests/hard_cases/hard_case.h"
 
 namespace telepalp::surface {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
+using namespace hard_cases;
 using ::testing::AssertionFailure;
 using ::testing::AssertionResult;
-using ::testing::AssertionSuccess;
 
 constexpr double kTick_s = 0.0005;
 constexpr double kStiffness_N_per_m = 500.0;
@@ -104,31 +105,6 @@ Drive drive_on(const Snapshot& snapshot, const std::function<Vector3d(double)>& 
   Touch touch;
   touch.adopt(*snapshot, at_s(1.0));
   return drive(touch, path, until_s);
-}
-
-/// A claim of what was got, in words, and whether it is what must be.
-struct Claim {
-  bool holds = false;
-  std::string got;
-};
-
-/// "on the surface (0.0042 mm)": a figure that must stay below its limit, both in SI units.
-Claim below(const char* what, double value, double limit, double shown, const char* unit) {
-  char text[120];
-  std::snprintf(text, sizeof text, "%s (%.2g %s)", what, shown * value, unit);
-  return {value < limit, text};
-}
-Claim below_N(const char* what, double value_N, double limit_N) { return below(what, value_N, limit_N, 1.0, "N"); }
-Claim below_m(const char* what, double value_m, double limit_m) { return below(what, value_m, limit_m, 1e6, "um"); }
-
-/// Success tells what was got; failure what was not so.
-AssertionResult all_of(std::initializer_list<Claim> claims) {
-  std::string got;
-  for (const Claim& claim : claims) {
-    if (!claim.holds) return AssertionFailure() << "NOT " << claim.got;
-    got += (got.empty() ? "" : "; ") + claim.got;
-  }
-  return AssertionSuccess() << got;
 }
 
 AssertionResult nothing_there() {
@@ -489,13 +465,6 @@ AssertionResult a_sliver() {
       {{drove.finite && across.finite, "finite"}, {!drove.touched && !across.touched, "no surface is made up"}});
 }
 
-struct HardCase {
-  const char* row;
-  const char* hard_because;
-  const char* must;
-  AssertionResult (*check)();
-};
-
 const HardCase kHardCases[] = {
     {"1 empty neighbourhood", "every mean divides by no weight", "outside, zero force, no NaN", nothing_there},
     {"2 coincident points", "they span no plane", "no normal made up; bounded", points_in_one_place},
@@ -525,20 +494,11 @@ const HardCase kHardCases[] = {
     {"37 surface one pixel wide", "a line has no normal", "no surface made up", a_sliver},
 };
 
-class SurfaceHardCases : public ::testing::TestWithParam<HardCase> {
- protected:
-  static void SetUpTestSuite() { std::puts("| row | why | must | got |\n| --- | --- | --- | --- |"); }
-};
+class SurfaceHardCases : public HardCaseTable {};
 
-TEST_P(SurfaceHardCases, DoesWhatItMust) {
-  const HardCase& hard = GetParam();
-  const AssertionResult result = hard.check();
-  EXPECT_TRUE(result) << hard.row << " must: " << hard.must;
-  // A table of its own, whatever the test runner prints between: grep '^|'.
-  std::printf("| %-35s | %-44s | %-46s | %s |\n", hard.row, hard.hard_because, hard.must, result.message());
-}
+TEST_P(SurfaceHardCases, DoesWhatItMust) { judge(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Table, SurfaceHardCases, ::testing::ValuesIn(kHardCases));
+INSTANTIATE_TEST_SUITE_P(Table, SurfaceHardCases, ::testing::ValuesIn(kHardCases), name_of);
 
 }  // namespace
 }  // namespace telepalp::surface

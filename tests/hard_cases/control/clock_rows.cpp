@@ -1,0 +1,158 @@
+#include <cmath>
+#include <limits>
+
+#include "haptic_station/tracking/protocol/clock_envelope.h"
+#include "tests/hard_cases/claims.h"
+#include "tests/hard_cases/control/loop_scene.h"
+#include "tests/hard_cases/control/rows.h"
+
+namespace telepalp::hard_cases {
+namespace {
+
+using control::Phase;
+using ::testing::AssertionResult;
+
+constexpr double kAt_s = 2.5;     // in contact
+constexpr double kStep_N = 0.25;  // letting go takes 30 ms from the peak, and is the quickest change there is
+
+/// A hand whose stamps are off by `off_s(now_s)`.
+LoopScene with_tracker_stamps(const std::function<double(double)>& off_s) {
+  LoopScene scene;
+  scene.tracker = [=](int tick, double now_s, const Point<HapticBase>& hand) {
+    return tick % LoopScene::kTicksPerSample == 0 ? std::vector<TrackedHand>{{now_s + off_s(now_s), hand}}
+                                                  : std::vector<TrackedHand>{};
+  };
+  return scene;
+}
+
+/// A camera whose stamps are off by `off_s(now_s)`, and that is gone from `gone_s` on.
+LoopScene with_camera_stamps(const std::function<double(double)>& off_s, double gone_s = 1e9) {
+  LoopScene scene;
+  scene.camera = [=](int tick, double now_s) {
+    return tick % LoopScene::kTicksPerFrame == 0 && now_s < gone_s ? std::optional(SeenPlane{now_s + off_s(now_s)})
+                                                                   : std::nullopt;
+  };
+  return scene;
+}
+
+/// `step_s` from kAt_s on, for half a second.
+std::function<double(double)> off_for_half_a_second(double step_s) {
+  return [=](double now_s) { return now_s > kAt_s && now_s < kAt_s + 0.5 ? step_s : 0.0; };
+}
+
+AssertionResult back_as_before(const Felt& felt) {
+  return all_of({{felt.finite && !felt.faulted, "no fault"},
+                 below_N("step", felt.worst_step_N, kStep_N),
+                 {control::is_inside(felt.last.phase), "felt again two seconds later"}});
+}
+
+AssertionResult tracker_steps_on() { return back_as_before(feel(with_tracker_stamps(off_for_half_a_second(1.0)))); }
+
+AssertionResult tracker_steps_back() { return back_as_before(feel(with_tracker_stamps(off_for_half_a_second(-1.0)))); }
+
+AssertionResult one_stamp_an_hour_on() {
+  return back_as_before(
+      feel(with_tracker_stamps([](double now_s) { return now_s >= kAt_s && now_s < kAt_s + 0.0099 ? 3600.0 : 0.0; })));
+}
+
+/// The tracker's own clock is set, and stays so: what its line maps to session time (ClockEnvelope) follows.
+AssertionResult trackers_clock_is_set() {
+  for (const double step_s : {1.0, -1.0, -3600.0}) {
+    tracking::ClockEnvelope envelope;
+    LoopScene scene;
+    scene.tracker = [&](int tick, double now_s, const Point<HapticBase>& hand) {
+      if (tick % LoopScene::kTicksPerSample != 0) return std::vector<TrackedHand>{};
+      const double theirs_s = 77.0 + now_s + (now_s > kAt_s ? step_s : 0.0);
+      const auto ours = envelope.map(from_seconds(theirs_s), from_seconds(now_s));
+      return std::vector<TrackedHand>{{to_seconds(ours), hand}};
+    };
+    if (const AssertionResult result = back_as_before(feel(scene)); !result) return result;
+  }
+  return back_as_before(feel(LoopScene{}));
+}
+
+AssertionResult twice_and_out_of_order() {
+  LoopScene scene;
+  std::vector<TrackedHand> late;
+  scene.tracker = [&](int tick, double now_s, const Point<HapticBase>& hand) {
+    std::vector<TrackedHand> out;
+    if (tick % LoopScene::kTicksPerSample != 0) return out;
+    out = {{now_s, hand}, {now_s, {hand.m + Eigen::Vector3d::UnitX()}}};  // the second one at the same time: nonsense
+    out.insert(out.end(), late.begin(), late.end());
+    late = {{now_s - 0.004, {hand.m - Eigen::Vector3d::UnitX()}}};
+    return out;
+  };
+  double off_m = 0.0;
+  scene.watch = [&](const auto& act, double, const auto&, const device::SimulatedPair& pair) {
+    off_m = std::max(off_m, std::abs(act.told.hand[0] - pair.true_hand().m.x()));
+  };
+  const Felt felt = feel(scene);
+  return all_of({below_m("dropped: hand off by", off_m, 0.001),
+                 {felt.let_gos == 0, "nothing let go"},
+                 below_N("step", felt.worst_step_N, 0.05)});
+}
+
+AssertionResult camera_steps_on() { return back_as_before(feel(with_camera_stamps(off_for_half_a_second(1.0)))); }
+
+AssertionResult camera_steps_back() { return back_as_before(feel(with_camera_stamps(off_for_half_a_second(-1.0)))); }
+
+/// The force from `from_s` on.
+struct ForceFrom {
+  Felt felt;
+  double most_N = 0.0;
+  double before_N = 0.0;
+};
+ForceFrom force_from(LoopScene scene, double from_s) {
+  ForceFrom seen;
+  scene.watch = [&](const station::HapticLoop::Act& act, double now_s, const auto&, const auto&) {
+    (now_s < from_s ? seen.before_N : seen.most_N) =
+        now_s < from_s ? act.force.N.norm() : std::max(seen.most_N, act.force.N.norm());
+  };
+  seen.felt = feel(scene);
+  return seen;
+}
+
+/// Its stamps are an hour ahead, and then it falls silent: its last surface must not stay young for an hour.
+AssertionResult from_the_future_then_silent() {
+  LoopScene scene = with_camera_stamps([](double now_s) { return now_s > 2.0 ? 3600.0 : 0.0; }, 3.0);
+  scene.seconds = 6.0;
+  const ForceFrom seen = force_from(scene, 3.0 + 1.0 + 0.05);
+  return all_of({{seen.most_N == 0.0, "no force 50 ms after the age limit"},
+                 {seen.felt.last.phase == Phase::Released, "released"},
+                 below_N("step", seen.felt.worst_step_N, kStep_N)});
+}
+
+AssertionResult outage() {
+  LoopScene scene = with_camera_stamps([](double) { return 0.0; }, 2.5);
+  double at_half_s_N = 0.0;
+  scene.watch = [&](const station::HapticLoop::Act& act, double now_s, const auto&, const auto&) {
+    if (now_s < 3.0) at_half_s_N = act.force.N.norm();
+  };
+  (void)feel(scene);
+  const ForceFrom seen = force_from(scene, 2.5 + 1.0 + 0.05);
+  return all_of({above("half a second is bridged", at_half_s_N, 0.5, 1.0, "N"),
+                 {seen.most_N == 0.0, "no force 50 ms after the age limit"},
+                 below_N("step", seen.felt.worst_step_N, kStep_N)});
+}
+
+}  // namespace
+
+std::vector<HardCase> clock_rows() {
+  return {
+      {"20 tracker's stamps jump 1 s on", "a hand that never ages", "let go, then felt again", tracker_steps_on},
+      {"20 tracker's stamps jump 1 s back", "older than what is known", "let go, then felt again", tracker_steps_back},
+      {"20 one stamp an hour ahead", "all later ones are older", "dropped, nothing waits an hour",
+       one_stamp_an_hour_on},
+      {"20 tracker's clock is set", "by 1 s on, 1 s back, an hour back", "mapped anew", trackers_clock_is_set},
+      {"20 samples twice, out of order", "no time passes between two places", "dropped, nothing felt",
+       twice_and_out_of_order},
+      {"20 server's stamps jump 1 s on", "a surface that never ages", "held, then felt as before", camera_steps_on},
+      {"20 server's stamps jump 1 s back", "a surface older than its limit", "let go, then felt again",
+       camera_steps_back},
+      {"20 server from the future, then silent", "its last surface stays young", "let go at its age limit",
+       from_the_future_then_silent},
+      {"24 outage in contact", "an old surface is a guess", "age-limited, decays to zero", outage},
+  };
+}
+
+}  // namespace telepalp::hard_cases

@@ -1,0 +1,210 @@
+#include "haptic_station/device/random.h"
+#include "tests/hard_cases/claims.h"
+#include "tests/hard_cases/control/controller_scene.h"
+#include "tests/hard_cases/control/forced_path.h"
+#include "tests/hard_cases/control/loop_scene.h"
+#include "tests/hard_cases/control/rows.h"
+
+namespace telepalp::hard_cases {
+namespace {
+
+using control::Phase;
+using ::testing::AssertionResult;
+
+AssertionResult drawn_away() {
+  ControllerScene scene;
+  scene.seconds = 6.0;
+  scene.person = [](const device::TrialView& view) {
+    return view.time_s < 2.5 ? presses_to(0.05)(view) : device::Intention{{{0.3, 0.3, 0.0}}, {}};
+  };
+  const Felt felt = feel(scene);
+  return all_of({{felt.last.phase == Phase::OutBody, "ends waiting on the plane"},
+                 below("does not fly off", felt.fastest_device, 1.2, 1.0, "m/s"),
+                 below_N("step within the slew", felt.worst_step_N, 1.0)});
+}
+
+/// What became of a contact from `lost_s` on.
+struct LettingGo {
+  Felt felt;
+  double before_N = 0.0;
+  double after_limit_N = 0.0;  ///< from 50 ms after the age limit on, while the hand is lost
+  double step_N = 0.0;
+};
+
+LettingGo tracker_lost_in_contact(double lost_s, double back_s, Person person) {
+  LoopScene scene;
+  LettingGo seen;
+  scene.seconds = back_s + 3.0;
+  scene.person = std::move(person);
+  scene.tracker = [=](int tick, double now_s, const Point<HapticBase>& hand) {
+    const bool lost = now_s > lost_s && now_s < back_s;
+    return tick % LoopScene::kTicksPerSample == 0 && !lost ? std::vector<TrackedHand>{{now_s, hand}}
+                                                           : std::vector<TrackedHand>{};
+  };
+  Eigen::Vector3d before_N = Eigen::Vector3d::Zero();
+  scene.watch = [&](const station::HapticLoop::Act& act, double now_s, const auto&, const auto&) {
+    if (now_s <= lost_s) seen.before_N = act.force.N.norm();
+    if (now_s > lost_s) seen.step_N = std::max(seen.step_N, (act.force.N - before_N).norm());
+    if (now_s > lost_s + 0.15 && now_s < back_s) seen.after_limit_N = std::max(seen.after_limit_N, act.force.N.norm());
+    before_N = act.force.N;
+  };
+  seen.felt = feel(scene);
+  return seen;
+}
+
+AssertionResult tracker_loses_it() {
+  const LettingGo seen = tracker_lost_in_contact(2.5, 4.0, presses_to(0.05));
+  return all_of({above("from", seen.before_N, 2.0, 1.0, "N"),
+                 {seen.after_limit_N == 0.0, "none 50 ms after the age limit"},
+                 below_N("gently: step", seen.step_N, 0.25),
+                 {seen.felt.let_gos == 1 && !seen.felt.faulted, "released once, no fault"},
+                 {control::is_inside(seen.felt.last.phase), "and felt again when it is back"}});
+}
+
+AssertionResult tracker_blinks() {
+  const LettingGo seen = tracker_lost_in_contact(2.5, 2.58, rubs_at(0.05, 0.02));
+  return all_of({{seen.felt.let_gos == 0, "80 ms without a hand let nothing go"}, below_N("step", seen.step_N, 0.05)});
+}
+
+/// The tracker tells of another hand 0.3 m away, as `swapped(now_s)` says.
+Felt with_swapped_hands(Person person, const std::function<bool(double)>& swapped, double& shown_m) {
+  LoopScene scene;
+  scene.person = std::move(person);
+  scene.tracker = [&](int tick, double now_s, const Point<HapticBase>& hand) {
+    if (tick % LoopScene::kTicksPerSample != 0) return std::vector<TrackedHand>{};
+    return std::vector<TrackedHand>{{now_s, {hand.m + (swapped(now_s) ? 0.3 : 0.0) * Eigen::Vector3d::UnitX()}}};
+  };
+  scene.watch = [&](const station::HapticLoop::Act& act, double, const auto&, const device::SimulatedPair& pair) {
+    shown_m = std::max(shown_m, std::abs(act.told.hand[0] - pair.true_hand().m.x()));
+  };
+  return feel(scene);
+}
+
+AssertionResult swapped_for_a_moment() {
+  double off_m = 0.0;
+  const Felt felt = with_swapped_hands(
+      waits_at(0.06), [](double t) { return t > 1.0 && std::fmod(t, 0.5) < 0.03; }, off_m);
+  return all_of({below_m("three samples of another hand are not believed: off by", off_m, 0.005),
+                 below_N("step", felt.worst_step_N, 0.05)});
+}
+
+AssertionResult swapped_for_good() {
+  double off_m = 0.0;
+  const Felt felt = with_swapped_hands(
+      waits_at(0.06), [](double t) { return t > 2.0; }, off_m);
+  return all_of({above("believed", off_m, 0.29, 1e3, "mm"),
+                 below("the device is not thrown", felt.fastest_device, 2.0, 1.0, "m/s"),
+                 below_N("step", felt.worst_step_N, 0.05),
+                 {felt.most_N <= 3.0 + 1e-9, "a hand can hold it"}});
+}
+
+AssertionResult swapped_in_contact() {
+  double off_m = 0.0;
+  const Felt felt = with_swapped_hands(
+      presses_to(0.03), [](double t) { return t > 2.5; }, off_m);
+  return all_of({below_N("the skin feels nothing of it: step", felt.worst_step_N, 0.05),
+                 {felt.body_entries == 1 && control::is_inside(felt.last.phase), "contact holds"}});
+}
+
+AssertionResult jittered() {
+  LoopScene scene;
+  device::Random random(21);
+  double next_s = 0.0;
+  std::vector<TrackedHand> held;
+  scene.seconds = 12.0;
+  scene.person = [](const device::TrialView& view) {  // sideways over the plane, as fast as hands search
+    return device::Intention{{{0.1 * std::sin(2.0 * view.time_s), 0.06, 0.0}}, {}};
+  };
+  scene.tracker = [&](int, double now_s, const Point<HapticBase>& hand) {
+    std::vector<TrackedHand> out;
+    if (now_s >= next_s) {
+      next_s = now_s + 0.01 + random.uniform(-0.005, 0.005);
+      if (random.uniform(0.0, 1.0) < 0.05) next_s += 0.05;  // a gap
+      held.push_back({now_s - random.uniform(0.0, 0.004), hand});
+    }
+    const bool flush = (!held.empty() && now_s - held.front().at_s > 0.025) ||
+                       random.uniform(0.0, 1.0) < 0.05;  // bursts: late, all at once
+    if (flush) out.swap(held);
+    return out;
+  };
+  double sigma_m = 0.0;
+  double error_m = 0.0;
+  scene.watch = [&](const station::HapticLoop::Act& act, double now_s, const station::HapticLoop& loop,
+                    const device::SimulatedPair& pair) {
+    if (now_s < 1.0) return;
+    sigma_m = std::max(sigma_m, loop.compensation().hand_sigma_m);
+    error_m = std::max(error_m, std::abs(act.told.hand[0] - pair.true_hand().m.x()));
+  };
+  const Felt felt = feel(scene);
+  return all_of({below("covariance bounded: sigma", sigma_m, 0.02, 1e3, "mm"),
+                 below("off by", error_m, 0.03, 1e3, "mm"),
+                 below_N("step", felt.worst_step_N, 0.05),
+                 {felt.let_gos == 0, "nothing let go"}});
+}
+
+AssertionResult too_fast_for_the_dwell() {
+  ControllerScene scene;
+  scene.seconds = 3.0;
+  scene.person = falls_at(1.5, 0.1);
+  double crossed_s = 0.0;
+  double felt_s = 0.0;
+  scene.surface = [&](const Point<HapticBase>& device, double time_s) {
+    if (crossed_s == 0.0 && device.m.y() < 0.0) crossed_s = time_s;
+    return device::BreathingPlane{}(device, time_s);
+  };
+  scene.watch = [&](const control::ControlOutput& out, double now_s) {
+    if (felt_s == 0.0 && control::is_inside(out.phase)) felt_s = now_s;
+  };
+  const Felt felt = feel(scene);
+  return all_of({{crossed_s > 0.0 && felt_s > 0.0, "it falls through"},
+                 below("felt at once, not 0.3 s late", felt_s - crossed_s, 0.001, 1e3, "ms"),
+                 {felt.most_N <= 10.0, "below the peak"},
+                 {control::is_inside(felt.last.phase), "in the body"}});
+}
+
+/// Forced through the skin 40 times a second, at 2 m/s.
+AssertionResult chatters() {
+  ForcedPath scene;
+  scene.seconds = 22.0;
+  scene.path = [](double since_down_s) -> Eigen::Vector3d {
+    constexpr double kOmega = 2.0 * std::numbers::pi * 20.0;
+    return 2.0 / kOmega * std::sin(kOmega * since_down_s) * Eigen::Vector3d::UnitY();
+  };
+  double entered_s = 0.0;
+  double shortest_s = 1.0;
+  scene.watch = [&](const control::ControlOutput& out, double now_s) {
+    if (out.phase == out.previous) return;
+    // Falling from the plane into the body is the one change that may follow another at once.
+    if (out.previous != Phase::PlaneToBody) shortest_s = std::min(shortest_s, now_s - entered_s);
+    entered_s = now_s;
+  };
+  const Felt felt = feel(scene);
+  return all_of({above("shortest stay", shortest_s, 0.2995 - 1e-9, 1e3, "ms"),
+                 below("changes at 800 crossings", felt.changes, 20.0 / 0.3 + 5.0, 1.0, ""),
+                 {felt.finite && !felt.faulted, "no fault"},
+                 below_N("force", felt.most_N, 10.0)});
+}
+
+}  // namespace
+
+std::vector<HardCase> hand_rows() {
+  return {
+      {"hand drawn away in contact", "nothing holds what the skin pushes", "does not fly off, waits on the plane",
+       drawn_away},
+      {"tracker loses the hand in contact", "the force goes on without a hand", "gentle release, felt again when back",
+       tracker_loses_it},
+      {"tracker blinks in contact", "no sample for 80 of 100 ms", "nothing is let go", tracker_blinks},
+      {"tracker swaps hands for a moment", "the pose jumps 0.3 m and back", "not believed, no step",
+       swapped_for_a_moment},
+      {"tracker swaps hands for good", "the pose jumps 0.3 m and stays", "followed at a bounded speed",
+       swapped_for_good},
+      {"tracker swaps hands in contact", "the pose jumps 0.3 m while pressing", "the skin feels nothing of it",
+       swapped_in_contact},
+      {"21 jitter, gaps and bursts", "speeds from wrong intervals", "covariance bounded, no step", jittered},
+      {"fast hand against the dwell", "0.3 s at 1.5 m/s is through the patient", "the skin never waits",
+       too_fast_for_the_dwell},
+      {"hand chatters at 20 Hz, 2 m/s", "two phases take turns", "0.3 s in each, no loop", chatters},
+  };
+}
+
+}  // namespace telepalp::hard_cases

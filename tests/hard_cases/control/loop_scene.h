@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/loop/plane_snapshot.h"
+#include "tests/hard_cases/control/felt.h"
+#include "tests/hard_cases/control/people.h"
+
+namespace telepalp::hard_cases {
+
+/// What a camera saw: a level skin.
+struct SeenPlane {
+  double captured_s = 0.0;
+  double height_m = 0.0;
+};
+
+struct TrackedHand {
+  double at_s = 0.0;
+  Point<HapticBase> hand;
+};
+
+/// The live loop's tick in virtual time, from stamped hands and surfaces to the force: for what comes late, twice, from
+/// the future or not at all. The hooks are asked at each tick; what is left out is a camera of 30 and a tracker of 100
+/// Hz that tell the truth at once, and the skin alone.
+struct LoopScene {
+  static constexpr double kTick_s = 0.0005;
+  static constexpr int kTicksPerFrame = 67;
+  static constexpr int kTicksPerSample = 20;
+
+  double seconds = 5.0;
+  control::ControlSettings settings;
+  Person person = presses_to(0.03);
+  /// What the camera and the tracker give at tick `tick`, which is at `now_s`.
+  std::function<std::optional<SeenPlane>(int tick, double now_s)> camera = [](int tick, double now_s) {
+    return tick % kTicksPerFrame == 0 ? std::optional(SeenPlane{now_s}) : std::nullopt;
+  };
+  std::function<std::vector<TrackedHand>(int tick, double now_s, const Point<HapticBase>& hand)> tracker =
+      [](int tick, double now_s, const Point<HapticBase>& hand) {
+        return tick % kTicksPerSample == 0 ? std::vector<TrackedHand>{{now_s, hand}} : std::vector<TrackedHand>{};
+      };
+  std::function<void(const station::HapticLoop::Act&, double now_s, const station::HapticLoop&,
+                     const device::SimulatedPair&)>
+      watch = [](const station::HapticLoop::Act&, double, const station::HapticLoop&, const device::SimulatedPair&) {};
+};
+
+inline SessionTime at_s(double seconds) { return session_time(4'000'000'000'000) + from_seconds(seconds); }
+
+inline Felt feel(const LoopScene& scene) {
+  effects::EffectBank skin;
+  (void)skin.add(effects::Skin{});
+  station::HapticLoop loop({}, control::EncounteredController(scene.settings, skin));
+  device::SimulatedPair pair({}, {});
+  pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
+  std::shared_ptr<station::PlaneSnapshot> shown;
+  Felt felt;
+  for (int tick = 0; tick * LoopScene::kTick_s < scene.seconds; ++tick) {
+    const double now_s = tick * LoopScene::kTick_s;
+    if (const auto seen = scene.camera(tick, now_s)) {
+      auto newer = std::make_shared<station::PlaneSnapshot>(Eigen::Vector3d::UnitY() * seen->height_m,
+                                                            Eigen::Vector3d::UnitY(), 1.0);
+      newer->captured = at_s(seen->captured_s);
+      loop.adopt({newer, {}}, at_s(now_s));
+      shown = std::move(newer);  // the one before lives until the next adopt()
+    }
+    for (const TrackedHand& one : scene.tracker(tick, now_s, pair.true_hand()))
+      loop.hand_sampled(at_s(one.at_s), one.hand);
+    const auto act =
+        loop.tick({.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0}, at_s(now_s), scene.kTick_s);
+    const device::SimulatedPair before = pair;
+    pair.step(act.force, scene.person({now_s, act.contact, pair.device()}), LoopScene::kTick_s);
+    felt.add(act.control, before, pair, LoopScene::kTick_s);
+    scene.watch(act, now_s, loop, pair);
+  }
+  return felt;
+}
+
+}  // namespace telepalp::hard_cases
