@@ -9,7 +9,7 @@ namespace telepalp::codec {
 namespace {
 
 constexpr std::string_view kMagic = "TPD";
-constexpr char kVersion = '2';
+constexpr char kVersion = '3';
 constexpr std::size_t kCrcAt = 12;
 
 std::string header_bytes(const PacketHeader& header) {
@@ -57,7 +57,7 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
     return damaged("packet of " + std::to_string(bytes.size()) + " B is no depth image");
   if (text[kMagic.size()] != kVersion)
     return damaged("packet of version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
-                   ", this decoder reads version 2");
+                   ", this decoder reads version 3");
   ByteReader reader(bytes.subspan(4));
   PacketHeader header;
   const std::uint8_t mode = *reader.number<std::uint8_t>();

@@ -25,7 +25,7 @@ enum class Coding : std::uint8_t {
 inline constexpr std::uint8_t kLastCoding = 4;
 
 /// The fixed front of every packet, 32 bytes:
-/// "TPD2" | mode u8 | coding u8 | slices u8 | 0 u8 | width u16 | height u16 | crc u32 | unit_m f64 | reference u32 |
+/// "TPD3" | mode u8 | coding u8 | slices u8 | 0 u8 | width u16 | height u16 | crc u32 | unit_m f64 | reference u32 |
 /// since_key u16 | 0 u16, little-endian. `crc` is CRC-32C of these bytes without itself, then of the decoded samples.
 /// Why over the decoded samples: a wrong table or a wrong reference is found as surely as a flipped bit.
 struct PacketHeader {

@@ -25,6 +25,7 @@ std::string token_body(const DepthImage& depth, const LevelPalette& palette) {
   std::string body;
   append_zstd_stream(body, levels, ZstdEffort::Entropy);
   append_zstd_stream(body, streams.extra, ZstdEffort::Entropy);
+  append_zstd_stream(body, streams.entries, ZstdEffort::Entropy);
   for (const std::string& tokens : streams.tokens) append_zstd_stream(body, tokens, ZstdEffort::Entropy);
   return body;
 }
@@ -39,14 +40,14 @@ bool decode_tokens(const Packet& packet, std::span<std::uint16_t> samples) {
   const std::optional<LevelPalette> palette = read_palette(level_reader);
   if (!palette || palette->size() > kMaxTokenLevels || !level_reader.empty()) return false;
   TokenStreams streams;
-  std::optional<std::string> extra = read_zstd_stream(reader, 4 * pixels);
-  if (!extra) return false;
-  streams.extra = std::move(*extra);
-  for (std::string& tokens : streams.tokens) {
-    std::optional<std::string> plain = read_zstd_stream(reader, pixels);
-    if (!plain) return false;
-    tokens = std::move(*plain);
-  }
+  const auto read = [&](std::string& stream, std::size_t most_bytes) {
+    std::optional<std::string> plain = read_zstd_stream(reader, most_bytes);
+    if (plain) stream = *std::move(plain);
+    return plain.has_value();
+  };
+  if (!read(streams.extra, 4 * pixels) || !read(streams.entries, 3 * pixels)) return false;
+  for (std::string& tokens : streams.tokens)
+    if (!read(tokens, pixels)) return false;
   return reader.empty() && read_tokens(streams, *palette, packet.header.width, samples);
 }
 
