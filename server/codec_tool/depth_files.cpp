@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Visit = std::function<Result<void>(NamedDepth)>;
+using PassOver = std::function<void(const Error&)>;
 
 bool is_image(const fs::path& file) {
   constexpr std::array kEndings{".png", ".tif", ".tiff", ".pgm"};
@@ -58,7 +59,7 @@ Result<void> visit_image(const fs::path& file, double unit_m, bool colour_may_be
        {.width = depth->width, .height = depth->height, .unit_m = unit_m, .samples = std::move(depth->samples)}});
 }
 
-Result<void> visit_session(const fs::path& file, const Visit& visit) {
+Result<void> visit_session(const fs::path& file, const Visit& visit, const PassOver& pass_over) {
   Result<wire::McapReader> reader = wire::McapReader::open(file);
   if (!reader) return reader.error();
   reader->select({.topics = {std::string(wire::kCameraDepth.name)}});
@@ -72,7 +73,11 @@ Result<void> visit_session(const fs::path& file, const Visit& visit) {
       return Error{
           .what = "message " + std::to_string(number) + " is no DepthImage", .where = file.string(), .fix = ""};
     Result<DepthImage> depth = decoder.decode(std::as_bytes(std::span(image.data())));
-    if (!depth) return depth.error();
+    if (!depth) {
+      if (!pass_over) return depth.error();
+      pass_over(depth.error());
+      continue;
+    }
     const SessionTime captured{Nanoseconds{static_cast<std::int64_t>(image.captured_ns())}};
     if (Result<void> done = visit({std::to_string(number), captured, *std::move(depth)}); !done) return done;
   }
@@ -97,7 +102,7 @@ Result<void> visit_source(const std::string& spec, const Visit& visit) {
 
 }  // namespace
 
-Result<void> for_each_depth(const fs::path& input, double unit_m, const Visit& visit) {
+Result<void> for_each_depth(const fs::path& input, double unit_m, const Visit& visit, const PassOver& pass_over) {
   std::error_code code;
   if (!fs::exists(input, code))
     return Error{.what = "there is no such file", .where = input.string(), .fix = "check the path"};
@@ -107,7 +112,7 @@ Result<void> for_each_depth(const fs::path& input, double unit_m, const Visit& v
     return {};
   }
   if (is_image(input)) return visit_image(input, unit_m, false, visit);
-  if (input.extension() == ".mcap") return visit_session(input, visit);
+  if (input.extension() == ".mcap") return visit_session(input, visit, pass_over);
   if (input.extension() == ".oni") return visit_source("oni:" + input.string(), visit);
   if (input.extension() == ".pcd") return visit_source("pcd:" + input.string(), visit);
   return Error{.what = "is of no kind that holds depth",

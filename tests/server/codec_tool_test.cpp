@@ -2,8 +2,12 @@
 
 #include <filesystem>
 
+#include "codec/depth_stream.h"
+#include "messages/camera.pb.h"
+#include "proto/wire/mcap/writer.h"
 #include "server/codec_tool/depth_files.h"
 #include "server/codec_tool/pgm.h"
+#include "tests/codec/depth_frames.h"
 
 namespace telepalp::server {
 namespace {
@@ -45,6 +49,35 @@ TEST(DepthFiles, GiveTheImagesOfADirectoryInOrderAndPassOverColour) {
   EXPECT_EQ(first_samples, (std::vector<std::uint16_t>{1, 2}));
   EXPECT_FALSE(for_each_depth(folder / "none.png", 0.001, [](NamedDepth) -> Result<void> { return {}; }).ok());
   std::filesystem::remove_all(folder);
+}
+
+TEST(DepthFiles, OfARecordingThatLacksAFrameAllThatCanBeReadIsGiven) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "telepalp_lacking.mcap";
+  std::filesystem::remove(file);
+  auto writer = wire::McapWriter::open(file, {});
+  ASSERT_TRUE(writer.ok());
+  codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 4});
+  for (unsigned i = 0; i < 8; ++i) {
+    msg::DepthImage image;
+    image.set_data(encoder.encode(codec::kinect_like(32, 24, i)));
+    if (i == 1) continue;  // never recorded
+    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, session_time(i + 1), image)).ok());
+  }
+  ASSERT_TRUE(writer->close().ok());
+  std::vector<std::vector<std::uint16_t>> read;
+  const auto visit = [&](NamedDepth named) -> Result<void> {
+    read.push_back(std::move(named.depth.samples));
+    return {};
+  };
+  EXPECT_FALSE(for_each_depth(file, 0.001, visit).ok());
+  read.clear();
+  int unreadable = 0;
+  EXPECT_TRUE(for_each_depth(file, 0.001, visit, [&](const Error&) { ++unreadable; }).ok());
+  EXPECT_EQ(unreadable, 2);
+  ASSERT_EQ(read.size(), 5u);
+  EXPECT_EQ(read[0], codec::kinect_like(32, 24, 0).samples);
+  EXPECT_EQ(read[1], codec::kinect_like(32, 24, 4).samples);
+  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+#include <cstdio>
+
+#include "server/capture/images/image_file.h"
+#include "server/codec_tool/commands.h"
+#include "server/codec_tool/depth_files.h"
+#include "server/codec_tool/pgm.h"
+#include "server/codec_tool/progress.h"
+
+namespace telepalp::server {
+namespace {
+
+std::string file_name(std::size_t number, const std::string& kind) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%06zu.%s", number, kind.c_str());
+  return name;
+}
+
+}  // namespace
+
+Result<void> decode_recording(const std::filesystem::path& input, const std::filesystem::path& folder,
+                              const std::string& kind) {
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (code)
+    return Error{.what = "cannot be made: " + code.message(), .where = folder.string(), .fix = "choose another"};
+  Progress progress(0);
+  std::size_t frames = 0;
+  std::size_t unreadable = 0;
+  const auto write = [&](NamedDepth named) -> Result<void> {
+    const GrayImage16 image{named.depth.width, named.depth.height, std::move(named.depth.samples)};
+    progress.step();
+    return write_file(folder / file_name(frames++, kind), kind == "png" ? encode_png(image) : encode_pgm(image));
+  };
+  const auto pass_over = [&](const Error& error) {
+    if (unreadable++ == 0) std::fprintf(stderr, "frame %zu is left out: %s\n", frames, to_string(error).c_str());
+    ++frames;
+  };
+  const Result<void> done = for_each_depth(input, 0.001, write, pass_over);
+  if (!done) return done;
+  std::printf("%zu frames in %s\n", frames - unreadable, folder.c_str());
+  if (unreadable == 0) return {};
+  return Error{.what = std::to_string(unreadable) + " of " + std::to_string(frames) + " frames cannot be read",
+               .where = input.string(),
+               .fix = "all others are written; where a recording lacks a frame, those that depend on it are lost too"};
+}
+
+}  // namespace telepalp::server

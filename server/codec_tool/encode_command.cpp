@@ -1,0 +1,54 @@
+#include "messages/camera.pb.h"
+#include "proto/wire/mcap/writer.h"
+#include "server/codec_tool/commands.h"
+#include "server/codec_tool/depth_files.h"
+#include "server/codec_tool/progress.h"
+#include "server/codec_tool/totals.h"
+
+namespace telepalp::server {
+namespace {
+
+constexpr Nanoseconds kAssumedPeriod{33'333'333};  // of images that do not say when they were taken
+
+SessionTime captured_of(const NamedDepth& named, std::size_t number) {
+  if (named.captured != SessionTime{}) return named.captured;
+  return SessionTime{kAssumedPeriod * static_cast<std::int64_t>(number)};
+}
+
+}  // namespace
+
+Result<void> encode_recording(const std::filesystem::path& input, const std::filesystem::path& output,
+                              const codec::DepthStreamSettings& settings, double unit_m) {
+  Result<wire::McapWriter> writer = wire::McapWriter::open(
+      output, {.program = "telepalp-codec", .version = {}, .commit = {}, .source = input.string(), .scene = {}});
+  if (!writer) return writer.error();
+  codec::DepthEncoder encoder(settings);
+  Progress progress(count_depth_files(input));
+  Totals totals;
+  Result<void> done = for_each_depth(input, unit_m, [&](const NamedDepth& named) -> Result<void> {
+    const SessionTime captured = captured_of(named, totals.frames);
+    msg::DepthImage image;
+    image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(captured)));
+    image.set_sequence(totals.frames + 1);
+    image.set_frame_id("camera_depth");
+    image.set_width(static_cast<std::uint32_t>(named.depth.width));
+    image.set_height(static_cast<std::uint32_t>(named.depth.height));
+    image.set_unit_m(named.depth.unit_m);
+    image.set_format(std::string(codec::name(settings.mode)));
+    image.set_data(encoder.encode(named.depth));
+    totals.add(static_cast<double>(named.depth.samples.size()), image.data().size());
+    progress.step();
+    return writer->write(wire::make_message(wire::kCameraDepth, captured, image));
+  });
+  if (done && totals.frames == 0)
+    done = Error{.what = "holds no depth image", .where = input.string(), .fix = "give 16-bit images"};
+  if (!done) {
+    writer->discard();
+    return done;
+  }
+  done = writer->close();
+  if (done) totals.print();
+  return done;
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+
+namespace telepalp::server {
+
+/// One line on a terminal that says how far the work is; nothing where stderr is a file.
+class Progress {
+ public:
+  /// `total`: frames in all; 0: not known.
+  explicit Progress(std::size_t total) : total_(total), shown_(isatty(STDERR_FILENO) == 1) {}
+  ~Progress() {
+    if (shown_ && done_ > 0) std::fputc('\n', stderr);
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void step() {
+    ++done_;
+    if (!shown_) return;
+    constexpr std::size_t kWidth = 40;
+    const std::size_t filled = total_ == 0 ? 0 : std::min(kWidth, kWidth * done_ / total_);
+    const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
+    std::fprintf(stderr, "\r[%s] %zu%s", bar.c_str(), done_,
+                 total_ == 0 ? " frames" : (" of " + std::to_string(total_)).c_str());
+  }
+
+ private:
+  std::size_t total_;
+  std::size_t done_ = 0;
+  bool shown_;
+};
+
+}  // namespace telepalp::server

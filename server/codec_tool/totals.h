@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+
+namespace telepalp::server {
+
+/// What a number of compressed images come to.
+struct Totals {
+  std::size_t frames = 0;
+  double pixels = 0.0;
+  double bytes = 0.0;  ///< compressed
+
+  void add(double image_pixels, std::size_t packet_bytes) noexcept {
+    ++frames;
+    pixels += image_pixels;
+    bytes += static_cast<double>(packet_bytes);
+  }
+  void print() const {
+    std::printf("%zu frames, %.0f B of samples in %.0f B: ratio %.2f, %.3f bits per pixel\n", frames, 2.0 * pixels,
+                bytes, 2.0 * pixels / bytes, 8.0 * bytes / pixels);
+  }
+};
+
+}  // namespace telepalp::server
