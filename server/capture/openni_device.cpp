@@ -147,7 +147,8 @@ void OpenNiDevice::prepare_recording() {
   openni::PlaybackControl* playback = device_.getPlaybackControl();
   if (playback == nullptr) return;
   playback->setRepeatEnabled(address_.loop);
-  playback->setSpeed(1.0F);
+  constexpr float kAsAskedFor = -1.0F;  // OpenNI2's manual speed; at any other it drops what is read late
+  playback->setSpeed(address_.paced ? 1.0F : kAsAskedFor);
   frames_in_recording_ = playback->getNumberOfFrames(depth_);
 }
 

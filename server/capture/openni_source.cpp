@@ -35,7 +35,7 @@ Result<std::unique_ptr<CaptureSource>> open_oni(const std::string& file, const S
     return Error{.what = "is not an .oni recording",
                  .where = file,
                  .fix = "give a recording made by OpenNI's recorder (NiViewer writes them)"};
-  return open_device({.uri = file, .recording = true, .loop = options.loop}, options);
+  return open_device({.uri = file, .recording = true, .loop = options.loop, .paced = options.paced}, options);
 }
 
 }  // namespace telepalp::server
