@@ -8,7 +8,9 @@ namespace telepalp::codec {
 namespace {
 
 constexpr std::size_t kFewest = 16;
-constexpr int kRounds = 6;
+constexpr std::size_t kMost = 4096;
+constexpr int kRounds = 4;
+constexpr double kUnit = 1e9;  // about an inverse at a metre, to keep weights near one
 
 /// Inverse depth as a line over the steps, by numbers that only the encoder needs.
 struct Line {
@@ -20,7 +22,8 @@ struct Line {
 Line fit_line(std::span<const double> inverses, std::span<const double> steps) {
   double w = 0.0, wn = 0.0, wnn = 0.0, wi = 0.0, wni = 0.0;
   for (std::size_t i = 0; i < inverses.size(); ++i) {
-    const double weight = 1.0 / std::pow(inverses[i], 4);
+    const double certainty = kUnit / inverses[i];
+    const double weight = certainty * certainty * certainty * certainty;
     w += weight;
     wn += weight * steps[i];
     wnn += weight * steps[i] * steps[i];
@@ -64,16 +67,16 @@ std::uint32_t DisparityLaw::step_of(std::uint16_t level) const noexcept {
 }
 
 std::optional<DisparityLaw> fit_disparity_law(std::span<const std::uint16_t> levels) {
-  if (levels.size() < kFewest) return std::nullopt;
+  if (levels.size() < kFewest || levels.size() > kMost) return std::nullopt;
   const auto one = static_cast<double>(DisparityLaw::kOne);
   std::vector<double> inverses;
   for (auto level = levels.rbegin(); level != levels.rend(); ++level) inverses.push_back(one / *level);
   std::vector<double> gaps;
   for (std::size_t i = 1; i < inverses.size(); ++i) gaps.push_back(inverses[i] - inverses[i - 1]);
-  std::ranges::sort(gaps);
+  std::sort(gaps.begin(), gaps.end());
   std::optional<DisparityLaw> best;
   double fewest = static_cast<double>(levels.size());
-  for (const std::size_t share : {1, 2, 3, 4}) {  // the usual gap is one step; where levels are few, a small one
+  for (const std::size_t share : {2, 4}) {  // the usual gap is one step; where levels are few, a small one
     const Line line = settle(inverses, gaps[gaps.size() * share / 8]);
     if (!(line.step >= 1.0) || !(line.farthest >= 1.0) || !(line.step < 4e9) || !(line.farthest <= one)) continue;
     const DisparityLaw law{static_cast<std::uint64_t>(line.farthest + 0.5),

@@ -25,7 +25,7 @@ struct DisparityLaw {
   [[nodiscard]] std::uint32_t step_of(std::uint16_t level) const noexcept;
 };
 
-/// The law that ascending, positive `levels` follow best; nullopt for fewer than 16, or where no law comes near. Those
+/// The law that ascending, positive `levels` follow best; nullopt for fewer than 16 or more than 4096, or where no law comes near. Those
 /// that sensors without disparity make have none.
 [[nodiscard]] std::optional<DisparityLaw> fit_disparity_law(std::span<const std::uint16_t> levels);
 

@@ -166,7 +166,7 @@ bool encode_levels(RangeEncoder& coder, std::span<const std::uint16_t> levels, b
     Levels told;
     encode_by_law(coder, *law, rest, told);
     Levels untold;
-    std::ranges::set_difference(rest, told, std::back_inserter(untold));
+    std::set_difference(rest.begin(), rest.end(), told.begin(), told.end(), std::back_inserter(untold));
     rest = std::move(untold);
   }
   encode_steps(coder, rest);
@@ -183,8 +183,8 @@ std::optional<Levels> decode_levels(RangeDecoder& coder) {
   const std::optional<Levels> rest = told ? decode_steps(coder) : std::nullopt;
   if (!rest) return std::nullopt;
   Levels levels;
-  std::ranges::merge(*rest, *told, std::back_inserter(levels));
-  if (std::ranges::adjacent_find(levels) != levels.end()) return std::nullopt;
+  std::merge(rest->begin(), rest->end(), told->begin(), told->end(), std::back_inserter(levels));
+  if (std::adjacent_find(levels.begin(), levels.end()) != levels.end()) return std::nullopt;
   if (std::int64_t{levels.back()} * grain >= kLevels) return std::nullopt;
   for (std::uint16_t& level : levels) level = static_cast<std::uint16_t>(level * grain);
   return levels;

@@ -15,8 +15,9 @@ clang++-14 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi
   -Wno-ignored-attributes -ffile-prefix-map="$PWD"=. -nostdlib \
   codec/wasm/depth_decoder_wasm.cpp codec/context_coding.cpp codec/context_kernel_portable.cpp \
   codec/context_kernel_v3.cpp codec/crc32c.cpp codec/depth_bound.cpp codec/depth_codec.cpp codec/depth_coding.cpp \
-  codec/depth_packet.cpp codec/depth_stream.cpp codec/depth_tables.cpp codec/fast_coding.cpp codec/fast_token_reader.cpp codec/fast_token_writer.cpp codec/rank_wavefront.cpp \
-  codec/disparity_law.cpp codec/level_palette.cpp codec/palette_coding.cpp codec/zstd_stream.cpp proto/words/rgbd_frame.cpp \
+  codec/depth_packet.cpp codec/depth_stream.cpp codec/depth_tables.cpp codec/disparity_law.cpp \
+  codec/fast_coding.cpp codec/fast_token_reader.cpp codec/fast_token_writer.cpp codec/level_palette.cpp \
+  codec/palette_coding.cpp codec/rank_wavefront.cpp codec/zstd_stream.cpp proto/words/rgbd_frame.cpp \
   /usr/lib/wasm32-wasi/crt1-reactor.o -L/usr/lib/wasm32-wasi -L/usr/lib/llvm-14/lib/wasm32-wasi -lc++ -lc++abi -lc \
   -Wl,--no-entry -Wl,--export=_initialize -Wl,--gc-sections -Wl,--strip-all -Wl,--allow-undefined \
   -o "$work/depth_decoder.wasm"
