@@ -9,24 +9,15 @@ mesh. The gaps between the parts are far smaller than a cell.
 """
 
 import collections
-import struct
 import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from ply import read_ply, write_ply
 
 CELL_M = 0.006
 RELAXATIONS = 12
 SIX_SIDES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
-
-
-def read_ply(path):
-    data = open(path, "rb").read()
-    body = data.index(b"end_header\n") + len(b"end_header\n")
-    header = data[:body]
-    vertex_count = int(header.split(b"element vertex ")[1].split()[0])
-    face_count = int(header.split(b"element face ")[1].split()[0])
-    faces_at = body + 12 * vertex_count
-    vertices = list(struct.iter_unpack("<fff", data[body:faces_at]))
-    faces = [t[1:] for t in struct.iter_unpack("<Biii", data[faces_at : faces_at + 13 * face_count])]
-    return vertices, faces
 
 
 def cells_of(vertices, faces):
@@ -139,27 +130,17 @@ def relaxed(points, triangles):
     return points
 
 
-def write_ply(path, points, triangles):
-    with open(path, "wb") as out:
-        out.write(
-            b"ply\nformat binary_little_endian 1.0\n"
-            b"comment Liver, from HuBMAP CCF 3D Reference Object Library VH_M_Liver v1.1 (Visible Human Male)\n"
-            b"comment CC BY 4.0, see ATTRIBUTION.md; one closed skin of its parts; metres, y towards the head, +z front\n"
-            b"element vertex %d\nproperty float x\nproperty float y\nproperty float z\n"
-            b"element face %d\nproperty list uchar ushort vertex_indices\nend_header\n" % (len(points), len(triangles))
-        )
-        for point in points:
-            out.write(struct.pack("<fff", *point))
-        for triangle in triangles:
-            out.write(struct.pack("<BHHH", 3, *triangle))
-
-
 def main():
     source, target = sys.argv[1:]
     solid = without_pinches(largest_piece(eroded(filled(cells_of(*read_ply(source))))))
     points, triangles = border(solid)
-    write_ply(target, relaxed(points, triangles), triangles)
+    comments = [
+        "Liver, from HuBMAP CCF 3D Reference Object Library VH_M_Liver v1.1 (Visible Human Male)",
+        "CC BY 4.0, see ATTRIBUTION.md; one closed skin of its parts; metres, y towards the head, +z front",
+    ]
+    write_ply(target, comments, relaxed(points, triangles), triangles)
     print(f"{len(points)} vertices, {len(triangles)} triangles, {1e6 * len(solid) * CELL_M**3:.0f} ml")
 
 
-main()
+if __name__ == "__main__":
+    main()

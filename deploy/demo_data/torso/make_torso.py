@@ -8,25 +8,16 @@ The cell of 13 mm leaves details down to a navel and fits a file of about 150 kB
 what faceting remains.
 """
 
-import struct
 import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from ply import read_ply, write_ply
 
 CROP_X_M = 0.52            # to either side: arms and hands, as far as a camera 0.8 m above the belly sees
 CROP_Y_M = (-0.46, 0.90)   # from the middle of the thighs to the forehead
 FRONT_NORMAL_Z = -0.15     # triangles that face further away than this lie on the table, unseen
 CELL_M = 0.013
-
-
-def read_ply(path):
-    data = open(path, "rb").read()
-    body = data.index(b"end_header\n") + len(b"end_header\n")
-    header = data[:body]
-    vertex_count = int(header.split(b"element vertex ")[1].split()[0])
-    face_count = int(header.split(b"element face ")[1].split()[0])
-    faces_at = body + 12 * vertex_count
-    vertices = list(struct.iter_unpack("<fff", data[body:faces_at]))
-    faces = [t[1:] for t in struct.iter_unpack("<Biii", data[faces_at : faces_at + 13 * face_count])]
-    return vertices, faces
 
 
 def faces_front(a, b, c):
@@ -62,26 +53,15 @@ def cluster(vertices, faces):
     return points, thinned
 
 
-def write_ply(path, points, faces):
-    with open(path, "wb") as out:
-        out.write(
-            b"ply\nformat binary_little_endian 1.0\n"
-            b"comment Front of the trunk, from HuBMAP CCF 3D Reference Object Library VH_M_Skin v1.1 (Visible Human Male)\n"
-            b"comment CC BY 4.0, see ATTRIBUTION.md; cropped and thinned; metres, y towards the head, +z front\n"
-            b"element vertex %d\nproperty float x\nproperty float y\nproperty float z\n"
-            b"element face %d\nproperty list uchar ushort vertex_indices\nend_header\n" % (len(points), len(faces))
-        )
-        for point in points:
-            out.write(struct.pack("<fff", *point))
-        for face in faces:
-            out.write(struct.pack("<BHHH", 3, *face))
-
-
 def main():
     vertices, faces = read_ply(sys.argv[1])
     faces = [f for f in faces if all(inside_crop(vertices[i]) for i in f) and faces_front(*(vertices[i] for i in f))]
     points, faces = cluster(vertices, faces)
-    write_ply(sys.argv[2], points, faces)
+    comments = [
+        "Front of the trunk, from HuBMAP CCF 3D Reference Object Library VH_M_Skin v1.1 (Visible Human Male)",
+        "CC BY 4.0, see ATTRIBUTION.md; cropped and thinned; metres, y towards the head, +z front",
+    ]
+    write_ply(sys.argv[2], comments, points, faces)
     print(f"{len(points)} vertices, {len(faces)} triangles")
 
 
