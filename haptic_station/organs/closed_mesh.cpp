@@ -25,7 +25,7 @@ std::vector<std::uint32_t> welded(const std::vector<Eigen::Vector3f>& points) {
   return first;
 }
 
-std::vector<Triangle> welded_triangles(const surface::PointModel& mesh) {
+std::vector<Triangle> welded_triangles(const models::PointModel& mesh) {
   const std::vector<std::uint32_t> first = welded(mesh.points);
   std::vector<Triangle> triangles;
   for (const Triangle& given : mesh.triangles) {
@@ -84,7 +84,7 @@ std::vector<ClosedFace> faces_of(const std::vector<Triangle>& triangles, const s
 
 }  // namespace
 
-Result<std::vector<ClosedFace>> closed_faces(const surface::PointModel& mesh) {
+Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh) {
   std::vector<Triangle> triangles = welded_triangles(mesh);
   if (triangles.empty())
     return Error{.what = "has no faces with an area", .where = {}, .fix = "give a mesh with faces, as PLY or OBJ"};

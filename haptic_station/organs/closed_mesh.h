@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "haptic_station/surface/point_model.h"
+#include "proto/models/point_model.h"
 
 namespace telepalp::organs {
 
@@ -16,7 +16,7 @@ struct ClosedFace {
 
 /// The faces of a closed mesh, looking outwards. Vertices in one place count as one, faces without area as none. An
 /// error when an edge has a face on one side only: then nobody can tell inside from outside.
-[[nodiscard]] Result<std::vector<ClosedFace>> closed_faces(const surface::PointModel& mesh);
+[[nodiscard]] Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh);
 
 /// The point of a face nearest to another, with the normal that tells on which side that other one is.
 struct NearestOnFace {

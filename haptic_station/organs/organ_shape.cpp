@@ -6,7 +6,7 @@ namespace telepalp::organs {
 
 Result<std::shared_ptr<const effects::DistanceLattice>> read_organ_shape(const std::filesystem::path& file,
                                                                          const OrganShapeSettings& settings) {
-  Result<surface::PointModel> model = surface::read_point_model(file);
+  Result<models::PointModel> model = models::read_point_model(file);
   if (!model) return model.error();
   for (Eigen::Vector3f& point : model->points)
     point = (settings.haptic_from_model * (settings.unit_m * point.cast<double>())).cast<float>();

@@ -102,7 +102,7 @@ void fill_block(const std::array<int, 3>& first, const std::vector<ClosedFace>& 
 
 }  // namespace
 
-Result<effects::DistanceLattice> signed_distance(const surface::PointModel& mesh, double spacing_m, double margin_m) {
+Result<effects::DistanceLattice> signed_distance(const models::PointModel& mesh, double spacing_m, double margin_m) {
   const Result<std::vector<ClosedFace>> faces = closed_faces(mesh);
   if (!faces) return faces.error();
   Result<effects::DistanceLattice> lattice = lattice_around(*faces, spacing_m, margin_m);

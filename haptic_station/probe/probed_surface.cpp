@@ -15,9 +15,9 @@
 namespace telepalp::probe {
 namespace {
 
+using models::PointModel;
 using surface::DepthField;
 using surface::Method;
-using surface::PointModel;
 using surface::SurfaceSettings;
 
 /// Slope and offset of pixel against x/z along one axis by least squares, and the root mean square left over [px].
@@ -167,12 +167,12 @@ Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit
 
 Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudOptions& options,
                                  const SurfaceSettings& settings) {
-  Result<PointModel> read = surface::read_point_model(file);
+  Result<PointModel> read = models::read_point_model(file);
   if (!read) return read.error();
   PointModel& model = *read;
   for (Eigen::Vector3f& at : model.points) at = (options.unit_m * at.cast<double>()).cast<float>();
-  if (const std::string complaint = surface::unit_complaint(model); !complaint.empty())
-    return Error{.what = complaint, .where = file.string(), .fix = surface::kSayTheUnit};
+  if (const std::string complaint = models::unit_complaint(model); !complaint.empty())
+    return Error{.what = complaint, .where = file.string(), .fix = models::kSayTheUnit};
   if (!surface::spans_a_surface(model)) return with_place(surface::no_surface(), file);
   const std::optional<Intrinsics> camera = camera_of(model);
   if (camera && settings.method == Method::Grid)

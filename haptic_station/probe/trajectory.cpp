@@ -6,12 +6,12 @@
 #include <limits>
 #include <sstream>
 
-#include "haptic_station/surface/text_cursor.h"
+#include "proto/models/text_cursor.h"
 
 namespace telepalp::probe {
 namespace {
 
-using surface::TextCursor;
+using models::TextCursor;
 
 constexpr std::size_t kMostWaypoints = 20'000'000;
 

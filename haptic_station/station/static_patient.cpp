@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "haptic_station/surface/static_model.h"
-#include "haptic_station/surface/text_cursor.h"
+#include "proto/models/text_cursor.h"
 
 namespace telepalp::station {
 namespace {
 
 using Eigen::Vector3d;
-using surface::TextCursor;
+using models::TextCursor;
 
 constexpr std::string_view kModel = "model:";
 constexpr double kBesideAxis_m = 0.015;
@@ -53,7 +53,7 @@ Vector3d skin_on_top(const std::vector<Vector3d>& points) {
 Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std::filesystem::path& folder) {
   const msg::PatientSurface::StaticModel& asked = scene.message.patient_surface().static_model();
   const std::filesystem::path file = folder / asked.file();
-  const Result<surface::PointModel> read = surface::read_point_model(file);
+  const Result<models::PointModel> read = models::read_point_model(file);
   if (!read) return read.error();
   surface::StaticModelSettings settings;
   if (asked.has_unit_m()) settings.unit_m = asked.unit_m();

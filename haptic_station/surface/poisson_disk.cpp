@@ -13,12 +13,12 @@ using Eigen::Vector3f;
 
 constexpr std::size_t kOversampling = 4;
 
-double area_of(const PointModel& model, const std::array<std::uint32_t, 3>& corners) {
+double area_of(const models::PointModel& model, const std::array<std::uint32_t, 3>& corners) {
   const Vector3f& a = model.points[corners[0]];
   return 0.5 * static_cast<double>((model.points[corners[1]] - a).cross(model.points[corners[2]] - a).norm());
 }
 
-CloudPoint point_on(const PointModel& model, const std::array<std::uint32_t, 3>& corners, float u, float v) {
+CloudPoint point_on(const models::PointModel& model, const std::array<std::uint32_t, 3>& corners, float u, float v) {
   const float w = 1.0F - u - v;
   const Vector3f& a = model.points[corners[0]];
   const Vector3f& b = model.points[corners[1]];
@@ -29,7 +29,7 @@ CloudPoint point_on(const PointModel& model, const std::array<std::uint32_t, 3>&
   return {w * a + u * b + v * c, mixed.norm() > 1e-6F ? mixed.normalized() : face};
 }
 
-std::vector<CloudPoint> random_points(const PointModel& model, std::size_t count, std::uint64_t seed) {
+std::vector<CloudPoint> random_points(const models::PointModel& model, std::size_t count, std::uint64_t seed) {
   std::vector<double> areas;
   for (const auto& triangle : model.triangles) {
     const double area = area_of(model, triangle);
@@ -53,7 +53,7 @@ double crowding(double distance, double reach) { return std::pow(1.0 - std::min(
 
 }  // namespace
 
-std::vector<CloudPoint> poisson_disk_samples(const PointModel& model, std::size_t count, std::uint64_t seed) {
+std::vector<CloudPoint> poisson_disk_samples(const models::PointModel& model, std::size_t count, std::uint64_t seed) {
   const std::vector<CloudPoint> many = random_points(model, kOversampling * count, seed);
   if (many.size() <= count) return many;
   double area = 0.0;

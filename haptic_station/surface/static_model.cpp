@@ -24,8 +24,8 @@ Vector3d middle_of(const std::vector<Vector3f>& points) {
 }
 
 /// In metres around the model's middle, so that floats stay exact however far away its frame's origin is.
-PointModel centred(const PointModel& model, const Vector3d& middle, double unit_m) {
-  PointModel near = model;
+models::PointModel centred(const models::PointModel& model, const Vector3d& middle, double unit_m) {
+  models::PointModel near = model;
   for (Vector3f& at : near.points) at = (unit_m * (at.cast<double>() - middle)).cast<float>();
   for (Vector3f& normal : near.normals) normal.normalize();
   return near;
@@ -39,7 +39,7 @@ struct Closure {
   std::size_t without_place = 0;  ///< triangles with a corner that is not finite
 };
 
-Closure closure_of(const PointModel& model) {
+Closure closure_of(const models::PointModel& model) {
   Closure closure;
   std::map<std::array<float, 6>, int> edges;  // by position: exporters double the vertices along seams
   const auto key = [&](std::uint32_t a, std::uint32_t b) {
@@ -70,7 +70,7 @@ Closure closure_of(const PointModel& model) {
 
 void say(std::string& remarks, const std::string& remark) { remarks += (remarks.empty() ? "" : "; ") + remark; }
 
-std::vector<CloudPoint> sampled_mesh(const PointModel& mesh, const StaticModelSettings& settings,
+std::vector<CloudPoint> sampled_mesh(const models::PointModel& mesh, const StaticModelSettings& settings,
                                      std::string& remarks) {
   std::vector<CloudPoint> points = poisson_disk_samples(mesh, settings.samples, settings.seed);
   if (mesh.normals.empty()) say(remarks, "the mesh has no normals: its faces' are taken");
@@ -89,7 +89,7 @@ std::vector<CloudPoint> sampled_mesh(const PointModel& mesh, const StaticModelSe
   return points;
 }
 
-std::vector<CloudPoint> cloud_points(const PointModel& cloud, const StaticModelSettings& settings,
+std::vector<CloudPoint> cloud_points(const models::PointModel& cloud, const StaticModelSettings& settings,
                                      const Vector3d& middle, std::string& remarks) {
   if (cloud.normals.empty()) {
     say(remarks, "the cloud has no normals: they are estimated from " + std::to_string(settings.normal_neighbors) +
@@ -105,7 +105,7 @@ std::vector<CloudPoint> cloud_points(const PointModel& cloud, const StaticModelS
 
 }  // namespace
 
-bool spans_a_surface(const PointModel& model) {
+bool spans_a_surface(const models::PointModel& model) {
   const Vector3d middle = middle_of(model.points);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vector3f& at : model.points)
@@ -123,11 +123,11 @@ Error no_surface() {
           .fix = "give a cloud of a surface, three points or more apart from each other"};
 }
 
-Result<StaticModel> make_static_model(const PointModel& model, const StaticModelSettings& settings) {
+Result<StaticModel> make_static_model(const models::PointModel& model, const StaticModelSettings& settings) {
   const Vector3d middle = middle_of(model.points);
-  const PointModel near = centred(model, middle, settings.unit_m);
-  if (const std::string complaint = unit_complaint(near); !complaint.empty())
-    return Error{.what = complaint, .where = "model", .fix = kSayTheUnit};
+  const models::PointModel near = centred(model, middle, settings.unit_m);
+  if (const std::string complaint = models::unit_complaint(near); !complaint.empty())
+    return Error{.what = complaint, .where = "model", .fix = models::kSayTheUnit};
   StaticModel made;
   std::vector<CloudPoint> points = near.triangles.empty()
                                        ? cloud_points(near, settings, settings.unit_m * middle, made.remarks)

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "haptic_station/surface/cloud_snapshot.h"
-#include "haptic_station/surface/point_model.h"
+#include "proto/models/point_model.h"
 
 namespace telepalp::surface {
 
@@ -27,15 +27,16 @@ struct StaticModel {
 /// Poisson-disk elimination, with its vertices' normals interpolated, or its faces' where it has none; a closed mesh
 /// whose normals look inwards is turned over; of an open one nobody can tell. A cloud keeps its points, and its normals
 /// where it has them. An error when nothing is left that has a normal, or the coordinates cannot be metres.
-[[nodiscard]] Result<StaticModel> make_static_model(const PointModel& model, const StaticModelSettings& settings);
+[[nodiscard]] Result<StaticModel> make_static_model(const models::PointModel& model,
+                                                    const StaticModelSettings& settings);
 
 /// Whether a model has three finite points that are neither in one place nor on one line.
-[[nodiscard]] bool spans_a_surface(const PointModel& model);
+[[nodiscard]] bool spans_a_surface(const models::PointModel& model);
 [[nodiscard]] Error no_surface();
 
 /// `count` points on the triangles, no two nearer than a blue-noise spacing allows: four times as many random points by
 /// area, thinned by dropping the most crowded first. Source: Yuksel 2015, sample elimination.
-[[nodiscard]] std::vector<CloudPoint> poisson_disk_samples(const PointModel& model, std::size_t count,
+[[nodiscard]] std::vector<CloudPoint> poisson_disk_samples(const models::PointModel& model, std::size_t count,
                                                            std::uint64_t seed);
 
 }  // namespace telepalp::surface

@@ -1,14 +1,14 @@
 #include <filesystem>
 #include <utility>
 
-#include "server/capture/pcd/pcd.h"
+#include "server/capture/pcd/pinhole_fit.h"
 #include "server/capture/sequence_source.h"
 #include "server/capture/sources.h"
 
 namespace telepalp::server {
 
 Result<std::unique_ptr<CaptureSource>> open_pcd(const std::string& file, const SourceOptions& options) {
-  const Result<OrganisedCloud> cloud = read_pcd(file);
+  const Result<models::PointModel> cloud = models::read_point_model(file);
   if (!cloud) return cloud.error();
   Result<RgbdFrame> frame = frame_of(*cloud, file);
   if (!frame) return frame.error();

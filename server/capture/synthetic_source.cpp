@@ -46,7 +46,7 @@ Result<std::unique_ptr<CaptureSource>> open_synthetic(const std::string& model, 
     return Error{.what = "does not lie in or above the program's folder",
                  .where = kShippedTorso,
                  .fix = "run from the source tree or an installation, or set TELEPALP_HOME to one"};
-  const Result<TriangleMesh> mesh = read_ply(*file);
+  const Result<TriangleMesh> mesh = read_mesh(*file);
   if (!mesh) return mesh.error();
   Result<SyntheticPatient> patient = SyntheticPatient::make(*mesh, spec->settings, file->string());
   if (!patient) return patient.error();

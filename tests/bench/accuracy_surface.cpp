@@ -203,7 +203,7 @@ Result<FilmedTorso> filmed_torso(double sigma_m) { return film(testing::torso({.
 Result<FilmedTorso> kinect_torso() {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
   if (!file) return Error{.what = "the torso is not shipped", .where = "torso", .fix = "run from the repository"};
-  const Result<server::TriangleMesh> mesh = server::read_ply(*file);
+  const Result<server::TriangleMesh> mesh = server::read_mesh(*file);
   if (!mesh) return mesh.error();
   return film(server::SyntheticPatient::make(*mesh, {.amplitude_m = 0.0}));
 }

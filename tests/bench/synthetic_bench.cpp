@@ -48,7 +48,7 @@ Result<double> worst_error_mm(const server::TriangleMesh& torso) {
 Result<Report> run_synthetic(const program::Arguments& /*arguments*/) {
   const std::optional<std::filesystem::path> file = program::shipped_file(kTorso);
   if (!file) return Error{.what = "is not there", .where = kTorso, .fix = "run from the source tree"};
-  const Result<server::TriangleMesh> torso = server::read_ply(*file);
+  const Result<server::TriangleMesh> torso = server::read_mesh(*file);
   if (!torso) return torso.error();
   const double before_s = cpu_s();
   const Result<server::SyntheticPatient> patient = server::SyntheticPatient::make(*torso, {});

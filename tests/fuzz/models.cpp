@@ -4,7 +4,7 @@
 #include <string>
 
 #include "haptic_station/probe/trajectory.h"
-#include "haptic_station/surface/point_model.h"
+#include "proto/models/point_model.h"
 #include "proto/words/demand.h"
 
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using namespace telepalp;
 
 /// What a reader may give: everything refers to what is there.
-void check(const Result<surface::PointModel>& read) {
+void check(const Result<models::PointModel>& read) {
   if (!read) {
     demand(!read.error().what.empty() && read.error().where == "fuzz", "an error says what and where");
     return;
@@ -22,7 +22,7 @@ void check(const Result<surface::PointModel>& read) {
     for (const std::uint32_t corner : triangle) demand(corner < read->points.size(), "a face names what is there");
   demand(read->width >= 0 && (read->width == 0 || read->points.size() % static_cast<std::size_t>(read->width) == 0),
          "an organised cloud has whole rows");
-  (void)surface::unit_complaint(*read);
+  (void)models::unit_complaint(*read);
 }
 
 void check(const Result<std::vector<probe::Waypoint>>& read) {
@@ -38,13 +38,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::span<const std::byte> rest = std::as_bytes(std::span(data + 1, size - 1));
   switch (data[0] % 4) {
     case 0:
-      check(surface::parse_pcd(rest, "fuzz"));
+      check(models::parse_pcd(rest, "fuzz"));
       break;
     case 1:
-      check(surface::parse_ply(rest, "fuzz"));
+      check(models::parse_ply(rest, "fuzz"));
       break;
     case 2:
-      check(surface::parse_obj(rest, "fuzz"));
+      check(models::parse_obj(rest, "fuzz"));
       break;
     default:
       check(probe::parse_trajectory({reinterpret_cast<const char*>(data + 1), size - 1}, "fuzz"));

@@ -1,6 +1,9 @@
-#include <cmath>
+#include "server/capture/pcd/pinhole_fit.h"
 
-#include "server/capture/pcd/pcd.h"
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
 
 namespace telepalp::server {
 namespace {
@@ -38,23 +41,46 @@ class Line {
   double pixel_pixel_ = 0.0;
 };
 
-bool measured(const OrganisedCloud& cloud, std::size_t i) {
-  return std::isfinite(cloud.x[i]) && std::isfinite(cloud.y[i]) && std::isfinite(cloud.z[i]) && cloud.z[i] > 0.0F;
+bool measured(const Eigen::Vector3f& point) { return point.allFinite() && point.z() > 0.0F; }
+
+std::optional<Error> refuse_shape(const models::PointModel& cloud, const std::string& name) {
+  const std::string fix = "give an organised PCD (one point a pixel), as PCL saves a camera's cloud";
+  if (cloud.width <= 1 || cloud.points.empty())
+    return Error{.what = "is not organised: " + std::to_string(cloud.points.size()) + " points in one row",
+                 .where = name,
+                 .fix = fix};
+  const std::size_t height = cloud.points.size() / static_cast<std::size_t>(cloud.width);
+  if (cloud.width > kMaxImageSide || height > static_cast<std::size_t>(kMaxImageSide))
+    return Error{.what = "is " + std::to_string(cloud.width) + " x " + std::to_string(height) + " points",
+                 .where = name,
+                 .fix = fix};
+  return std::nullopt;
+}
+
+ColorImage color_of(const models::PointModel& cloud, int height) {
+  ColorImage color;
+  if (cloud.colors.empty()) return color;
+  color.width = cloud.width;
+  color.height = height;
+  color.rgb.reserve(3 * cloud.colors.size());
+  for (const auto& rgb : cloud.colors) color.rgb.insert(color.rgb.end(), rgb.begin(), rgb.end());
+  return color;
 }
 
 }  // namespace
 
-Result<RgbdFrame> frame_of(const OrganisedCloud& cloud, const std::string& name) {
+Result<RgbdFrame> frame_of(const models::PointModel& cloud, const std::string& name) {
+  if (const auto error = refuse_shape(cloud, name)) return *error;
   Line across;
   Line down;
   double furthest_m = 0.0;
   const auto width = static_cast<std::size_t>(cloud.width);
-  for (std::size_t i = 0; i < cloud.z.size(); ++i) {
-    if (!measured(cloud, i)) continue;
-    const double z = static_cast<double>(cloud.z[i]);
-    across.add(static_cast<double>(cloud.x[i]) / z, static_cast<double>(i % width));
-    down.add(static_cast<double>(cloud.y[i]) / z, static_cast<double>(i / width));
-    furthest_m = std::max(furthest_m, z);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (!measured(cloud.points[i])) continue;
+    const Eigen::Vector3d point = cloud.points[i].cast<double>();
+    across.add(point.x() / point.z(), static_cast<double>(i % width));
+    down.add(point.y() / point.z(), static_cast<double>(i / width));
+    furthest_m = std::max(furthest_m, point.z());
   }
   const std::string fix =
       "give a cloud in its camera's own frame (x right, y down, z into the scene), not moved, "
@@ -69,16 +95,18 @@ Result<RgbdFrame> frame_of(const OrganisedCloud& cloud, const std::string& name)
                  .where = name,
                  .fix = fix};
 
+  const int height = static_cast<int>(cloud.points.size() / width);
   RgbdFrame frame;
-  frame.camera.depth = {cloud.width, cloud.height, across.focal(), down.focal(), across.centre(), down.centre()};
+  frame.camera.depth = {cloud.width, height, across.focal(), down.focal(), across.centre(), down.centre()};
   frame.camera.color = frame.camera.depth;
-  frame.depth = {cloud.width, cloud.height, furthest_m < 6.5 ? 0.0001 : 0.001,
-                 std::vector<std::uint16_t>(cloud.z.size(), 0)};
-  for (std::size_t i = 0; i < cloud.z.size(); ++i) {
-    const double steps = static_cast<double>(cloud.z[i]) / frame.depth.unit_m;
-    if (measured(cloud, i) && steps < 65535.0) frame.depth.samples[i] = static_cast<std::uint16_t>(std::lround(steps));
+  frame.depth = {cloud.width, height, furthest_m < 6.5 ? 0.0001 : 0.001,
+                 std::vector<std::uint16_t>(cloud.points.size(), 0)};
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const double steps = static_cast<double>(cloud.points[i].z()) / frame.depth.unit_m;
+    if (measured(cloud.points[i]) && steps < 65535.0)
+      frame.depth.samples[i] = static_cast<std::uint16_t>(std::lround(steps));
   }
-  if (!cloud.rgb.empty()) frame.color = {cloud.width, cloud.height, cloud.rgb};
+  frame.color = color_of(cloud, height);
   return frame;
 }
 

@@ -1,8 +1,24 @@
 #include "server/capture/synthetic/mesh.h"
 
 #include <Eigen/Geometry>
+#include <utility>
 
 namespace telepalp::server {
+
+Result<TriangleMesh> mesh_of(models::PointModel model, const std::string& name) {
+  constexpr const char* kFix = "give a mesh of triangles, as PLY or OBJ";
+  for (std::size_t i = 0; i < model.points.size(); ++i)
+    if (!model.points[i].allFinite())
+      return Error{.what = "has a vertex that is not finite, number " + std::to_string(i), .where = name, .fix = kFix};
+  if (model.triangles.empty()) return Error{.what = "has no triangles", .where = name, .fix = kFix};
+  return TriangleMesh{std::move(model.points), std::move(model.triangles)};
+}
+
+Result<TriangleMesh> read_mesh(const std::filesystem::path& file) {
+  Result<models::PointModel> model = models::read_point_model(file);
+  if (!model) return model.error();
+  return mesh_of(std::move(model).value(), file.string());
+}
 
 std::vector<Eigen::Vector3f> vertex_normals(const TriangleMesh& mesh) {
   std::vector<Eigen::Vector3f> normals(mesh.vertices.size(), Eigen::Vector3f::Zero());

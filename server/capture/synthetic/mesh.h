@@ -2,13 +2,12 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "proto/models/point_model.h"
 #include "proto/words/result.h"
 
 namespace telepalp::server {
@@ -19,14 +18,11 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
-/// The mesh that the PLY file in `bytes` holds: ascii or binary_little_endian, x y z of type float or double, faces of
-/// three or more corners (a polygon becomes a fan). Other properties are skipped. `name` stands for the file in errors.
-/// Sizes are checked against the bytes that are there before anything is allocated; a vertex that is not finite and a
-/// face that names no vertex are errors.
-[[nodiscard]] Result<TriangleMesh> parse_ply(std::span<const std::byte> bytes, const std::string& name);
+/// The triangles of a model. An error when there are none, or a vertex is not finite; `name` stands for the file.
+[[nodiscard]] Result<TriangleMesh> mesh_of(models::PointModel model, const std::string& name);
 
-/// The same from a file of at most 256 MiB.
-[[nodiscard]] Result<TriangleMesh> read_ply(const std::filesystem::path& file);
+/// The same from a PLY or OBJ file.
+[[nodiscard]] Result<TriangleMesh> read_mesh(const std::filesystem::path& file);
 
 /// One unit normal for each vertex, the mean of its triangles' weighted by area; zero for a vertex without triangles.
 [[nodiscard]] std::vector<Eigen::Vector3f> vertex_normals(const TriangleMesh& mesh);

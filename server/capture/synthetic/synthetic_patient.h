@@ -11,7 +11,7 @@ namespace telepalp::server {
 /// A patient lying on a table under a depth camera, breathing. Frames and the truth behind them are pure functions of
 /// time: the same mesh, settings and time give the same bytes, in any order, on any thread.
 ///
-///   const auto mesh = read_ply(...);
+///   const auto mesh = read_mesh(...);
 ///   const auto patient = SyntheticPatient::make(*mesh, {.noise = DepthNoise::None, .disparity_steps = false});
 ///   const RgbdFrame frame = patient->frame_at(time, sequence);
 ///   const TrueSurface truth = patient->true_surface(time);

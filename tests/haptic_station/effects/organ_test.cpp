@@ -21,8 +21,8 @@ EffectInput at(const Vector3d& device) {
 }
 
 /// A ball of `radius_m` about the origin as a mesh: an octahedron, each face cut in four again and again.
-surface::PointModel ball(double radius_m, int cuts) {
-  surface::PointModel model;
+models::PointModel ball(double radius_m, int cuts) {
+  models::PointModel model;
   const auto add = [&](const Vector3d& p) {
     model.points.push_back((radius_m * p.normalized()).cast<float>());
     return static_cast<std::uint32_t>(model.points.size() - 1);
@@ -71,8 +71,8 @@ TEST(Organ, ABallOfTrianglesFeelsAsTheSphereDoes) {
     const Vector3d way = Vector3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}.normalized();
     const double depth_m = random.uniform(0.0005, 0.015);
     const Vector3d force_N = organ.step(at((kRadius_m - depth_m) * way), 0.0005).N;
-    // The spline lies up to 0.09 mm outside of the ball at 15 mm of depth, its slope is up to 0.6 % less than 1, and the
-    // triangles lie 0.01 mm inside.
+    // The spline lies up to 0.09 mm outside of the ball at 15 mm of depth, its slope is up to 0.6 % less than 1, and
+    // the triangles lie 0.01 mm inside.
     ASSERT_NEAR(force_N.dot(way), 800.0 * depth_m, 800.0 * 3e-4) << way.transpose() << " at " << depth_m;
     ASSERT_LE((force_N - force_N.dot(way) * way).norm(), 0.03 * force_N.norm() + 0.01);
   }

@@ -24,7 +24,7 @@ constexpr int kTicksPerFrame = 67;  // 30 Hz
 SessionTime at_tick(int tick) { return session_time(1'000'000'000 + std::int64_t{tick} * 500'000); }
 
 server::SyntheticPatient breathing_patient() {
-  const auto mesh = server::read_ply(TELEPALP_SOURCE_DIR "/deploy/demo_data/torso/visible_human_torso.ply");
+  const auto mesh = server::read_mesh(TELEPALP_SOURCE_DIR "/deploy/demo_data/torso/visible_human_torso.ply");
   auto patient = server::SyntheticPatient::make(mesh.value(), {});
   return std::move(patient).value();
 }

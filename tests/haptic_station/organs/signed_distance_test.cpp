@@ -8,7 +8,7 @@ namespace telepalp::organs {
 namespace {
 
 using Eigen::Vector3d;
-using surface::PointModel;
+using models::PointModel;
 
 /// The unit cube of 0.1 m, with its faces looking outwards.
 PointModel cube() {

@@ -18,8 +18,8 @@ using Eigen::Vector3f;
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 /// A ball of triangles around `middle`; `with_normals`: exact ones at its vertices.
-PointModel ball(double radius_m, const Vector3d& middle, bool with_normals, int rings = 40) {
-  PointModel mesh;
+models::PointModel ball(double radius_m, const Vector3d& middle, bool with_normals, int rings = 40) {
+  models::PointModel mesh;
   for (int j = 0; j <= rings; ++j)
     for (int i = 0; i < 2 * rings; ++i) {
       const double polar = M_PI * j / rings;
@@ -46,7 +46,7 @@ double nearest_m(const std::vector<CloudPoint>& points, std::size_t of) {
 }
 
 TEST(PoissonDisk, GivesTheCountAskedForSpreadEvenlyOverTheArea) {
-  const PointModel mesh = ball(0.1, {0, 0, 1}, true);
+  const models::PointModel mesh = ball(0.1, {0, 0, 1}, true);
   constexpr std::size_t kCount = 2000;
   const std::vector<CloudPoint> points = poisson_disk_samples(mesh, kCount, 7);
   ASSERT_EQ(points.size(), kCount);
@@ -63,7 +63,7 @@ TEST(PoissonDisk, GivesTheCountAskedForSpreadEvenlyOverTheArea) {
 }
 
 TEST(PoissonDisk, TheSameSeedGivesTheSamePoints) {
-  const PointModel mesh = ball(0.1, {0, 0, 1}, false, 12);
+  const models::PointModel mesh = ball(0.1, {0, 0, 1}, false, 12);
   const auto first = poisson_disk_samples(mesh, 500, 3);
   const auto again = poisson_disk_samples(mesh, 500, 3);
   ASSERT_EQ(first.size(), again.size());
@@ -96,7 +96,7 @@ TEST(StaticModel, ABallIsTouchedWhereItIsFromEverySideHoweverFarAway) {
 }
 
 TEST(StaticModel, ACloudKeepsItsPointsAndItsGivenNormals) {
-  PointModel cloud;
+  models::PointModel cloud;
   for (int j = 0; j < 40; ++j)
     for (int i = 0; i < 40; ++i) {
       cloud.points.emplace_back(0.002F * static_cast<float>(i), 0.002F * static_cast<float>(j), 0.5F);
@@ -114,15 +114,15 @@ TEST(StaticModel, ACloudKeepsItsPointsAndItsGivenNormals) {
 
 TEST(MeshFiles, AnObjWithNormalsKeepsThemAndACloudOfPointsHasNone) {
   const std::string triangle = "v 0 0 1\nv 1 0 1\nv 0 1 1\nvn 0 0 -1\nvn 0 1 0\n";
-  const auto mesh = parse_obj(bytes_of(triangle + "f 1//1 2/5/1 3//2\n"), "a.obj");
+  const auto mesh = models::parse_obj(bytes_of(triangle + "f 1//1 2/5/1 3//2\n"), "a.obj");
   ASSERT_TRUE(mesh.ok()) << to_string(mesh.error());
   ASSERT_EQ(mesh->normals.size(), 3U);
   EXPECT_EQ(mesh->normals[1], Vector3f(0, 0, -1));
   EXPECT_EQ(mesh->normals[2], Vector3f(0, 1, 0));
-  const auto cloud = parse_obj(bytes_of("v 0 0 1\nv 1 0 1\nvn 0 0 -1\nvn 0 1 0\n"), "a.obj");
+  const auto cloud = models::parse_obj(bytes_of("v 0 0 1\nv 1 0 1\nvn 0 0 -1\nvn 0 1 0\n"), "a.obj");
   ASSERT_TRUE(cloud.ok());
   EXPECT_EQ(cloud->normals.size(), 2U) << "one normal a vertex: they belong together";
-  EXPECT_TRUE(parse_obj(bytes_of(triangle), "a.obj")->normals.empty()) << "nobody says which is whose";
+  EXPECT_TRUE(models::parse_obj(bytes_of(triangle), "a.obj")->normals.empty()) << "nobody says which is whose";
 }
 
 TEST(MeshFiles, ABinaryPlyWithNormalsIsRead) {
@@ -141,14 +141,14 @@ TEST(MeshFiles, ABinaryPlyWithNormalsIsRead) {
   }
   put(std::uint8_t{3});
   for (const std::int32_t corner : {0, 1, 2}) put(corner);
-  const auto read = parse_ply(bytes_of(ply), "a.ply");
+  const auto read = models::parse_ply(bytes_of(ply), "a.ply");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   ASSERT_EQ(read->points.size(), 3U);
   EXPECT_EQ(read->points[2], Vector3f(2, 1, 2));
   EXPECT_EQ(read->normals[2], Vector3f(0, 0, -1));
   EXPECT_EQ(read->triangles.size(), 1U);
   for (std::size_t cut = 0; cut < ply.size(); ++cut)
-    EXPECT_FALSE(parse_ply(bytes_of(ply).first(cut), "a.ply").ok()) << "cut at " << cut;
+    EXPECT_FALSE(models::parse_ply(bytes_of(ply).first(cut), "a.ply").ok()) << "cut at " << cut;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 Result<server::SyntheticPatient> torso(const TorsoSettings& settings) {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
   if (!file) return Error{.what = "the torso is not shipped", .where = "torso", .fix = "run from the repository"};
-  const Result<server::TriangleMesh> mesh = server::read_ply(*file);
+  const Result<server::TriangleMesh> mesh = server::read_mesh(*file);
   if (!mesh) return mesh.error();
   server::SyntheticSettings synthetic;
   synthetic.noise = settings.sigma_m > 0.0 ? server::DepthNoise::Gaussian : server::DepthNoise::None;

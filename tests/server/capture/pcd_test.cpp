@@ -1,4 +1,4 @@
-#include "server/capture/pcd/pcd.h"
+#include "server/capture/pcd/pinhole_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -6,12 +6,15 @@
 #include <cstring>
 #include <random>
 
-#include "server/capture/pcd/lzf.h"
+#include "proto/models/lzf.h"
 
 namespace telepalp::server {
 namespace {
 
 const std::string kData = TELEPALP_SOURCE_DIR "/tests/data/pcd/";
+
+using models::lzf_decompress;
+using models::parse_pcd;
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span{text}); }
 
@@ -82,16 +85,16 @@ TEST(Pcd, SaysTheSameInAllThreeEncodings) {
     const auto cloud = parse_pcd(bytes_of(text), "plane.pcd");
     ASSERT_TRUE(cloud.ok()) << to_string(cloud.error());
     EXPECT_EQ(cloud->width, 16);
-    EXPECT_EQ(cloud->height, 12);
+    ASSERT_EQ(cloud->points.size(), 192U);
     const std::vector<Point3> expected = plane();
     for (std::size_t i = 0; i < expected.size(); ++i) {
       if (i == 17) {
-        EXPECT_TRUE(std::isnan(cloud->z[i]));
+        EXPECT_TRUE(std::isnan(cloud->points[i].z()));
         continue;
       }
-      EXPECT_EQ(cloud->x[i], expected[i].x);
-      EXPECT_EQ(cloud->z[i], expected[i].z);
-      EXPECT_EQ(cloud->rgb[3 * i + 1], expected[i].argb >> 8U & 255U);
+      EXPECT_EQ(cloud->points[i].x(), expected[i].x);
+      EXPECT_EQ(cloud->points[i].z(), expected[i].z);
+      EXPECT_EQ(cloud->colors[i][1], expected[i].argb >> 8U & 255U);
     }
   }
 }
@@ -110,7 +113,7 @@ TEST(Pcd, TheCameraThatSawTheCloudIsFound) {
 }
 
 TEST(Pcd, ReadsARealCompressedCloud) {
-  const auto cloud = read_pcd(kData + "person.pcd");
+  const auto cloud = models::read_point_model(kData + "person.pcd");
   ASSERT_TRUE(cloud.ok()) << to_string(cloud.error());
   const auto frame = frame_of(*cloud, "person.pcd");
   ASSERT_TRUE(frame.ok()) << to_string(frame.error());
@@ -126,42 +129,51 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(at, what.size(), with);
 }
 
+/// As `pcd:` does.
+Result<RgbdFrame> frame_in(const std::string& text) {
+  const auto cloud = parse_pcd(bytes_of(text), "bad.pcd");
+  if (!cloud) return cloud.error();
+  return frame_of(*cloud, "bad.pcd");
+}
+
 TEST(Pcd, EachFaultIsNamedWithAFix) {
   const std::pair<std::string, std::string> kBad[] = {
       {"hello", "is not a PCD file"},
       {"", "is not a PCD file"},
-      {header("binary"), "shorter than its size"},
-      {as_binary().substr(0, as_binary().size() - 1), "shorter than its size"},
-      {as_compressed().substr(0, as_compressed().size() - 1), "shorter than its size"},
-      {as_ascii().substr(0, as_ascii().size() / 2), "no number"},
-      {replaced(as_binary(), "HEIGHT 12", "HEIGHT 1"), "not organised"},
-      {replaced(as_binary(), "WIDTH 16", "WIDTH 99999999"), "99999999 x 12"},
-      {replaced(as_binary(), "x y z", "a y z"), "no field x"},
-      {replaced(as_binary(), "SIZE 4", "SIZE 8"), "no field x"},
-      {replaced(as_binary(), "COUNT 1", "COUNT 9999999999"), "bad line: COUNT"},
-      {replaced(as_binary(), "DATA binary", "DATA zipped"), "DATA zipped"},
-      {"VERSION 0.7\nFIELDS x y z\n", "ends inside its header"},
+      {header("binary"), "ends after 0 of 192 points"},
+      {as_binary().substr(0, as_binary().size() - 1), "ends after 191 of 192 points"},
+      {as_compressed().substr(0, as_compressed().size() - 1), "compressed sizes"},
+      {as_ascii().substr(0, as_ascii().size() / 2), "is missing or not a number"},
+      {replaced(as_binary(), "WIDTH 16\nHEIGHT 12", "WIDTH 192\nHEIGHT 1"), "not organised"},
+      {replaced(as_binary(), "WIDTH 16", "WIDTH 99999999"), "is not understood"},
+      {replaced(as_binary(), "HEIGHT 12", "HEIGHT 1"), "disagree"},
+      {replaced(as_binary(), "x y z", "a y z"), "no fields x, y and z"},
+      {replaced(as_binary(), "COUNT 1", "COUNT 9999999999"), "is not understood"},
+      {replaced(as_binary(), "DATA binary", "DATA zipped"), "DATA 'zipped'"},
+      {"VERSION 0.7\nFIELDS x y z\n", "no DATA line"},
   };
   for (const auto& [text, says] : kBad) {
-    const auto cloud = parse_pcd(bytes_of(text), "bad.pcd");
-    ASSERT_FALSE(cloud.ok()) << says;
-    EXPECT_NE(cloud.error().what.find(says), std::string::npos) << cloud.error().what;
-    EXPECT_EQ(cloud.error().where, "bad.pcd");
-    EXPECT_FALSE(cloud.error().fix.empty());
+    const auto frame = frame_in(text);
+    ASSERT_FALSE(frame.ok()) << says;
+    EXPECT_NE(frame.error().what.find(says), std::string::npos) << frame.error().what;
+    EXPECT_EQ(frame.error().where, "bad.pcd");
+    EXPECT_FALSE(frame.error().fix.empty());
   }
-  EXPECT_NE(to_string(read_pcd(kData + "milk_color.pcd").error()).find("not organised"), std::string::npos);
+  const auto unorganised = models::read_point_model(kData + "milk_color.pcd");
+  ASSERT_TRUE(unorganised.ok());
+  EXPECT_NE(to_string(frame_of(*unorganised, "milk_color.pcd").error()).find("not organised"), std::string::npos);
 }
 
 TEST(Pcd, ACloudThatWasMovedOrMirroredIsNoDepthImage) {
   auto moved = parse_pcd(bytes_of(as_binary()), "moved.pcd");
   ASSERT_TRUE(moved.ok());
-  for (std::size_t i = 0; i < moved->z.size(); ++i) moved->x[i] += 0.6F * moved->y[i];
+  for (Eigen::Vector3f& point : moved->points) point.x() += 0.6F * point.y();
   EXPECT_FALSE(frame_of(*moved, "moved.pcd").ok());
   auto mirrored = parse_pcd(bytes_of(as_binary()), "mirrored.pcd");
-  for (float& x : mirrored->x) x = -x;
+  for (Eigen::Vector3f& point : mirrored->points) point.x() = -point.x();
   EXPECT_FALSE(frame_of(*mirrored, "mirrored.pcd").ok());
   auto empty = parse_pcd(bytes_of(as_binary()), "empty.pcd");
-  for (float& z : empty->z) z = std::nanf("");
+  for (Eigen::Vector3f& point : empty->points) point.z() = std::nanf("");
   EXPECT_FALSE(frame_of(*empty, "empty.pcd").ok());
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// One torso for all tests: reading and smoothing it takes longer than most of them.
 const TriangleMesh& torso() {
   static const TriangleMesh mesh = [] {
-    auto read = read_ply(TELEPALP_SOURCE_DIR "/deploy/demo_data/torso/visible_human_torso.ply");
+    auto read = read_mesh(TELEPALP_SOURCE_DIR "/deploy/demo_data/torso/visible_human_torso.ply");
     EXPECT_TRUE(read.ok());
     return std::move(*read);
   }();

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace telepalp::surface {
+namespace telepalp::models {
 
 /// Walks through text line by line and word by word, without copying; numbers do not depend on the locale.
 class TextCursor {
@@ -65,4 +65,4 @@ class TextCursor {
   std::size_t line_ = 0;
 };
 
-}  // namespace telepalp::surface
+}  // namespace telepalp::models

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "haptic_station/surface/point_model.h"
+#include "proto/models/point_model.h"
 
-namespace telepalp::surface {
+namespace telepalp::models {
 
 /// What the readers of PLY and OBJ files share.
 [[nodiscard]] inline Error bad_mesh(const std::string& name, const std::string& what) {
@@ -25,4 +25,4 @@ inline void add_fan(const std::vector<std::uint32_t>& corners, PointModel& model
   return model;
 }
 
-}  // namespace telepalp::surface
+}  // namespace telepalp::models

@@ -1,8 +1,8 @@
-#include "haptic_station/surface/mesh_parts.h"
-#include "haptic_station/surface/point_model.h"
-#include "haptic_station/surface/text_cursor.h"
+#include "proto/models/mesh_parts.h"
+#include "proto/models/point_model.h"
+#include "proto/models/text_cursor.h"
 
-namespace telepalp::surface {
+namespace telepalp::models {
 namespace {
 
 /// "3" or "-1": counted from one, or back from the newest of `count`.
@@ -109,4 +109,4 @@ Result<PointModel> parse_obj(std::span<const std::byte> bytes, const std::string
   return checked_mesh(mesh.model.triangles.empty() ? std::move(mesh.model) : only_used(mesh.model), name);
 }
 
-}  // namespace telepalp::surface
+}  // namespace telepalp::models

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-namespace telepalp::server {
+namespace telepalp::models {
 
 /// Most bytes that LZF can make of `compressed` ones: a back reference of 3 bytes gives at most 264.
 [[nodiscard]] constexpr std::size_t lzf_most(std::size_t compressed) noexcept { return compressed * 88 + 264; }
@@ -11,4 +11,4 @@ namespace telepalp::server {
 /// Decompresses LZF, the format of PCD's binary_compressed. True when `compressed` fills `out` exactly.
 [[nodiscard]] bool lzf_decompress(std::span<const std::byte> compressed, std::span<std::byte> out) noexcept;
 
-}  // namespace telepalp::server
+}  // namespace telepalp::models

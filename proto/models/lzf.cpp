@@ -1,8 +1,8 @@
-#include "server/capture/pcd/lzf.h"
+#include "proto/models/lzf.h"
 
 #include <cstring>
 
-namespace telepalp::server {
+namespace telepalp::models {
 
 bool lzf_decompress(std::span<const std::byte> compressed, std::span<std::byte> out) noexcept {
   std::size_t in = 0;
@@ -31,4 +31,4 @@ bool lzf_decompress(std::span<const std::byte> compressed, std::span<std::byte> 
   return done == out.size();
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::models

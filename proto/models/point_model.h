@@ -11,12 +11,13 @@
 
 #include "proto/words/result.h"
 
-namespace telepalp::surface {
+namespace telepalp::models {
 
 /// What a PCD, PLY or OBJ file holds, as far as touch is concerned; coordinates as they stand in the file.
 struct PointModel {
-  std::vector<Eigen::Vector3f> points;   ///< not finite where an organised cloud has a hole
-  std::vector<Eigen::Vector3f> normals;  ///< one a point, or none at all
+  std::vector<Eigen::Vector3f> points;              ///< not finite where an organised cloud has a hole
+  std::vector<Eigen::Vector3f> normals;             ///< one a point, or none at all
+  std::vector<std::array<std::uint8_t, 3>> colors;  ///< red, green, blue: of a PCD alone, one a point, or none at all
   std::vector<std::array<std::uint32_t, 3>> triangles;
   int width = 0;  ///< of an organised cloud; 0: unorganised
 };
@@ -38,4 +39,4 @@ inline constexpr std::size_t kMostModelPoints = 20'000'000;
 [[nodiscard]] std::string unit_complaint(const PointModel& model);
 inline constexpr const char* kSayTheUnit = "say the unit of the file's coordinates: --unit-m, or unit_m in a scene";
 
-}  // namespace telepalp::surface
+}  // namespace telepalp::models

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cstring>
 
-#include "haptic_station/surface/mesh_parts.h"
-#include "haptic_station/surface/point_model.h"
-#include "haptic_station/surface/text_cursor.h"
+#include "proto/models/mesh_parts.h"
+#include "proto/models/point_model.h"
+#include "proto/models/text_cursor.h"
 
-namespace telepalp::surface {
+namespace telepalp::models {
 namespace {
 
 struct Property {
@@ -175,4 +175,4 @@ Result<PointModel> parse_ply(std::span<const std::byte> bytes, const std::string
   return checked_mesh(std::move(model), name);
 }
 
-}  // namespace telepalp::surface
+}  // namespace telepalp::models

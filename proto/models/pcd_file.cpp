@@ -1,10 +1,12 @@
+#include <bit>
 #include <cstring>
 #include <limits>
 
-#include "haptic_station/surface/point_model.h"
-#include "haptic_station/surface/text_cursor.h"
+#include "proto/models/lzf.h"
+#include "proto/models/point_model.h"
+#include "proto/models/text_cursor.h"
 
-namespace telepalp::surface {
+namespace telepalp::models {
 namespace {
 
 struct Field {
@@ -28,11 +30,13 @@ Error bad(const std::string& name, const std::string& what) {
   return {.what = what, .where = name, .fix = "write the cloud anew, as PCD v0.7"};
 }
 
-/// Places of x, y, z and the normal in a point, in fields.
+/// Places of x, y, z, the normal and the colour in a point, in fields.
 struct Places {
   std::array<std::size_t, 3> at{};
   std::array<std::size_t, 3> normal{};
+  std::size_t color = 0;
   bool has_normal = false;
+  bool has_color = false;
 };
 
 template <class Set>
@@ -108,6 +112,12 @@ Result<Places> places_of(const Header& header, const std::string& name) {
   };
   if (!find("x", places.at[0]) || !find("y", places.at[1]) || !find("z", places.at[2]))
     return bad(name, "has no fields x, y and z of type F");
+  for (std::size_t i = 0; i < header.fields.size(); ++i) {
+    const Field& field = header.fields[i];
+    if ((field.name != "rgb" && field.name != "rgba") || field.bytes != 4 || field.count != 1) continue;
+    places.color = i;
+    places.has_color = true;
+  }
   places.has_normal =
       find("normal_x", places.normal[0]) && find("normal_y", places.normal[1]) && find("normal_z", places.normal[2]);
   return places;
@@ -117,8 +127,20 @@ PointModel sized_model(const Header& header, const Places& places) {
   PointModel model;
   model.points.resize(header.points);
   if (places.has_normal) model.normals.resize(header.points);
+  if (places.has_color) model.colors.resize(header.points);
   if (header.height > 1) model.width = static_cast<int>(header.width);
   return model;
+}
+
+/// PCL packs colour as 0xAARRGGBB, in an integer or in a float's bits.
+std::array<std::uint8_t, 3> unpacked(std::uint32_t argb) {
+  return {static_cast<std::uint8_t>(argb >> 16U), static_cast<std::uint8_t>(argb >> 8U),
+          static_cast<std::uint8_t>(argb)};
+}
+
+std::uint32_t packed(double value, char type) {
+  if (type != 'F') return value >= 0.0 && value < 4294967296.0 ? static_cast<std::uint32_t>(value) : 0U;
+  return std::bit_cast<std::uint32_t>(static_cast<float>(value));
 }
 
 Result<PointModel> parse_ascii(std::span<const std::byte> bytes, const Header& header, const Places& places,
@@ -126,50 +148,26 @@ Result<PointModel> parse_ascii(std::span<const std::byte> bytes, const Header& h
   if (bytes.size() / 2 < header.points) return bad(name, "promises more points than it has bytes for");
   PointModel model = sized_model(header, places);
   TextCursor text(bytes);
-  std::vector<float> values(header.fields.size());
+  std::vector<double> values(header.fields.size());
   for (std::size_t point = 0; point < header.points; ++point) {
     for (std::size_t field = 0; field < header.fields.size(); ++field)
       for (std::size_t k = 0; k < header.fields[field].count; ++k) {
         const std::string_view word = text.word();
-        const auto value = TextCursor::number<float>(word);
+        const auto value = TextCursor::number<double>(word);
         if (word.empty() || (!value && word != "nan" && word != "-nan"))
           return bad(name, "point " + std::to_string(point) + " is missing or not a number");
-        values[field] = value.value_or(std::numeric_limits<float>::quiet_NaN());
+        values[field] = value.value_or(std::numeric_limits<double>::quiet_NaN());
       }
-    model.points[point] = {values[places.at[0]], values[places.at[1]], values[places.at[2]]};
-    if (places.has_normal)
-      model.normals[point] = {values[places.normal[0]], values[places.normal[1]], values[places.normal[2]]};
+    const auto number = [&](std::size_t field) { return static_cast<float>(values[field]); };
+    const auto three = [&](const std::array<std::size_t, 3>& at) -> Eigen::Vector3f {
+      return {number(at[0]), number(at[1]), number(at[2])};
+    };
+    model.points[point] = three(places.at);
+    if (places.has_normal) model.normals[point] = three(places.normal);
+    if (places.has_color)
+      model.colors[point] = unpacked(packed(values[places.color], header.fields[places.color].type));
   }
   return model;
-}
-
-/// LZF, as Marc Lehmann's liblzf writes it: literal runs, and back references into what is already out.
-bool decompress_lzf(std::span<const std::byte> in, std::span<std::byte> out) {
-  std::size_t from = 0;
-  std::size_t to = 0;
-  const auto next = [&] { return std::to_integer<std::size_t>(in[from++]); };
-  while (from < in.size()) {
-    const std::size_t control = next();
-    if (control < 32) {
-      const std::size_t length = control + 1;
-      if (length > in.size() - from || length > out.size() - to) return false;
-      std::memcpy(&out[to], &in[from], length);
-      from += length;
-      to += length;
-      continue;
-    }
-    std::size_t length = control >> 5U;
-    if (length == 7) {
-      if (from >= in.size()) return false;
-      length += next();
-    }
-    if (from >= in.size()) return false;
-    const std::size_t back = ((control & 0x1FU) << 8U) + next() + 1;
-    length += 2;
-    if (back > to || length > out.size() - to) return false;
-    for (std::size_t i = 0; i < length; ++i, ++to) out[to] = out[to - back];
-  }
-  return to == out.size();
 }
 
 float value_at(const std::byte* at, std::size_t bytes) {
@@ -196,17 +194,25 @@ Result<PointModel> parse_binary(std::span<const std::byte> bytes, const Header& 
     return bad(name, "ends after " + std::to_string(bytes.size() / point_bytes) + " of " +
                          std::to_string(header.points) + " points");
   PointModel model = sized_model(header, places);
-  const auto read = [&](std::size_t point, std::size_t field) {
-    const std::size_t at = by_field ? offsets[field] * header.points + point * header.fields[field].bytes
-                                    : point * point_bytes + offsets[field];
-    return value_at(&bytes[at], header.fields[field].bytes);
+  const auto at = [&](std::size_t point, std::size_t field) {
+    const Field& of = header.fields[field];
+    return &bytes[by_field ? offsets[field] * header.points + point * of.bytes * of.count
+                           : point * point_bytes + offsets[field]];
   };
-  for (std::size_t point = 0; point < header.points; ++point)
+  const auto read = [&](std::size_t point, std::size_t field) {
+    return value_at(at(point, field), header.fields[field].bytes);
+  };
+  for (std::size_t point = 0; point < header.points; ++point) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto row = static_cast<Eigen::Index>(axis);
       model.points[point][row] = read(point, places.at[axis]);
       if (places.has_normal) model.normals[point][row] = read(point, places.normal[axis]);
     }
+    if (!places.has_color) continue;
+    std::uint32_t argb = 0;
+    std::memcpy(&argb, at(point, places.color), sizeof argb);
+    model.colors[point] = unpacked(argb);
+  }
   return model;
 }
 
@@ -219,10 +225,9 @@ Result<PointModel> parse_compressed(std::span<const std::byte> bytes, const Head
   for (const Field& field : header.fields) point_bytes += field.bytes * field.count;
   if (sizes[0] > bytes.size() - sizeof sizes || sizes[1] != point_bytes * header.points)
     return bad(name, "has compressed sizes that do not fit the file or the header");
-  constexpr std::uint64_t kMostExpansion = 88;  // three bytes say at most 264: more is a lie, and would be allocated
-  if (sizes[1] > kMostExpansion * sizes[0]) return bad(name, "promises more than its compressed data can hold");
+  if (sizes[1] > lzf_most(sizes[0])) return bad(name, "promises more than its compressed data can hold");
   std::vector<std::byte> plain(sizes[1]);
-  if (!decompress_lzf(bytes.subspan(sizeof sizes, sizes[0]), plain)) return bad(name, "has damaged compressed data");
+  if (!lzf_decompress(bytes.subspan(sizeof sizes, sizes[0]), plain)) return bad(name, "has damaged compressed data");
   return parse_binary(plain, header, places, true, name);
 }
 
@@ -240,4 +245,4 @@ Result<PointModel> parse_pcd(std::span<const std::byte> bytes, const std::string
   return bad(name, "has DATA '" + header->data + "', which is not ascii, binary or binary_compressed");
 }
 
-}  // namespace telepalp::surface
+}  // namespace telepalp::models

@@ -1,10 +1,10 @@
-#include "haptic_station/surface/point_model.h"
+#include "proto/models/point_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 
-namespace telepalp::surface {
+namespace telepalp::models {
 namespace {
 
 constexpr std::uintmax_t kMostFileBytes = std::uintmax_t{1} << 30;
@@ -64,4 +64,4 @@ std::string unit_complaint(const PointModel& model) {
   return {};
 }
 
-}  // namespace telepalp::surface
+}  // namespace telepalp::models
