@@ -76,7 +76,8 @@ std::optional<DisparityLaw> fit_disparity_law(std::span<const std::uint16_t> lev
   std::sort(gaps.begin(), gaps.end());
   std::optional<DisparityLaw> best;
   double fewest = static_cast<double>(levels.size());
-  for (const std::size_t share : {std::size_t{2}, std::size_t{4}}) {  // the usual gap is one step; where levels are few, a small one
+  for (const std::size_t share :
+       {std::size_t{2}, std::size_t{4}}) {  // the usual gap is one step; where levels are few, a small one
     const Line line = settle(inverses, gaps[gaps.size() * share / 8]);
     if (!(line.step >= 1.0) || !(line.farthest >= 1.0) || !(line.step < 4e9) || !(line.farthest <= one)) continue;
     const DisparityLaw law{static_cast<std::uint64_t>(line.farthest + 0.5),

@@ -14,11 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of `corpus`, by name, so that every run feeds them in the same order.
+/// The files of `corpus` and its folders, by name, so that every run feeds them in the same order.
 std::vector<fs::path> inputs_in(const fs::path& corpus) {
   std::error_code unreadable;
   std::vector<fs::path> inputs;
-  for (const auto& entry : fs::directory_iterator(corpus, unreadable))
+  for (const auto& entry : fs::recursive_directory_iterator(corpus, unreadable))
     if (entry.is_regular_file()) inputs.push_back(entry.path());
   std::sort(inputs.begin(), inputs.end());
   return inputs;
