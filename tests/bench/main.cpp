@@ -41,6 +41,7 @@ program::Usage usage() {
                       {"input", "FILE|DIR", "what to run on, where a benchmark takes one"},
                       {"held-out", "SET,SET…", "depth: frames never trained on, for the mean ratio"},
                       {"write", "DIR", "also write the page of a benchmark that has one: accuracy.md in docs"},
+                      {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
                       {"seconds", "S", "how long, where a benchmark takes time", "10"}},
           .example = "telepalp-bench pipeline --json"};
 }

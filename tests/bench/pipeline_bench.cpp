@@ -115,7 +115,8 @@ Result<Report> run_pipeline(const program::Arguments& arguments) {
   const fs::path ready = folder.path() / "server";
   const std::string source = arguments.has("input") ? arguments.text("input") : "synthetic";
   support::ChildProcess server(programs / "telepalp-server",
-                               {"--source", source, "--port", "0", "--ready-file", ready.string()});
+                               {"--source", source, "--depth-mode", arguments.text("depth-mode"), "--port", "0",
+                                "--ready-file", ready.string()});
   const std::optional<std::string> port = support::await_ready(ready, "port");
   if (!port) return not_started("telepalp-server");
   support::ChildProcess station(programs / "telepalp-station",

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <boost/asio/read.hpp>
 #include <boost/asio/write.hpp>
 #include <random>
@@ -171,6 +173,35 @@ TEST(HostilePeer, AskingWithoutListeningEndsTheConnectionAndNotTheMemory) {
   EXPECT_EQ(site.listener->peers(), 0u);
   ASSERT_FALSE(site.notes.empty());
   expect_says(site.notes.back(), "asks and does not listen");
+}
+
+TEST(HostilePeer, AskingForKeyFramesWithoutEndAsksThePublisherOnce) {
+  Site site;
+  int asked = 0;
+  site.hub.on_key_wanted([&](std::string_view) { ++asked; });
+  for (int number = 1; number <= 2; ++number) {
+    wire::Message depth{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>("d")};
+    depth.stands_alone = number == 1;
+    site.hub.publish(depth);
+  }
+  std::string bytes = control_frame(hello()) + control_frame(subscription("/camera/depth"));
+  for (const std::int64_t published : {std::int64_t{0}, std::int64_t{2}, std::numeric_limits<std::int64_t>::max(),
+                                       std::numeric_limits<std::int64_t>::min()})
+    for (const char* topic : {"/camera/depth", "/camera/color", "/nowhere", ""})
+      for (int i = 0; i < 100; ++i) {
+        msg::Control wish;
+        wish.mutable_want_key()->set_topic(topic);
+        wish.mutable_want_key()->set_published_ns(published);
+        bytes += control_frame(wish);
+      }
+  Stranger stranger(site);
+  stranger.listen();
+  stranger.say(bytes + control_frame(advertisement(4, wire::kStationState.name, wire::kStationState.schema)) +
+               data_frame(4, ""));  // what comes last: all before it was heard
+  const auto heard = [&] { return site.hub.topic_counts().contains(wire::kStationState.name); };
+  ASSERT_TRUE(site.run_until(heard));
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(site.listener->peers(), 1u);
 }
 
 TEST(HostilePeer, AMessageThatIsNotOfItsTopicsTypeIsCountedAndGoesNoFurther) {
