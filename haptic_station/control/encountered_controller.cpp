@@ -56,50 +56,30 @@ bool stale(const ControlInput& in, const AgeLimits& ages) noexcept {
   return !(in.hand_valid && hand_is_fresh && in.contact.age_s <= ages.surface_s);
 }
 
-Event object_event(effects::ObjectTouch touch) noexcept {
-  switch (touch) {
-    case effects::ObjectTouch::None:
-      return Event::AwayFromObject;
-    case effects::ObjectTouch::Near:
-      return Event::NearObject;
-    case effects::ObjectTouch::Lateral:
-      return Event::TouchLateral;
-    case effects::ObjectTouch::Upper:
-      return Event::TouchUpper;
-  }
-  return Event::AwayFromObject;
-}
-
 }  // namespace
-
-bool EncounteredController::leaving_event(const ControlInput& in, Event& event) const noexcept {
-  if (in_body(in)) return false;
-  const bool near = in.contact.valid && in.contact.distance_m < settings_.transitions.from_body_within_m;
-  event = near ? Event::FromBody : Event::FarFromBody;
-  return true;
-}
 
 /// Of finite inputs: numbers that are none are told apart before. The limiter's own latch ends with the re-arming.
 FaultCause EncounteredController::standing_fault(const ControlInput& in) const noexcept {
   return in.device_age_s <= settings_.ages.device_s ? FaultCause::None : FaultCause::DeviceSilent;
 }
 
-/// The event that the inputs make in this phase; false: none. Safety first, then S1 Fig. 4.
-bool EncounteredController::next_event(const ControlInput& in, Event& event) const noexcept {
-  const auto is = [&event](Event what) noexcept { return event = what, true; };
-  const bool fault_stands = standing_fault(in) != FaultCause::None;
-  if (phase_ == Phase::Faulted) return in.rearm && !fault_stands && is(Event::Rearm);
-  if (fault_stands || limiter_.faulted()) return is(Event::Fault);
-  const bool inputs_stale = stale(in, settings_.ages);
-  if (phase_ == Phase::Released) return !inputs_stale && is(Event::InputsBack);
-  if (inputs_stale) return is(Event::InputStale);
-  if (is_inside(phase_)) return leaving_event(in, event) || is(object_event(effects_.touch()));
-  if (phase_ == Phase::OutBody) return in.device.m.y() < plane_height_m_ && is(Event::UnderPlane);
-  if (in_body(in)) return is(Event::IntoBody);
-  if (phase_ == Phase::BodyToPlane)
-    return in.device.m.y() >= plane_height_m_ + settings_.plane.offset_m && is(Event::ToPlane);
+/// What the phases care of. `stands`: a cause that would fault this very tick.
+Seen EncounteredController::seen_of(const ControlInput& in, FaultCause stands) const noexcept {
+  const double hand_m = in.hand.m.y();
+  const double device_m = in.device.m.y();
   const double risen_m = settings_.transitions.hand_rose_m;
-  return in.hand.m.y() > plane_height_m_ + risen_m && in.hand.m.y() > in.device.m.y() + risen_m && is(Event::HandRose);
+  return {.fault_stands = stands != FaultCause::None,
+          .fault_latched = limiter_.faulted(),
+          .rearm = in.rearm,
+          .inputs_stale = stale(in, settings_.ages),
+          .in_body = in_body(in),
+          .surface_near = in.contact.valid && in.contact.distance_m < settings_.transitions.from_body_within_m,
+          .below_plane = device_m<plane_height_m_, .at_plane = device_m >= plane_height_m_ + settings_.plane.offset_m,
+                                  .hand_rose = hand_m>
+                                 plane_height_m_ +
+                             risen_m &&
+                         hand_m > device_m + risen_m,
+          .touch = effects_.touch()};
 }
 
 /// The plane stays above the skin below the end-effector, without ever stepping.
@@ -253,14 +233,16 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   in_phase_s_ += dt_s;
   move_plane(in, dt_s);
   const FaultCause stands = finite ? standing_fault(in) : FaultCause::NotFinite;
-  Event event = Event::Fault;
-  if (!finite ? phase_ != Phase::Faulted : next_event(in, event)) {
-    const Row* row = transition(phase_, event);
+  const Seen seen = seen_of(in, stands);
+  // The dwell of a station that let go is one of good inputs: an age that swings about its limit makes no loop.
+  if (phase_ == Phase::Released && seen.inputs_stale) in_phase_s_ = 0.0;
+  if (const std::optional<Event> event = event_in(phase_, seen)) {
+    const Row* row = transition(phase_, *event);
     if (row != nullptr && (!row->waits_for_dwell || in_phase_s_ >= settings_.transitions.dwell_s)) {
-      if (event == Event::Fault) fault_ = stands != FaultCause::None ? stands : FaultCause::NotFinite;
-      if (event == Event::Rearm) rearm();
+      if (*event == Event::Fault) fault_ = stands != FaultCause::None ? stands : FaultCause::NotFinite;
+      if (*event == Event::Rearm) rearm();
       enter(row->to, in);
-      out.event = event;
+      out.event = *event;
     }
   }
 

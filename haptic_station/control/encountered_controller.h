@@ -3,6 +3,7 @@
 #include "haptic_station/control/encountered_settings.h"
 #include "haptic_station/control/passivity.h"
 #include "haptic_station/control/phase.h"
+#include "haptic_station/control/phase_event.h"
 #include "haptic_station/control/surface_contact.h"
 #include "haptic_station/effects/effect_bank.h"
 #include "proto/words/frames.h"
@@ -68,8 +69,7 @@ class EncounteredController {
   };
 
   [[nodiscard]] FaultCause standing_fault(const ControlInput& in) const noexcept;
-  bool next_event(const ControlInput& in, Event& event) const noexcept;
-  bool leaving_event(const ControlInput& in, Event& event) const noexcept;
+  [[nodiscard]] Seen seen_of(const ControlInput& in, FaultCause stands) const noexcept;
   void rearm() noexcept;
   void move_plane(const ControlInput& in, double dt_s) noexcept;
   void enter(Phase phase, const ControlInput& in) noexcept;

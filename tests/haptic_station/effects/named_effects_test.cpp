@@ -1,0 +1,139 @@
+// A scene pays for what it names: every function that the real-time part enters over a whole trial is counted, by the
+// class of the effect that it belongs to. The sources are compiled for it with -finstrument-functions, which also tells
+// of what was inlined.
+
+#include <cxxabi.h>
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <ostream>
+#include <set>
+#include <string>
+
+#include "haptic_station/device/breathing_plane.h"
+#include "haptic_station/device/virtual_station.h"
+#include "haptic_station/scenes/scene.h"
+
+namespace {
+
+/// Entries by function, open addressing; written by the hooks, which must not enter anything themselves.
+struct Entered {
+  void* function = nullptr;
+  std::uint64_t times = 0;
+};
+constexpr std::size_t kMostFunctions = 4096;
+std::array<Entered, kMostFunctions> entered;
+bool counting = false;
+
+}  // namespace
+
+extern "C" {
+__attribute__((no_instrument_function)) void __cyg_profile_func_enter(void* function, void*) {
+  if (!counting) return;
+  std::size_t slot = (reinterpret_cast<std::uintptr_t>(function) >> 4) % kMostFunctions;
+  while (entered[slot].function != nullptr && entered[slot].function != function) slot = (slot + 1) % kMostFunctions;
+  entered[slot].function = function;
+  ++entered[slot].times;
+}
+__attribute__((no_instrument_function)) void __cyg_profile_func_exit(void*, void*) {}
+}
+
+namespace telepalp {
+namespace {
+
+std::string demangled(const char* name) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> text(abi::__cxa_demangle(name, nullptr, nullptr, &status),
+                                                         &std::free);
+  return status == 0 ? text.get() : name;
+}
+
+/// "Skin" of `telepalp::effects::Skin::step(…)`; empty for what is no member of a class in that namespace.
+std::string class_in_effects(const std::string& function) {
+  static const std::string kNamespace = "telepalp::effects::";
+  if (!function.starts_with(kNamespace)) return "";
+  const std::size_t end = function.find_first_of(":(<", kNamespace.size());
+  return end != std::string::npos && function[end] == ':' ? function.substr(kNamespace.size(), end - kNamespace.size())
+                                                          : "";
+}
+
+/// How often functions of each class in telepalp::effects were entered.
+std::map<std::string, std::uint64_t> entries_by_class() {
+  std::map<std::string, std::uint64_t> counts;
+  for (const Entered& one : entered) {
+    Dl_info info{};
+    if (one.function == nullptr || dladdr(one.function, &info) == 0 || info.dli_sname == nullptr) continue;
+    if (const std::string name = class_in_effects(demangled(info.dli_sname)); !name.empty()) counts[name] += one.times;
+  }
+  return counts;
+}
+
+/// The effects' classes, as the bank knows them.
+template <class... Effects>
+std::set<std::string> classes_of(const std::variant<Effects...>&) {
+  return {class_in_effects(demangled(typeid(Effects).name()) + "::")...};
+}
+
+struct Named {
+  const char* scene;
+  std::set<std::string> classes;
+};
+std::ostream& operator<<(std::ostream& out, const Named& one) { return out << one.scene; }
+
+const Named kScenes[] = {
+    {"skin", {"Skin"}},
+    {"skin_sliding", {"Skin"}},
+    {"palpation", {"Skin", "InnerCylinder"}},
+    {"sphere", {"Skin", "InnerSphere"}},
+    {"friction", {"Skin", "Friction"}},
+    {"regions", {"Skin", "StiffRegions"}},
+    {"organ", {"Skin", "Organ"}},
+};
+
+class NamedEffects : public ::testing::TestWithParam<Named> {};
+
+TEST_P(NamedEffects, AreTheOnlyOnesWhoseCodeIsEntered) {
+  const auto scene = scenes::read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/" + std::string(GetParam().scene) +
+                                        ".scene.textproto");
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  device::VirtualStationSettings settings;
+  settings.effects = scene->effects;
+  settings.control = scene->control;
+  device::VirtualStation station(settings);
+  station.place({{0.0, 0.03, 0.0}}, {{0.0, 0.07, 0.0}});
+  device::ScriptedIntention person(device::waypoints(device::Trial::FindCylinder), {});
+  const device::BreathingPlane skin{.amplitude_m = 0.005};
+  entered = {};
+  int touching = 0;
+  counting = true;
+  for (int tick = 0; tick < 20'000; ++tick) {
+    const auto out = station.step(skin, [&](const device::TrialView& view) { return person.step(view, 0.0005); });
+    if (control::is_inside(out.phase)) ++touching;
+  }
+  counting = false;
+  ASSERT_GT(touching, 1000);
+  const auto counts = entries_by_class();
+  for (const std::string& name : classes_of(effects::EffectBank::Effect())) {
+    const std::uint64_t times = counts.contains(name) ? counts.at(name) : 0;
+    if (GetParam().classes.contains(name))
+      EXPECT_GE(times, static_cast<std::uint64_t>(touching)) << name << " is stepped at each tick of a contact";
+    else
+      EXPECT_EQ(times, 0U) << name << " is not named, and " << times << " of its functions were entered";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, NamedEffects, ::testing::ValuesIn(kScenes),
+                         [](const auto& one) { return std::string(one.param.scene); });
+
+TEST(NamedEffects, EveryEffectHasASceneHere) {
+  std::set<std::string> seen;
+  for (const Named& one : kScenes) seen.insert(one.classes.begin(), one.classes.end());
+  EXPECT_EQ(seen, classes_of(effects::EffectBank::Effect()));
+}
+
+}  // namespace
+}  // namespace telepalp
