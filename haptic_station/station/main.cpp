@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/calibrate_command.h"
 #include "haptic_station/station/calibrated_scene.h"
@@ -141,6 +142,10 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
   for (const effects::EffectBill& line : scene->effects.bill()) effects += std::string(" ") + line.name;
   std::printf("%s: %s; surface: %s; effects:%s\n", scene->name.c_str(), scene->message.purpose().c_str(),
               touched.c_str(), effects.c_str());
+  for (const msg::Effect& effect : scene->message.effects())
+    if (const effects::TissuePreset* tissue = effects::find_tissue(effect.skin().tissue()))
+      std::printf("skin as %s: %s's compression test, fitted to %.1f %% of its largest load\n", tissue->name.data(),
+                  tissue->material.data(), 100.0 * tissue->rms_error_share);
   const double effects_N_per_m = scene->effects.stiffest_N_per_m(scene->control.limits.peak_N);
   if (const control::VirtualCoupling coupling(scene->control.coupling, effects_N_per_m); coupling.engaged())
     std::printf("the effects reach %.0f N/m: felt through a coupling of %.0f N/m, as stiff as the device can show\n",
