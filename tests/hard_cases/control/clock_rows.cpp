@@ -3,6 +3,7 @@
 
 #include "haptic_station/tracking/protocol/clock_envelope.h"
 #include "tests/hard_cases/claims.h"
+#include "tests/hard_cases/control/controller_scene.h"
 #include "tests/hard_cases/control/loop_scene.h"
 #include "tests/hard_cases/control/rows.h"
 
@@ -40,19 +41,23 @@ std::function<double(double)> off_for_half_a_second(double step_s) {
   return [=](double now_s) { return now_s > kAt_s && now_s < kAt_s + 0.5 ? step_s : 0.0; };
 }
 
-AssertionResult back_as_before(const Felt& felt) {
+AssertionResult back_as_before(const Felt& felt, int let_gos) {
   return all_of({{felt.finite && !felt.faulted, "no fault"},
+                 {felt.let_gos == let_gos, let_gos == 0 ? "nothing let go" : "let go once"},
                  below_N("step", felt.worst_step_N, kStep_N),
                  {control::is_inside(felt.last.phase), "felt again two seconds later"}});
 }
 
-AssertionResult tracker_steps_on() { return back_as_before(feel(with_tracker_stamps(off_for_half_a_second(1.0)))); }
+AssertionResult tracker_steps_on() { return back_as_before(feel(with_tracker_stamps(off_for_half_a_second(1.0))), 1); }
 
-AssertionResult tracker_steps_back() { return back_as_before(feel(with_tracker_stamps(off_for_half_a_second(-1.0)))); }
+AssertionResult tracker_steps_back() {
+  return back_as_before(feel(with_tracker_stamps(off_for_half_a_second(-1.0))), 1);
+}
 
 AssertionResult one_stamp_an_hour_on() {
   return back_as_before(
-      feel(with_tracker_stamps([](double now_s) { return now_s >= kAt_s && now_s < kAt_s + 0.0099 ? 3600.0 : 0.0; })));
+      feel(with_tracker_stamps([](double now_s) { return now_s >= kAt_s && now_s < kAt_s + 0.0099 ? 3600.0 : 0.0; })),
+      0);
 }
 
 /// The tracker's own clock is set, and stays so: what its line maps to session time (ClockEnvelope) follows.
@@ -66,9 +71,9 @@ AssertionResult trackers_clock_is_set() {
       const auto ours = envelope.map(from_seconds(theirs_s), from_seconds(now_s));
       return std::vector<TrackedHand>{{to_seconds(ours), hand}};
     };
-    if (const AssertionResult result = back_as_before(feel(scene)); !result) return result;
+    if (const AssertionResult result = back_as_before(feel(scene), 0); !result) return result;
   }
-  return back_as_before(feel(LoopScene{}));
+  return back_as_before(feel(LoopScene{}), 0);
 }
 
 AssertionResult twice_and_out_of_order() {
@@ -92,9 +97,9 @@ AssertionResult twice_and_out_of_order() {
                  below_N("step", felt.worst_step_N, 0.05)});
 }
 
-AssertionResult camera_steps_on() { return back_as_before(feel(with_camera_stamps(off_for_half_a_second(1.0)))); }
+AssertionResult camera_steps_on() { return back_as_before(feel(with_camera_stamps(off_for_half_a_second(1.0))), 0); }
 
-AssertionResult camera_steps_back() { return back_as_before(feel(with_camera_stamps(off_for_half_a_second(-1.0)))); }
+AssertionResult camera_steps_back() { return back_as_before(feel(with_camera_stamps(off_for_half_a_second(-1.0))), 1); }
 
 /// The force from `from_s` on.
 struct ForceFrom {
@@ -120,6 +125,22 @@ AssertionResult from_the_future_then_silent() {
   return all_of({{seen.most_N == 0.0, "no force 50 ms after the age limit"},
                  {seen.felt.last.phase == Phase::Released, "released"},
                  below_N("step", seen.felt.worst_step_N, kStep_N)});
+}
+
+/// Whatever the inputs' ages are, at the controller itself.
+AssertionResult ages_that_are_none() {
+  ControllerScene scene;
+  scene.seconds = 6.0;
+  scene.person = presses_to(0.03);
+  scene.spoil = [](control::ControlInput& in, double now_s) {
+    if (now_s > 2.0 && now_s < 2.1) in.hand_age_s = -3600.0;
+    if (now_s > 3.0 && now_s < 3.1) in.contact.age_s = std::nan("");
+    if (now_s > 4.0 && now_s < 4.1) in.hand_age_s = std::numeric_limits<double>::infinity();
+  };
+  const Felt felt = feel(scene);
+  return all_of({{felt.finite, "finite"},
+                 {felt.let_gos + (felt.faulted ? 10 : 0) == 3, "let go of each"},
+                 below_N("step", felt.worst_step_N, kStep_N)});
 }
 
 AssertionResult outage() {
@@ -151,6 +172,7 @@ std::vector<HardCase> clock_rows() {
        camera_steps_back},
       {"20 server from the future, then silent", "its last surface stays young", "let go at its age limit",
        from_the_future_then_silent},
+      {"20 ages that are none", "an hour less than nothing, NaN, infinity", "let go of each", ages_that_are_none},
       {"24 outage in contact", "an old surface is a guess", "age-limited, decays to zero", outage},
   };
 }

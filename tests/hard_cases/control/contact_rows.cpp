@@ -14,6 +14,8 @@ AssertionResult stiff_and_light() {
   ControllerScene scene = with_only(effects::Skin({.law = effects::linear_law(5000.0)}));
   scene.settings.device.mass_kg = 0.1;
   scene.settings.device.damping_N_s_per_m = 0.2;
+  scene.settings.hand = {.mass_kg = 0.1, .stiffness_N_per_m = 200.0, .damping_N_s_per_m = 2.0};
+  scene.settings.hand.pad_damping_N_s_per_m = 0.5;  // a hand that calms next to nothing
   scene.person = presses_to(0.01);
   const Felt felt = feel(scene);
   return all_of({{felt.finite, "finite"},

@@ -18,6 +18,12 @@ struct SeenPlane {
   double height_m = 0.0;
 };
 
+inline effects::EffectBank the_skin(const effects::Skin::Settings& settings = {}) {
+  effects::EffectBank skin;
+  (void)skin.add(effects::Skin(settings));
+  return skin;
+}
+
 struct TrackedHand {
   double at_s = 0.0;
   Point<HapticBase> hand;
@@ -32,7 +38,7 @@ struct LoopScene {
   static constexpr int kTicksPerSample = 20;
 
   double seconds = 5.0;
-  control::ControlSettings settings;
+  effects::EffectBank effects = the_skin();
   Person person = presses_to(0.03);
   /// What the camera and the tracker give at tick `tick`, which is at `now_s`.
   std::function<std::optional<SeenPlane>(int tick, double now_s)> camera = [](int tick, double now_s) {
@@ -50,9 +56,7 @@ struct LoopScene {
 inline SessionTime at_s(double seconds) { return session_time(4'000'000'000'000) + from_seconds(seconds); }
 
 inline Felt feel(const LoopScene& scene) {
-  effects::EffectBank skin;
-  (void)skin.add(effects::Skin{});
-  station::HapticLoop loop({}, control::EncounteredController(scene.settings, skin));
+  station::HapticLoop loop({}, control::EncounteredController({}, scene.effects));
   device::SimulatedPair pair({}, {});
   pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
   std::shared_ptr<station::PlaneSnapshot> shown;

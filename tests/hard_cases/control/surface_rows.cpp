@@ -19,6 +19,7 @@ constexpr double kPeak_N = 10.0;
 AssertionResult swapped_in_contact() {
   LoopScene scene;
   scene.seconds = 4.0;
+  scene.effects = the_skin({.law = effects::linear_law(300.0), .anchor = effects::SkinAnchor::Sliding});
   scene.camera = [](int tick, double now_s) {
     return tick % LoopScene::kTicksPerFrame == 0 ? std::optional(SeenPlane{now_s, now_s > 2.5 ? 0.005 : 0.0})
                                                  : std::nullopt;
@@ -32,16 +33,27 @@ AssertionResult swapped_in_contact() {
                  {control::is_inside(felt.last.phase), "contact holds"}});
 }
 
-/// The worst that a surface could hand over: no slew before the controller at all.
+/// The worst that a surface could hand over: no slew before the controller at all. The ledger sees what the step gave,
+/// and the damping takes it back from a hand that moves.
 AssertionResult stepped_in_contact() {
-  ControllerScene scene;
-  scene.person = presses_to(0.03);
+  ControllerScene scene =
+      with_only(effects::Skin({.law = effects::linear_law(300.0), .anchor = effects::SkinAnchor::Sliding}));
+  scene.seconds = 6.0;
+  scene.person = [](const device::TrialView& view) {
+    device::Intention aim = presses_to(0.03)(view);
+    if (view.time_s > 1.5) aim.at.m.y() += 0.01 * std::sin(2.0 * std::numbers::pi * (view.time_s - 1.5));
+    return aim;
+  };
   scene.surface = [](const Point<HapticBase>& device, double time_s) {
     return BreathingPlane{.height_m = time_s > 2.5 ? 0.005 : 0.0}(device, 0.0);
   };
+  double given_J = 0.0;
+  scene.watch = [&](const control::ControlOutput& out, double) { given_J = std::max(given_J, -out.passivity_J); };
   const Felt felt = feel(scene);
   return all_of({{felt.most_N <= kPeak_N, "below the peak"},
                  below("no kick", felt.fastest_device, 0.6, 1.0, "m/s"),
+                 above("what the step gave", given_J, 1e-3, 1e3, "mJ"),
+                 below_mJ("is taken back", -felt.last.passivity_J, 0.1),
                  {control::is_inside(felt.last.phase), "contact holds"}});
 }
 
