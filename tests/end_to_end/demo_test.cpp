@@ -90,6 +90,29 @@ TEST(SyntheticPatient, IsTouchedAndLetGoOf) {
   EXPECT_GT(figure(json, "force_N.max"), 0.2);
 }
 
+TEST(TemporalDepth, IsRecordedReportedPlayedAgainAndReportedAgain) {
+  const DemoRun first = demo("temporal", "--headless --seconds 6 --depth-mode temporal");
+  ASSERT_EQ(first.exit_code, 0) << first.log;
+  EXPECT_EQ(report_of(first).get<std::string>("depth_mode"), "temporal");
+  EXPECT_NE(first.log.find("depth comes without loss (temporal)"), std::string::npos);
+  const DemoRun again = demo("again", "--headless --seconds 4 --depth-mode temporal --source session:" +
+                                          (first.out / "session.mcap").string());
+  ASSERT_EQ(again.exit_code, 0) << again.log;
+  const Json json = report_of(again);
+  EXPECT_EQ(json.get<std::string>("depth_mode"), "temporal");
+  EXPECT_GT(figure(json, "frames.received"), 60.0);
+  EXPECT_GT(fs::file_size(again.out / "view.png"), 100'000u) << "a frame in the midst of a group was drawn";
+}
+
+TEST(BoundedDepth, IsWarnedOfAtTheStationAndInTheReport) {
+  const DemoRun run = demo("bounded", "--headless --seconds 3 --depth-mode bounded");
+  ASSERT_EQ(run.exit_code, 0) << run.log;
+  EXPECT_NE(run.log.find("depth is bounded"), std::string::npos);
+  const Json json = report_of(run);
+  EXPECT_EQ(json.get<std::string>("depth_mode"), "bounded");
+  EXPECT_NE(json.get<std::string>("verdict.headline").find("bounded"), std::string::npos);
+}
+
 struct WrongCase {
   std::string name;
   std::string arguments;
