@@ -12,11 +12,15 @@ std::size_t queue_limit(std::string_view topic) noexcept {
   return topic == kCameraColor.name || topic == kCameraDepth.name ? kImages : kSmall;
 }
 
+std::size_t SendQueue::waiting(const Topic& topic) const {
+  return static_cast<std::size_t>(std::count_if(
+      waiting_.begin(), waiting_.end(), [&](const Message& message) { return message.topic.name == topic.name; }));
+}
+
 std::vector<Message> SendQueue::push(const Message& message) {
   const auto same_topic = [&](const Message& other) { return other.topic.name == message.topic.name; };
   std::vector<Message> gone;
-  const auto waiting = static_cast<std::size_t>(std::count_if(waiting_.begin(), waiting_.end(), same_topic));
-  if (waiting >= queue_limit(message.topic.name)) {
+  if (waiting(message.topic) >= queue_limit(message.topic.name)) {
     if (!message.stands_alone) return {message};
     auto oldest = std::find_if(waiting_.begin(), waiting_.end(), same_topic);
     do {

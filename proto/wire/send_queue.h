@@ -19,6 +19,7 @@ class SendQueue {
   /// on.
   std::vector<Message> push(const Message& message);
   std::optional<Message> pop();
+  [[nodiscard]] std::size_t waiting(const Topic& topic) const;
   [[nodiscard]] bool empty() const noexcept { return waiting_.empty(); }
   [[nodiscard]] std::size_t size() const noexcept { return waiting_.size(); }
   /// Takes out what `matches`; returns how many.

@@ -50,13 +50,18 @@ void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
     if (wish.in_groups && wants(topics, name) && !wants(before, name)) ask_for_key(name);
 }
 
+template <class Matches>
+void Hub::remove_waiting(Subscriber& subscriber, Matches matches) {
+  subscriber.queue.remove_if([&](const wire::Message& message) {
+    if (matches(message)) drop(subscriber.count, message);
+    return matches(message);
+  });
+}
+
 /// A viewer that lost its place unsubscribes and subscribes again: what still waits would be of no use to it.
 void Hub::forget_unwanted(Subscriber& subscriber) {
-  subscriber.queue.remove_if([&](const wire::Message& message) {
-    if (wants(subscriber.topics, message.topic.name)) return false;
-    drop(subscriber.count, message);
-    return true;
-  });
+  remove_waiting(subscriber,
+                 [&](const wire::Message& message) { return !wants(subscriber.topics, message.topic.name); });
   std::erase_if(subscriber.places, [&](const auto& place) { return !wants(subscriber.topics, place.first); });
 }
 
@@ -76,7 +81,9 @@ void Hub::want_key(SubscriberId id, const wire::Topic& topic, SessionTime unread
   if (found == subscribers_.end() || !wants(found->second.topics, topic.name)) return;
   const KeyWish& wish = wishes_[topic.name];
   if (!wish.in_groups || !still_lost(wish, unreadable)) return;
-  found->second.places[topic.name] = {};
+  Subscriber& subscriber = found->second;
+  subscriber.places[topic.name] = {};
+  remove_waiting(subscriber, [&](const wire::Message& message) { return message.topic.name == topic.name; });
   ask_for_key(topic.name);
 }
 
@@ -99,8 +106,8 @@ void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
   for (const wire::Message& lost : gone) drop(subscriber.count, lost);
   const bool queued = gone.empty() || gone.back().sequence != message.sequence;
   place = {.last = queued ? message.sequence : 0};
-  if (!queued) return ask_for_key(message.topic.name);
-  if (was_empty) subscriber.wake();
+  if (!queued && subscriber.queue.waiting(message.topic) == 0) ask_for_key(message.topic.name);
+  if (queued && was_empty) subscriber.wake();
 }
 
 std::optional<wire::Message> Hub::next(SubscriberId id) {
@@ -112,6 +119,8 @@ std::optional<wire::Message> Hub::next(SubscriberId id) {
     ++count.sent;
     count.bytes += message->payload->size();
     ++topics_[message->topic.name].sent;
+    // Not when its queue was full: a key frame for who takes nothing would be made again and again.
+    if (found->second.places[message->topic.name].last == 0) ask_for_key(message->topic.name);
   }
   return message;
 }

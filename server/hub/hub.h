@@ -73,6 +73,8 @@ class Hub {
   };
   void drop(SubscriberCount& subscriber, const wire::Message& message);
   void offer(Subscriber& subscriber, const wire::Message& message);
+  template <class Matches>
+  void remove_waiting(Subscriber& subscriber, Matches matches);  ///< counted as dropped
   void forget_unwanted(Subscriber& subscriber);
   void ask_for_key(std::string_view topic);
 

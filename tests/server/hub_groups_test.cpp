@@ -77,8 +77,9 @@ TEST(HubGroups, WhoDoesNotKeepUpIsNeverGivenAFrameWithoutTheOneBeforeIt) {
   stage.dependent();
   stage.dependent();  // no room: it and those after it are of no use
   stage.dependent();
-  EXPECT_EQ(stage.asked, 1);
+  EXPECT_EQ(stage.asked, 0);
   EXPECT_EQ(stage.taken(slow), "1 2");
+  EXPECT_EQ(stage.asked, 1);
   stage.dependent();
   EXPECT_EQ(stage.taken(slow), "");
   stage.key();
@@ -87,6 +88,16 @@ TEST(HubGroups, WhoDoesNotKeepUpIsNeverGivenAFrameWithoutTheOneBeforeIt) {
   const Hub::TopicCount count = stage.hub.topic_counts().at(wire::kCameraDepth.name);
   EXPECT_EQ(count.dropped, 3u);
   EXPECT_EQ(count.sent + count.dropped, count.published);
+}
+
+TEST(HubGroups, WhoTakesNothingHasNoKeyFramesMadeForIt) {
+  Stage stage;
+  (void)stage.join();
+  stage.key();
+  for (int i = 0; i < 100; ++i) stage.dependent();
+  stage.key();
+  for (int i = 0; i < 100; ++i) stage.dependent();
+  EXPECT_EQ(stage.asked, 0);
 }
 
 TEST(HubGroups, AKeyFrameOvertakesTheKeyFrameThatWaitsWithAllThatDependsOnIt) {
@@ -124,6 +135,20 @@ TEST(HubGroups, WhoSaysThatItsReferenceIsMissingIsGivenAKeyFrameNext) {
   EXPECT_EQ(stage.taken(id), "");
   stage.key();
   EXPECT_EQ(stage.taken(id), "4");
+}
+
+TEST(HubGroups, WhatWaitsForWhoLostItsPlaceIsDropped) {
+  Stage stage;
+  const SubscriberId id = stage.join();
+  stage.key();
+  EXPECT_EQ(stage.taken(id), "1");
+  stage.dependent();
+  stage.dependent();
+  stage.hub.want_key(id, wire::kCameraDepth, session_time(2));
+  EXPECT_EQ(stage.taken(id), "");
+  const Hub::TopicCount count = stage.hub.topic_counts().at(wire::kCameraDepth.name);
+  EXPECT_EQ(count.dropped, 2u);
+  EXPECT_EQ(count.sent + count.dropped, count.published);
 }
 
 TEST(HubGroups, WhoAsksAgainBeforeTheKeyFrameIsThereAsksForNothingMore) {
