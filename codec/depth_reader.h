@@ -22,9 +22,11 @@ class DepthReader {
 
  private:
   void catch_up();
+  void forget_passed();
 
   DepthDecoder decoder_;
   std::vector<std::string> passed_;  // from the last frame that stood alone, or that was read; bounded
+  std::size_t passed_bytes_ = 0;
 };
 
 }  // namespace telepalp::codec

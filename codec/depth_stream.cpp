@@ -13,6 +13,9 @@ bool alike(const DepthImage& a, const DepthImage& b) noexcept {
   return a.width == b.width && a.height == b.height && a.unit_m == b.unit_m;
 }
 
+/// Whether frames of `mode` depend on the one before, but for key frames.
+bool makes_groups(DepthMode mode) noexcept { return mode == DepthMode::Temporal || mode == DepthMode::Bounded; }
+
 /// The crc of a frame that we wrote ourselves.
 std::uint32_t crc_of(const std::string& packet) {
   const Result<Packet> read = read_packet(std::as_bytes(std::span(packet)));
@@ -24,8 +27,7 @@ std::uint32_t crc_of(const std::string& packet) {
 
 std::string DepthEncoder::encode(const DepthImage& depth) {
   demand(is_well_formed(depth), "DepthEncoder is given a well-formed image");
-  const bool depends = settings_.mode == DepthMode::Temporal || settings_.mode == DepthMode::Bounded;
-  if (!depends) return write_frame(depth, settings_.mode, {});
+  if (!makes_groups(settings_.mode)) return write_frame(depth, settings_.mode, {});
   constexpr int kMost = std::numeric_limits<std::uint16_t>::max();
   const bool is_key = std::exchange(key_wanted_, false) || !alike(depth, before_) ||
                       since_key_ + 1 >= std::min(settings_.key_every, kMost);
@@ -58,6 +60,7 @@ Result<DepthImage> DepthDecoder::decode(std::span<const std::byte> bytes) {
   }
   Result<DepthImage> depth = read_frame(*packet, reference);
   if (!depth) return depth;
+  if (!makes_groups(header.mode)) return depth;  // none depends on it: it need not be copied
   before_ = *depth;
   before_crc_ = header.crc;
   return depth;
