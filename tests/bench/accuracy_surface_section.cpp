@@ -58,11 +58,14 @@ std::vector<plot::Mark> marks_of(const std::vector<Tried>& all, std::size_t knee
   for (const std::size_t i : order) {
     const double x = 100.0 * all[i].figures.load();
     const double y = 1e3 * all[i].figures.torso.position_m;
-    const bool free = std::none_of(marks.begin(), marks.end(), [&](const plot::Mark& mark) {
+    const auto near = std::find_if(marks.begin(), marks.end(), [&](const plot::Mark& mark) {
       return std::abs(std::log10(mark.x / x)) < 0.15 && std::abs(std::log10(mark.y / y)) < 0.05;
     });
-    if (free || all[i].variant.name == surface::SurfaceSettings{}.name)
-      marks.push_back({x, y, all[i].variant.name + (i == knee ? " (knee)" : ""), std::string(plot::kBlack)});
+    const std::string name = all[i].variant.name + (i == knee ? " (knee)" : "");
+    if (near == marks.end())
+      marks.push_back({x, y, name, std::string(plot::kBlack)});
+    else if (all[i].variant.name == surface::SurfaceSettings{}.name)
+      near->name += "; beside it " + name + " (default)";
   }
   return marks;
 }
