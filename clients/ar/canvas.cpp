@@ -86,7 +86,7 @@ void Canvas::draw(const Mesh& mesh, const ViewCamera& camera_px, const Lights& l
 
 ColorImage Canvas::resolved() const {
   ColorImage image{width_ / kSamples, height_ / kSamples, {}};
-  image.rgb.reserve(light_.size() / (kSamples * kSamples) * 3);
+  image.rgb.reserve(light_.size() / (std::size_t{kSamples} * kSamples) * 3);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       Eigen::Vector3f sum = Eigen::Vector3f::Zero();

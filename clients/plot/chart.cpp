@@ -149,6 +149,7 @@ std::vector<Pixel> thinned(const Series& series, const Scales& scales) {
   const auto kept =
       in_the_plane ? thin_path(x, y, 0.7) : thin_keeping_extremes(x, y, static_cast<std::size_t>(columns) + 1);
   std::vector<Pixel> points;
+  points.reserve(kept.size());
   for (const std::size_t i : kept) points.push_back({x[i], y[i]});
   return points;
 }

@@ -20,7 +20,7 @@ struct State {
   Vector<InverseBase> velocity;  ///< [m/s]
 };
 
-inline constexpr std::size_t kMostTextBytes = 64 * 1024;
+inline constexpr std::size_t kMostTextBytes = 64U << 10U;
 
 /// Reads one text of the service: the Inverse3 named `wanted_id`, or the first one if that is empty. nullopt: the text
 /// is well-formed, but this device is not in it (unplugged), or its state is not.

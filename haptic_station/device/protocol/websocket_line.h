@@ -30,7 +30,7 @@ struct WebSocketUrl {
 class WebSocketLine {
  public:
   struct Settings {
-    std::size_t most_text_bytes = 64 * 1024;
+    std::size_t most_text_bytes = 64U << 10U;
     std::chrono::milliseconds silence{1000};     ///< nothing came for so long: connect again
     std::chrono::milliseconds again_after{250};  ///< between attempts
   };

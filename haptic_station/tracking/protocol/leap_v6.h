@@ -38,7 +38,7 @@ struct Other {};
 using Text = std::variant<Hello, Frame, Other>;
 
 inline constexpr std::uint32_t kProtocolVersion = 6;
-inline constexpr std::size_t kMostTextBytes = 256 * 1024;
+inline constexpr std::size_t kMostTextBytes = 256U << 10U;
 inline constexpr std::size_t kMostHands = 16;
 
 /// Reads one text of the service. Error: no JSON, over 256 KiB, a field of the wrong type. Numbers use a point
