@@ -59,7 +59,9 @@ Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view opt
 Result<codec::DepthMode> depth_mode(const program::Arguments& arguments) {
   const std::string text = arguments.text("depth-mode");
   if (const std::optional<codec::DepthMode> mode = codec::depth_mode(text)) return *mode;
-  return Error{.what = "'" + text + "' is no depth mode", .where = "--depth-mode", .fix = "see telepalp-codec --help"};
+  return Error{.what = "'" + text + "' is no depth mode",
+               .where = "--depth-mode",
+               .fix = "say fast, intra, temporal or bounded"};
 }
 
 Result<std::optional<server::GatewayOptions>> gateway_options(const program::Arguments& arguments) {
