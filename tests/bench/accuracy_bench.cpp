@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 
 #include "tests/bench/accuracy_sections.h"
 
@@ -13,12 +14,36 @@ void append(std::vector<T>& to, std::vector<T>&& from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
+struct Part {
+  std::string_view name;
+  Result<Section> (*measure)();
+};
+constexpr Part kParts[] = {{"surface", surface_section},
+                           {"prediction", prediction_section},
+                           {"organ", organ_section},
+                           {"z-width", z_width_section},
+                           {"depth", depth_section}};
+
+/// All parts, or the one that is asked for.
+Result<std::vector<Part>> parts_of(const program::Arguments& arguments) {
+  if (!arguments.has("part")) return std::vector<Part>(std::begin(kParts), std::end(kParts));
+  std::string names;
+  for (const Part& part : kParts) {
+    if (part.name == arguments.text("part")) return std::vector<Part>{part};
+    names += (names.empty() ? "" : ", ") + std::string(part.name);
+  }
+  return Error{
+      .what = "'" + arguments.text("part") + "' is no part", .where = "--part", .fix = "give one of: " + names};
+}
+
 }  // namespace
 
 Result<Report> run_accuracy(const program::Arguments& arguments) {
+  const Result<std::vector<Part>> parts = parts_of(arguments);
+  if (!parts) return parts.error();
   Section all;
-  for (const auto part : {surface_section, prediction_section, organ_section, z_width_section, depth_section}) {
-    Result<Section> section = part();
+  for (const Part& part : *parts) {
+    Result<Section> section = part.measure();
     if (!section) return section.error();
     append(all.rows, std::move(section->rows));
     append(all.parts, std::move(section->parts));
@@ -28,7 +53,8 @@ Result<Report> run_accuracy(const program::Arguments& arguments) {
   report.notes = {"shapes: six known by formula, radii >= 50 mm, 1.5 mm sampling at 0.8 m, no noise; the worst of them",
                   "torso: 640x480, Gaussian noise of 1 mm, still, after one second of frames; reach 0.10 m",
                   "load: share of one core for 30 snapshots and 2000 steps a second, from the medians"};
-  all.parts.push_back({"conditions", "Machine: " + machine_name() + "; commit " + TELEPALP_COMMIT + ".\n"});
+  if (parts->size() == std::size(kParts))
+    all.parts.push_back({"conditions", "Machine: " + machine_name() + "; commit " + TELEPALP_COMMIT + ".\n"});
   if (arguments.has("write")) {
     const std::filesystem::path page = std::filesystem::path(arguments.text("write")) / "accuracy.md";
     if (const auto done = rewrite_page(page, all.parts, all.pictures); !done) return done.error();

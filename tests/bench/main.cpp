@@ -40,6 +40,7 @@ program::Usage usage() {
                       {"list", "", "name the benchmarks and leave"},
                       {"input", "FILE|DIR", "what to run on, where a benchmark takes one"},
                       {"held-out", "SET,SET…", "depth: frames never trained on, for the mean ratio"},
+                      {"part", "NAME", "accuracy: surface, prediction, organ, z-width or depth alone"},
                       {"write", "DIR", "also write the page of a benchmark that has one: accuracy.md in docs"},
                       {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
                       {"seconds", "S", "how long, where a benchmark takes time", "10"}},
