@@ -48,6 +48,13 @@ ControlInput without_numbers(const ControlInput& in, const Point<HapticBase>& de
   return out;
 }
 
+/// Of the energy in a spring that pushes with `force_N`, what it gives out when it never gives more than `bound_N`.
+double deliverable_share(double bound_N, double force_N) noexcept {
+  if (force_N <= bound_N) return 1.0;
+  const double share = bound_N / force_N;
+  return share * (2.0 - share);
+}
+
 bool in_body(const ControlInput& in) noexcept { return in.contact.valid && in.contact.in_body; }
 
 bool stale(const ControlInput& in, const AgeLimits& ages) noexcept {
@@ -140,6 +147,7 @@ void EncounteredController::begin_contact(const ControlInput& in) noexcept {
   coupling_.begin(felt.device);
   last_felt_ = felt.device;
   passivity_.begin(0.0);
+  withheld_N_.setZero();
 }
 
 Vector3d EncounteredController::effects_force_N(const ControlInput& in, double dt_s) noexcept {
@@ -160,8 +168,14 @@ Vector3d EncounteredController::effects_force_N(const ControlInput& in, double d
   const Vector3d skin_velocity = felt.contact.surface_speed_m_per_s * felt.contact.normal.v;
   exchange.velocity = {felt.device_velocity.v - skin_velocity};
   exchange.moved = {felt.moved.v - skin_velocity * dt_s};
+  exchange.absorbed_J -= withheld_N_.dot(exchange.moved.v);
+  // Short of the bound before the damping is added, which could not take anything back from beyond it.
+  const double bound_N = limiter_.bound_N();
+  const Vector3d shown_N = at_most(force.N, bound_N);
+  withheld_N_ = shown_N - force.N;
+  exchange.stored_J *= deliverable_share(bound_N, force.N.norm());
   damping_ = passivity_.step(exchange, dt_s);
-  return force.N + damping_.N;
+  return shown_N + damping_.N;
 }
 
 /// Out body: proportional-derivative control to eq. (5)'s target, over the hand's x and z, on the plane.
@@ -261,7 +275,8 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
 
   out.phase = phase_;
   out.force = limiter_.limit({wanted_N_}, dt_s);
-  out.limited = limiter_.limited();
+  withheld_N_ += out.force.N - wanted_N_;
+  out.limited = limiter_.limited() || (touching && withheld_N_.squaredNorm() > 1e-18);
   out.fault = fault_;
   out.fault_stands = stands;
   out.target = target_;

@@ -105,6 +105,7 @@ class EncounteredController {
   bool shown_from_proxy_ = false;
   Point<HapticBase> last_proxy_;
   Force<HapticBase> damping_;
+  Eigen::Vector3d withheld_N_ = Eigen::Vector3d::Zero();  ///< given less asked by the effects, over the tick that ends
   Point<HapticBase> target_;
   Point<HapticBase> last_felt_;  ///< the end-effector as the effects saw it last
   double unpaid_depth_m_ = 0.0;  ///< at which the contact began, not yet shown

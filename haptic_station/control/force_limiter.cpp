@@ -7,14 +7,14 @@ namespace telepalp::control {
 namespace {
 
 /// `vector` shortened to `length` if it is longer. Scaled by its largest component first, so that a huge vector
-/// does not overflow to infinity.
+/// does not overflow to infinity; and to a hair less, so that rounding never ends above it.
 Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double length) noexcept {
   const double largest = vector.cwiseAbs().maxCoeff();
   if (largest <= 0.0) return vector;
   const Eigen::Vector3d scaled = vector / largest;
   const double norm = scaled.norm();
-  if (norm * largest <= length) return vector;
-  return scaled * (length * (1.0 - 1e-14) / norm);  // rounding must not end above it
+  const double most = length * (1.0 - 1e-14);
+  return norm * largest <= most ? vector : Eigen::Vector3d(scaled * (most / norm));
 }
 
 }  // namespace
