@@ -44,6 +44,8 @@ TEST(Mesh, EachFaultIsNamedWithAFix) {
       {replaced(kSquare, "element vertex 4", "element vertex 4000000000"), "promises more of 'vertex'"},
       {replaced(kSquare, "element face 1", "element face 9999"), "promises more of 'face'"},
       {replaced(kSquare, "element face 1", "element face 2"), "face 1"},
+      {replaced(kSquare, "element face 1", "element vertex 1\nproperty float nx\nelement face 1"),
+       "two elements called"},
       {replaced(kSquare, "4 0 1 2 3", "4 0 1 2 7"), "vertex 7 of 4"},
       {replaced(kSquare, "4 0 1 2 3", "4 0 1 2 -1"), "names vertex"},
       {replaced(kSquare, "4 0 1 2 3", "2000 0 1 2"), "damaged at face 0"},
