@@ -41,16 +41,20 @@ const ContextTables& tables_for(const FrameBefore& before) {
   return before.samples.empty() ? depth_tables() : dependent_depth_tables();
 }
 
+LevelPalette palette_before(const FrameBefore& before) {
+  return before.palette != nullptr ? *before.palette : palette_of(before.samples);
+}
+
 Ranks ranks_of_before(const FrameBefore& before, const LevelPalette& palette) {
   return before.samples.empty() ? Ranks{} : ranks_by(nearest_ranks_of(palette), before.samples);
 }
 
-/// Samples from ranks, in place of a look-up that could read past the palette.
-bool put_levels(const Ranks& ranks, const LevelPalette& palette, std::span<std::uint16_t> samples) {
-  const std::uint16_t highest = *std::max_element(ranks.begin(), ranks.end());
-  if (highest >= palette.size()) return false;
-  for (std::size_t i = 0; i < ranks.size(); ++i) samples[i] = palette.levels[ranks[i]];
-  return true;
+/// Samples from ranks. One beyond the palette, which only a damaged packet has, is as if not measured: the frame's crc
+/// tells.
+void put_levels(const Ranks& ranks, const LevelPalette& palette, std::span<std::uint16_t> samples) {
+  std::vector<std::uint16_t> levels(std::size_t{1} << 16);
+  std::copy(palette.levels.begin(), palette.levels.end(), levels.begin());
+  for (std::size_t i = 0; i < ranks.size(); ++i) samples[i] = levels[ranks[i]];
 }
 
 }  // namespace
@@ -90,7 +94,7 @@ std::optional<std::string> encode_contexts(const Ranks& ranks, int width, const 
   const std::size_t room = raw_bytes / static_cast<std::size_t>(slicing.slices) + 64;
   const std::unique_ptr<std::uint8_t[]> bytes(new std::uint8_t[kLanes * room]);
   std::string body;
-  append_coded_palette(body, palette, palette_of(before.samples));
+  append_coded_palette(body, palette, palette_before(before));
   for (int first = 0; first < slicing.slices; first += kLanes) {
     std::array<EncodeSlice, kLanes> slices{};
     const int count = std::min(kLanes, slicing.slices - first);
@@ -112,14 +116,13 @@ std::optional<std::string> encode_contexts(const Ranks& ranks, int width, const 
   return body;
 }
 
-bool decode_contexts(const Packet& packet, const FrameBefore& before, std::span<std::uint16_t> samples,
-                     const ContextKernel& kernel) {
+std::optional<LevelPalette> decode_contexts(const Packet& packet, const FrameBefore& before,
+                                            std::span<std::uint16_t> samples, const ContextKernel& kernel) {
   const PacketHeader& header = packet.header;
   const std::optional<Slicing> slicing = Slicing::declared(header.height, header.slices);
   ByteReader reader(packet.body);
-  const std::optional<LevelPalette> palette =
-      slicing ? read_coded_palette(reader, palette_of(before.samples)) : std::nullopt;
-  if (!palette) return false;
+  std::optional<LevelPalette> palette = slicing ? read_coded_palette(reader, palette_before(before)) : std::nullopt;
+  if (!palette) return std::nullopt;
   const ContextTables& tables = tables_for(before);
   const Ranks ranks_before = ranks_of_before(before, *palette);
   const Scratch scratch = scratch_for(header.width, tables);
@@ -130,7 +133,7 @@ bool decode_contexts(const Packet& packet, const FrameBefore& before, std::span<
     for (int i = 0; i < count; ++i) {
       const std::optional<std::uint32_t> size = reader.varint();
       const auto bytes = size ? reader.take(*size) : std::nullopt;
-      if (!bytes) return false;
+      if (!bytes) return std::nullopt;
       slices[static_cast<std::size_t>(i)] = {.bytes = reinterpret_cast<const std::uint8_t*>(bytes->data()),
                                              .size = bytes->size(),
                                              .ranks = ranks.data() + first_pixel(*slicing, first + i, header.width),
@@ -139,7 +142,9 @@ bool decode_contexts(const Packet& packet, const FrameBefore& before, std::span<
     }
     kernel.decode(slices.data(), count, header.width, tables, scratch.get());
   }
-  return reader.empty() && put_levels(ranks, *palette, samples);
+  if (!reader.empty()) return std::nullopt;
+  put_levels(ranks, *palette, samples);
+  return palette;
 }
 
 }  // namespace telepalp::codec

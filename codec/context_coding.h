@@ -32,6 +32,7 @@ struct Slicing {
 /// What a frame is coded against.
 struct FrameBefore {
   std::span<const std::uint16_t> samples;  ///< of the same size; empty: the frame stands alone
+  const LevelPalette* palette = nullptr;   ///< of `samples`, where it is at hand
 };
 
 /// Palette and slices of a frame that is given as ranks. nullopt when that takes more bytes than its samples.
@@ -39,8 +40,9 @@ struct FrameBefore {
                                                          const FrameBefore& before, const Slicing& slicing,
                                                          const ContextKernel& kernel);
 
-/// Fills `samples` from such a body. False when it is damaged.
-[[nodiscard]] bool decode_contexts(const Packet& packet, const FrameBefore& before, std::span<std::uint16_t> samples,
-                                   const ContextKernel& kernel);
+/// Fills `samples` from such a body, and gives its palette. nullopt when it is damaged.
+[[nodiscard]] std::optional<LevelPalette> decode_contexts(const Packet& packet, const FrameBefore& before,
+                                                          std::span<std::uint16_t> samples,
+                                                          const ContextKernel& kernel);
 
 }  // namespace telepalp::codec

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "codec/context_kernel.h"
+#include "codec/context_rows.h"
 #include "proto/words/vectorised.h"
 
 // The coder's inner loop, once for each instruction set: `Vector` finds and learns symbols its own way. Internal
@@ -22,11 +23,12 @@ struct Lane {
   Coder coder;
   Model* models = nullptr;
   Model far_model = kFlatModel;
-  uint16_t* filled = nullptr;          // this row, gaps filled with predictions
-  uint16_t* filled_above = nullptr;    //
+  uint16_t* filled = nullptr;        // this row, gaps filled with predictions
+  uint16_t* filled_above = nullptr;  //
+  uint16_t* filled_two_above = nullptr;
   uint16_t* measured_above = nullptr;  // ranks of the row above: 0 is a gap
   uint16_t* measured = nullptr;
-  uint16_t* context_above = nullptr;  // share of each pixel's context that the row above decides
+  uint32_t* context_above = nullptr;  // share of each pixel's context that the rows above decide
   int west = 0;
   int west_west = 0;
   int north_west = 0;
@@ -37,7 +39,7 @@ struct Lane {
 
 /// What the encoder knows of a row before it codes it, a place a pixel.
 struct RowPlan {
-  uint16_t* context = nullptr;
+  uint32_t* context = nullptr;
   uint16_t* predicted = nullptr;
   uint16_t* symbol = nullptr;
   uint16_t* before_class = nullptr;  // in dependent frames
@@ -46,6 +48,12 @@ struct RowPlan {
 inline uint16_t* take_row(uint8_t*& scratch, int width) {
   auto* const row = reinterpret_cast<uint16_t*>(scratch) + kMargin;
   scratch += row_bytes(width);
+  return row;
+}
+
+inline uint32_t* take_wide_row(uint8_t*& scratch, int width) {
+  auto* const row = reinterpret_cast<uint32_t*>(scratch) + kMargin;
+  scratch += 2 * row_bytes(width);
   return row;
 }
 
@@ -61,49 +69,49 @@ inline Model* take_models(uint8_t*& scratch, const ContextTables& tables) {
 template <class Coder>
 void start(Lane<Coder>& lane, uint8_t*& scratch, int width, const ContextTables& tables) {
   lane.models = take_models(scratch, tables);
-  uint16_t** const rows[] = {&lane.filled, &lane.filled_above, &lane.measured, &lane.measured_above,
-                             &lane.context_above};
+  uint16_t** const rows[] = {&lane.filled, &lane.filled_above, &lane.filled_two_above, &lane.measured,
+                             &lane.measured_above};
   for (uint16_t** row : rows) {
     memset(scratch, 0, row_bytes(width));
     *row = take_row(scratch, width);
   }
-  for (int x = -kMargin; x < width + kMargin; ++x) lane.filled_above[x] = 1;
+  lane.context_above = take_wide_row(scratch, width);
+  for (int x = -kMargin; x < width + kMargin; ++x) lane.filled_above[x] = lane.filled_two_above[x] = 1;
 }
 
-/// Before a row: what the one above says, and the neighbours of its first pixel.
+/// Before a row: what those above say, and the neighbours of its first pixel.
 template <class Coder>
 void begin_row(Lane<Coder>& lane, int width) {
-  const uint16_t* const filled = lane.filled_above;
-  const uint16_t* const measured = lane.measured_above;
-  uint16_t* const context_above = lane.context_above;
-  TELEPALP_INDEPENDENT_TURNS
-  for (int x = 0; x < width; ++x)
-    context_above[x] = static_cast<uint16_t>(context_from_above(filled + x, measured + x));
+  classify_above<1>({lane.filled_above, lane.filled_two_above, lane.measured_above}, lane.context_above, width);
   lane.west = lane.west_west = lane.north_west = lane.filled_above[0];
   lane.west_measured = false;
   lane.west_stayed = false;
 }
 
+template <class Number>
+inline void swap_rows(Number*& a, Number*& b) {
+  Number* const was = a;
+  a = b;
+  b = was;
+}
+
 template <class Coder>
 void end_row(Lane<Coder>& lane, int width) {
-  lane.filled[-1] = lane.filled[0];
-  lane.filled[width] = lane.filled[width - 1];
-  uint16_t* const filled = lane.filled;
-  lane.filled = lane.filled_above;
-  lane.filled_above = filled;
-  uint16_t* const measured = lane.measured;
-  lane.measured = lane.measured_above;
-  lane.measured_above = measured;
+  lane.filled[-1] = lane.filled[-2] = lane.filled[0];
+  lane.filled[width] = lane.filled[width + 1] = lane.filled[width - 1];
+  swap_rows(lane.filled_two_above, lane.filled_above);
+  swap_rows(lane.filled_above, lane.filled);
+  swap_rows(lane.measured_above, lane.measured);
 }
 
 template <bool kDependent, class Coder>
 inline Model& model_for(Lane<Coder>& lane, int x, int predicted, const ContextTables& tables) {
-  const int context =
-      lane.context_above[x] + context_from_row(lane.west, lane.west_west, lane.north_west, lane.west_measured);
-  const int cluster = tables.cluster_of[context];
+  const uint32_t context = lane.context_above[x] + static_cast<uint32_t>(context_from_row(
+                                                       lane.west, lane.west_west, lane.north_west, lane.west_measured));
+  const int group = tables.group_of[context];
   if constexpr (kDependent)
-    return lane.models[cluster * kBeforeClasses + before_class(lane.before[x], predicted, lane.west_stayed)];
-  return lane.models[cluster];
+    return lane.models[group * kBeforeClasses + before_class(lane.before[x], predicted, lane.west_stayed)];
+  return lane.models[group];
 }
 
 template <bool kDependent, class Coder>
@@ -165,8 +173,8 @@ inline void plan_row(const Lane<RangeEncoder>& lane, const RowPlan& plan, int wi
   const uint16_t* const filled = lane.filled;
   const uint16_t* const above = lane.filled_above;
   const uint16_t* const measured = lane.measured;
-  const uint16_t* const context_above = lane.context_above;
-  uint16_t* const __restrict context = plan.context;
+  const uint32_t* const context_above = lane.context_above;
+  uint32_t* const __restrict context = plan.context;
   uint16_t* const __restrict predicted = plan.predicted;
   uint16_t* const __restrict symbol = plan.symbol;
   TELEPALP_INDEPENDENT_TURNS
@@ -178,9 +186,9 @@ inline void plan_row(const Lane<RangeEncoder>& lane, const RowPlan& plan, int wi
     const int zigzag = step > 0 ? 2 * step : (step < 0 ? 1 - 2 * step : 0);
     predicted[x] = static_cast<uint16_t>(expected);
     symbol[x] = static_cast<uint16_t>(measured[x] == 0 ? int{kNotMeasured} : (zigzag < kFarther ? zigzag : kFarther));
-    context[x] = static_cast<uint16_t>(context_above[x] + (bounded(filled[x - 2] - west, 2) + 2) +
-                                       kWestClass * (bounded(west - north_west, 2) + 2) +
-                                       (measured[x - 1] != 0 ? kWestMeasured : 0));
+    context[x] = context_above[x] + static_cast<uint32_t>((bounded(filled[x - 2] - west, 2) + 2) +
+                                                          kWestClass * (bounded(west - north_west, 2) + 2) +
+                                                          (measured[x - 1] != 0 ? kWestMeasured : 0));
   }
   if constexpr (!kDependent) return;
   uint16_t* const __restrict before_classes = plan.before_class;
@@ -192,7 +200,7 @@ inline void plan_row(const Lane<RangeEncoder>& lane, const RowPlan& plan, int wi
 
 template <class Vector, bool kDependent>
 inline void encode_pixel(Lane<RangeEncoder>& lane, const RowPlan& plan, int x, const ContextTables& tables) {
-  int index = tables.cluster_of[plan.context[x]];
+  int index = tables.group_of[plan.context[x]];
   if constexpr (kDependent) index = index * kBeforeClasses + plan.before_class[x];
   Model& model = lane.models[index];
   const int symbol = plan.symbol[x];
@@ -235,7 +243,7 @@ void encode_slices(EncodeSlice* slices, int count, int width, const ContextTable
   auto* room = static_cast<uint8_t*>(scratch);
   for (int i = 0; i < count; ++i) {
     start(lanes[i], room, width, tables);
-    plans[i] = {take_row(room, width), take_row(room, width), take_row(room, width), take_row(room, width)};
+    plans[i] = {take_wide_row(room, width), take_row(room, width), take_row(room, width), take_row(room, width)};
     lanes[i].coder.start(slices[i].bytes, slices[i].room);
   }
   for (int row = 0; row < slices[0].rows; ++row) {

@@ -14,7 +14,7 @@ struct Plain {
 extern const ContextKernel* const kV3ContextKernel;  // context_kernel_v3.cpp; nullptr where the build has none
 
 size_t scratch_bytes(int width, const ContextTables& tables) {
-  return kLanes * (static_cast<size_t>(tables.count) * sizeof(Model) + 9 * row_bytes(width));
+  return kLanes * (static_cast<size_t>(tables.count) * sizeof(Model) + 12 * row_bytes(width));
 }
 
 const ContextKernel& portable_context_kernel() {

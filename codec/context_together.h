@@ -2,6 +2,7 @@
 
 #include "codec/context_kernel_impl.h"
 #include "codec/four.h"
+#include "codec/places.h"
 
 // Decoding four slices of equal height at once: their neighbours, predictions and contexts lie in one register each,
 // and only the symbols are found one by one. Internal linkage for the same reason as in range_coder.h.
@@ -20,18 +21,6 @@ inline uint16_t* take_rows_together(uint8_t*& scratch, int width, uint16_t value
   return rows + kLanes * kMargin;
 }
 
-/// context_from_above() of four slices.
-inline void contexts_from_above(const uint16_t* filled, const uint16_t* measured, uint16_t* context, int width) {
-  TELEPALP_INDEPENDENT_TURNS
-  for (int i = 0; i < kLanes * width; ++i) {
-    const int classes = 25 * (bounded(filled[i + kLanes] - filled[i], 2) + 2) +
-                        kNorthClass * (bounded(filled[i] - filled[i - kLanes], 2) + 2);
-    const int flags =
-        (measured[i] != 0 ? 1 : 0) + (measured[i - kLanes] != 0 ? 2 : 0) + (measured[i + kLanes] != 0 ? 4 : 0);
-    context[i] = static_cast<uint16_t>(classes + kNorthMeasured * flags);
-  }
-}
-
 /// before_class() of four slices.
 inline Four before_classes(Four before, Four predicted, Four west_stayed) {
   const Four away = bounded_by_two(before - predicted) + 2;
@@ -47,7 +36,7 @@ struct Neighbours {
 /// One row of each slice, four numbers a pixel.
 struct RowsTogether {
   const uint16_t* above = nullptr;  ///< filled
-  const uint16_t* context_above = nullptr;
+  const uint32_t* context_above = nullptr;
   const uint16_t* before = nullptr;  ///< in the frame before
   uint16_t* filled = nullptr;        ///< written, as is:
   uint16_t* measured = nullptr;
@@ -73,10 +62,10 @@ struct Together {
   }
 
   template <bool kDependent>
-  Four symbols_of(Four contexts, Four classes, const uint8_t* cluster_of) {
+  Four symbols_of(Four contexts, Four classes, const uint8_t* group_of) {
     const auto model = [&](int context, int of_before) {
-      const int cluster = cluster_of[context];
-      return kDependent ? cluster * kBeforeClasses + of_before : cluster;
+      const int group = group_of[context];
+      return kDependent ? group * kBeforeClasses + of_before : group;
     };
     const int first = symbol_of(0, model(contexts[0], classes[0]));
     const int second = symbol_of(1, model(contexts[1], classes[1]));
@@ -86,7 +75,7 @@ struct Together {
   }
 
   template <bool kDependent>
-  void decode_row(const RowsTogether& rows, int width, const uint8_t* cluster_of) {
+  void decode_row(const RowsTogether& rows, int width, const uint8_t* group_of) {
     const Four start = four_at(rows.above);
     Neighbours at{start, start, start, Four{}, Four{}};
     for (int x = 0; x < width; ++x) {
@@ -94,12 +83,12 @@ struct Together {
       const Four predicted = predict(at.west, north, at.north_west);
       const Four from_north = bounded_by_two(at.west - at.north_west);
       const Four five_from_north = (from_north << 2) + from_north;  // shorter than to multiply, and all wait for it
-      const Four contexts = four_at(rows.context_above + kLanes * x) + (2 + 2 * kWestClass) +
+      const Four contexts = wide_four_at(rows.context_above + kLanes * x) + (2 + 2 * kWestClass) +
                             (at.west_measured & kWestMeasured) + bounded_by_two(at.west_west - at.west) +
                             five_from_north;
       const Four was = kDependent ? four_at(rows.before + kLanes * x) : Four{};
       const Four classes = kDependent ? before_classes(was, predicted, at.west_stayed) : Four{};
-      const Four symbols = symbols_of<kDependent>(contexts, classes, cluster_of);
+      const Four symbols = symbols_of<kDependent>(contexts, classes, group_of);
       Four steps = look_up(kStepOf, symbols);
       if (any(symbols == int{kFarther})) [[unlikely]]
         steps = with_far_steps(steps, symbols);
@@ -113,13 +102,6 @@ struct Together {
   }
 };
 
-template <class Number>
-inline void swap_rows(Number*& a, Number*& b) {
-  Number* const was = a;
-  a = b;
-  b = was;
-}
-
 template <class Vector, bool kDependent>
 void decode_slices_together(DecodeSlice* slices, int width, const ContextTables& tables, void* scratch) {
   Together<Vector> together;
@@ -129,25 +111,31 @@ void decode_slices_together(DecodeSlice* slices, int width, const ContextTables&
     together.coders[i].start(slices[i].bytes, slices[i].size);
   }
   uint16_t* above = take_rows_together(room, width, 1);
+  uint16_t* two_above = take_rows_together(room, width, 1);
   uint16_t* filled = take_rows_together(room, width, 0);
   uint16_t* measured_above = take_rows_together(room, width, 0);
   uint16_t* measured = take_rows_together(room, width, 0);
-  uint16_t* const contexts = take_rows_together(room, width, 0);
+  auto* const contexts = reinterpret_cast<uint32_t*>(take_rows_together(room, 2 * width + 2 * kMargin, 0));
   uint16_t* const before = take_rows_together(room, width, 0);
   for (int row = 0; row < slices[0].rows; ++row) {
     const size_t first = static_cast<size_t>(row) * static_cast<size_t>(width);
-    contexts_from_above(above, measured_above, contexts, width);
-    if constexpr (kDependent)
-      for (int i = 0; i < kLanes; ++i)
-        for (int x = 0; x < width; ++x) before[kLanes * x + i] = slices[i].before[first + static_cast<size_t>(x)];
-    together.template decode_row<kDependent>({above, contexts, before, filled, measured}, width, tables.cluster_of);
-    for (int i = 0; i < kLanes; ++i) {
-      for (int x = 0; x < width; ++x) slices[i].ranks[first + static_cast<size_t>(x)] = measured[kLanes * x + i];
-      filled[i - kLanes] = filled[i];
-      filled[kLanes * width + i] = filled[kLanes * (width - 1) + i];
+    classify_above<kLanes>({above, two_above, measured_above}, contexts, kLanes * width);
+    if constexpr (kDependent) {
+      const uint16_t* const rows[] = {slices[0].before + first, slices[1].before + first, slices[2].before + first,
+                                      slices[3].before + first};
+      put_together(rows, before, width);
     }
-    swap_rows(filled, above);
-    swap_rows(measured, measured_above);
+    together.template decode_row<kDependent>({above, contexts, before, filled, measured}, width, tables.group_of);
+    uint16_t* const rows[] = {slices[0].ranks + first, slices[1].ranks + first, slices[2].ranks + first,
+                              slices[3].ranks + first};
+    take_apart(measured, rows, width);
+    for (int i = 0; i < kLanes; ++i) {
+      filled[i - kLanes] = filled[i - 2 * kLanes] = filled[i];
+      filled[kLanes * width + i] = filled[kLanes * (width + 1) + i] = filled[kLanes * (width - 1) + i];
+    }
+    swap_rows(two_above, above);
+    swap_rows(above, filled);
+    swap_rows(measured_above, measured);
   }
 }
 

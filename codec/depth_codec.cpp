@@ -32,7 +32,9 @@ Result<DepthImage> decode_depth(std::span<const std::byte> bytes) {
   if (!packet) return packet.error();
   if (packet->header.coding == Coding::Dependent)
     return damaged("frame depends on the one before it, and decode_depth() knows none");
-  return read_frame(*packet, {});
+  Result<DecodedFrame> frame = read_frame(*packet, {});
+  if (!frame) return frame.error();
+  return std::move(frame->depth);
 }
 
 Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> bytes) {

@@ -18,11 +18,13 @@ std::string packet_of(const DepthImage& depth, PacketHeader header, std::string_
   return write_packet(header, depth.samples, body);
 }
 
-bool decode_body(const Packet& packet, const Reference& reference, std::span<std::uint16_t> samples) {
+/// Fills the frame. False when the body is damaged.
+bool decode_body(const Packet& packet, const Reference& reference, DecodedFrame& frame) {
   const Coding coding = packet.header.coding;
-  if (coding == Coding::Contexts || coding == Coding::Dependent)
-    return decode_contexts(packet, {samples_of(reference)}, samples, context_kernel());
-  return decode_fast(packet, samples);
+  if (coding != Coding::Contexts && coding != Coding::Dependent) return decode_fast(packet, frame.depth.samples);
+  frame.palette =
+      decode_contexts(packet, {samples_of(reference), reference.palette}, frame.depth.samples, context_kernel());
+  return frame.palette.has_value();
 }
 
 }  // namespace
@@ -34,8 +36,9 @@ std::string write_frame(const DepthImage& depth, DepthMode mode, const Reference
   }
   const LevelPalette palette = palette_of(depth.samples);
   const Slicing slicing = Slicing::for_frame(depth.width, depth.height);
-  const std::optional<std::string> body = encode_contexts(ranks_by(ranks_of(palette), depth.samples), depth.width,
-                                                          palette, {samples_of(reference)}, slicing, context_kernel());
+  const std::optional<std::string> body =
+      encode_contexts(ranks_by(ranks_of(palette), depth.samples), depth.width, palette,
+                      {samples_of(reference), reference.palette}, slicing, context_kernel());
   if (!body) return packet_of(depth, {.mode = mode, .coding = Coding::Stored}, stored(depth).bytes);
   const auto slices = static_cast<std::uint8_t>(slicing.slices);
   if (reference.depth == nullptr)
@@ -49,17 +52,19 @@ std::string write_frame(const DepthImage& depth, DepthMode mode, const Reference
                    *body);
 }
 
-Result<DepthImage> read_frame(const Packet& packet, const Reference& reference) {
+Result<DecodedFrame> read_frame(const Packet& packet, const Reference& reference) {
   const PacketHeader& header = packet.header;
   if (header.coding == Coding::Stored && packet.body.size() != header.pixels() * sizeof(std::uint16_t))
     return damaged("stored samples are not as many as the header declares");
-  DepthImage depth{.width = header.width,
-                   .height = header.height,
-                   .unit_m = header.unit_m,
-                   .samples = std::vector<std::uint16_t>(header.pixels())};
-  if (!decode_body(packet, reference, depth.samples)) return damaged("coded samples are damaged");
-  if (frame_crc(header, depth.samples) != header.crc) return damaged("decoded samples are not those that were sent");
-  return depth;
+  DecodedFrame frame{.depth = {.width = header.width,
+                               .height = header.height,
+                               .unit_m = header.unit_m,
+                               .samples = std::vector<std::uint16_t>(header.pixels())},
+                     .palette = std::nullopt};
+  if (!decode_body(packet, reference, frame)) return damaged("coded samples are damaged");
+  if (frame_crc(header, frame.depth.samples) != header.crc)
+    return damaged("decoded samples are not those that were sent");
+  return frame;
 }
 
 }  // namespace telepalp::codec

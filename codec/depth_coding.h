@@ -1,16 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "codec/depth_packet.h"
+#include "codec/level_palette.h"
 #include "proto/words/rgbd_frame.h"
 
 namespace telepalp::codec {
 
 /// A frame that another depends on, and the crc that names it.
 struct Reference {
-  const DepthImage* depth = nullptr;  ///< none: the frame stands alone
+  const DepthImage* depth = nullptr;      ///< none: the frame stands alone
+  const LevelPalette* palette = nullptr;  ///< its own, where it is at hand
   std::uint32_t crc = 0;
   std::uint16_t since_key = 0;  ///< of the frame that depends on it
 };
@@ -18,7 +21,13 @@ struct Reference {
 /// A whole packet of `depth` as it is, of any mode.
 [[nodiscard]] std::string write_frame(const DepthImage& depth, DepthMode mode, const Reference& reference);
 
+/// A frame as it was decoded.
+struct DecodedFrame {
+  DepthImage depth;
+  std::optional<LevelPalette> palette;  ///< where the packet has it
+};
+
 /// The frame in a packet; it must be the one that the header's crc was made of.
-[[nodiscard]] Result<DepthImage> read_frame(const Packet& packet, const Reference& reference);
+[[nodiscard]] Result<DecodedFrame> read_frame(const Packet& packet, const Reference& reference);
 
 }  // namespace telepalp::codec

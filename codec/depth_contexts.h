@@ -11,9 +11,10 @@ namespace telepalp::codec {
 /// The trained part of the codec: contexts that behave alike share a model, and each model starts where frames like
 /// those it was trained on left it. Generated; see codec/training/.
 struct ContextTables {
-  const uint8_t* cluster_of;  ///< of each of kContexts
-  const Model* models;        ///< as they are at the start of a slice; kBeforeClasses a cluster in dependent frames
-  int count;                  ///< of models
+  const uint8_t* group_of;  ///< of each of kContexts, for each of kBeyondClasses
+  const Model*
+      models;  ///< as they are at the start of a slice; one a group, kBeforeClasses a group in dependent frames
+  int count;   ///< of models
 };
 
 namespace {
@@ -69,6 +70,17 @@ inline int context_from_above(const uint16_t* filled, const uint16_t* measured) 
 inline int context_from_row(int west, int west_west, int north_west, bool west_measured) {
   return (bounded(west_west - west, 2) + 2) + kWestClass * (bounded(west - north_west, 2) + 2) +
          (west_measured ? kWestMeasured : 0);
+}
+
+/// What lies a pixel further away than a context looks: whether three more neighbours differ, and which way. Of the
+/// rows above alone, so that it is known for a whole row at once. Clusters that behave alike under it share a group of
+/// models.
+constexpr int kBeyondClasses = 27;
+
+/// Pointers to the filled pixel one row above, and two.
+inline int beyond_class(const uint16_t* above, const uint16_t* two_above) {
+  return (bounded(two_above[0] - above[0], 1) + 1) + 3 * (bounded(above[2] - above[1], 1) + 1) +
+         9 * (bounded(above[-2] - above[-1], 1) + 1);
 }
 
 /// What the frame before says of a pixel in a dependent frame: nothing, or that it lies this far from the prediction

@@ -57,13 +57,15 @@ Result<DepthImage> DepthDecoder::decode(std::span<const std::byte> bytes) {
           .where = "DepthDecoder",
           .fix = "wait for the next key frame, or ask for one"};
     reference.depth = &before_;
+    if (before_palette_) reference.palette = &*before_palette_;
   }
-  Result<DepthImage> depth = read_frame(*packet, reference);
-  if (!depth) return depth;
-  if (!makes_groups(header.mode)) return depth;  // none depends on it: it need not be copied
-  before_ = *depth;
+  Result<DecodedFrame> frame = read_frame(*packet, reference);
+  if (!frame) return frame.error();
+  if (!makes_groups(header.mode)) return std::move(frame->depth);  // none depends on it: it need not be copied
+  before_ = frame->depth;
+  before_palette_ = std::move(frame->palette);
   before_crc_ = header.crc;
-  return depth;
+  return std::move(frame->depth);
 }
 
 }  // namespace telepalp::codec

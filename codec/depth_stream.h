@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "codec/depth_bound.h"
 #include "codec/depth_codec.h"
+#include "codec/level_palette.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
@@ -47,6 +49,7 @@ class DepthDecoder {
 
  private:
   DepthImage before_;
+  std::optional<LevelPalette> before_palette_;  // as its packet had it
   std::uint32_t before_crc_ = 0;
 };
 

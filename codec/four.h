@@ -38,6 +38,12 @@ inline Four four_at(const uint16_t* at) {
 #endif
 }
 
+inline Four wide_four_at(const uint32_t* at) {
+  Four four;
+  memcpy(&four, at, sizeof four);
+  return four;
+}
+
 /// `numbers` lie in 0 … 65 535.
 inline void put_four(uint16_t* at, Four numbers) {
 #if defined(__SSE4_1__)

@@ -1,6 +1,7 @@
 #include "codec/level_palette.h"
 
-#include <array>
+#include <bit>
+#include <cstring>
 
 namespace telepalp::codec {
 namespace {
@@ -12,10 +13,16 @@ constexpr std::size_t kSamples = 65536;
 LevelPalette palette_of(std::span<const std::uint16_t> samples) {
   std::vector<std::uint8_t> seen(kSamples);
   for (const std::uint16_t sample : samples) seen[sample] = 1;
+  seen[0] = 0;  // is in every palette already
   LevelPalette palette;
   palette.levels.reserve(512);
-  for (std::size_t level = 1; level < kSamples; ++level)
-    if (seen[level] != 0) palette.levels.push_back(static_cast<std::uint16_t>(level));
+  for (std::size_t level = 0; level < kSamples; level += 8) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, &seen[level], sizeof eight);
+    for (; eight != 0; eight &= eight - 1)
+      palette.levels.push_back(
+          static_cast<std::uint16_t>(level + static_cast<std::size_t>(std::countr_zero(eight)) / 8));
+  }
   return palette;
 }
 

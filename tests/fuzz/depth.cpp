@@ -39,10 +39,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const DepthImage before = some_frame(header.width, header.height);
   const FrameBefore reference = header.coding == Coding::Dependent ? FrameBefore{before.samples} : FrameBefore{};
   std::vector<std::uint16_t> plain(header.pixels());
-  const bool plain_done = decode_contexts(*packet, reference, plain, portable_context_kernel());
+  const bool plain_done = decode_contexts(*packet, reference, plain, portable_context_kernel()).has_value();
   if (v3_context_kernel() == nullptr) return 0;
   std::vector<std::uint16_t> vector(header.pixels());
-  const bool vector_done = decode_contexts(*packet, reference, vector, *v3_context_kernel());
+  const bool vector_done = decode_contexts(*packet, reference, vector, *v3_context_kernel()).has_value();
   demand(plain_done == vector_done && (!plain_done || plain == vector), "kernels agree, on damaged packets too");
   return 0;
 }
