@@ -4,8 +4,8 @@
 #include "haptic_station/control/passivity.h"
 #include "haptic_station/control/phase.h"
 #include "haptic_station/control/phase_event.h"
-#include "haptic_station/control/surface_contact.h"
 #include "haptic_station/effects/effect_bank.h"
+#include "haptic_station/effects/surface_contact.h"
 #include "proto/words/frames.h"
 
 namespace telepalp::control {
@@ -18,9 +18,9 @@ struct ControlInput {
   Point<HapticBase> hand;              ///< as tracked and predicted to now, S1's H_pL_h
   Vector<HapticBase> hand_velocity;    ///< [m/s]
   bool hand_valid = false;
-  double hand_age_s = 0.0;  ///< since the newest sample of the tracker
-  SurfaceContact contact;   ///< of `device`; age_s counts even when there is no surface near
-  bool rearm = false;       ///< an operator asks for it, for this tick
+  double hand_age_s = 0.0;          ///< since the newest sample of the tracker
+  effects::SurfaceContact contact;  ///< of `device`; age_s counts even when there is no surface near
+  bool rearm = false;               ///< an operator asks for it, for this tick
 };
 
 struct ControlOutput {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "haptic_station/control/surface_contact.h"
 #include "proto/words/frames.h"
 
 namespace telepalp::control {

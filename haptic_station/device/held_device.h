@@ -19,7 +19,7 @@ class HeldDevice final : public Device {
   [[nodiscard]] station::DeviceReading read() noexcept override {
     return {.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0};
   }
-  void apply(const Force<HapticBase>& force, const control::SurfaceContact&, double dt_s) noexcept override {
+  void apply(const Force<HapticBase>& force, const effects::SurfaceContact&, double dt_s) noexcept override {
     pair_.step(force, intention_, dt_s);
   }
   void hand_seen(const Point<HapticBase>& hand) noexcept override { intention_.at = hand; }

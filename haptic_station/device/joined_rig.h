@@ -23,7 +23,7 @@ class JoinedRig final : public station::Rig {
     return sample;
   }
 
-  void apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept override {
+  void apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept override {
     device_->apply(force, contact, dt_s);
   }
 

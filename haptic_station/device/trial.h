@@ -2,15 +2,15 @@
 
 #include <span>
 
-#include "haptic_station/control/surface_contact.h"
 #include "haptic_station/device/simulated_pair.h"
+#include "haptic_station/effects/surface_contact.h"
 
 namespace telepalp::device {
 
 /// What the simulated person sees of the scene.
 struct TrialView {
   double time_s = 0.0;              ///< since the trial's start
-  control::SurfaceContact contact;  ///< of the end-effector
+  effects::SurfaceContact contact;  ///< of the end-effector
   Point<HapticBase> device;
 };
 

@@ -30,7 +30,7 @@ void HapticLoop::hand_sampled(SessionTime at, const Point<HapticBase>& hand) noe
   }
 }
 
-control::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) const noexcept {
+effects::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) const noexcept {
   return {.proxy = haptic_from_camera_ * touch.proxy,
           .normal = haptic_from_camera_ * Vector<DepthCamera>{touch.normal},
           .distance_m = touch.distance_m,

@@ -46,7 +46,7 @@ class HapticLoop {
   /// next tick [N, in H], already limited, and all that is told of the tick, but for its number and times.
   struct Act {
     Force<HapticBase> force;
-    control::SurfaceContact contact;
+    effects::SurfaceContact contact;
     control::ControlOutput control;
     TickSample told;
   };
@@ -60,7 +60,7 @@ class HapticLoop {
 
  private:
   void begin_new_time_line() noexcept;
-  [[nodiscard]] control::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
+  [[nodiscard]] effects::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
   [[nodiscard]] TickSample tell(const DeviceReading& device, const control::ControlInput& in,
                                 const control::ControlOutput& out) const noexcept;
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "haptic_station/control/surface_contact.h"
+#include "haptic_station/effects/surface_contact.h"
 #include "proto/words/frames.h"
 #include "proto/words/time.h"
 
@@ -30,7 +30,7 @@ class Rig {
   /// The newest sample of the hand that has not been given yet.
   [[nodiscard]] virtual std::optional<HandSample> hand(SessionTime now) noexcept = 0;
   /// The force to hold for the next `dt_s`. `contact` is what the surface said of the reading, for rigs that simulate.
-  virtual void apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept = 0;
+  virtual void apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept = 0;
 };
 
 }  // namespace telepalp::station

@@ -19,7 +19,7 @@ std::optional<HandSample> SimulatedRig::hand(SessionTime now) noexcept {
   return HandSample{now, *sample};
 }
 
-void SimulatedRig::apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept {
+void SimulatedRig::apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept {
   device::Intention intention;
   if (auto* scripted = std::get_if<device::ScriptedIntention>(&person_))
     intention = scripted->step({.time_s = time_s_, .contact = contact, .device = pair_.device()}, dt_s);

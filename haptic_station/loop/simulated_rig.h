@@ -27,7 +27,7 @@ class SimulatedRig final : public Rig {
 
   [[nodiscard]] DeviceReading read() noexcept override;
   [[nodiscard]] std::optional<HandSample> hand(SessionTime now) noexcept override;
-  void apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept override;
+  void apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept override;
 
   [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
 

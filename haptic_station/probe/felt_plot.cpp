@@ -1,9 +1,10 @@
+#include "haptic_station/probe/felt_plot.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <functional>
 
-#include "haptic_station/probe/touch_run.h"
 #include "haptic_station/trials/figure.h"
 
 namespace telepalp::probe {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "haptic_station/probe/felt_plot.h"
 #include "haptic_station/probe/palpation_path.h"
 #include "haptic_station/probe/probed_surface.h"
 #include "haptic_station/probe/touch_run.h"

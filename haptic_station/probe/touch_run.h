@@ -29,8 +29,4 @@ struct Felt {
 /// Columns t_s,px,py,pz,distance_m,in_body,nx,ny,nz,fx,fy,fz,step_us. The file appears when it is whole.
 [[nodiscard]] Result<void> write_felt(const std::filesystem::path& file, const std::vector<Felt>& felt);
 
-/// Depth, force and time of a step over time, as an SVG file.
-[[nodiscard]] Result<void> plot_felt(const std::filesystem::path& file, const std::vector<Felt>& felt,
-                                     const std::string& title);
-
 }  // namespace telepalp::probe

@@ -7,7 +7,7 @@
 #include "codec/depth_codec.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "haptic_station/control/phase.h"
-#include "haptic_station/control/scene_centering.h"
+#include "haptic_station/scenes/scene_centering.h"
 #include "haptic_station/station/bill.h"
 #include "haptic_station/station/cost_clock.h"
 #include "haptic_station/station/placement.h"
@@ -66,7 +66,7 @@ std::optional<Transform<HapticBase, DepthCamera>> place(const scenes::Scene& sce
   if (!scene.center_on_surface) return scene.haptic_from_camera;
   const std::optional<Point<DepthCamera>> skin = point_under_center(depth, camera);
   if (!skin) return std::nullopt;
-  return control::centered_on(scene.haptic_from_camera, *skin);
+  return scenes::centered_on(scene.haptic_from_camera, *skin);
 }
 
 /// The skin under the middle of the image, or where the scene says that the patient is: H's origin.

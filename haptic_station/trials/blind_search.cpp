@@ -45,8 +45,8 @@ std::vector<device::Waypoint> presses(const std::vector<Place>& places) {
   return script;
 }
 
-device::VirtualStationSettings scene(const BlindSearchSettings& settings, const Point<HapticBase>& cylinder) {
-  device::VirtualStationSettings station;
+VirtualStationSettings scene(const BlindSearchSettings& settings, const Point<HapticBase>& cylinder) {
+  VirtualStationSettings station;
   station.seed = settings.seed;
   station.control.transitions.dwell_s = 0.1;  // a person who has done this before, and a quick script
   (void)station.effects.add(effects::Skin{});
@@ -71,7 +71,7 @@ BlindSearchOutcome search_blindly(const BlindSearchSettings& settings) {
   const double breath_phase_s = random.uniform(0.0, 4.0);
   std::vector<Place> places = grid(settings.half_width_m);
   const std::vector<device::Waypoint> script = presses(places);
-  device::VirtualStation station(scene(settings, outcome.cylinder));
+  VirtualStation station(scene(settings, outcome.cylinder));
   station.place({{0.0, 0.03, 0.0}}, {{script.back().x_m, script.back().height_m, script.back().z_m}});
   device::ScriptedIntention person(script, {});
   const device::BreathingPlane skin{.amplitude_m = settings.breathing_m};

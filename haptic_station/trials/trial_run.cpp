@@ -6,7 +6,6 @@ namespace telepalp::trials {
 namespace {
 
 using control::ControlOutput;
-using device::VirtualStation;
 
 constexpr int kSampleEvery_ticks = 10;
 
@@ -35,8 +34,7 @@ void judge(const Before& before, const VirtualStation& station, const ControlOut
 
 }  // namespace
 
-TrialResult run_trial(device::Trial trial, const device::VirtualStationSettings& settings,
-                      const device::BreathingPlane& skin) {
+TrialResult run_trial(device::Trial trial, const VirtualStationSettings& settings, const device::BreathingPlane& skin) {
   VirtualStation station(settings);
   const device::Waypoint& start = device::waypoints(trial).back();
   station.place({{0.0, 0.03, 0.0}}, {{start.x_m, start.height_m, start.z_m}});
@@ -62,8 +60,8 @@ TrialResult run_trial(device::Trial trial, const device::VirtualStationSettings&
   return result;
 }
 
-device::VirtualStationSettings paper_settings() {
-  device::VirtualStationSettings settings;
+VirtualStationSettings paper_settings() {
+  VirtualStationSettings settings;
   (void)settings.effects.add(effects::Skin{});
   (void)settings.effects.add(effects::InnerCylinder({.top_center = {{0.0, -0.03, 0.0}}}));
   return settings;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "haptic_station/device/breathing_plane.h"
-#include "haptic_station/device/virtual_station.h"
+#include "haptic_station/trials/virtual_station.h"
 
 namespace telepalp::trials {
 
@@ -50,11 +50,11 @@ struct TrialResult {
 };
 
 /// Runs one of S1's trials in virtual time over a level, perhaps breathing, skin.
-[[nodiscard]] TrialResult run_trial(device::Trial trial, const device::VirtualStationSettings& settings,
+[[nodiscard]] TrialResult run_trial(device::Trial trial, const VirtualStationSettings& settings,
                                     const device::BreathingPlane& skin);
 
 /// S1's scene: the skin with the stated stiffness and the cylinder 0.03 m under it.
-[[nodiscard]] device::VirtualStationSettings paper_settings();
+[[nodiscard]] VirtualStationSettings paper_settings();
 
 /// "first trial: indent several points" …
 [[nodiscard]] const char* title(device::Trial trial) noexcept;

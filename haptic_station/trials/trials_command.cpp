@@ -20,11 +20,11 @@ program::Usage usage() {
           .example = "telepalp-station trials --out trials"};
 }
 
-Result<device::VirtualStationSettings> settings_of(const program::Arguments& arguments) {
+Result<VirtualStationSettings> settings_of(const program::Arguments& arguments) {
   if (!arguments.has("scene")) return paper_settings();
   const Result<scenes::Scene> scene = scenes::read_scene(arguments.text("scene"));
   if (!scene) return scene.error();
-  device::VirtualStationSettings settings;
+  VirtualStationSettings settings;
   settings.control = scene->control;
   settings.effects = scene->effects;
   settings.device = scene->simulated_device;
@@ -41,7 +41,7 @@ int trials_command(int argc, const char* const* argv) {
   const program::Arguments& arguments = **read;
   const Result<double> breathing_mm = arguments.number("breathing-mm", 0.0, 50.0);
   if (!breathing_mm) return program::fail(breathing_mm.error(), program::kAskedWrongly);
-  const Result<device::VirtualStationSettings> settings = settings_of(arguments);
+  const Result<VirtualStationSettings> settings = settings_of(arguments);
   if (!settings) return program::fail(settings.error());
   std::vector<TrialResult> results;
   for (const auto trial : {device::Trial::IndentSeveralPoints, device::Trial::MoveWithin, device::Trial::FindCylinder,

@@ -3,7 +3,7 @@
 #include "clients/plot/chart.h"
 #include "clients/plot/palette.h"
 #include "haptic_station/control/virtual_coupling.h"
-#include "haptic_station/device/z_width.h"
+#include "haptic_station/trials/z_width.h"
 #include "tests/bench/accuracy_sections.h"
 
 namespace telepalp::bench {
@@ -34,7 +34,7 @@ Result<Section> z_width_section() {
     plot::Series theory{damping_name(damping), {}, {}, color, plot::Style::Line};
     table.rows.push_back({cell(damping)});
     for (const double rate_hz : kRates_hz) {
-      const double shown = device::largest_stable_stiffness_N_per_m(rate_hz, damping);
+      const double shown = trials::largest_stable_stiffness_N_per_m(rate_hz, damping);
       const double limit = 2.0 * damping * rate_hz;
       measured_dots.x.push_back(rate_hz);
       measured_dots.y.push_back(shown);

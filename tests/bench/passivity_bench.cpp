@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "haptic_station/device/virtual_station.h"
+#include "haptic_station/trials/virtual_station.h"
 #include "tests/bench/delayed_skin.h"
 #include "tests/bench/distribution.h"
 
@@ -48,11 +48,11 @@ struct Presser {
 
 RunFigures run_once(const RunSettings& settings) {
   device::Random random(settings.seed * 7919);
-  device::VirtualStationSettings station_settings;
+  trials::VirtualStationSettings station_settings;
   station_settings.seed = settings.seed;
   station_settings.control.transitions.dwell_s = 0.1;
   (void)station_settings.effects.add(effects::Skin({.law = effects::linear_law(settings.stiffness_N_per_m)}));
-  device::VirtualStation station(station_settings);
+  trials::VirtualStation station(station_settings);
   station.place({{0.0, 0.04, 0.0}}, {{0.0, 0.05, 0.0}});
   DelayedSkin skin(settings.skin, settings.noise_m, settings.link, settings.seed);
   const Presser person{random.uniform(0.03, 0.06), random.uniform(0.0, 0.03), random.uniform(0.2, 2.0)};
@@ -61,7 +61,7 @@ RunFigures run_once(const RunSettings& settings) {
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
   const auto ticks = static_cast<int>(settings.seconds / kTick_s);
   for (int i = 0; i < ticks; ++i) {
-    control::SurfaceContact contact;
+    effects::SurfaceContact contact;
     const Eigen::Vector3d before_m = station.pair().true_device().m;
     const auto out = station.step(
         [&](const Point<HapticBase>& device, double time_s) { return contact = skin.touch(device, time_s, kTick_s); },

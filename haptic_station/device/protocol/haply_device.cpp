@@ -81,7 +81,7 @@ station::DeviceReading HaplyDevice::read() noexcept {
   return reading;
 }
 
-void HaplyDevice::apply(const Force<HapticBase>& force, const control::SurfaceContact&, double) noexcept {
+void HaplyDevice::apply(const Force<HapticBase>& force, const effects::SurfaceContact&, double) noexcept {
   wanted_.put({Clock::now(), force});
 }
 

@@ -33,7 +33,7 @@ class HaplyDevice final : public Device {
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
   [[nodiscard]] station::DeviceReading read() noexcept override;
-  void apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept override;
+  void apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept override;
 
   /// Texts that could not be used, so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }

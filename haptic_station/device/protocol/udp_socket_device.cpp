@@ -75,7 +75,7 @@ station::DeviceReading UdpDevice::read() noexcept {
   return reading;
 }
 
-void UdpDevice::apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double) noexcept {
+void UdpDevice::apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double) noexcept {
   send({.in_body = contact.in_body,
         .surface_valid = contact.valid,
         .proxy = contact.proxy,

@@ -23,7 +23,7 @@ class UdpDevice final : public Device {
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
   [[nodiscard]] station::DeviceReading read() noexcept override;
-  void apply(const Force<HapticBase>& force, const control::SurfaceContact& contact, double dt_s) noexcept override;
+  void apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept override;
 
   /// Datagrams that were damaged, old or repeated, so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }

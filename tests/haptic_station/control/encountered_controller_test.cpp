@@ -6,7 +6,7 @@
 #include <set>
 
 #include "haptic_station/device/breathing_plane.h"
-#include "haptic_station/device/virtual_station.h"
+#include "haptic_station/trials/virtual_station.h"
 
 namespace telepalp {
 namespace {
@@ -34,9 +34,9 @@ struct TrialRun {
 };
 
 TrialRun run_trial(device::Trial trial, double breathing_m = 0.0) {
-  device::VirtualStationSettings settings;
+  trials::VirtualStationSettings settings;
   settings.effects = skin_and_cylinder();
-  device::VirtualStation station(settings);
+  trials::VirtualStation station(settings);
   const device::Waypoint& start = device::waypoints(trial).back();
   station.place({{0.0, 0.03, 0.0}}, {{start.x_m, start.height_m, start.z_m}});
   device::ScriptedIntention person(device::waypoints(trial), {});

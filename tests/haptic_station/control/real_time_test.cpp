@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "haptic_station/device/breathing_plane.h"
-#include "haptic_station/device/virtual_station.h"
+#include "haptic_station/trials/virtual_station.h"
 #include "tests/support/no_heap_scope.h"
 
 namespace telepalp {
@@ -38,11 +38,11 @@ static_assert(noexcept(std::declval<device::SimulatedPair&>().step(std::declval<
 
 TEST(EncounteredController, AWholeTrialTouchesNoHeap) {
   if (!NoHeapScope::works()) GTEST_SKIP() << "a sanitizer owns malloc";
-  device::VirtualStationSettings settings;
+  trials::VirtualStationSettings settings;
   (void)settings.effects.add(effects::Skin{});
   (void)settings.effects.add(effects::InnerCylinder({.top_center = {{0.0, -0.03, 0.0}}}));
   (void)settings.effects.add(effects::InnerSphere({.center = {{0.05, -0.05, 0.0}}}));
-  device::VirtualStation station(settings);
+  trials::VirtualStation station(settings);
   station.place({{0.0, 0.03, 0.0}}, {{0.0, 0.07, 0.0}});
   device::ScriptedIntention person(device::waypoints(device::Trial::FindCylinder), {});
   const device::BreathingPlane skin{.amplitude_m = 0.005};

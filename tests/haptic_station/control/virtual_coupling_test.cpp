@@ -8,8 +8,8 @@
 #include "haptic_station/control/encountered_controller.h"
 #include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/device/random.h"
-#include "haptic_station/device/virtual_station.h"
 #include "haptic_station/trials/trial_run.h"
+#include "haptic_station/trials/virtual_station.h"
 
 namespace telepalp::control {
 namespace {
@@ -113,11 +113,11 @@ TEST(VirtualCoupling, TheContactIsToldAtTheTool) {
 }
 
 TEST(VirtualCoupling, StaysOutOfScenesThatTheDeviceCanShow) {
-  device::VirtualStationSettings with = trials::paper_settings();
-  device::VirtualStationSettings without = with;
+  trials::VirtualStationSettings with = trials::paper_settings();
+  trials::VirtualStationSettings without = with;
   without.control.coupling.enabled = false;
-  device::VirtualStation a(with);
-  device::VirtualStation b(without);
+  trials::VirtualStation a(with);
+  trials::VirtualStation b(without);
   EXPECT_FALSE(a.controller().coupling().engaged());
   a.place({{0.0, 0.03, 0.0}}, {{0.0, 0.05, 0.0}});
   b.place({{0.0, 0.03, 0.0}}, {{0.0, 0.05, 0.0}});

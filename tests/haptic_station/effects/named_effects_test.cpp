@@ -15,8 +15,8 @@
 #include <string>
 
 #include "haptic_station/device/breathing_plane.h"
-#include "haptic_station/device/virtual_station.h"
 #include "haptic_station/scenes/scene.h"
+#include "haptic_station/trials/virtual_station.h"
 
 namespace {
 
@@ -100,10 +100,10 @@ TEST_P(NamedEffects, AreTheOnlyOnesWhoseCodeIsEntered) {
   const auto scene = scenes::read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/" + std::string(GetParam().scene) +
                                         ".scene.textproto");
   ASSERT_TRUE(scene.ok()) << to_string(scene.error());
-  device::VirtualStationSettings settings;
+  trials::VirtualStationSettings settings;
   settings.effects = scene->effects;
   settings.control = scene->control;
-  device::VirtualStation station(settings);
+  trials::VirtualStation station(settings);
   station.place({{0.0, 0.03, 0.0}}, {{0.0, 0.07, 0.0}});
   device::ScriptedIntention person(device::waypoints(device::Trial::FindCylinder), {});
   const device::BreathingPlane skin{.amplitude_m = 0.005};

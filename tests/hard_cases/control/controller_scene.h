@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "haptic_station/device/breathing_plane.h"
-#include "haptic_station/device/virtual_station.h"
 #include "haptic_station/trials/trial_run.h"
+#include "haptic_station/trials/virtual_station.h"
 #include "tests/hard_cases/control/felt.h"
 #include "tests/hard_cases/control/people.h"
 
@@ -14,10 +14,10 @@ namespace telepalp::hard_cases {
 /// S1's skin and cylinder under a still, level surface at 0, and a hand that waits above it.
 struct ControllerScene {
   double seconds = 4.0;
-  device::VirtualStationSettings settings = trials::paper_settings();
+  trials::VirtualStationSettings settings = trials::paper_settings();
   Point<HapticBase> device{{0.0, 0.03, 0.0}};
   Point<HapticBase> hand{{0.0, 0.05, 0.0}};
-  std::function<control::SurfaceContact(const Point<HapticBase>&, double)> surface = device::BreathingPlane{};
+  std::function<effects::SurfaceContact(const Point<HapticBase>&, double)> surface = device::BreathingPlane{};
   Person person = waits_at(0.05);
   std::function<void(control::ControlInput&, double)> spoil = [](control::ControlInput&, double) {};
   std::function<void(const control::ControlOutput&, double)> watch = [](const control::ControlOutput&, double) {};
@@ -33,7 +33,7 @@ ControllerScene with_only(const Effects&... effects) {
 }
 
 inline Felt feel(const ControllerScene& scene) {
-  device::VirtualStation station(scene.settings);
+  trials::VirtualStation station(scene.settings);
   station.place(scene.device, scene.hand);
   Felt felt;
   const auto ticks = static_cast<int>(scene.seconds / scene.settings.tick_s);

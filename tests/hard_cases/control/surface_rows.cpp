@@ -10,8 +10,8 @@ namespace telepalp::hard_cases {
 namespace {
 
 using control::Phase;
-using control::SurfaceContact;
 using device::BreathingPlane;
+using effects::SurfaceContact;
 using ::testing::AssertionResult;
 
 constexpr double kPeak_N = 10.0;

@@ -2,7 +2,7 @@
 
 #include "proto/words/frames.h"
 
-namespace telepalp::control {
+namespace telepalp::scenes {
 
 /// `haptic_from_camera` shifted, not turned, so that `skin` (a point of the patient's surface, such as the one under
 /// the image centre) becomes H's origin. A scene placed for one camera height then suits every other.
@@ -13,4 +13,4 @@ namespace telepalp::control {
   return centered;
 }
 
-}  // namespace telepalp::control
+}  // namespace telepalp::scenes

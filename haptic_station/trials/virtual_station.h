@@ -6,14 +6,14 @@
 #include "haptic_station/device/trial.h"
 #include "haptic_station/tracking/hand_estimate.h"
 
-namespace telepalp::device {
+namespace telepalp::trials {
 
 struct VirtualStationSettings {
   control::ControlSettings control;
   effects::EffectBank effects;
-  SimulatedDeviceSettings device;
-  SimulatedHandSettings hand;
-  SimulatedTrackerSettings tracker;
+  device::SimulatedDeviceSettings device;
+  device::SimulatedHandSettings hand;
+  device::SimulatedTrackerSettings tracker;
   tracking::HandEstimateSettings estimate;
   std::uint64_t seed = 1;
   double tick_s = 0.0005;
@@ -34,7 +34,7 @@ class VirtualStation {
 
   /// The controller's input at this tick but for the contact, which `surface` answers for the device point:
   /// `SurfaceContact surface(Point<HapticBase> device, double time_s)`. `person` aims:
-  /// `Intention person(const TrialView&)`. `spoil(ControlInput&)` may damage the input, for tests.
+  /// `device::Intention person(const device::TrialView&)`. `spoil(ControlInput&)` may damage the input, for tests.
   template <class Surface, class Person, class Spoil>
   control::ControlOutput step(Surface&& surface, Person&& person, Spoil&& spoil) noexcept {
     const SessionTime now{from_seconds(time_s())};
@@ -48,7 +48,7 @@ class VirtualStation {
     in.hand_valid = hand.valid;
     in.hand_age_s = hand.age_s;
     in.contact = surface(in.device, time_s());
-    const TrialView view{time_s(), in.contact, in.device};
+    const device::TrialView view{time_s(), in.contact, in.device};
     spoil(in);
     const control::ControlOutput out = controller_.step(in, settings_.tick_s);
     pair_.step(out.force, person(view), settings_.tick_s);
@@ -61,16 +61,16 @@ class VirtualStation {
   }
 
   [[nodiscard]] double time_s() const noexcept { return static_cast<double>(tick_) * settings_.tick_s; }
-  [[nodiscard]] const SimulatedPair& pair() const noexcept { return pair_; }
+  [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
   [[nodiscard]] const control::EncounteredController& controller() const noexcept { return controller_; }
 
  private:
   VirtualStationSettings settings_;
   control::EncounteredController controller_;
-  SimulatedPair pair_;
-  SimulatedTracker tracker_;
+  device::SimulatedPair pair_;
+  device::SimulatedTracker tracker_;
   tracking::HandEstimate estimate_;
   std::uint64_t tick_ = 0;
 };
 
-}  // namespace telepalp::device
+}  // namespace telepalp::trials

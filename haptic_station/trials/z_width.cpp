@@ -1,10 +1,10 @@
-#include "haptic_station/device/z_width.h"
+#include "haptic_station/trials/z_width.h"
 
 #include <cmath>
 
-namespace telepalp::device {
+namespace telepalp::trials {
 
-bool wall_is_stable(double stiffness_N_per_m, double rate_hz, const SimulatedDeviceSettings& device) noexcept {
+bool wall_is_stable(double stiffness_N_per_m, double rate_hz, const device::SimulatedDeviceSettings& device) noexcept {
   constexpr int kInner = 20;  // the device itself moves on between samples
   constexpr double kLasts_s = 4.0;
   const double sample_s = 1.0 / rate_hz;
@@ -32,7 +32,7 @@ bool wall_is_stable(double stiffness_N_per_m, double rate_hz, const SimulatedDev
 }
 
 double largest_stable_stiffness_N_per_m(double rate_hz, double damping_N_s_per_m) noexcept {
-  SimulatedDeviceSettings device;
+  device::SimulatedDeviceSettings device;
   device.damping_N_s_per_m = damping_N_s_per_m;
   double stable = 1.0;
   double unstable = 1e7;
@@ -43,4 +43,4 @@ double largest_stable_stiffness_N_per_m(double rate_hz, double damping_N_s_per_m
   return stable;
 }
 
-}  // namespace telepalp::device
+}  // namespace telepalp::trials

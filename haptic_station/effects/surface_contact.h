@@ -2,7 +2,7 @@
 
 #include "proto/words/frames.h"
 
-namespace telepalp::control {
+namespace telepalp::effects {
 
 /// What the surface says of the device point at one tick. The loop fills it from the surface's answer; the
 /// controller knows the surface only through it.
@@ -16,4 +16,4 @@ struct SurfaceContact {
   double age_s = 0.0;                  ///< now less the capture time of the surface
 };
 
-}  // namespace telepalp::control
+}  // namespace telepalp::effects

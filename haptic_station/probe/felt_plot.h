@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "haptic_station/probe/touch_run.h"
+#include "proto/words/result.h"
+
+namespace telepalp::probe {
+
+/// Depth, force and time of a step over time, as an SVG file.
+[[nodiscard]] Result<void> plot_felt(const std::filesystem::path& file, const std::vector<Felt>& felt,
+                                     const std::string& title);
+
+}  // namespace telepalp::probe
