@@ -198,42 +198,54 @@ inline void plan_row(const Lane<RangeEncoder>& lane, const RowPlan& plan, int wi
     before_classes[x] = static_cast<uint16_t>(before_class(before[x], predicted[x], measured[x - 1] == before[x - 1]));
 }
 
-template <class Vector, bool kDependent>
+template <class Vector, bool kDependent, int kRate>
 inline void encode_pixel(Lane<RangeEncoder>& lane, const RowPlan& plan, int x, const ContextTables& tables) {
   int index = tables.group_of[plan.context[x]];
   if constexpr (kDependent) index = index * kBeforeClasses + plan.before_class[x];
   Model& model = lane.models[index];
   const int symbol = plan.symbol[x];
   lane.coder.encode(model, symbol);
-  Vector::learn(model, symbol);
+  Vector::template learn<kRate>(model, symbol);
   if (symbol == kFarther) [[unlikely]]
     encode_far(lane, static_cast<int>(lane.filled[x]) - plan.predicted[x]);
 }
 
-template <class Vector, bool kDependent>
+template <class Vector, bool kDependent, int kRate>
 inline void decode_pixel(Lane<RangeDecoder>& lane, int x, const ContextTables& tables) {
   const int predicted = predict(lane.west, lane.filled_above[x], lane.north_west);
   Model& model = model_for<kDependent>(lane, x, predicted, tables);
   const int symbol = Vector::decode(lane.coder, model);
-  Vector::learn(model, symbol);
+  Vector::template learn<kRate>(model, symbol);
   int step = kStepOf[symbol];
   if (symbol == kFarther) [[unlikely]]
     step = decode_far(lane.coder, lane.far_model);
   step_east<kDependent>(lane, x, predicted + step, symbol != kNotMeasured);
 }
 
-template <class Vector, bool kDependent, int kCount>
+template <class Vector, bool kDependent, int kRate, int kCount>
 void encode_row(Lane<RangeEncoder>* lanes, const RowPlan* plans, int width, const ContextTables& tables) {
   for (int x = 0; x < width; ++x)
 #pragma GCC unroll 4
-    for (int i = 0; i < kCount; ++i) encode_pixel<Vector, kDependent>(lanes[i], plans[i], x, tables);
+    for (int i = 0; i < kCount; ++i) encode_pixel<Vector, kDependent, kRate>(lanes[i], plans[i], x, tables);
 }
 
-template <class Vector, bool kDependent, int kCount>
+template <class Vector, bool kDependent, int kRate, int kCount>
 void decode_row(Lane<RangeDecoder>* lanes, int width, const ContextTables& tables) {
   for (int x = 0; x < width; ++x)
 #pragma GCC unroll 4
-    for (int i = 0; i < kCount; ++i) decode_pixel<Vector, kDependent>(lanes[i], x, tables);
+    for (int i = 0; i < kCount; ++i) decode_pixel<Vector, kDependent, kRate>(lanes[i], x, tables);
+}
+
+template <class Vector, bool kDependent, int kRate>
+void encode_rows(Lane<RangeEncoder>* lanes, const RowPlan* plans, int count, int width, const ContextTables& tables) {
+  if (count == kLanes) return encode_row<Vector, kDependent, kRate, kLanes>(lanes, plans, width, tables);
+  for (int i = 0; i < count; ++i) encode_row<Vector, kDependent, kRate, 1>(lanes + i, plans + i, width, tables);
+}
+
+template <class Vector, bool kDependent, int kRate>
+void decode_rows(Lane<RangeDecoder>* lanes, int count, int width, const ContextTables& tables) {
+  if (count == kLanes) return decode_row<Vector, kDependent, kRate, kLanes>(lanes, width, tables);
+  for (int i = 0; i < count; ++i) decode_row<Vector, kDependent, kRate, 1>(lanes + i, width, tables);
 }
 
 template <class Vector, bool kDependent>
@@ -255,11 +267,10 @@ void encode_slices(EncodeSlice* slices, int count, int width, const ContextTable
       fill_gaps(lanes[i], slices[i].ranks + first, width);
       plan_row<kDependent>(lanes[i], plans[i], width);
     }
-    if (active == kLanes) {
-      encode_row<Vector, kDependent, kLanes>(lanes, plans, width, tables);
-    } else {
-      for (int i = 0; i < active; ++i) encode_row<Vector, kDependent, 1>(lanes + i, plans + i, width, tables);
-    }
+    if (learning_rate(kDependent, row) == kSettledRate)
+      encode_rows<Vector, kDependent, kSettledRate>(lanes, plans, active, width, tables);
+    else
+      encode_rows<Vector, kDependent, kLearningRate>(lanes, plans, active, width, tables);
     for (int i = 0; i < active; ++i) end_row(lanes[i], width);
   }
   for (int i = 0; i < count; ++i) slices[i].size = lanes[i].coder.finish();
@@ -280,11 +291,10 @@ void decode_slices(DecodeSlice* slices, int count, int width, const ContextTable
       begin_row(lanes[i], width);
       if constexpr (kDependent) lanes[i].before = slices[i].before + first;
     }
-    if (active == kLanes) {
-      decode_row<Vector, kDependent, kLanes>(lanes, width, tables);
-    } else {
-      for (int i = 0; i < active; ++i) decode_row<Vector, kDependent, 1>(lanes + i, width, tables);
-    }
+    if (learning_rate(kDependent, row) == kSettledRate)
+      decode_rows<Vector, kDependent, kSettledRate>(lanes, active, width, tables);
+    else
+      decode_rows<Vector, kDependent, kLearningRate>(lanes, active, width, tables);
     for (int i = 0; i < active; ++i) {
       memcpy(slices[i].ranks + first, lanes[i].measured, static_cast<size_t>(width) * sizeof(uint16_t));
       end_row(lanes[i], width);

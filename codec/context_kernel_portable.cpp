@@ -6,7 +6,10 @@ namespace {
 /// Plain loops, which a compiler turns into whatever vectors its target has.
 struct Plain {
   static int decode(RangeDecoder& coder, const Model& model) { return coder.decode(model); }
-  static void learn(Model& model, int symbol) { codec::learn<kLearningRate>(model, symbol); }
+  template <int kRate>
+  static void learn(Model& model, int symbol) {
+    codec::learn<kRate>(model, symbol);
+  }
 };
 
 }  // namespace

@@ -22,11 +22,12 @@ struct Avx2 {
     return symbol;
   }
 
+  template <int kRate>
   static void learn(Model& model, int symbol) {
     auto* const at = reinterpret_cast<__m256i*>(model.cdf);
     const __m256i cdf = _mm256_load_si256(at);
     const __m256i target = _mm256_load_si256(reinterpret_cast<const __m256i*>(kTargets.of[symbol]));
-    _mm256_store_si256(at, _mm256_add_epi16(cdf, _mm256_srai_epi16(_mm256_sub_epi16(target, cdf), kLearningRate)));
+    _mm256_store_si256(at, _mm256_add_epi16(cdf, _mm256_srai_epi16(_mm256_sub_epi16(target, cdf), kRate)));
   }
 };
 

@@ -54,27 +54,28 @@ struct Together {
     return steps;
   }
 
+  template <int kRate>
   int symbol_of(int lane, int model) {
     Model& at = models[lane][model];
     const int symbol = Vector::decode(coders[lane], at);
-    Vector::learn(at, symbol);
+    Vector::template learn<kRate>(at, symbol);
     return symbol;
   }
 
-  template <bool kDependent>
+  template <bool kDependent, int kRate>
   Four symbols_of(Four contexts, Four classes, const uint8_t* group_of) {
     const auto model = [&](int context, int of_before) {
       const int group = group_of[context];
       return kDependent ? group * kBeforeClasses + of_before : group;
     };
-    const int first = symbol_of(0, model(contexts[0], classes[0]));
-    const int second = symbol_of(1, model(contexts[1], classes[1]));
-    const int third = symbol_of(2, model(contexts[2], classes[2]));
-    const int fourth = symbol_of(3, model(contexts[3], classes[3]));
+    const int first = symbol_of<kRate>(0, model(contexts[0], classes[0]));
+    const int second = symbol_of<kRate>(1, model(contexts[1], classes[1]));
+    const int third = symbol_of<kRate>(2, model(contexts[2], classes[2]));
+    const int fourth = symbol_of<kRate>(3, model(contexts[3], classes[3]));
     return Four{first, second, third, fourth};
   }
 
-  template <bool kDependent>
+  template <bool kDependent, int kRate>
   void decode_row(const RowsTogether& rows, int width, const uint8_t* group_of) {
     const Four start = four_at(rows.above);
     Neighbours at{start, start, start, Four{}, Four{}};
@@ -88,7 +89,7 @@ struct Together {
                             five_from_north;
       const Four was = kDependent ? four_at(rows.before + kLanes * x) : Four{};
       const Four classes = kDependent ? before_classes(was, predicted, at.west_stayed) : Four{};
-      const Four symbols = symbols_of<kDependent>(contexts, classes, group_of);
+      const Four symbols = symbols_of<kDependent, kRate>(contexts, classes, group_of);
       Four steps = look_up(kStepOf, symbols);
       if (any(symbols == int{kFarther})) [[unlikely]]
         steps = with_far_steps(steps, symbols);
@@ -125,7 +126,11 @@ void decode_slices_together(DecodeSlice* slices, int width, const ContextTables&
                                       slices[3].before + first};
       put_together(rows, before, width);
     }
-    together.template decode_row<kDependent>({above, contexts, before, filled, measured}, width, tables.group_of);
+    const RowsTogether rows_together{above, contexts, before, filled, measured};
+    if (learning_rate(kDependent, row) == kSettledRate)
+      together.template decode_row<kDependent, kSettledRate>(rows_together, width, tables.group_of);
+    else
+      together.template decode_row<kDependent, kLearningRate>(rows_together, width, tables.group_of);
     uint16_t* const rows[] = {slices[0].ranks + first, slices[1].ranks + first, slices[2].ranks + first,
                               slices[3].ranks + first};
     take_apart(measured, rows, width);

@@ -14,6 +14,7 @@ namespace telepalp::codec {
 namespace {
 
 constexpr int kSamples = 65536;
+constexpr int kMostAcross = 6;  // ranks
 
 /// The bound at each sample, in whole units.
 std::vector<int> bounds_of(const DepthBound& bound, double unit_m) {
@@ -25,12 +26,12 @@ std::vector<int> bounds_of(const DepthBound& bound, double unit_m) {
 }
 
 /// How often neighbouring pixels lie on either side of the step from each rank to the next: what a boundary there
-/// costs.
+/// costs. Pixels further apart than kMostAcross lie on either side of an edge, which is dear wherever boundaries are.
 std::vector<std::int64_t> crossings(const LevelPalette& palette, const DepthImage& depth) {
   const std::vector<std::uint16_t> ranks = ranks_by(ranks_of(palette), depth.samples);
   std::vector<std::int64_t> starts(palette.size() + 1);  // less those that end
   const auto count = [&](std::uint16_t a, std::uint16_t b) {
-    if (a == b || a == 0 || b == 0) return;
+    if (a == b || a == 0 || b == 0 || std::abs(a - b) > kMostAcross) return;
     ++starts[std::min(a, b)];
     --starts[std::max(a, b)];
   };

@@ -30,11 +30,13 @@ bool decode_body(const Packet& packet, const Reference& reference, DecodedFrame&
 }  // namespace
 
 std::string write_frame(const DepthImage& depth, DepthMode mode, const Reference& reference) {
-  if (mode == DepthMode::Fast) {
-    const Body body = encode_fast(depth);
-    return packet_of(depth, {.mode = mode, .coding = body.coding}, body.bytes);
-  }
-  const LevelPalette palette = palette_of(depth.samples);
+  if (mode != DepthMode::Fast) return write_frame(depth, palette_of(depth.samples), mode, reference);
+  const Body body = encode_fast(depth);
+  return packet_of(depth, {.mode = mode, .coding = body.coding}, body.bytes);
+}
+
+std::string write_frame(const DepthImage& depth, const LevelPalette& palette, DepthMode mode,
+                        const Reference& reference) {
   const Slicing slicing = Slicing::for_frame(depth.width, depth.height);
   const std::optional<std::string> body =
       encode_contexts(ranks_by(ranks_of(palette), depth.samples), depth.width, palette,

@@ -21,6 +21,10 @@ struct Reference {
 /// A whole packet of `depth` as it is, of any mode.
 [[nodiscard]] std::string write_frame(const DepthImage& depth, DepthMode mode, const Reference& reference);
 
+/// The same of any mode but Fast, where the frame's palette is at hand.
+[[nodiscard]] std::string write_frame(const DepthImage& depth, const LevelPalette& palette, DepthMode mode,
+                                      const Reference& reference);
+
 /// A frame as it was decoded.
 struct DecodedFrame {
   DepthImage depth;

@@ -28,8 +28,15 @@ enum Symbol : int {
 };
 constexpr int kLargestStep = 6;
 
-/// A model moves 1/64 of the way to what it sees.
+/// A model moves 1/64 of the way to what it sees; where a frame stands alone half as far once a slice is some way down,
+/// as what it has learnt by then is worth more.
 constexpr int kLearningRate = 6;
+constexpr int kSettledRate = 7;
+constexpr int kFirstSettledRow = 30;
+
+constexpr int learning_rate(bool is_dependent, int row) {
+  return !is_dependent && row >= kFirstSettledRow ? kSettledRate : kLearningRate;
+}
 
 /// Step of each symbol from the prediction. A pixel that was not measured is filled with its prediction.
 constexpr int8_t kStepOf[16] = {0, 0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 0, 0};

@@ -32,13 +32,17 @@ std::string DepthEncoder::encode(const DepthImage& depth) {
   const bool is_key = std::exchange(key_wanted_, false) || !alike(depth, before_) ||
                       since_key_ + 1 >= std::min(settings_.key_every, kMost);
   since_key_ = is_key ? 0 : since_key_ + 1;
-  const Reference reference{
-      .depth = is_key ? nullptr : &before_, .crc = before_crc_, .since_key = static_cast<std::uint16_t>(since_key_)};
+  const Reference reference{.depth = is_key ? nullptr : &before_,
+                            .palette = is_key ? nullptr : &before_palette_,
+                            .crc = before_crc_,
+                            .since_key = static_cast<std::uint16_t>(since_key_)};
   const bool bounded = settings_.mode == DepthMode::Bounded;
   if (is_key && bounded) levels_ = bounded_levels(depth, settings_.bound);
   DepthImage sent = bounded ? with_levels(depth, levels_) : depth;
-  std::string packet = write_frame(sent, settings_.mode, reference);
+  LevelPalette palette = palette_of(sent.samples);
+  std::string packet = write_frame(sent, palette, settings_.mode, reference);
   before_crc_ = crc_of(packet);
+  before_palette_ = std::move(palette);
   before_ = std::move(sent);
   return packet;
 }

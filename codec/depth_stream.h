@@ -36,6 +36,7 @@ class DepthEncoder {
   DepthStreamSettings settings_;
   LevelMap levels_;    // of Bounded, made for the key frame: levels that change from frame to frame cost more
   DepthImage before_;  // as the decoder has it
+  LevelPalette before_palette_;
   std::uint32_t before_crc_ = 0;
   int since_key_ = 0;
   bool key_wanted_ = true;
