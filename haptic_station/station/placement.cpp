@@ -33,4 +33,31 @@ std::optional<Point<DepthCamera>> point_under_center(const DepthImage& depth, co
   return std::nullopt;
 }
 
+Transform<HapticBase, DepthCamera> centered_on(const Transform<HapticBase, DepthCamera>& haptic_from_camera,
+                                               const Point<DepthCamera>& skin) noexcept {
+  Transform<HapticBase, DepthCamera> centered = haptic_from_camera;
+  centered.iso.translation() -= (haptic_from_camera * skin).m;
+  return centered;
+}
+
+std::optional<Transform<HapticBase, DepthCamera>> placed(const scenes::Scene& scene, const DepthImage& depth,
+                                                         const Intrinsics& camera) {
+  if (!scene.center_on_surface) return scene.haptic_from_camera;
+  const std::optional<Point<DepthCamera>> skin = point_under_center(depth, camera);
+  if (!skin) return std::nullopt;
+  return centered_on(scene.haptic_from_camera, *skin);
+}
+
+std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration) {
+  if (calibration.k_size() != 9 || calibration.width() > kMaxImageSide || calibration.height() > kMaxImageSide)
+    return std::nullopt;
+  const Intrinsics intrinsics{.width = static_cast<int>(calibration.width()),
+                              .height = static_cast<int>(calibration.height()),
+                              .fx = calibration.k(0),
+                              .fy = calibration.k(4),
+                              .cx = calibration.k(2),
+                              .cy = calibration.k(5)};
+  return is_well_formed(intrinsics) ? std::optional(intrinsics) : std::nullopt;
+}
+
 }  // namespace telepalp::station

@@ -5,12 +5,11 @@
 #include <utility>
 
 #include "codec/depth_codec.h"
-#include "foxglove/CameraCalibration.pb.h"
 #include "haptic_station/control/phase.h"
-#include "haptic_station/scenes/scene_centering.h"
 #include "haptic_station/station/bill.h"
 #include "haptic_station/station/cost_clock.h"
 #include "haptic_station/station/placement.h"
+#include "haptic_station/station/scene_rig.h"
 #include "proto/program/log.h"
 #include "proto/wire/viewer_hand.h"
 
@@ -24,7 +23,6 @@ constexpr auto kTellPeriod = 10ms;  // /station/state at 100 Hz
 constexpr auto kTotalsPeriod = 1s;  // /station/stats
 constexpr auto kRearmTakes = 20ms;  // some ticks, and their telling
 constexpr auto kSayStillWaiting = 5s;
-constexpr double kRestHeight_m = 0.10;  // above the skin, where the simulated hand begins
 
 void say(const std::string& text) { program::log(kName, text); }
 
@@ -49,42 +47,6 @@ wire::ClientLink::Options link_options(const StationOptions& options, bool takes
   return link;
 }
 
-std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration) {
-  if (calibration.k_size() != 9 || calibration.width() > kMaxImageSide || calibration.height() > kMaxImageSide)
-    return std::nullopt;
-  const Intrinsics intrinsics{.width = static_cast<int>(calibration.width()),
-                              .height = static_cast<int>(calibration.height()),
-                              .fx = calibration.k(0),
-                              .fy = calibration.k(4),
-                              .cx = calibration.k(2),
-                              .cy = calibration.k(5)};
-  return is_well_formed(intrinsics) ? std::optional(intrinsics) : std::nullopt;
-}
-
-std::optional<Transform<HapticBase, DepthCamera>> place(const scenes::Scene& scene, const DepthImage& depth,
-                                                        const Intrinsics& camera) {
-  if (!scene.center_on_surface) return scene.haptic_from_camera;
-  const std::optional<Point<DepthCamera>> skin = point_under_center(depth, camera);
-  if (!skin) return std::nullopt;
-  return scenes::centered_on(scene.haptic_from_camera, *skin);
-}
-
-/// The skin under the middle of the image, or where the scene says that the patient is: H's origin.
-constexpr double kSkin_m = 0.0;
-
-SimulatedRig::Settings rig_settings(const scenes::Scene& scene) {
-  return {.device = scene.simulated_device,
-          .hand = scene.simulated_hand,
-          .tracker = {},
-          .rest = {{0.0, kSkin_m + kRestHeight_m, 0.0}}};
-}
-
-SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
-  const Point<HapticBase> skin{{0.0, kSkin_m, 0.0}};
-  if (trace) return tracking::RecordedIntention(*trace, scene.haptic_from_tracker, skin, scene.trace_deepest_m);
-  return device::ScriptedIntention(device::waypoints(scene.trial), skin);
-}
-
 }  // namespace
 
 Station::Station(StationOptions options, const scenes::Scene& scene, const surface::SurfaceSettings& surface,
@@ -107,9 +69,9 @@ Station::Station(StationOptions options, const scenes::Scene& scene, const surfa
       browser_hand_(rig.browser),
       telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }) {
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
-    const auto placed = place(scene_, depth, camera);
-    boost::asio::post(io_, [this, placed] { haptic_from_camera_ = placed; });
-    return placed;
+    const auto haptic_from_camera = placed(scene_, depth, camera);
+    boost::asio::post(io_, [this, haptic_from_camera] { haptic_from_camera_ = haptic_from_camera; });
+    return haptic_from_camera;
   };
   worker_.emplace(
       surface, placement,
@@ -243,7 +205,7 @@ void Station::touch_model() {
 }
 
 void Station::start_haptic_thread() {
-  if (!rig_) rig_ = std::make_unique<SimulatedRig>(rig_settings(scene_), person_of(scene_, trace_));
+  if (!rig_) rig_ = rig_of(scene_, trace_);
   haptic_.emplace(loop_, *rig_, surfaces_, ticks_);
   haptic_->set_clock_offset(link_.clock().offset());
   if (!in_tick_) collision_.emplace(slow_surfaces_, haptic_->device(), surfaces_, [this] { return now(); });

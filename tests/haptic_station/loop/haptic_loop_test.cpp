@@ -7,7 +7,6 @@
 
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/scenes/scene_centering.h"
 #include "haptic_station/station/placement.h"
 #include "haptic_station/surface/surface_builder.h"
 #include "proto/words/latest_value.h"
@@ -68,7 +67,7 @@ Outcome run(const server::SyntheticPatient& patient, double seconds) {
   const scenes::Scene scene = palpation();
   const RgbdFrame first = patient.frame_at(at_tick(0), 0);
   const Point<DepthCamera> skin = point_under_center(first.depth, first.camera.depth).value();
-  const auto haptic_from_camera = scenes::centered_on(scene.haptic_from_camera, skin);
+  const auto haptic_from_camera = centered_on(scene.haptic_from_camera, skin);
 
   surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
   LatestValue<TouchableSurface> surfaces;
