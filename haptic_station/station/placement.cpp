@@ -27,8 +27,9 @@ std::optional<Point<DepthCamera>> point_under_center(const DepthImage& depth, co
     const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
     std::nth_element(samples.begin(), middle, samples.end());
     const double z_m = *middle * depth.unit_m;
-    return Point<DepthCamera>{
-        {(depth.width / 2 - camera.cx) / camera.fx * z_m, (depth.height / 2 - camera.cy) / camera.fy * z_m, z_m}};
+    const int column = depth.width / 2;
+    const int row = depth.height / 2;
+    return Point<DepthCamera>{{(column - camera.cx) / camera.fx * z_m, (row - camera.cy) / camera.fy * z_m, z_m}};
   }
   return std::nullopt;
 }

@@ -28,16 +28,22 @@ struct Entered {
 constexpr std::size_t kMostFunctions = 4096;
 std::array<Entered, kMostFunctions> entered;
 bool counting = false;
+bool overflowed = false;
 
 }  // namespace
 
 extern "C" {
 __attribute__((no_instrument_function)) void __cyg_profile_func_enter(void* function, void*) {
   if (!counting) return;
-  std::size_t slot = (reinterpret_cast<std::uintptr_t>(function) >> 4) % kMostFunctions;
-  while (entered[slot].function != nullptr && entered[slot].function != function) slot = (slot + 1) % kMostFunctions;
-  entered[slot].function = function;
-  ++entered[slot].times;
+  const std::size_t first = (reinterpret_cast<std::uintptr_t>(function) >> 4) % kMostFunctions;
+  for (std::size_t i = 0; i < kMostFunctions; ++i) {
+    Entered& one = entered[(first + i) % kMostFunctions];
+    if (one.function != nullptr && one.function != function) continue;
+    one.function = function;
+    ++one.times;
+    return;
+  }
+  overflowed = true;
 }
 __attribute__((no_instrument_function)) void __cyg_profile_func_exit(void*, void*) {}
 }
@@ -116,6 +122,7 @@ TEST_P(NamedEffects, AreTheOnlyOnesWhoseCodeIsEntered) {
   }
   counting = false;
   ASSERT_GT(touching, 1000);
+  ASSERT_FALSE(overflowed) << "kMostFunctions is too small";
   const auto counts = entries_by_class();
   for (const std::string& name : classes_of(effects::EffectBank::Effect())) {
     const std::uint64_t times = counts.contains(name) ? counts.at(name) : 0;
