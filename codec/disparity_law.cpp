@@ -80,8 +80,8 @@ std::optional<DisparityLaw> fit_disparity_law(std::span<const std::uint16_t> lev
        {std::size_t{2}, std::size_t{4}}) {  // the usual gap is one step; where levels are few, a small one
     const Line line = settle(inverses, gaps[gaps.size() * share / 8]);
     if (!(line.step >= 1.0) || !(line.farthest >= 1.0) || !(line.step < 4e9) || !(line.farthest <= one)) continue;
-    const DisparityLaw law{static_cast<std::uint64_t>(line.farthest + 0.5),
-                           static_cast<std::uint32_t>(line.step + 0.5)};
+    const DisparityLaw law{static_cast<std::uint64_t>(std::llround(line.farthest)),
+                           static_cast<std::uint32_t>(std::llround(line.step))};
     if (law.step_of(levels.front()) >= DisparityLaw::kMostSteps) continue;
     if (const double missed = misses(law, levels); missed < fewest) {
       best = law;

@@ -42,8 +42,9 @@ bool decode_tokens(const Packet& packet, std::span<std::uint16_t> samples) {
   TokenStreams streams;
   const auto read = [&](std::string& stream, std::size_t most_bytes) {
     std::optional<std::string> plain = read_zstd_stream(reader, most_bytes);
-    if (plain) stream = *std::move(plain);
-    return plain.has_value();
+    if (!plain) return false;
+    stream = std::move(*plain);
+    return true;
   };
   if (!read(streams.extra, 4 * pixels) || !read(streams.entries, 3 * pixels)) return false;
   for (std::string& tokens : streams.tokens)

@@ -29,6 +29,7 @@ double ms_between(std::uint64_t from_ns, std::uint64_t to_ns) {
 template <class Proto, class Take>
 Quantiles over(const std::vector<Proto>& messages, Take take) {
   std::vector<double> values;
+  values.reserve(messages.size());
   for (const Proto& message : messages) values.push_back(take(message));
   return quantiles(std::move(values));
 }

@@ -31,8 +31,8 @@ std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name
 std::optional<Matrix3d> mean_rotation(const Matrix3d& sum) {
   const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
   if (svd.singularValues()[1] < 0.1 * svd.singularValues()[0]) return std::nullopt;  // they cancel: no mean
-  const Matrix3d u = svd.matrixU();
-  const Matrix3d v = svd.matrixV();
+  const Matrix3d& u = svd.matrixU();
+  const Matrix3d& v = svd.matrixV();
   const double sign = (u * v.transpose()).determinant() < 0.0 ? -1.0 : 1.0;
   return u * Vector3d(1.0, 1.0, sign).asDiagonal() * v.transpose();
 }

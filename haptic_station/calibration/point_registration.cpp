@@ -40,6 +40,7 @@ std::vector<Place> averaged(std::span<const PointPair> pairs) {
     place.repeats += 1.0;
   }
   std::vector<Place> places;
+  places.reserve(by_place.size());
   for (const auto& [name, place] : by_place)
     places.push_back({place.to / place.repeats, place.from / place.repeats, place.repeats});
   return places;
@@ -105,8 +106,8 @@ std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3
 /// The rotation nearest to `m`, of determinant 1.
 Matrix3d nearest_rotation(const Matrix3d& m) {
   const Eigen::JacobiSVD<Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Matrix3d u = svd.matrixU();
-  const Matrix3d v = svd.matrixV();
+  const Matrix3d& u = svd.matrixU();
+  const Matrix3d& v = svd.matrixV();
   const double sign = (u * v.transpose()).determinant() < 0.0 ? -1.0 : 1.0;
   return u * Vector3d(1.0, 1.0, sign).asDiagonal() * v.transpose();
 }

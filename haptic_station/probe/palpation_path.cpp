@@ -22,6 +22,7 @@ Vector3d middle_of(const std::vector<Vector3d>& points) {
   Vector3d middle = Vector3d::Zero();
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
+    values.reserve(points.size());
     for (const Vector3d& at : points) values.push_back(at[axis]);
     const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), median, values.end());

@@ -97,6 +97,7 @@ std::vector<Eigen::Vector3d> some_of(const std::vector<Eigen::Vector3f>& points)
 std::vector<Eigen::Vector3f> positions(const std::vector<surface::CloudPoint>& cloud,
                                        const Eigen::Vector3d& origin_m = Eigen::Vector3d::Zero()) {
   std::vector<Eigen::Vector3f> at;
+  at.reserve(cloud.size());
   for (const surface::CloudPoint& point : cloud) at.push_back((origin_m + point.at_m.cast<double>()).cast<float>());
   return at;
 }
@@ -157,6 +158,7 @@ Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit
                    .samples = {}};
   image.samples.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   std::vector<png_bytep> rows;
+  rows.reserve(static_cast<std::size_t>(image.height));
   for (int row = 0; row < image.height; ++row)
     rows.push_back(reinterpret_cast<png_bytep>(&image.samples[static_cast<std::size_t>(row * image.width)]));
   if (!read_rows(reader.png, rows.data())) return fail("is damaged");
