@@ -9,6 +9,7 @@
 #include "proto/program/options.h"
 #include "proto/program/ready_file.h"
 #include "proto/program/shipped.h"
+#include "server/depth_options.h"
 #include "server/gateway/gateway.h"
 #include "server/server.h"
 
@@ -34,6 +35,8 @@ program::Usage usage() {
                       {"ready-file", "FILE", "write the ports there once it listens"},
                       {"depth-mode", "MODE", "fast, intra, temporal (all without loss) or bounded (for the eye alone)",
                        "fast"},
+                      {"depth-bound", "LEAST,PER_M2",
+                       "bounded: a depth of z m moves by max(LEAST, PER_M2 z²) mm at most [1,2.85]"},
                       {"key-every", "N", "frames from key frame to key frame, temporal and bounded", "12"},
                       {"jpeg-quality", "1..100", "of colour", "85"},
                       {"name", "NAME", "told to peers", kProgram}},
@@ -54,14 +57,6 @@ Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view opt
   if (text == "yes" || text == "no") return text == "yes";
   return Error{
       .what = "'" + text + "' is neither yes nor no", .where = "--" + std::string(option), .fix = "say yes or no"};
-}
-
-Result<codec::DepthMode> depth_mode(const program::Arguments& arguments) {
-  const std::string text = arguments.text("depth-mode");
-  if (const std::optional<codec::DepthMode> mode = codec::depth_mode(text)) return *mode;
-  return Error{.what = "'" + text + "' is no depth mode",
-               .where = "--depth-mode",
-               .fix = "say fast, intra, temporal or bounded"};
 }
 
 Result<std::optional<server::GatewayOptions>> gateway_options(const program::Arguments& arguments) {
@@ -93,10 +88,9 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!port) return port.error();
   const Result<std::int64_t> quality = arguments.whole("jpeg-quality", 1, 100);
   if (!quality) return quality.error();
-  const Result<codec::DepthMode> mode = depth_mode(arguments);
-  if (!mode) return mode.error();
-  const Result<std::int64_t> key_every = arguments.whole("key-every", 1, 65535);
-  if (!key_every) return key_every.error();
+  const Result<codec::DepthStreamSettings> depth =
+      server::read_depth_settings(arguments, {.mode = "depth-mode", .bound = "depth-bound"});
+  if (!depth) return depth.error();
   const Result<boost::asio::ip::address> address = server::loopback_address(arguments.text("bind"));
   if (!address) return address.error();
   const Result<std::optional<server::GatewayOptions>> gateway = gateway_options(arguments);
@@ -109,8 +103,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                .server = {.name = arguments.text("name"),
                           .bind = arguments.text("bind"),
                           .port = static_cast<std::uint16_t>(*port),
-                          .encode = {.depth = {.mode = *mode, .key_every = static_cast<int>(*key_every)},
-                                     .jpeg_quality = static_cast<int>(*quality)},
+                          .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
                           .log = say},
                .gateway = *gateway};
 }

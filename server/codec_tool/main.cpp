@@ -1,8 +1,8 @@
 // telepalp-codec: compresses depth recordings, gives them back, and says what that cost.
 
-#include "codec/depth_stream.h"
 #include "proto/program/options.h"
 #include "server/codec_tool/commands.h"
+#include "server/depth_options.h"
 
 namespace {
 
@@ -18,25 +18,10 @@ program::Usage usage() {
       .options = {{"mode", "MODE", "fast, intra, temporal (all without loss) or bounded", "temporal"},
                   {"key-every", "N", "frames from key frame to key frame, temporal and bounded", "30"},
                   {"unit-mm", "MM", "one step of a sample, where images do not say", "1"},
-                  {"bound-mm", "MM", "bounded: error that is always allowed", "1"},
-                  {"bound-per-z2", "MM", "bounded: error allowed at 1 m, growing with the square of depth", "2.85"},
+                  {"bound", "LEAST,PER_M2",
+                   "bounded: a depth of z m moves by max(LEAST, PER_M2 z²) mm at most [1,2.85]"},
                   {"to", "KIND", "decode: png or pgm, 16 bits a sample", "png"}},
       .example = "telepalp-codec encode recording.oni depth.mcap && telepalp-codec compare recording.oni depth.mcap"};
-}
-
-Result<codec::DepthStreamSettings> settings_of(const program::Arguments& arguments) {
-  const std::optional<codec::DepthMode> mode = codec::depth_mode(arguments.text("mode"));
-  if (!mode)
-    return Error{.what = "'" + arguments.text("mode") + "' is no depth mode", .where = "--mode", .fix = "see --help"};
-  const Result<std::int64_t> key_every = arguments.whole("key-every", 1, 65535);
-  if (!key_every) return key_every.error();
-  const Result<double> bound = arguments.number("bound-mm", 0.0, 1000.0);
-  if (!bound) return bound.error();
-  const Result<double> growth = arguments.number("bound-per-z2", 0.0, 1000.0);
-  if (!growth) return growth.error();
-  return codec::DepthStreamSettings{.mode = *mode,
-                                    .key_every = static_cast<int>(*key_every),
-                                    .bound = {.least_m = *bound / 1000.0, .per_m = *growth / 1000.0}};
 }
 
 struct Asked {
@@ -58,7 +43,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
     return Error{.what = command + " takes " + std::to_string(wanted - 1) + " files",
                  .where = std::string(kProgram),
                  .fix = "telepalp-codec --help"};
-  const Result<codec::DepthStreamSettings> settings = settings_of(arguments);
+  const Result<codec::DepthStreamSettings> settings =
+      server::read_depth_settings(arguments, {.mode = "mode", .bound = "bound"});
   if (!settings) return settings.error();
   asked.settings = *settings;
   const Result<double> unit_mm = arguments.number("unit-mm", 1e-4, 1000.0);
