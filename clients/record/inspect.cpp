@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "proto/program/log.h"
+#include "proto/wire/depth_told.h"
 #include "proto/wire/mcap/reader.h"
 
 namespace telepalp::record {
@@ -36,6 +37,22 @@ std::string made_by(const wire::SessionInfo& session) {
   if (!session.commit.empty()) line += " (" + session.commit + ")";
   if (!session.source.empty()) line += " from " + session.source;
   return program::escaped(line) + "\n";
+}
+
+/// How far the depth in the file is from what the camera measured: as the recorder noted it at the end, and else (an
+/// encoded or repaired file) as the first image tells.
+std::string depth_of(wire::McapReader& reader) {
+  const auto line = [](const std::string& words) { return program::escaped("depth: " + words) + "\n"; };
+  for (const wire::mcap::MetadataIndex& index : reader.summary().metadata) {
+    if (index.name != wire::kRecordingMetadata) continue;
+    const Result<wire::mcap::Metadata> metadata = reader.read(index);
+    if (metadata && metadata->values.contains("depth")) return line(metadata->values.at("depth"));
+  }
+  reader.select({.topics = {std::string(wire::kCameraDepth.name)}});
+  const auto first = reader.next();
+  msg::DepthImage image;
+  if (!first || !*first || !image.ParseFromString(*(*first)->payload)) return {};
+  return line(wire::in_words(wire::depth_told(image)));
 }
 
 struct Row {
@@ -88,7 +105,7 @@ Result<std::string> inspect(const std::filesystem::path& file) {
   std::error_code ignored;
   const double size_MB = static_cast<double>(std::filesystem::file_size(file, ignored)) / 1e6;
   const wire::mcap::Summary& summary = reader->summary();
-  return first_line(summary.statistics, summary.chunks.size(), size_MB) + made_by(*session) + "\n" +
+  return first_line(summary.statistics, summary.chunks.size(), size_MB) + made_by(*session) + depth_of(*reader) + "\n" +
          table(rows_of(summary), duration_s(summary.statistics));
 }
 

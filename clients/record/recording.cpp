@@ -1,11 +1,13 @@
 #include "clients/record/recording.h"
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
 #include <cstdio>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "clients/record/disk_thread.h"
@@ -13,6 +15,7 @@
 #include "proto/program/ready_file.h"
 #include "proto/program/version.h"
 #include "proto/wire/client_link.h"
+#include "proto/wire/depth_told.h"
 #include "proto/wire/mcap/writer.h"
 
 namespace telepalp::record {
@@ -40,11 +43,13 @@ std::uint64_t total(const std::map<std::string_view, std::uint64_t>& by_topic) {
   return sum;
 }
 
-/// Goes into the file, so that who reads it later knows what it lacks.
-wire::mcap::Metadata what_is_missing(const RecordingReport& report,
-                                     const std::map<std::string_view, std::uint64_t>& dropped) {
-  wire::mcap::Metadata metadata{"telepalp.recording",
+/// Goes into the file, so that who reads it later knows what it lacks, and how exact its depth is.
+wire::mcap::Metadata what_was_found(const RecordingReport& report,
+                                    const std::map<std::string_view, std::uint64_t>& dropped,
+                                    const std::set<std::string>& depth) {
+  wire::mcap::Metadata metadata{std::string(wire::kRecordingMetadata),
                                 {{"gaps", std::to_string(report.gaps)}, {"gap_s", fixed(report.gap_s, 3)}}};
+  if (!depth.empty()) metadata.values["depth"] = boost::algorithm::join(depth, "; ");
   for (const auto& [topic, count] : dropped) metadata.values["dropped" + std::string(topic)] = std::to_string(count);
   return metadata;
 }
@@ -81,7 +86,17 @@ class Recording {
  private:
   /// Depth that depends on a frame which the disk did not take would be of no use to whoever reads the file.
   void on_message(const wire::Message& message) {
-    if (!disk_.offer(message) && message.topic.name == wire::kCameraDepth.name) link_.want_key(message);
+    const bool taken = disk_.offer(message);
+    if (message.topic.name != wire::kCameraDepth.name) return;
+    if (!taken) return link_.want_key(message);
+    note_depth(message);
+  }
+
+  void note_depth(const wire::Message& message) {
+    constexpr std::size_t kMostKinds = 8;
+    msg::DepthImage image;
+    if (depth_.size() >= kMostKinds || !image.ParseFromString(*message.payload)) return;
+    depth_.insert(wire::in_words(wire::depth_told(image)));
   }
 
   void on_state(wire::LinkState state, const std::string& detail) {
@@ -170,7 +185,7 @@ class Recording {
       report_.seconds = seconds_since(*started_);
       report_.dropped = total(counts.dropped);
       if (stored)
-        if (const Result<void> told = writer_.add(what_is_missing(report_, counts.dropped)); !told && !failed_)
+        if (const Result<void> told = writer_.add(what_was_found(report_, counts.dropped, depth_)); !told && !failed_)
           failed_ = told.error();
       if (const Result<void> closed = writer_.close(); !closed && !failed_) failed_ = closed.error();
       report_.messages = writer_.messages();
@@ -190,6 +205,7 @@ class Recording {
   boost::asio::steady_timer watch_{io_};
   wire::ClientLink link_;
   RecordingReport report_;
+  std::set<std::string> depth_;  // what was told of the depth recorded, in words; one, but for a server that comes back
   std::optional<Clock::time_point> started_;
   std::optional<Clock::time_point> away_since_;
   std::optional<Error> failed_;

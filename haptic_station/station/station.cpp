@@ -4,13 +4,13 @@
 #include <csignal>
 #include <utility>
 
-#include "codec/depth_codec.h"
 #include "haptic_station/control/phase.h"
 #include "haptic_station/station/bill.h"
 #include "haptic_station/station/cost_clock.h"
 #include "haptic_station/station/placement.h"
 #include "haptic_station/station/scene_rig.h"
 #include "proto/program/log.h"
+#include "proto/wire/depth_told.h"
 #include "proto/wire/viewer_hand.h"
 
 namespace telepalp::station {
@@ -180,17 +180,19 @@ void Station::on_viewer_hand(const wire::Message& message) {
 
 void Station::on_surface(const msg::SurfaceReport& report) {
   publish(wire::make_message(wire::kStationSurface, now(), report));
-  say_depth_mode(report.depth_mode());
+  say_depth(report);
   if (!haptic_) start_haptic_thread();
 }
 
 /// Depth that was moved is not what the camera measured, and whoever touches it is told.
-void Station::say_depth_mode(const std::string& mode) {
-  if (std::exchange(depth_mode_, mode) == mode) return;
-  if (mode != codec::name(codec::DepthMode::Bounded)) return say("depth comes without loss (" + mode + ")");
-  const std::string warning =
-      "depth is bounded: moved within an error bound, for the eye and not for touch. fix: telepalp-server --depth-mode "
-      "fast, intra or temporal";
+void Station::say_depth(const msg::SurfaceReport& report) {
+  const wire::DepthTold told = wire::depth_told(report);
+  const std::string words = wire::in_words(told);
+  if (std::exchange(depth_, words) == words) return;
+  if (!told.moved) return say("depth comes without loss (" + told.mode + ")");
+  const std::string warning = "what is touched is not what the camera measured: depth is " + words +
+                              ": for the eye and not for touch. fix: telepalp-server --depth-mode fast, intra or "
+                              "temporal";
   say(warning);
   telemetry_.tell_event(now(), msg::EVENT_KIND_SCENE, warning);
 }

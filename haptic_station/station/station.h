@@ -53,7 +53,7 @@ class Station {
   void on_link(wire::LinkState state, const std::string& detail);
   void say_link(const std::string& text, wire::LinkState state);
   void on_surface(const msg::SurfaceReport& report);
-  void say_depth_mode(const std::string& mode);
+  void say_depth(const msg::SurfaceReport& report);
   void touch_model();
   void start_haptic_thread();
   void every_10_ms();
@@ -80,7 +80,7 @@ class Station {
   std::optional<Intrinsics> camera_;
   std::optional<Error> failure_;
   std::set<std::string> said_of_trying_;
-  std::string depth_mode_;  // as last said
+  std::string depth_;  // as last said
 
   const bool in_tick_;                                      // the surface is quick enough to be asked in the tick
   LatestValue<TouchableSurface> slow_surfaces_;             // surface thread to collision thread, where there is one

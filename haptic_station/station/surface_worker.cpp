@@ -111,6 +111,7 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   report.set_points(snapshot->points);
   report.set_index(snapshot->index_name);
   report.set_depth_mode(mode_of(message));
+  if (message.has_bound()) *report.mutable_depth_bound() = message.bound();
   judge(report, captured, to_seconds(handlers_.now() - begun));
   return report;
 }

@@ -1,9 +1,9 @@
-#include "messages/camera.pb.h"
 #include "proto/wire/mcap/writer.h"
 #include "server/codec_tool/commands.h"
 #include "server/codec_tool/depth_files.h"
 #include "server/codec_tool/progress.h"
 #include "server/codec_tool/totals.h"
+#include "server/pipeline/camera_messages.h"
 
 namespace telepalp::server {
 namespace {
@@ -25,18 +25,16 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
   codec::DepthEncoder encoder(settings);
   Progress progress(count_depth_files(input));
   Totals totals;
-  Result<void> done = for_each_depth(input, unit_m, [&](const NamedDepth& named) -> Result<void> {
+  Result<void> done = for_each_depth(input, unit_m, [&](NamedDepth named) -> Result<void> {
     const SessionTime captured = captured_of(named, totals.frames);
-    msg::DepthImage image;
-    image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(captured)));
-    image.set_sequence(totals.frames + 1);
-    image.set_frame_id("camera_depth");
-    image.set_width(static_cast<std::uint32_t>(named.depth.width));
-    image.set_height(static_cast<std::uint32_t>(named.depth.height));
-    image.set_unit_m(named.depth.unit_m);
-    image.set_format(std::string(codec::name(settings.mode)));
-    image.set_data(encoder.encode(named.depth));
-    totals.add(static_cast<double>(named.depth.samples.size()), image.data().size());
+    std::string packet = encoder.encode(named.depth);
+    const RgbdFrame frame{.captured = captured,
+                          .sequence = totals.frames + 1,
+                          .camera = {},
+                          .depth = std::move(named.depth),
+                          .color = {}};
+    const msg::DepthImage image = depth_message(frame, settings, std::move(packet));
+    totals.add(static_cast<double>(frame.depth.samples.size()), image.data().size());
     progress.step();
     return writer->write(wire::make_message(wire::kCameraDepth, captured, image));
   });

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "messages/camera.pb.h"
+#include "proto/wire/depth_told.h"
 #include "proto/wire/mcap/reader.h"
 #include "server/codec_tool/commands.h"
 #include "server/codec_tool/totals.h"
@@ -8,12 +8,14 @@
 namespace telepalp::server {
 namespace {
 
-void print_line(std::size_t number, const codec::DepthPacketInfo& packet, std::size_t bytes) {
+void print_line(std::size_t number, const codec::DepthPacketInfo& packet, std::size_t bytes,
+                const wire::DepthTold& told) {
   const std::string place = packet.since_key == 0 ? "key" : "key+" + std::to_string(packet.since_key);
-  std::printf("%6zu  %-8s %-10s %d x %d  unit %g mm  %d slices  %s  %zu B  ratio %.2f\n", number,
+  std::printf("%6zu  %-8s %-10s %d x %d  unit %g mm  %d slices  %s  %zu B  ratio %.2f%s\n", number,
               std::string(codec::name(packet.mode)).c_str(), std::string(packet.coding).c_str(), packet.width,
               packet.height, 1000.0 * packet.unit_m, packet.slices, place.c_str(), bytes,
-              2.0 * packet.width * packet.height / static_cast<double>(bytes));
+              2.0 * packet.width * packet.height / static_cast<double>(bytes),
+              told.moved ? ("  " + wire::how_far(told)).c_str() : "");
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ Result<void> describe_recording(const std::filesystem::path& input) {
                    .fix = "record it again"};
     const Result<codec::DepthPacketInfo> packet = codec::inspect_depth(std::as_bytes(std::span(image.data())));
     if (!packet) return packet.error();
-    print_line(totals.frames, *packet, image.data().size());
+    print_line(totals.frames, *packet, image.data().size(), wire::depth_told(image));
     totals.add(1.0 * packet->width * packet->height, image.data().size());
   }
   if (totals.frames == 0) return Error{.what = "holds no depth", .where = input.string(), .fix = "give a session file"};

@@ -18,7 +18,7 @@ void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
 
 }  // namespace
 
-msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode, std::string packet) {
+msg::DepthImage depth_message(const RgbdFrame& frame, const codec::DepthStreamSettings& settings, std::string packet) {
   msg::DepthImage image;
   image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(frame.captured)));
   image.set_sequence(frame.sequence);
@@ -26,7 +26,11 @@ msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode, std
   image.set_width(static_cast<std::uint32_t>(frame.depth.width));
   image.set_height(static_cast<std::uint32_t>(frame.depth.height));
   image.set_unit_m(frame.depth.unit_m);
-  image.set_format(std::string(codec::name(mode)));
+  image.set_format(std::string(codec::name(settings.mode)));
+  if (settings.mode == codec::DepthMode::Bounded) {
+    image.mutable_bound()->set_least_m(settings.bound.least_m);
+    image.mutable_bound()->set_per_m(settings.bound.per_m);
+  }
   image.set_data(std::move(packet));
   return image;
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "codec/depth_codec.h"
+#include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
@@ -16,8 +16,9 @@ namespace telepalp::server {
 inline constexpr std::string_view kDepthFrameId = "camera_depth";
 inline constexpr std::string_view kColorFrameId = "camera_color";
 
-/// The depth of `frame`, compressed in `mode` to `packet`; `encoded_ns` is left for whoever has a clock.
-[[nodiscard]] msg::DepthImage depth_message(const RgbdFrame& frame, codec::DepthMode mode, std::string packet);
+/// The depth of `frame`, compressed by `settings` to `packet`; `encoded_ns` is left for whoever has a clock.
+[[nodiscard]] msg::DepthImage depth_message(const RgbdFrame& frame, const codec::DepthStreamSettings& settings,
+                                            std::string packet);
 
 /// The colour of `frame` as JPEG. `frame` is well formed and has colour.
 [[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality);

@@ -53,7 +53,7 @@ void CameraPipeline::publish_depth(const RgbdFrame& frame) {
   std::string packet = encoder_.encode(frame.depth);
   const bool stands_alone = codec::stands_alone(std::as_bytes(std::span(packet)));
   keys_ = after_frame(keys_, stands_alone);
-  msg::DepthImage depth = depth_message(frame, options_.depth.mode, std::move(packet));
+  msg::DepthImage depth = depth_message(frame, options_.depth, std::move(packet));
   const SessionTime encoded = clock_.now();
   depth.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(encoded)));
   // What nobody has, nobody can follow.

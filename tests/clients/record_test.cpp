@@ -199,6 +199,33 @@ TEST_F(Recorder, KilledWhileRecordingLosesNothingThatWasFlushedAndTheRepairFinds
   EXPECT_EQ(reader->session()->program, "telepalp-record");
 }
 
+TEST_F(Recorder, NotesHowExactTheDepthIsThatItRecorded) {
+  Server server;
+  const auto recorder = start(server);
+  msg::DepthImage image;
+  image.set_format("bounded");
+  image.mutable_bound()->set_least_m(0.001);
+  image.mutable_bound()->set_per_m(0.00285);
+  publish_slowly(server, {wire::make_message(wire::kCameraDepth, session_time(1), image)});
+  const auto partial = session().string() + ".partial";
+  ASSERT_TRUE(wait_for([&] { return flushed_messages(partial) == 1; }));
+  std::filesystem::copy_file(partial, in("cut_off.mcap"));
+  recorder->signal(SIGINT);
+  EXPECT_EQ(recorder->wait(10s), 0) << log();
+  EXPECT_EQ(run({"--repair", in("cut_off.mcap")}), 0) << log();
+  for (const auto& file : {session(), in("cut_off.repaired.mcap")}) {
+    const auto text = inspect(file);
+    ASSERT_TRUE(text) << to_string(text.error());
+    EXPECT_NE(text->find("\ndepth: bounded, off by up to 2.85 mm at 1 m\n"), std::string::npos) << *text;
+  }
+  auto reader = wire::McapReader::open(session());
+  const auto& all = reader->summary().metadata;
+  const auto noted =
+      std::find_if(all.begin(), all.end(), [](const auto& index) { return index.name == wire::kRecordingMetadata; });
+  ASSERT_NE(noted, all.end());
+  EXPECT_EQ(reader->read(*noted)->values.at("depth"), "bounded, off by up to 2.85 mm at 1 m");
+}
+
 TEST_F(Recorder, WithoutAServerItGivesUpAndLeavesNothingBehind) {
   EXPECT_EQ(run({"--connect", "127.0.0.1:1", "--out", session(), "--patience-s", "0.3"}), 1);
   EXPECT_NE(log().find("error: 127.0.0.1:1: does not answer"), std::string::npos) << log();

@@ -83,6 +83,28 @@ TEST(ServerProgram, ServesASyntheticPatientUntilItIsStoppedAndThenSaysGoodbye) {
   EXPECT_NE(server.logged().find("frames captured"), std::string::npos);
 }
 
+TEST(ServerProgram, TellsTheBoundThatItWasGivenWithEveryImage) {
+  RunningServer server({"--source", "synthetic", "--depth-mode", "bounded", "--depth-bound", "2,4"});
+  boost::asio::io_context io;
+  std::vector<msg::DepthImage> images;
+  wire::ClientLink link(io, {.port = server.port(), .name = "test", .subscribes = {"/camera/depth"}},
+                        {.on_message =
+                             [&](const wire::Message& message) {
+                               images.emplace_back();
+                               EXPECT_TRUE(images.back().ParseFromString(*message.payload));
+                               if (images.size() == 3) link.stop();
+                             },
+                         .on_state = {}});
+  link.start();
+  io.run_for(20s);
+  ASSERT_GE(images.size(), 3u) << server.logged();
+  for (const msg::DepthImage& image : images) {
+    EXPECT_EQ(image.format(), "bounded");
+    EXPECT_EQ(image.bound().least_m(), 0.002);
+    EXPECT_EQ(image.bound().per_m(), 0.004);
+  }
+}
+
 TEST(ServerProgram, StopsByItselfAfterTheSecondsAskedFor) {
   RunningServer server({"--source", "synthetic", "--seconds", "0.5"});
   EXPECT_EQ(server.process.wait(20s), 0) << server.logged();

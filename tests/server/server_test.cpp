@@ -72,6 +72,7 @@ TEST(Server, PublishesEveryCameraTopicWithTheTimesOfItsFrames) {
   const Result<DepthImage> image = codec::decode_depth(bytes_of(depth.data()));
   ASSERT_TRUE(image.ok());
   EXPECT_EQ(image->samples, small_frame(20, {}).depth.samples);
+  EXPECT_FALSE(depth.has_bound()) << "nothing was moved";
   const auto color = parsed<foxglove::CompressedImage>(run.messages[wire::kCameraColor.name].back());
   EXPECT_EQ(color.format(), "jpeg");
   EXPECT_EQ(static_cast<std::uint64_t>(color.timestamp().seconds()) * 1'000'000'000u +

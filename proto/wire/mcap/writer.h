@@ -22,6 +22,7 @@ struct SessionInfo {
   std::string scene;   ///< text of the scene file, or empty
 };
 inline constexpr std::string_view kSessionMetadata = "telepalp.session";
+inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  ///< what the recorder found out by its end
 
 /// Reads that record; empty texts where it says nothing.
 [[nodiscard]] SessionInfo session_info(const mcap::Metadata& metadata);

@@ -138,12 +138,19 @@ TEST(SurfaceWorker, AMissingReferenceKeepsTheLastSurfaceAndAsksOnceForAKeyFrame)
   EXPECT_EQ(bench.wanted().front(), stream[2].published);
 }
 
-TEST(SurfaceWorker, TellsThatDepthIsBounded) {
+TEST(SurfaceWorker, TellsThatDepthIsBoundedAndPassesOnByHowMuch) {
   Bench bench;
-  bench.offer(stream_of(codec::DepthMode::Bounded, 1, 12).front());
+  wire::Message message = stream_of(codec::DepthMode::Bounded, 1, 12).front();
+  msg::DepthImage image;
+  ASSERT_TRUE(image.ParseFromString(*message.payload));
+  image.mutable_bound()->set_least_m(0.002);
+  image.mutable_bound()->set_per_m(0.004);
+  bench.offer(wire::make_message(wire::kCameraDepth, message.published, image));
   ASSERT_TRUE(bench.answered(1));
   ASSERT_EQ(bench.reports().size(), 1u);
   EXPECT_EQ(bench.reports().front().depth_mode(), "bounded");
+  EXPECT_EQ(bench.reports().front().depth_bound().least_m(), 0.002);
+  EXPECT_EQ(bench.reports().front().depth_bound().per_m(), 0.004);
 }
 
 }  // namespace

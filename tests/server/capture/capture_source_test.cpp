@@ -242,7 +242,7 @@ void record(const std::string& spec, const std::string& to, int frames,
     const SessionTime at = frame->captured;
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraInfo, at, calibration_message(*frame))).ok());
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraColor, at, color_message(*frame, 85))).ok());
-    const msg::DepthImage image = depth_message(*frame, depth.mode, encoder.encode(frame->depth));
+    const msg::DepthImage image = depth_message(*frame, depth, encoder.encode(frame->depth));
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, at, image)).ok());
   }
   ASSERT_TRUE(writer->close().ok());

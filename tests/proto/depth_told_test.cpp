@@ -1,0 +1,71 @@
+#include "proto/wire/depth_told.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace telepalp::wire {
+namespace {
+
+msg::DepthImage image_of(const std::string& format) {
+  msg::DepthImage image;
+  image.set_format(format);
+  return image;
+}
+
+msg::DepthImage bounded_image(double least_m, double per_m) {
+  msg::DepthImage image = image_of("bounded");
+  image.mutable_bound()->set_least_m(least_m);
+  image.mutable_bound()->set_per_m(per_m);
+  return image;
+}
+
+TEST(DepthTold, DepthWithoutLossIsAsMeasured) {
+  for (const std::string mode : {"fast", "intra", "temporal"}) {
+    const DepthTold told = depth_told(image_of(mode));
+    EXPECT_FALSE(told.moved);
+    EXPECT_EQ(in_words(told), mode + ", as measured");
+  }
+}
+
+TEST(DepthTold, BoundedDepthSaysHowFarItMayBeOff) {
+  EXPECT_EQ(in_words(depth_told(bounded_image(0.001, 0.00285))), "bounded, off by up to 2.85 mm at 1 m");
+  EXPECT_EQ(how_far(depth_told(bounded_image(0.004, 0.00285))), "off by up to 4 mm at 1 m") << "the larger counts";
+}
+
+TEST(DepthTold, AnAbsurdBoundIsAsGoodAsNoneButTheLossIsBelieved) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double absurd : {nan, infinite, -0.001, 1.5})
+    for (const msg::DepthImage& image : {bounded_image(absurd, 0.003), bounded_image(0.001, absurd)}) {
+      const DepthTold told = depth_told(image);
+      EXPECT_TRUE(told.moved);
+      EXPECT_FALSE(told.within);
+      EXPECT_EQ(in_words(told), "bounded, off by an amount that is not told");
+    }
+}
+
+TEST(DepthTold, AServerThatTellsNoBoundIsStillKnownToMoveDepth) {
+  EXPECT_EQ(in_words(depth_told(image_of("bounded"))), "bounded, off by an amount that is not told");
+  EXPECT_EQ(in_words(depth_told(image_of(""))), "not told");
+}
+
+TEST(DepthTold, DepthThatWasMovedBeforeItWasCompressedIsNotAsMeasured) {
+  msg::DepthImage image = bounded_image(0.001, 0.00285);
+  image.set_format("fast");
+  EXPECT_EQ(in_words(depth_told(image)), "fast, off by up to 2.85 mm at 1 m");
+}
+
+TEST(DepthTold, TheNameOfAModeIsShownOnlyAsFarAsOneMayBeLong) {
+  EXPECT_EQ(depth_told(image_of(std::string(100'000, 'x'))).mode.size(), 32u);
+}
+
+TEST(DepthTold, TheStationPassesOnWhatTheImageTold) {
+  msg::SurfaceReport report;
+  report.set_depth_mode("bounded");
+  *report.mutable_depth_bound() = bounded_image(0.001, 0.00285).bound();
+  EXPECT_EQ(in_words(depth_told(report)), "bounded, off by up to 2.85 mm at 1 m");
+}
+
+}  // namespace
+}  // namespace telepalp::wire
