@@ -96,7 +96,15 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.add("received", summary.frames_received);
   json.add("dropped", summary.frames_dropped);
   json.end_object();
-  json.add("depth_mode", summary.depth_mode);
+  json.add("depth_mode", summary.depth.mode);
+  if (summary.depth.within) {
+    json.begin_object("depth_bound_mm");
+    json.add("least", 1e3 * summary.depth.within->least_m());
+    json.add("per_m2", 1e3 * summary.depth.within->per_m());
+    json.end_object();
+  } else {
+    json.add_null("depth_bound_mm");
+  }
   json.begin_object("rates_per_s");
   json.add("camera_depth", summary.camera_depth_per_s);
   json.add("camera_color", summary.camera_color_per_s);

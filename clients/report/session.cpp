@@ -91,6 +91,7 @@ bool add_readable(Session& session, const wire::Message& message) {
     return read<msg::DepthImage>(message, [&](const auto& image) {
       const bool is_key = codec::stands_alone(std::as_bytes(std::span(image.data())));
       const std::int64_t logged_ns = to_nanoseconds(message.published);
+      session.depth = wire::less_exact(session.depth, wire::depth_told(image));
       session.depth_captured_ns.push_back(static_cast<std::int64_t>(image.captured_ns()));
       session.depth_key_ns.push_back(is_key || session.depth_key_ns.empty() ? logged_ns : session.depth_key_ns.back());
       return true;

@@ -10,6 +10,7 @@
 #include "foxglove/CameraCalibration.pb.h"
 #include "messages/camera.pb.h"
 #include "messages/station.pb.h"
+#include "proto/wire/depth_told.h"
 #include "proto/wire/message.h"
 #include "proto/words/rgbd_frame.h"
 
@@ -49,6 +50,7 @@ struct Session {
   std::vector<std::int64_t> depth_captured_ns;
   std::vector<std::int64_t> depth_key_ns;  ///< of each of these: when the newest frame that stands alone was logged
   std::vector<std::int64_t> color_captured_ns;
+  wire::DepthTold depth;                 ///< of the depth images; the least exact
   std::optional<std::int64_t> first_ns;  ///< of any message
   std::optional<std::int64_t> last_ns;
   std::uint64_t messages = 0;

@@ -138,11 +138,11 @@ void add_stats(Summary& summary, const Session& session) {
   add_dwells(summary, stats);
 }
 
-std::string depth_mode_of(const Session& session) {
-  std::string mode;
+wire::DepthTold depth_of(const Session& session) {
+  wire::DepthTold touched;
   for (const msg::SurfaceReport& surface : session.surfaces)
-    if (!surface.depth_mode().empty() && mode != "bounded") mode = surface.depth_mode();
-  return mode;
+    touched = wire::less_exact(touched, wire::depth_told(surface));
+  return touched.mode.empty() && !touched.moved ? session.depth : touched;
 }
 
 void add_frames(Summary& summary, const Session& session) {
@@ -184,7 +184,7 @@ Summary summarise(const Session& session) {
   add_compensation(summary, session);
   add_stats(summary, session);
   add_frames(summary, session);
-  summary.depth_mode = depth_mode_of(session);
+  summary.depth = depth_of(session);
   return summary;
 }
 

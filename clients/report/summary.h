@@ -38,8 +38,8 @@ struct Summary {
   Quantiles capture_to_encoded_ms, encoded_to_received_ms, received_to_decoded_ms, decoded_to_touchable_ms;
   Quantiles capture_to_touchable_ms;
   Quantiles surface_carried_mm, hand_carried_mm;  ///< over the delay, by prediction; without their sign
-  /// How the depth under the hand was compressed, "bounded" if any of it was; empty where nobody tells.
-  std::string depth_mode;
+  /// How the depth under the hand was compressed, the least exact of it; that of the images where no station tells.
+  wire::DepthTold depth;
   Quantiles surface_age_ms;  ///< of the surface that the force came from
 
   std::vector<Dwell> dwells;  ///< in the order of kPhases

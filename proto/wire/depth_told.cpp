@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 namespace telepalp::wire {
 namespace {
@@ -18,12 +19,22 @@ DepthTold told(const std::string& mode, bool has_bound, const msg::DepthBound& b
   return depth;
 }
 
+/// How far from what was measured [mm at 1 m], as far as that can be compared: unknown is further than any.
+double distance(const DepthTold& told) noexcept {
+  if (!told.moved) return told.mode.empty() ? -2.0 : -1.0;
+  return told.within ? at_1_m_mm(*told.within) : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 DepthTold depth_told(const msg::DepthImage& image) { return told(image.format(), image.has_bound(), image.bound()); }
 
 DepthTold depth_told(const msg::SurfaceReport& report) {
   return told(report.depth_mode(), report.has_depth_bound(), report.depth_bound());
+}
+
+DepthTold less_exact(const DepthTold& older, const DepthTold& newer) {
+  return distance(older) > distance(newer) ? older : newer;
 }
 
 std::string how_far(const DepthTold& told) {

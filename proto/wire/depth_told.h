@@ -20,6 +20,9 @@ struct DepthTold {
 [[nodiscard]] DepthTold depth_told(const msg::DepthImage& image);
 [[nodiscard]] DepthTold depth_told(const msg::SurfaceReport& report);
 
+/// The one of which less may be expected; of two alike the newer one.
+[[nodiscard]] DepthTold less_exact(const DepthTold& older, const DepthTold& newer);
+
 /// For people: "as measured", "off by up to 2.85 mm at 1 m".
 [[nodiscard]] std::string how_far(const DepthTold& told);
 

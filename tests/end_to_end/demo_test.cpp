@@ -105,12 +105,13 @@ TEST(TemporalDepth, IsRecordedReportedPlayedAgainAndReportedAgain) {
 }
 
 TEST(BoundedDepth, IsWarnedOfAtTheStationAndInTheReport) {
-  const DemoRun run = demo("bounded", "--headless --seconds 3 --depth-mode bounded");
+  const DemoRun run = demo("bounded", "--headless --seconds 3 --depth-mode bounded --depth-bound 2,4");
   ASSERT_EQ(run.exit_code, 0) << run.log;
-  EXPECT_NE(run.log.find("depth is bounded"), std::string::npos);
+  EXPECT_NE(run.log.find("depth is bounded, off by up to 4 mm at 1 m"), std::string::npos);
   const Json json = report_of(run);
   EXPECT_EQ(json.get<std::string>("depth_mode"), "bounded");
-  EXPECT_NE(json.get<std::string>("verdict.headline").find("bounded"), std::string::npos);
+  EXPECT_EQ(figure(json, "depth_bound_mm.per_m2"), 4.0);
+  EXPECT_NE(json.get<std::string>("verdict.headline").find("bounded, off by up to 4 mm"), std::string::npos);
 }
 
 struct WrongCase {

@@ -60,6 +60,21 @@ TEST(DepthTold, TheNameOfAModeIsShownOnlyAsFarAsOneMayBeLong) {
   EXPECT_EQ(depth_told(image_of(std::string(100'000, 'x'))).mode.size(), 32u);
 }
 
+TEST(DepthTold, OfSeveralTheLeastExactIsTheOneThatCounts) {
+  const DepthTold silent = depth_told(image_of(""));
+  const DepthTold exact = depth_told(image_of("fast"));
+  const DepthTold close = depth_told(bounded_image(0.001, 0.001));
+  const DepthTold coarse = depth_told(bounded_image(0.001, 0.004));
+  const DepthTold unknown = depth_told(image_of("bounded"));
+  const DepthTold in_order[] = {silent, exact, close, coarse, unknown};
+  for (std::size_t i = 0; i + 1 < std::size(in_order); ++i) {
+    const std::string wanted = in_words(in_order[i + 1]);
+    EXPECT_EQ(in_words(less_exact(in_order[i], in_order[i + 1])), wanted);
+    EXPECT_EQ(in_words(less_exact(in_order[i + 1], in_order[i])), wanted);
+  }
+  EXPECT_EQ(less_exact(exact, depth_told(image_of("temporal"))).mode, "temporal");
+}
+
 TEST(DepthTold, TheStationPassesOnWhatTheImageTold) {
   msg::SurfaceReport report;
   report.set_depth_mode("bounded");

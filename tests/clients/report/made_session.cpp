@@ -124,6 +124,14 @@ msg::StationState state_at(double at_s) {
   return state;
 }
 
+msg::DepthBound default_bound() {
+  const codec::DepthBound bound;
+  msg::DepthBound told;
+  told.set_least_m(bound.least_m);
+  told.set_per_m(bound.per_m);
+  return told;
+}
+
 void add_camera(std::vector<wire::Message>& out, const MadeSession& made) {
   const double seconds = made.seconds;
   foxglove::CameraCalibration calibration;
@@ -140,6 +148,8 @@ void add_camera(std::vector<wire::Message>& out, const MadeSession& made) {
     msg::DepthImage depth;
     depth.set_captured_ns(stamp(frame / 30.0));
     depth.set_data(encoder.encode(scene));
+    depth.set_format(std::string(codec::name(made.depth_mode)));
+    if (made.depth_mode == codec::DepthMode::Bounded) *depth.mutable_bound() = default_bound();
     out.push_back(wire::make_message(wire::kCameraDepth, time_of(frame / 30.0 + 0.002), depth));
     foxglove::CompressedImage color;
     color.mutable_timestamp()->set_seconds(static_cast<std::int64_t>(stamp(frame / 30.0) / 1'000'000'000));
@@ -182,6 +192,7 @@ void add_station(std::vector<wire::Message>& out, const MadeSession& made) {
     const double at = frame / 30.0;
     surface.set_captured_ns(stamp(at));
     surface.set_depth_mode(std::string(codec::name(made.depth_mode)));
+    if (made.depth_mode == codec::DepthMode::Bounded) *surface.mutable_depth_bound() = default_bound();
     surface.set_encoded_ns(stamp(at + 0.003));
     surface.set_received_ns(stamp(at + 0.0045 + 0.0001 * (frame % 11)));
     surface.set_decoded_ns(stamp(at + 0.0075));

@@ -260,13 +260,38 @@ TEST(SessionFile, GivesAFrameThatDependsOnAKeyFrameLongBeforeIt) {
 
 TEST(Verdict, SaysThatBoundedDepthWasTouchedAndIsContentWithLosslessDepth) {
   const Summary bounded = summarise(session_of({.seconds = 4.0, .depth_mode = codec::DepthMode::Bounded}));
-  EXPECT_EQ(bounded.depth_mode, "bounded");
+  EXPECT_EQ(bounded.depth.mode, "bounded");
   EXPECT_FALSE(judge(bounded).good);
-  EXPECT_NE(judge(bounded).headline.find("bounded"), std::string::npos);
+  EXPECT_NE(judge(bounded).headline.find("bounded, off by up to 2.85 mm at 1 m"), std::string::npos);
   const Summary lossless = summarise(session_of({.seconds = 4.0, .depth_mode = codec::DepthMode::Temporal}));
   EXPECT_EQ(judge(lossless).headline.find("bounded"), std::string::npos);
   EXPECT_NE(json_of(session_of({.seconds = 4.0, .depth_mode = codec::DepthMode::Temporal})).find("temporal"),
             std::string::npos);
+}
+
+TEST(Verdict, OfASessionThatNobodyTouchedSaysHowFarItsDepthIsOffAndFindsNoFault) {
+  const Summary seen =
+      summarise(session_of({.seconds = 1.0, .with_station = false, .depth_mode = codec::DepthMode::Bounded}));
+  const Verdict verdict = judge(seen);
+  EXPECT_NE(verdict.account.find("Its depth is bounded, off by up to 2.85 mm at 1 m."), std::string::npos)
+      << verdict.account;
+  EXPECT_EQ(verdict.headline.find("bounded"), std::string::npos) << verdict.headline;
+}
+
+TEST(Verdict, BelievesThatDepthWasMovedThoughNobodyTellsHowFar) {
+  Session session = session_of({.seconds = 2.0, .depth_mode = codec::DepthMode::Bounded});
+  for (msg::SurfaceReport& surface : session.surfaces) surface.clear_depth_bound();
+  const Verdict verdict = judge(summarise(session));
+  EXPECT_FALSE(verdict.good);
+  EXPECT_NE(verdict.headline.find("off by an amount that is not told"), std::string::npos) << verdict.headline;
+}
+
+TEST(ReportJson, TellsTheBoundOfTheDepthInMillimetresAndNullWhereThereIsNone) {
+  const std::string bounded = json_of(session_of({.seconds = 1.0, .depth_mode = codec::DepthMode::Bounded}));
+  EXPECT_NE(bounded.find("\"least\": 1,"), std::string::npos) << bounded;
+  EXPECT_NE(bounded.find("\"per_m2\": 2.85"), std::string::npos) << bounded;
+  const std::string exact = json_of(session_of({.seconds = 1.0}));
+  EXPECT_NE(exact.find("\"depth_bound_mm\": null"), std::string::npos) << exact;
 }
 
 TEST(SessionFile, WithoutACameraThereIsNoFrameAndNoError) {
