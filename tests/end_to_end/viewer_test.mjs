@@ -41,6 +41,14 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     await untilStatus(page, 'the hand is hidden', (now) => now.handPosition_m === undefined);
     await page.click('#show-hand');
 
+    assert.equal(await page.isVisible('#depth'), false, 'depth as measured needs no words');
+    running.child.stdin.write('bounded on\n');
+    await page.waitForSelector('#depth-off:text-is("off by up to 2.85 mm at 1 m")');
+    assert.equal(await page.textContent('#depth-mode'), 'depth: bounded');
+    assert.equal((await status(page)).depth, 'bounded, off by up to 2.85 mm at 1 m');
+    running.child.stdin.write('bounded off\n');
+    await page.waitForSelector('#depth', {state: 'hidden'});
+
     running.child.stdin.write('phase PHASE_CYLINDER_UPPER\n');
     await page.waitForSelector('#phase-name:text-is("Cylinder upper area")');
     running.child.stdin.write('phase PHASE_FAULTED\n');

@@ -1,6 +1,7 @@
 // telepalp-gateway-stage: a real hub and gateway with a scripted patient and hand, so that a browser or a Foxglove
 // client can be tested against states that a live station reaches only now and then.
-// Commands, one a line on stdin: pause, resume, phase NAME, stale on, stale off. End of stdin ends it.
+// Commands, one a line on stdin: pause, resume, phase NAME, stale on, stale off, bounded on, bounded off. End of stdin
+// ends it.
 
 #include <unistd.h>
 
@@ -112,6 +113,9 @@ class Stage {
     depth.set_width(kWidth);
     depth.set_height(kHeight);
     depth.set_unit_m(0.001);
+    depth.set_format(bounded_ ? "bounded" : "fast");
+    if (bounded_) depth.mutable_bound()->set_least_m(0.001);
+    if (bounded_) depth.mutable_bound()->set_per_m(0.00285);
     depth.set_data(codec::encode_depth(seen.depth));
     hub_.publish(wire::make_message(wire::kCameraDepth, now, depth));
     foxglove::CompressedImage color;
@@ -194,6 +198,7 @@ class Stage {
   void obey(const std::string& line) {
     if (line == "pause" || line == "resume") paused_ = line == "pause";
     if (line == "stale on" || line == "stale off") stale_ = line == "stale on";
+    if (line == "bounded on" || line == "bounded off") bounded_ = line == "bounded on";
     msg::Phase phase{};
     if (line.starts_with("phase ") && msg::Phase_Parse(line.substr(6), &phase)) phase_ = phase;
   }
@@ -216,6 +221,7 @@ class Stage {
   std::optional<msg::Phase> phase_;
   bool paused_ = false;
   bool stale_ = false;
+  bool bounded_ = false;
 };
 
 int run(const program::Arguments& arguments) {

@@ -1,3 +1,4 @@
+import {inWords} from './depth/depth_told';
 import {lookOf} from './panel/phases';
 import type {Reading} from './viewer_state';
 
@@ -22,6 +23,7 @@ export interface ViewerStatus {
   readonly indentation_m: number;
   readonly phase: string;
   readonly handPosition_m: readonly number[] | undefined;
+  readonly depth: string | undefined;
   readonly pictureAge_ms: number | undefined;
   readonly linkAge_ms: number | undefined;
   readonly surfaceAge_ms: number | undefined;
@@ -47,6 +49,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       indentation_m: (now.indentation_mm ?? 0) / 1000,
       phase: lookOf(now.phase).name,
       handPosition_m: now.handPosition,
+      depth: now.depth && inWords(now.depth),
       pictureAge_ms: now.picture_ms,
       linkAge_ms: now.link_ms,
       surfaceAge_ms: now.surface_ms,

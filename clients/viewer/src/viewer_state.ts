@@ -1,3 +1,4 @@
+import {type DepthTold, depthTold} from './depth/depth_told';
 import {type CaptureStatus, type DepthImage, Phase, type StationState, type Vec3} from './link/messages';
 import type {SessionClock} from './link/session_clock';
 import type {Health} from './panel/banner';
@@ -7,6 +8,7 @@ export interface Reading extends Health {
   force_N: number | undefined;
   indentation_mm: number | undefined;
   limited: boolean;
+  depth: DepthTold | undefined;
   link_ms: number | undefined;
   fps: number;
   frames: number;
@@ -20,6 +22,7 @@ export const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
 export class ViewerState {
   capture: CaptureStatus | undefined;
   station: StationState | undefined;
+  depth: DepthTold | undefined;
   lateTicks: number | undefined;
   everConnected = false;
   frames = 0;
@@ -42,7 +45,9 @@ export class ViewerState {
   }
 
   /** A depth image came. What the sequence skips was overtaken on the way. */
-  depthCame({sequence}: DepthImage, published_ns: bigint): void {
+  depthCame(image: DepthImage, published_ns: bigint): void {
+    const {sequence} = image;
+    this.depth = depthTold(image);
     const last = this.lastSequence;
     if (last !== undefined && sequence > last) this.dropped += Number(sequence - last - 1n);
     this.lastSequence = sequence;
@@ -74,6 +79,7 @@ export class ViewerState {
       force_N: heard && station.forceN ? length(station.forceN) : undefined,
       indentation_mm: heard ? 1000 * station.indentationM : undefined,
       limited: heard && station.limited,
+      depth: this.depth,
       surfaceStale: heard && station.surfaceStale,
       surface_ms: heard && station.surfaceCapturedNs !== 0n
           ? Number(station.stampNs - station.surfaceCapturedNs) / 1e6

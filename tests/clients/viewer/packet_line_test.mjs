@@ -1,13 +1,10 @@
 // Which depth packets the viewer decodes, and in which order: node packet_line_test.mjs VIEWER_SOURCES VIEWER_WORK
 import assert from 'node:assert/strict';
-import {join} from 'node:path';
 import test from 'node:test';
-import {pathToFileURL} from 'node:url';
 
-const [sources, work] = process.argv.slice(2);
-const {buildSync} = await import(pathToFileURL(join(work, 'node_modules/esbuild/lib/main.js')));
-const built = buildSync({entryPoints: [join(sources, 'depth/packet_line.ts')], bundle: true, format: 'esm', write: false});
-const {PacketLine} = await import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].text).toString('base64')}`);
+import {bundled} from './bundled.mjs';
+
+const {PacketLine} = await bundled('depth/packet_line.ts');
 
 const packet = (number, coding) => ({bytes: Uint8Array.of(84, 80, 68, 50, 2, coding), captured_ns: BigInt(number)});
 const key = (number) => packet(number, 3);

@@ -30,9 +30,17 @@ export enum CaptureState {
   Ended,
 }
 
+/** Of max(leastM, perM z²) metres at a depth of z metres. */
+export interface DepthBound {
+  leastM: number;
+  perM: number;
+}
+
 export interface DepthImage {
   capturedNs: bigint;
   sequence: bigint;
+  format: string;
+  bound?: DepthBound;
   data: Uint8Array;
 }
 

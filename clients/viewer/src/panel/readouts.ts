@@ -23,6 +23,7 @@ export class Readouts {
 
   show(reading: Reading): void {
     this.showLink(reading);
+    this.showDepth(reading);
     this.showPhase(reading);
     this.showTouch(reading);
     this.showFreshness(reading);
@@ -36,6 +37,15 @@ export class Readouts {
     setText('link-text', connected ? 'connected' : everConnected ? 'disconnected' : 'connecting');
     const away = capture === undefined || capture.state === CaptureState.Unspecified;
     setText('source', away ? '' : capture.source + (capture.colorRegistered ? '' : ' · colour not aligned'));
+  }
+
+  /** Only what is out of the ordinary: depth as measured needs no words. */
+  private showDepth({depth}: Reading): void {
+    element('depth').hidden = !depth?.moved;
+    if (!depth?.moved) return;
+    setText('depth-mode', depth.mode === '' ? 'depth' : `depth: ${depth.mode}`);
+    setText('depth-off', depth.howFar);
+    element('depth').title = depth.more;
   }
 
   private showPhase({phase}: Reading): void {

@@ -1,0 +1,35 @@
+import type {DepthImage} from '../link/messages';
+
+/** What a depth image tells of itself; twin of proto/wire/depth_told, in the same words. */
+export interface DepthTold {
+  moved: boolean;  // whether depth may be other than measured
+  mode: string;    // of the codec; empty: not told
+  howFar: string;  // "off by up to 2.85 mm at 1 m"
+  more: string;    // for whoever asks what that means
+}
+
+const MOVING_MODE = 'bounded';
+const LONGEST_MODE = 32;
+
+/** False for what is not a number, too. */
+const isCredible = (bound: number) => bound >= 0 && bound <= 1;
+
+const millimetres = (m: number) => `${Number((1000 * m).toPrecision(3))} mm`;
+
+export function depthTold({format, bound}: Pick<DepthImage, 'format' | 'bound'>): DepthTold {
+  const mode = format.slice(0, LONGEST_MODE);
+  if (bound === undefined && mode !== MOVING_MODE)
+    return {moved: false, mode, howFar: mode === '' ? 'not told' : 'as measured', more: ''};
+  const more = 'Depth was moved to take fewer bytes: for the eye, and not what the camera measured.';
+  if (bound === undefined || !isCredible(bound.leastM) || !isCredible(bound.perM))
+    return {moved: true, mode, howFar: 'off by an amount that is not told', more};
+  return {
+    moved: true,
+    mode,
+    howFar: `off by up to ${millimetres(Math.max(bound.leastM, bound.perM))} at 1 m`,
+    more: `${more} At z metres from the camera it is off by ${millimetres(bound.perM)} times z squared at most, or by ` +
+        `${millimetres(bound.leastM)} where that is more.`,
+  };
+}
+
+export const inWords = ({mode, howFar}: DepthTold) => (mode === '' ? howFar : `${mode}, ${howFar}`);

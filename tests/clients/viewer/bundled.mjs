@@ -1,0 +1,11 @@
+// A module of the viewer's sources, bundled for Node: node SOME_test.mjs VIEWER_SOURCES VIEWER_WORK
+import {join} from 'node:path';
+import {pathToFileURL} from 'node:url';
+
+const [sources, work] = process.argv.slice(2);
+
+export async function bundled(module) {
+  const {buildSync} = await import(pathToFileURL(join(work, 'node_modules/esbuild/lib/main.js')));
+  const built = buildSync({entryPoints: [join(sources, module)], bundle: true, format: 'esm', write: false});
+  return import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].text).toString('base64')}`);
+}
