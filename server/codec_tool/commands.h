@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "codec/depth_stream.h"
@@ -22,8 +23,9 @@ namespace telepalp::server {
 /// Says how each depth image of the session file `input` is compressed, without decoding any.
 [[nodiscard]] Result<void> describe_recording(const std::filesystem::path& input);
 
-/// Says how far the depth images of two inputs lie apart.
+/// Says how far the depth images of `second` lie from those of `first`. With a `bound`: an error unless every pixel
+/// keeps it, and what was measured still is, and nothing else.
 [[nodiscard]] Result<void> compare_recordings(const std::filesystem::path& first, const std::filesystem::path& second,
-                                              double unit_m);
+                                              double unit_m, const std::optional<codec::DepthBound>& bound = {});
 
 }  // namespace telepalp::server

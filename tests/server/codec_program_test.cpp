@@ -1,0 +1,90 @@
+// telepalp-codec as its user runs it.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "server/capture/images/image_file.h"
+#include "tests/codec/depth_frames.h"
+#include "tests/support/child_process.h"
+
+namespace telepalp::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+class CodecProgram : public testing::Test {
+ protected:
+  CodecProgram() {
+    std::filesystem::create_directories(folder_.path() / "original");
+    for (unsigned i = 0; i < 3; ++i) {
+      DepthImage depth = codec::kinect_like(64, 48, i);
+      const GrayImage16 image{depth.width, depth.height, std::move(depth.samples)};
+      EXPECT_TRUE(write_file(in("original/" + std::to_string(i) + ".png"), encode_png(image)).ok());
+    }
+  }
+  std::string in(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  /// Its exit code, and all that it said.
+  std::pair<int, std::string> run(std::vector<std::string> words) const {
+    words.insert(words.begin(), {"-c", "exec \"$0\" \"$@\" >&2", TELEPALP_BINARY_DIR "/bin/telepalp-codec"});
+    support::ChildProcess process("/bin/sh", words, in("log"));
+    const std::optional<int> code = process.wait(20s);
+    std::ifstream log(in("log"));
+    return {code.value_or(-1), {std::istreambuf_iterator<char>(log), {}}};
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(CodecProgram, KeepsTheBoundThatItWasGivenAndSaysSoWhenAsked) {
+  const auto [encoded, about_it] =
+      run({"encode", in("original"), in("bounded.mcap"), "--mode", "bounded", "--bound", "3,10"});
+  ASSERT_EQ(encoded, 0) << about_it;
+  const auto [held, said] = run({"compare", in("original"), in("bounded.mcap"), "--bound", "3,10"});
+  EXPECT_EQ(held, 0) << said;
+  EXPECT_NE(said.find("bound held by every pixel"), std::string::npos) << said;
+  const auto [info, told] = run({"info", in("bounded.mcap")});
+  EXPECT_EQ(info, 0);
+  EXPECT_NE(told.find("off by up to 10 mm at 1 m"), std::string::npos) << told;
+}
+
+TEST_F(CodecProgram, FailsWhereACloserBoundIsNotKeptAndNamesAPixel) {
+  ASSERT_EQ(run({"encode", in("original"), in("bounded.mcap"), "--mode", "bounded", "--bound", "3,10"}).first, 0);
+  const auto [code, said] = run({"compare", in("original"), in("bounded.mcap"), "--bound", "1,1"});
+  EXPECT_EQ(code, 1);
+  EXPECT_NE(said.find("pixels are beyond the bound, the first in frame 0, pixel "), std::string::npos) << said;
+  EXPECT_NE(said.find("fix: "), std::string::npos) << said;
+  EXPECT_EQ(run({"compare", in("original"), in("bounded.mcap")}).first, 0) << "nothing is asked without a bound";
+}
+
+TEST_F(CodecProgram, WithoutLossEvenABoundOfNothingIsKept) {
+  for (const std::string mode : {"fast", "intra", "temporal"}) {
+    const std::string file = in(mode + ".mcap");
+    ASSERT_EQ(run({"encode", in("original"), file, "--mode", mode}).first, 0);
+    EXPECT_EQ(run({"compare", in("original"), file, "--bound", "0,0"}).first, 0);
+    const auto [info, told] = run({"info", file});
+    EXPECT_EQ(told.find("off by"), std::string::npos) << told;
+  }
+}
+
+TEST_F(CodecProgram, ABoundThatMakesNoSenseIsRefusedBeforeAnythingIsWritten) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {"encode", in("original"), in("out.mcap"), "--bound", "1,2.85"},  // temporal is without loss
+      {"encode", in("original"), in("out.mcap"), "--mode", "bounded", "--bound", "1"},
+      {"encode", in("original"), in("out.mcap"), "--mode", "bounded", "--bound", "-1,2"},
+      {"compare", in("original"), in("original"), "--bound", "a,b"}};
+  for (const std::vector<std::string>& words : wrong) {
+    const auto [code, said] = run(words);
+    EXPECT_EQ(code, 2) << said;
+    EXPECT_NE(said.find("error: --bound: "), std::string::npos) << said;
+    EXPECT_NE(said.find("fix: "), std::string::npos) << said;
+  }
+  EXPECT_FALSE(std::filesystem::exists(in("out.mcap")));
+}
+
+}  // namespace
+}  // namespace telepalp::server
