@@ -4,6 +4,7 @@
 #include <csignal>
 #include <utility>
 
+#include "codec/depth_codec.h"
 #include "haptic_station/control/phase.h"
 #include "haptic_station/station/bill.h"
 #include "haptic_station/station/cost_clock.h"
@@ -190,9 +191,10 @@ void Station::say_depth(const msg::SurfaceReport& report) {
   const std::string words = wire::in_words(told);
   if (std::exchange(depth_, words) == words) return;
   if (!told.moved) return say("depth comes without loss (" + told.mode + ")");
-  const std::string warning = "what is touched is not what the camera measured: depth is " + words +
-                              ": for the eye and not for touch. fix: telepalp-server --depth-mode fast, intra or "
-                              "temporal";
+  const std::string warning =
+      "what is touched is not what the camera measured: depth is " + words + ": for the eye and not for touch. fix: " +
+      (told.mode == codec::name(codec::DepthMode::Bounded) ? "telepalp-server --depth-mode fast, intra or temporal"
+                                                           : "give the server a source whose depth is as measured");
   say(warning);
   telemetry_.tell_event(now(), msg::EVENT_KIND_SCENE, warning);
 }

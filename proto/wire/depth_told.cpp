@@ -33,6 +33,12 @@ DepthTold depth_told(const msg::SurfaceReport& report) {
   return told(report.depth_mode(), report.has_depth_bound(), report.depth_bound());
 }
 
+std::optional<DepthLoss> loss_of(const DepthTold& told) noexcept {
+  if (!told.moved) return std::nullopt;
+  if (!told.within) return DepthLoss{};
+  return DepthLoss{.least_m = told.within->least_m(), .per_m = told.within->per_m()};
+}
+
 DepthTold less_exact(const DepthTold& older, const DepthTold& newer) {
   return distance(older) > distance(newer) ? older : newer;
 }

@@ -5,6 +5,7 @@
 
 #include "messages/camera.pb.h"
 #include "messages/station.pb.h"
+#include "proto/words/rgbd_frame.h"
 
 namespace telepalp::wire {
 
@@ -19,6 +20,9 @@ struct DepthTold {
 /// same.
 [[nodiscard]] DepthTold depth_told(const msg::DepthImage& image);
 [[nodiscard]] DepthTold depth_told(const msg::SurfaceReport& report);
+
+/// The same for whoever compresses such depth again; nullopt: it is as measured.
+[[nodiscard]] std::optional<DepthLoss> loss_of(const DepthTold& told) noexcept;
 
 /// The one of which less may be expected; of two alike the newer one.
 [[nodiscard]] DepthTold less_exact(const DepthTold& older, const DepthTold& newer);

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "proto/words/time.h"
@@ -47,6 +49,12 @@ struct CameraModel {
   bool color_registered = true;  ///< colour pixel (u, v) sees what depth pixel (u, v) sees
 };
 
+/// How far depth may lie from what was measured: max(least_m, per_m z²) metres at a depth of z. Infinite: nobody knows.
+struct DepthLoss {
+  double least_m = std::numeric_limits<double>::infinity();
+  double per_m = std::numeric_limits<double>::infinity();
+};
+
 /// One instant seen by an RGB-D camera. `captured` is as close to the exposure as the driver lets us.
 struct RgbdFrame {
   SessionTime captured;
@@ -54,6 +62,7 @@ struct RgbdFrame {
   CameraModel camera;
   DepthImage depth;
   ColorImage color;
+  std::optional<DepthLoss> loss = {};  ///< of depth that was compressed with loss before it came here
 };
 
 /// True when the sizes agree with each other, lie within kMaxImageSide, and the intrinsics are finite and positive.

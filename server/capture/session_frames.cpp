@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "codec/color_codec.h"
+#include "proto/wire/depth_told.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::server {
@@ -118,6 +119,7 @@ std::optional<RgbdFrame> SessionFrames::take() {
   frame.captured = session_time(captured_ns(encoded.depth));
   frame.camera = {.depth = encoded.pinhole, .color = encoded.pinhole, .color_registered = true};
   frame.depth = std::move(*depth);
+  frame.loss = wire::loss_of(wire::depth_told(encoded.depth));
   if (encoded.color) {
     frame.camera.color_registered = encoded.color->frame_id() == kRegisteredFrameId;
     Result<ColorImage> color = codec::decode_color(bytes_of(encoded.color->data()));

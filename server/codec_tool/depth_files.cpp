@@ -9,6 +9,7 @@
 
 #include "codec/depth_stream.h"
 #include "messages/camera.pb.h"
+#include "proto/wire/depth_told.h"
 #include "proto/wire/mcap/reader.h"
 #include "server/capture/capture_source.h"
 #include "server/capture/images/image_file.h"
@@ -79,7 +80,10 @@ Result<void> visit_session(const fs::path& file, const Visit& visit, const PassO
       continue;
     }
     const SessionTime captured{Nanoseconds{static_cast<std::int64_t>(image.captured_ns())}};
-    if (Result<void> done = visit({std::to_string(number), captured, *std::move(depth)}); !done) return done;
+    if (Result<void> done =
+            visit({std::to_string(number), captured, *std::move(depth), wire::loss_of(wire::depth_told(image))});
+        !done)
+      return done;
   }
 }
 

@@ -32,7 +32,8 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
                           .sequence = totals.frames + 1,
                           .camera = {},
                           .depth = std::move(named.depth),
-                          .color = {}};
+                          .color = {},
+                          .loss = named.loss};
     const msg::DepthImage image = depth_message(frame, settings, std::move(packet));
     totals.add(static_cast<double>(frame.depth.samples.size()), image.data().size());
     progress.step();

@@ -1,5 +1,6 @@
 #include "server/pipeline/camera_messages.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,16 @@ void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
   timestamp.set_nanos(static_cast<std::int32_t>(nanoseconds % kNanosecondsPerSecond));
 }
 
+/// What depth is off by once it was compressed: what it came with, and what that adds. The sum of two laws is no such
+/// law; twice the larger of each term is never less, and no more where both are alike.
+std::optional<DepthLoss> loss_of(const RgbdFrame& frame, const codec::DepthStreamSettings& settings) {
+  if (settings.mode != codec::DepthMode::Bounded) return frame.loss;
+  const codec::DepthBound& bound = settings.bound;
+  if (!frame.loss) return DepthLoss{.least_m = bound.least_m, .per_m = bound.per_m};
+  return DepthLoss{.least_m = 2.0 * std::max(bound.least_m, frame.loss->least_m),
+                   .per_m = 2.0 * std::max(bound.per_m, frame.loss->per_m)};
+}
+
 }  // namespace
 
 msg::DepthImage depth_message(const RgbdFrame& frame, const codec::DepthStreamSettings& settings, std::string packet) {
@@ -27,9 +38,9 @@ msg::DepthImage depth_message(const RgbdFrame& frame, const codec::DepthStreamSe
   image.set_height(static_cast<std::uint32_t>(frame.depth.height));
   image.set_unit_m(frame.depth.unit_m);
   image.set_format(std::string(codec::name(settings.mode)));
-  if (settings.mode == codec::DepthMode::Bounded) {
-    image.mutable_bound()->set_least_m(settings.bound.least_m);
-    image.mutable_bound()->set_per_m(settings.bound.per_m);
+  if (const std::optional<DepthLoss> loss = loss_of(frame, settings)) {
+    image.mutable_bound()->set_least_m(loss->least_m);
+    image.mutable_bound()->set_per_m(loss->per_m);
   }
   image.set_data(std::move(packet));
   return image;

@@ -54,6 +54,9 @@ TEST(DepthTold, DepthThatWasMovedBeforeItWasCompressedIsNotAsMeasured) {
   msg::DepthImage image = bounded_image(0.001, 0.00285);
   image.set_format("fast");
   EXPECT_EQ(in_words(depth_told(image)), "fast, off by up to 2.85 mm at 1 m");
+  EXPECT_EQ(loss_of(depth_told(image))->per_m, 0.00285);
+  image.clear_bound();
+  EXPECT_FALSE(loss_of(depth_told(image)));
 }
 
 TEST(DepthTold, TheNameOfAModeIsShownOnlyAsFarAsOneMayBeLong) {

@@ -71,6 +71,14 @@ TEST_F(CodecProgram, WithoutLossEvenABoundOfNothingIsKept) {
   }
 }
 
+TEST_F(CodecProgram, DepthOnceMovedIsNotCalledExactWhenItIsEncodedAgain) {
+  ASSERT_EQ(run({"encode", in("original"), in("bounded.mcap"), "--mode", "bounded", "--bound", "3,10"}).first, 0);
+  ASSERT_EQ(run({"encode", in("bounded.mcap"), in("again.mcap"), "--mode", "fast"}).first, 0);
+  const auto [code, told] = run({"info", in("again.mcap")});
+  EXPECT_EQ(code, 0);
+  EXPECT_NE(told.find("off by up to 10 mm at 1 m"), std::string::npos) << told;
+}
+
 TEST_F(CodecProgram, ABoundThatMakesNoSenseIsRefusedBeforeAnythingIsWritten) {
   const std::vector<std::vector<std::string>> wrong = {
       {"encode", in("original"), in("out.mcap"), "--bound", "1,2.85"},  // temporal is without loss

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "codec/depth_stream.h"
+#include "proto/wire/depth_told.h"
 #include "proto/wire/mcap/writer.h"
 #include "server/capture/images/image_file.h"
 #include "server/capture/session_frames.h"
@@ -315,6 +316,36 @@ TEST_F(SourceFolder, ASessionOfTemporalDepthGivesAnyFrameThoughOthersWerePassedO
     EXPECT_EQ(frame->depth.samples, truth->depth.samples) << i;
   }
   EXPECT_EQ(some->damaged(), 0u);
+}
+
+TEST_F(SourceFolder, ASessionOfBoundedDepthIsNotAsMeasuredHoweverItIsCompressedAgain) {
+  const codec::DepthStreamSettings bounded{.mode = codec::DepthMode::Bounded,
+                                           .bound = {.least_m = 0.001, .per_m = 0.003}};
+  record("synthetic", file("bounded.mcap"), 2, bounded);
+  record("session:" + file("bounded.mcap"), file("again.mcap"), 2);
+  record("session:" + file("bounded.mcap"), file("twice.mcap"), 2, bounded);
+  const auto loss_in = [&](const std::string& name) {
+    auto frames = SessionFrames::open(file(name));
+    EXPECT_TRUE(frames.ok());
+    const auto frame = frames->peek() ? frames->take() : std::nullopt;
+    return frame && frame->loss ? *frame->loss : DepthLoss{-1.0, -1.0};
+  };
+  EXPECT_EQ(loss_in("again.mcap").least_m, 0.001);
+  EXPECT_EQ(loss_in("again.mcap").per_m, 0.003);
+  EXPECT_EQ(loss_in("twice.mcap").least_m, 0.002);
+  EXPECT_EQ(loss_in("twice.mcap").per_m, 0.006);
+  record("synthetic", file("exact.mcap"), 2);
+  EXPECT_EQ(loss_in("exact.mcap").least_m, -1.0) << "as measured";
+}
+
+TEST(DepthMessage, OfDepthThatIsOffByAnUnknownAmountTellsSo) {
+  RgbdFrame frame;
+  frame.loss = DepthLoss{};
+  for (const codec::DepthMode mode : {codec::DepthMode::Fast, codec::DepthMode::Bounded}) {
+    const wire::DepthTold told = wire::depth_told(depth_message(frame, {.mode = mode}, ""));
+    EXPECT_TRUE(told.moved);
+    EXPECT_FALSE(told.within);
+  }
 }
 
 }  // namespace
