@@ -33,6 +33,7 @@ std::size_t first_pixel(const Slicing& slicing, int slice, int width) noexcept {
   return static_cast<std::size_t>(slice) * static_cast<std::size_t>(slicing.rows) * static_cast<std::size_t>(width);
 }
 
+/// Of one slice; none where there are no ranks.
 const std::uint16_t* band(const Ranks& ranks, const Slicing& slicing, int slice, int width) noexcept {
   return ranks.empty() ? nullptr : ranks.data() + first_pixel(slicing, slice, width);
 }
@@ -47,14 +48,6 @@ LevelPalette palette_before(const FrameBefore& before) {
 
 Ranks ranks_of_before(const FrameBefore& before, const LevelPalette& palette) {
   return before.samples.empty() ? Ranks{} : ranks_by(nearest_ranks_of(palette), before.samples);
-}
-
-/// Samples from ranks. One beyond the palette, which only a damaged packet has, is as if not measured: the frame's crc
-/// tells.
-void put_levels(const Ranks& ranks, const LevelPalette& palette, std::span<std::uint16_t> samples) {
-  std::vector<std::uint16_t> levels(std::size_t{1} << 16);
-  std::copy(palette.levels.begin(), palette.levels.end(), levels.begin());
-  for (std::size_t i = 0; i < ranks.size(); ++i) samples[i] = levels[ranks[i]];
 }
 
 }  // namespace
@@ -83,23 +76,30 @@ int Slicing::rows_of(int slice, int height) const noexcept {
   return slice + 1 < slices ? rows : height - (slices - 1) * rows;
 }
 
-std::optional<std::string> encode_contexts(const Ranks& ranks, int width, const LevelPalette& palette,
-                                           const FrameBefore& before, const Slicing& slicing,
-                                           const ContextKernel& kernel) {
+void put_levels(const Ranks& ranks, const LevelPalette& palette, std::span<std::uint16_t> samples) {
+  std::vector<std::uint16_t> levels(std::size_t{1} << 16);
+  std::copy(palette.levels.begin(), palette.levels.end(), levels.begin());
+  for (std::size_t i = 0; i < ranks.size(); ++i) samples[i] = levels[ranks[i]];
+}
+
+std::optional<std::string> encode_contexts(RankedFrame& frame, int width, const FrameBefore& before,
+                                           const Slicing& slicing, const ContextKernel& kernel) {
+  Ranks& ranks = frame.ranks;
   const int height = static_cast<int>(ranks.size()) / width;
   const ContextTables& tables = tables_for(before);
-  const Ranks ranks_before = ranks_of_before(before, palette);
+  const Ranks ranks_before = ranks_of_before(before, frame.palette);
   const Scratch scratch = scratch_for(width, tables);
   const std::size_t raw_bytes = ranks.size() * sizeof(std::uint16_t);
   const std::size_t room = raw_bytes / static_cast<std::size_t>(slicing.slices) + 64;
   const std::unique_ptr<std::uint8_t[]> bytes(new std::uint8_t[kLanes * room]);
   std::string body;
-  append_coded_palette(body, palette, palette_before(before));
+  append_coded_palette(body, frame.palette, palette_before(before));
   for (int first = 0; first < slicing.slices; first += kLanes) {
     std::array<EncodeSlice, kLanes> slices{};
     const int count = std::min(kLanes, slicing.slices - first);
     for (int i = 0; i < count; ++i)
       slices[static_cast<std::size_t>(i)] = {.ranks = ranks.data() + first_pixel(slicing, first + i, width),
+                                             .most = band(frame.most, slicing, first + i, width),
                                              .before = band(ranks_before, slicing, first + i, width),
                                              .rows = slicing.rows_of(first + i, height),
                                              .bytes = bytes.get() + static_cast<std::size_t>(i) * room,

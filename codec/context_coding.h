@@ -6,12 +6,9 @@
 
 #include "codec/context_kernel.h"
 #include "codec/depth_packet.h"
-#include "codec/level_palette.h"
+#include "codec/ranked_frame.h"
 
 namespace telepalp::codec {
-
-/// Ranks of a whole frame, rows from top to bottom.
-using Ranks = std::vector<std::uint16_t>;
 
 /// The best kernel that this processor runs.
 [[nodiscard]] const ContextKernel& context_kernel();
@@ -35,10 +32,14 @@ struct FrameBefore {
   const LevelPalette* palette = nullptr;   ///< of `samples`, where it is at hand
 };
 
-/// Palette and slices of a frame that is given as ranks. nullopt when that takes more bytes than its samples.
-[[nodiscard]] std::optional<std::string> encode_contexts(const Ranks& ranks, int width, const LevelPalette& palette,
-                                                         const FrameBefore& before, const Slicing& slicing,
-                                                         const ContextKernel& kernel);
+/// Palette and slices of a frame. Where its pixels may have one of several ranks, `frame.ranks` become those that are
+/// written. nullopt when that takes more bytes than its samples.
+[[nodiscard]] std::optional<std::string> encode_contexts(RankedFrame& frame, int width, const FrameBefore& before,
+                                                         const Slicing& slicing, const ContextKernel& kernel);
+
+/// Samples from ranks. One beyond the palette, which only a damaged packet has, is as if not measured: the frame's crc
+/// tells.
+void put_levels(const Ranks& ranks, const LevelPalette& palette, std::span<std::uint16_t> samples);
 
 /// Fills `samples` from such a body, and gives its palette. nullopt when it is damaged.
 [[nodiscard]] std::optional<LevelPalette> decode_contexts(const Packet& packet, const FrameBefore& before,

@@ -12,7 +12,8 @@ inline constexpr int kLanes = 4;
 
 /// A band of whole rows, coded apart from the others.
 struct EncodeSlice {
-  const uint16_t* ranks = nullptr;   ///< rows x width; 0 is "not measured"
+  uint16_t* ranks = nullptr;         ///< rows x width; 0 is "not measured"
+  const uint16_t* most = nullptr;    ///< none; or each pixel may be from `ranks` to this, and `ranks` become the choice
   const uint16_t* before = nullptr;  ///< the same band of the frame before, in ranks of this one; or none
   int rows = 0;
   uint8_t* bytes = nullptr;  ///< written here

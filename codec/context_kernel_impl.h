@@ -1,6 +1,7 @@
 #pragma once
 
 #include "codec/context_lane.h"
+#include "codec/encoders_together.h"
 #include "proto/words/vectorised.h"
 
 // The coder's inner loop, once for each instruction set: `Vector` finds and learns symbols its own way. Internal
@@ -8,6 +9,15 @@
 
 namespace telepalp::codec {
 namespace {
+
+/// Plain loops, which a compiler turns into whatever vectors its target has.
+struct Plain {
+  static int decode(RangeDecoder& coder, const Model& model) { return coder.decode(model); }
+  template <int kRate>
+  static void learn(Model& model, int symbol) {
+    codec::learn<kRate>(model, symbol);
+  }
+};
 
 /// What the encoder knows of a row before it codes it, a place a pixel.
 struct RowPlan {
@@ -36,12 +46,6 @@ inline void step_east(Lane<Coder>& lane, int x, int filled, bool is_measured) {
   lane.north_west = lane.filled_above[x];
   lane.west_measured = is_measured;
   if constexpr (kDependent) lane.west_stayed = lane.measured[x] == lane.before[x];
-}
-
-[[gnu::noinline]] void encode_far(Lane<RangeEncoder>& lane, int step) {
-  const int size = step < 0 ? -step : step;
-  encode_number(lane.coder, lane.far_model, static_cast<uint32_t>(size - kLargestStep - 1));
-  lane.coder.encode_bits(step < 0 ? 1 : 0, 1);
 }
 
 [[gnu::noinline]] int decode_far(RangeDecoder& coder, Model& model) {
@@ -120,7 +124,7 @@ inline void encode_pixel(Lane<RangeEncoder>& lane, const RowPlan& plan, int x, c
   lane.coder.encode(model, symbol);
   Vector::template learn<kRate>(model, symbol);
   if (symbol == kFarther) [[unlikely]]
-    encode_far(lane, static_cast<int>(lane.filled[x]) - plan.predicted[x]);
+    encode_far(lane.coder, lane.far_model, static_cast<int>(lane.filled[x]) - plan.predicted[x]);
 }
 
 template <class Vector, bool kDependent, int kRate>

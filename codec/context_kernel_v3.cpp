@@ -1,4 +1,5 @@
 // Compiled with -march=x86-64-v3, alone. Nothing of the C++ library may be included here: see range_coder.h.
+#include "codec/context_choice.h"
 #include "codec/context_together.h"
 
 #if defined(__AVX2__)
@@ -34,7 +35,7 @@ struct Avx2 {
 }  // namespace
 
 extern const ContextKernel* const kV3ContextKernel;
-constexpr ContextKernel kKernel{"x86-64-v3", encode<Avx2>, decode_together<Avx2>};
+constexpr ContextKernel kKernel{"x86-64-v3", encode_or_choose<Avx2>, decode_together<Avx2>};
 const ContextKernel* const kV3ContextKernel = &kKernel;
 
 }  // namespace telepalp::codec

@@ -16,6 +16,11 @@ constexpr size_t row_bytes(int width) {
   return (static_cast<size_t>(width) + size_t{2} * kMargin + 15) / 16 * 16 * sizeof(uint16_t);
 }
 
+/// What any kernel takes its rows and models from.
+constexpr size_t scratch_of_kernels(int width, const ContextTables& tables) {
+  return kLanes * (static_cast<size_t>(tables.count) * sizeof(Model) + 15 * row_bytes(width));
+}
+
 /// What one slice carries from pixel to pixel.
 template <class Coder>
 struct Lane {

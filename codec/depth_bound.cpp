@@ -1,11 +1,11 @@
 #include "codec/depth_bound.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "codec/level_palette.h"
@@ -14,7 +14,8 @@ namespace telepalp::codec {
 namespace {
 
 constexpr int kSamples = 65536;
-constexpr int kMostAcross = 6;  // ranks
+constexpr int kMostAcross = 6;                 // ranks
+constexpr std::size_t kPixelsPerLevel = 1024;  // of which one is worth a neighbour's difference: what a level costs
 
 /// The bound at each sample, in whole units.
 std::vector<int> bounds_of(const DepthBound& bound, double unit_m) {
@@ -25,80 +26,163 @@ std::vector<int> bounds_of(const DepthBound& bound, double unit_m) {
   return bounds;
 }
 
-/// How often neighbouring pixels lie on either side of the step from each rank to the next: what a boundary there
-/// costs. Pixels further apart than kMostAcross lie on either side of an edge, which is dear wherever boundaries are.
-std::vector<std::int64_t> crossings(const LevelPalette& palette, const DepthImage& depth) {
-  const std::vector<std::uint16_t> ranks = ranks_by(ranks_of(palette), depth.samples);
-  std::vector<std::int64_t> starts(palette.size() + 1);  // less those that end
+/// How often a pixel of each rank has a neighbour 1, 2 … ranks farther away. Those further apart than kMostAcross lie
+/// on either side of an edge, which is dear whatever stands in for them.
+using Neighbours = std::vector<std::array<std::int64_t, kMostAcross + 1>>;
+
+Neighbours neighbours_of(const RankedFrame& frame, std::size_t width) {
+  Neighbours neighbours(frame.palette.size());
   const auto count = [&](std::uint16_t a, std::uint16_t b) {
-    if (a == b || a == 0 || b == 0 || std::abs(a - b) > kMostAcross) return;
-    ++starts[std::min(a, b)];
-    --starts[std::max(a, b)];
+    const int across = std::abs(a - b);
+    if (across == 0 || across > kMostAcross || a == 0 || b == 0) return;
+    ++neighbours[std::min(a, b)][static_cast<std::size_t>(across)];
   };
-  const auto width = static_cast<std::size_t>(depth.width);
-  for (std::size_t i = 1; i < ranks.size(); ++i) {
-    count(ranks[i - 1], ranks[i]);
-    if (i >= width) count(ranks[i - width], ranks[i]);
+  for (std::size_t i = 1; i < frame.ranks.size(); ++i) {
+    count(frame.ranks[i - 1], frame.ranks[i]);
+    if (i >= width) count(frame.ranks[i - width], frame.ranks[i]);
   }
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  return starts;
+  return neighbours;
 }
 
-/// Values that stand within the bound of every level, each for a run of levels: of all ways to part the levels into
-/// runs the one that parts the fewest neighbouring pixels. Least cost by dynamic programming over the run's last level.
-std::vector<int> stand_ins(const LevelPalette& palette, const std::vector<int>& bounds,
-                           const std::vector<std::int64_t>& crossed) {
-  const auto level = [&](std::size_t rank) { return int{palette.levels[rank]}; };
-  const auto bound = [&](std::size_t rank) { return bounds[palette.levels[rank]]; };
-  std::vector<std::int64_t> cost(palette.size(), 0);
-  std::vector<std::size_t> first_of(palette.size(), 0);
-  for (std::size_t last = 1; last < palette.size(); ++last) {
-    cost[last] = std::numeric_limits<std::int64_t>::max();
-    for (std::size_t first = last; first >= 1; --first) {
-      if (level(last) - bound(last) > std::min(kSamples - 1, level(first) + bound(first))) break;
-      const std::int64_t with_run = cost[first - 1] + (first > 1 ? crossed[first - 1] + 1 : 0);
-      if (with_run >= cost[last]) continue;
-      cost[last] = with_run;
-      first_of[last] = first;
+/// A frame's levels, ascending and without 0, each with the depths that it may become.
+struct Reach {
+  std::vector<int> nearest;
+  std::vector<int> farthest;
+};
+
+Reach reach_of(const LevelPalette& palette, const std::vector<int>& bounds) {
+  Reach reach;
+  for (std::size_t rank = 1; rank < palette.size(); ++rank) {
+    const int level = palette.levels[rank];
+    const int bound = bounds[palette.levels[rank]];
+    reach.nearest.push_back(std::max(1, level - bound));
+    reach.farthest.push_back(std::min(kSamples - 1, level + bound));
+  }
+  return reach;
+}
+
+/// Neighbouring pixels, one of level `from` and one of `first_apart` or beyond, that could have become the same, and
+/// no longer can.
+std::int64_t parted(const Reach& reach, const Neighbours& neighbours, std::size_t from, std::size_t first_apart) {
+  std::int64_t sum = 0;
+  for (std::size_t across = first_apart - from; across <= std::size_t{kMostAcross}; ++across) {
+    const std::size_t to = from + across;
+    if (to >= reach.nearest.size() || reach.nearest[to] > reach.farthest[from]) break;
+    sum += neighbours[from + 1][across];
+  }
+  return sum;
+}
+
+/// Depths of which every level can become one: of all such sets the one that parts the fewest neighbours, where each
+/// depth costs as much as `level_cost` of them. A set that serves has its depths at the farthest that some level may
+/// become, so least cost by dynamic programming over those, from each on to the next.
+std::vector<int> best_depths(const Reach& reach, const Neighbours& neighbours, std::int64_t level_cost) {
+  const std::size_t count = reach.nearest.size();
+  constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::vector<std::int64_t> cost(count, kNever);
+  std::vector<std::size_t> before(count, kNone);
+  if (count > 0) cost[0] = level_cost;
+  std::size_t apart = 0;  // first level that cannot become the depth at hand
+  std::size_t best_last = kNone;
+  for (std::size_t last = 0; last < count; ++last) {
+    while (apart < count && reach.nearest[apart] <= reach.farthest[last]) ++apart;
+    if (cost[last] == kNever) continue;
+    if (apart == count && (best_last == kNone || cost[last] < cost[best_last])) best_last = last;
+    std::int64_t with_next = cost[last] + level_cost;
+    for (std::size_t next = last + 1; next <= std::min(apart, count - 1); ++next) {
+      if (with_next < cost[next]) {
+        cost[next] = with_next;
+        before[next] = last;
+      }
+      with_next += parted(reach, neighbours, next, apart);
     }
   }
-  std::vector<int> values;
-  for (std::size_t last = palette.size() - 1; last >= 1; last = first_of[last] - 1) {
-    const std::size_t first = first_of[last];
-    const int farthest = std::min(kSamples - 1, level(first) + bound(first));
-    const int nearest = std::max(1, level(last) - bound(last));
-    values.push_back(std::clamp((level(first) + level(last)) / 2, std::min(nearest, farthest), farthest));
+  std::vector<int> depths;
+  for (std::size_t i = best_last; i != kNone; i = before[i]) depths.push_back(reach.farthest[i]);
+  std::reverse(depths.begin(), depths.end());
+  return depths;
+}
+
+/// Stand-ins for those of a frame's levels that have none.
+void complete(StandIns& stand_ins, const LevelPalette& present) {
+  std::vector<std::uint16_t>& levels = stand_ins.levels.levels;
+  auto next = levels.begin() + 1;  // the first that is not too near
+  for (std::size_t rank = 1; rank < present.size(); ++rank) {
+    const int level = present.levels[rank];
+    const int bound = stand_ins.bounds[present.levels[rank]];
+    while (next != levels.end() && *next < level - bound) ++next;
+    if (next == levels.end() || *next > level + bound)
+      next = levels.insert(next, static_cast<std::uint16_t>(std::min(kSamples - 1, level + bound)));
   }
-  std::reverse(values.begin(), values.end());
-  return values;
+}
+
+/// From the nearest to the farthest stand-in of each level of a frame.
+struct Choice {
+  std::vector<std::size_t> least;
+  std::vector<std::size_t> most;
+};
+
+Choice choice_of(const LevelPalette& present, const StandIns& stand_ins) {
+  Choice choice{.least = {0}, .most = {0}};
+  const std::vector<std::uint16_t>& levels = stand_ins.levels.levels;
+  std::size_t least = 1;
+  std::size_t most = 0;
+  for (std::size_t rank = 1; rank < present.size(); ++rank) {
+    const int level = present.levels[rank];
+    const int bound = stand_ins.bounds[present.levels[rank]];
+    while (levels[least] < level - bound) ++least;
+    while (most + 1 < levels.size() && levels[most + 1] <= level + bound) ++most;
+    choice.least.push_back(least);
+    choice.most.push_back(most);
+  }
+  return choice;
+}
+
+/// The stand-ins that some level may become, and the rank of each.
+std::vector<std::uint16_t> rank_those_of(const Choice& choice, const StandIns& stand_ins, LevelPalette& palette) {
+  std::vector<std::uint16_t> rank_of(stand_ins.levels.size());
+  std::size_t next = 1;
+  for (std::size_t i = 1; i < choice.least.size(); ++i)
+    for (next = std::max(next, choice.least[i]); next <= choice.most[i]; ++next) {
+      rank_of[next] = static_cast<std::uint16_t>(palette.size());
+      palette.levels.push_back(stand_ins.levels.levels[next]);
+    }
+  return rank_of;
 }
 
 }  // namespace
 
 double DepthBound::at(double z_m) const noexcept { return std::max(least_m, per_m * z_m * z_m); }
 
-LevelMap bounded_levels(const DepthImage& depth, const DepthBound& bound) {
-  const LevelPalette palette = palette_of(depth.samples);
-  const std::vector<int> bounds = bounds_of(bound, depth.unit_m);
-  const std::vector<int> values = stand_ins(palette, bounds, crossings(palette, depth));
-  LevelMap map(kSamples);
-  std::size_t i = 0;
-  int between = -2 * kSamples;  // a value for samples that this frame does not have, and a later one may
-  for (int sample = 1; sample < kSamples; ++sample) {
-    const int allowed = bounds[static_cast<std::size_t>(sample)];
-    const auto distance = [&](int value) { return std::abs(value - sample); };
-    while (i + 1 < values.size() && distance(values[i + 1]) <= distance(values[i])) ++i;
-    const bool stands_in = !values.empty() && distance(values[i]) <= allowed;
-    if (!stands_in && distance(between) > allowed) between = std::min(kSamples - 1, sample + allowed);
-    map[static_cast<std::size_t>(sample)] = static_cast<std::uint16_t>(stands_in ? values[i] : between);
-  }
-  return map;
+StandIns stand_ins_for(const DepthImage& depth, const DepthBound& bound) {
+  const RankedFrame frame = ranked(palette_of(depth.samples), depth.samples);
+  StandIns stand_ins{.levels = {}, .bounds = bounds_of(bound, depth.unit_m)};
+  const Neighbours neighbours = neighbours_of(frame, static_cast<std::size_t>(depth.width));
+  const auto level_cost = static_cast<std::int64_t>(depth.samples.size() / kPixelsPerLevel + 1);
+  for (const int level : best_depths(reach_of(frame.palette, stand_ins.bounds), neighbours, level_cost))
+    stand_ins.levels.levels.push_back(static_cast<std::uint16_t>(level));
+  return stand_ins;
 }
 
-DepthImage with_levels(const DepthImage& depth, const LevelMap& map) {
-  DepthImage mapped = depth;
-  for (std::uint16_t& sample : mapped.samples) sample = map[sample];
-  return mapped;
+RankedFrame within_bounds(const DepthImage& depth, StandIns& stand_ins) {
+  const LevelPalette present = palette_of(depth.samples);
+  complete(stand_ins, present);
+  const Choice choice = choice_of(present, stand_ins);
+  RankedFrame frame;
+  const std::vector<std::uint16_t> rank_of = rank_those_of(choice, stand_ins, frame.palette);
+  std::vector<std::uint32_t> ranks_of_sample(kSamples);  // the last above the first: one look-up for both
+  ranks_of_sample[0] = 0xffff0000;
+  for (std::size_t i = 1; i < present.size(); ++i)
+    ranks_of_sample[present.levels[i]] = std::uint32_t{rank_of[choice.most[i]]} << 16 | rank_of[choice.least[i]];
+  frame.ranks.resize(depth.samples.size());
+  frame.most.resize(depth.samples.size());
+  for (std::size_t i = 0; i < depth.samples.size(); ++i) {
+    const std::uint32_t ranks = ranks_of_sample[depth.samples[i]];
+    frame.ranks[i] = static_cast<std::uint16_t>(ranks);
+    frame.most[i] = static_cast<std::uint16_t>(ranks >> 16);
+  }
+  return frame;
 }
 
 }  // namespace telepalp::codec

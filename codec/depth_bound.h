@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "codec/ranked_frame.h"
 #include "proto/words/rgbd_frame.h"
 
 namespace telepalp::codec {
@@ -16,14 +17,17 @@ struct DepthBound {
   [[nodiscard]] double at(double z_m) const noexcept;
 };
 
-/// What each of the 65 536 samples is replaced by. 0 stays 0, and nothing else becomes 0.
-using LevelMap = std::vector<std::uint16_t>;
+/// Levels that stand in for others, a few for many.
+struct StandIns {
+  LevelPalette levels;
+  std::vector<int> bounds;  ///< of each of the 65 536 samples, in whole units
+};
 
-/// A map onto fewer levels, each sample within its bound, in whole units; made to part as few neighbouring pixels of
-/// `depth` as may be. Levels are replaced, not pixels: what was flat stays flat, and a frame that follows keeps the
-/// map.
-[[nodiscard]] LevelMap bounded_levels(const DepthImage& depth, const DepthBound& bound);
+/// Stand-ins as few, and common to as many neighbouring pixels of `depth`, as may be.
+[[nodiscard]] StandIns stand_ins_for(const DepthImage& depth, const DepthBound& bound);
 
-[[nodiscard]] DepthImage with_levels(const DepthImage& depth, const LevelMap& map);
+/// What each pixel of a frame may become: which one is the coder's choice. Depths that have no stand-in yet, as the
+/// frame that they were made for did not have them, get one.
+[[nodiscard]] RankedFrame within_bounds(const DepthImage& depth, StandIns& stand_ins);
 
 }  // namespace telepalp::codec

@@ -23,7 +23,10 @@ std::optional<DepthMode> depth_mode(std::string_view name) noexcept {
 
 std::string encode_depth(const DepthImage& depth, DepthMode mode) {
   demand(is_well_formed(depth), "encode_depth is given a well-formed image");
-  if (mode == DepthMode::Bounded) return write_frame(with_levels(depth, bounded_levels(depth, {})), mode, {});
+  if (mode == DepthMode::Bounded) {
+    StandIns stand_ins = stand_ins_for(depth, {});
+    return write_bounded(depth, stand_ins, {}).packet;
+  }
   return write_frame(depth, mode, {});
 }
 

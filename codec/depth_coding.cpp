@@ -18,6 +18,15 @@ std::string packet_of(const DepthImage& depth, PacketHeader header, std::string_
   return write_packet(header, depth.samples, body);
 }
 
+PacketHeader header_of(DepthMode mode, const Slicing& slicing, const Reference& reference) {
+  PacketHeader header{.mode = mode, .coding = Coding::Contexts, .slices = static_cast<std::uint8_t>(slicing.slices)};
+  if (reference.depth == nullptr) return header;
+  header.coding = Coding::Dependent;
+  header.reference = reference.crc;
+  header.since_key = reference.since_key;
+  return header;
+}
+
 /// Fills the frame. False when the body is damaged.
 bool decode_body(const Packet& packet, const Reference& reference, DecodedFrame& frame) {
   const Coding coding = packet.header.coding;
@@ -37,21 +46,27 @@ std::string write_frame(const DepthImage& depth, DepthMode mode, const Reference
 
 std::string write_frame(const DepthImage& depth, const LevelPalette& palette, DepthMode mode,
                         const Reference& reference) {
+  RankedFrame frame = ranked(palette, depth.samples);
   const Slicing slicing = Slicing::for_frame(depth.width, depth.height);
   const std::optional<std::string> body =
-      encode_contexts(ranks_by(ranks_of(palette), depth.samples), depth.width, palette,
-                      {samples_of(reference), reference.palette}, slicing, context_kernel());
+      encode_contexts(frame, depth.width, {samples_of(reference), reference.palette}, slicing, context_kernel());
   if (!body) return packet_of(depth, {.mode = mode, .coding = Coding::Stored}, stored(depth).bytes);
-  const auto slices = static_cast<std::uint8_t>(slicing.slices);
-  if (reference.depth == nullptr)
-    return packet_of(depth, {.mode = mode, .coding = Coding::Contexts, .slices = slices}, *body);
-  return packet_of(depth,
-                   {.mode = mode,
-                    .coding = Coding::Dependent,
-                    .slices = slices,
-                    .reference = reference.crc,
-                    .since_key = reference.since_key},
-                   *body);
+  return packet_of(depth, header_of(mode, slicing, reference), *body);
+}
+
+WrittenFrame write_bounded(const DepthImage& depth, StandIns& stand_ins, const Reference& reference) {
+  RankedFrame frame = within_bounds(depth, stand_ins);
+  const Slicing slicing = Slicing::for_frame(depth.width, depth.height);
+  const std::optional<std::string> body =
+      encode_contexts(frame, depth.width, {samples_of(reference), reference.palette}, slicing, context_kernel());
+  if (!body)
+    return {.packet = packet_of(depth, {.mode = DepthMode::Bounded, .coding = Coding::Stored}, stored(depth).bytes),
+            .depth = depth,
+            .palette = palette_of(depth.samples)};
+  WrittenFrame written{.packet = {}, .depth = depth, .palette = std::move(frame.palette)};
+  put_levels(frame.ranks, written.palette, written.depth.samples);
+  written.packet = packet_of(written.depth, header_of(DepthMode::Bounded, slicing, reference), *body);
+  return written;
 }
 
 Result<DecodedFrame> read_frame(const Packet& packet, const Reference& reference) {

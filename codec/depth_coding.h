@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "codec/depth_bound.h"
 #include "codec/depth_packet.h"
 #include "codec/level_palette.h"
 #include "proto/words/rgbd_frame.h"
@@ -24,6 +25,17 @@ struct Reference {
 /// The same of any mode but Fast, where the frame's palette is at hand.
 [[nodiscard]] std::string write_frame(const DepthImage& depth, const LevelPalette& palette, DepthMode mode,
                                       const Reference& reference);
+
+/// A packet, and the frame as its decoder will have it.
+struct WrittenFrame {
+  std::string packet;
+  DepthImage depth;
+  LevelPalette palette;
+};
+
+/// A packet of `depth` with each pixel moved within its bound, so that it takes fewer bytes. `stand_ins`
+/// as for within_bounds().
+[[nodiscard]] WrittenFrame write_bounded(const DepthImage& depth, StandIns& stand_ins, const Reference& reference);
 
 /// A frame as it was decoded.
 struct DecodedFrame {

@@ -36,15 +36,21 @@ std::string DepthEncoder::encode(const DepthImage& depth) {
                             .palette = is_key ? nullptr : &before_palette_,
                             .crc = before_crc_,
                             .since_key = static_cast<std::uint16_t>(since_key_)};
-  const bool bounded = settings_.mode == DepthMode::Bounded;
-  if (is_key && bounded) levels_ = bounded_levels(depth, settings_.bound);
-  DepthImage sent = bounded ? with_levels(depth, levels_) : depth;
-  LevelPalette palette = palette_of(sent.samples);
-  std::string packet = write_frame(sent, palette, settings_.mode, reference);
-  before_crc_ = crc_of(packet);
-  before_palette_ = std::move(palette);
-  before_ = std::move(sent);
-  return packet;
+  WrittenFrame written = write(depth, is_key, reference);
+  before_crc_ = crc_of(written.packet);
+  before_palette_ = std::move(written.palette);
+  before_ = std::move(written.depth);
+  return std::move(written.packet);
+}
+
+WrittenFrame DepthEncoder::write(const DepthImage& depth, bool is_key, const Reference& reference) {
+  if (settings_.mode == DepthMode::Bounded) {
+    if (is_key) stand_ins_ = stand_ins_for(depth, settings_.bound);
+    return write_bounded(depth, stand_ins_, reference);
+  }
+  LevelPalette palette = palette_of(depth.samples);
+  std::string packet = write_frame(depth, palette, settings_.mode, reference);
+  return {.packet = std::move(packet), .depth = depth, .palette = std::move(palette)};
 }
 
 Result<DepthImage> DepthDecoder::decode(std::span<const std::byte> bytes) {

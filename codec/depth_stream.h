@@ -8,6 +8,7 @@
 
 #include "codec/depth_bound.h"
 #include "codec/depth_codec.h"
+#include "codec/depth_coding.h"
 #include "codec/level_palette.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
@@ -33,9 +34,11 @@ class DepthEncoder {
   void want_key_frame() noexcept { key_wanted_ = true; }
 
  private:
+  WrittenFrame write(const DepthImage& depth, bool is_key, const Reference& reference);
+
   DepthStreamSettings settings_;
-  LevelMap levels_;    // of Bounded, made for the key frame: levels that change from frame to frame cost more
-  DepthImage before_;  // as the decoder has it
+  StandIns stand_ins_;  // of Bounded, made for the key frame: levels that change from frame to frame cost more
+  DepthImage before_;   // as the decoder has it
   LevelPalette before_palette_;
   std::uint32_t before_crc_ = 0;
   int since_key_ = 0;

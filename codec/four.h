@@ -21,11 +21,31 @@ inline Four all_four(int number) { return Four{number, number, number, number}; 
 inline Four least(Four a, Four b) { return a < b ? a : b; }
 inline Four greatest(Four a, Four b) { return a < b ? b : a; }
 
+/// `yes` where the mask has all bits, `no` where it has none: in fewer and shorter steps than the processor's blend.
+template <class Numbers>
+inline Numbers pick(Four mask, Numbers yes, Numbers no) {
+  return no ^ ((no ^ yes) & reinterpret_cast<Numbers>(mask));
+}
+
 inline Four bounded_by_two(Four value) { return greatest(least(value, all_four(2)), all_four(-2)); }
 
 /// predict() of four pixels.
 inline Four predict(Four west, Four north, Four north_west) {
   return greatest(least(west + north - north_west, greatest(west, north)), least(west, north));
+}
+
+/// The four numbers one by one, by two moves of two: where all are wanted, that is quicker than by four of one.
+struct Apart {
+  uint32_t of[4];
+};
+
+inline Apart apart(Four numbers) {
+  using Halves [[gnu::vector_size(16)]] = uint64_t;
+  const auto halves = reinterpret_cast<Halves>(numbers);
+  const uint64_t low = halves[0];
+  const uint64_t high = halves[1];
+  return {{static_cast<uint32_t>(low), static_cast<uint32_t>(low >> 32), static_cast<uint32_t>(high),
+           static_cast<uint32_t>(high >> 32)}};
 }
 
 inline Four four_at(const uint16_t* at) {

@@ -13,8 +13,8 @@ clang++-14 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi
   -isystem /usr/include/wasm32-wasi -Icodec/wasm/include -I"$work/zstd" -I. \
   -std=c++20 -O3 -msimd128 -mbulk-memory -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections \
   -Wno-ignored-attributes -ffile-prefix-map="$PWD"=. -nostdlib \
-  codec/wasm/depth_decoder_wasm.cpp codec/context_coding.cpp codec/context_kernel_portable.cpp \
-  codec/context_kernel_v3.cpp codec/crc32c.cpp codec/depth_bound.cpp codec/depth_codec.cpp codec/depth_coding.cpp \
+  codec/wasm/depth_decoder_wasm.cpp codec/wasm/decoding_kernel.cpp codec/context_coding.cpp \
+  codec/crc32c.cpp codec/depth_bound.cpp codec/depth_codec.cpp codec/depth_coding.cpp \
   codec/depth_packet.cpp codec/depth_stream.cpp codec/depth_tables.cpp codec/disparity_law.cpp \
   codec/fast_coding.cpp codec/fast_token_reader.cpp codec/fast_token_writer.cpp codec/level_palette.cpp \
   codec/palette_coding.cpp codec/rank_wavefront.cpp codec/zstd_stream.cpp proto/words/rgbd_frame.cpp \

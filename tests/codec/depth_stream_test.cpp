@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "codec/context_coding.h"
 #include "codec/crc32c.h"
 #include "tests/codec/depth_frames.h"
 
@@ -49,20 +48,6 @@ TEST(DepthStream, BoundedKeepsItsBoundAndEveryHole) {
         const double error_m = std::abs(back->samples[k] - depth.samples[k]) * unit_m;
         ASSERT_LE(error_m, DepthBound{}.at(depth.samples[k] * unit_m) + 1e-9);
       }
-    }
-  }
-}
-
-TEST(DepthStream, BoundHoldsForEverySampleThereIs) {
-  for (const DepthBound& bound :
-       {DepthBound{}, DepthBound{.least_m = 0.0, .per_m = 0.0}, DepthBound{.least_m = 100.0}}) {
-    const DepthImage key = kinect_like(kWidth, kHeight, 1);
-    const LevelMap map = bounded_levels(key, bound);
-    EXPECT_EQ(map[0], 0);
-    for (std::size_t sample = 1; sample < map.size(); ++sample) {
-      ASSERT_NE(map[sample], 0) << sample;
-      const double error_m = std::abs(map[sample] - static_cast<double>(sample)) * key.unit_m;
-      ASSERT_LE(error_m, bound.at(static_cast<double>(sample) * key.unit_m) + 1e-9) << sample;
     }
   }
 }
@@ -126,30 +111,6 @@ TEST(DepthStream, AWrongReferenceIsAnErrorEvenOfTheRightSize) {
   const Result<DepthImage> back = decoder.decode(bytes_of(ours.encode(kinect_like(kWidth, kHeight, 2))));
   ASSERT_FALSE(back.ok());
   EXPECT_NE(back.error().fix.find("key frame"), std::string::npos);
-}
-
-TEST(ContextKernel, EveryKernelWritesTheSameBytesAndReadsThem) {
-  if (v3_context_kernel() == nullptr) GTEST_SKIP() << "this processor runs the portable kernel alone";
-  for (const int height : {1, 3, 171, 200, 512}) {  // the last in four slices of equal height
-    const DepthImage before = kinect_like(131, height, 4);
-    const DepthImage depth = kinect_like(131, height, 5, 2);
-    const LevelPalette palette = palette_of(depth.samples);
-    const Ranks ranks = ranks_by(ranks_of(palette), depth.samples);
-    const Slicing slicing = Slicing::for_frame(131, height);
-    for (const FrameBefore& reference : {FrameBefore{}, FrameBefore{before.samples}}) {
-      const auto plain = encode_contexts(ranks, 131, palette, reference, slicing, portable_context_kernel());
-      const auto vector = encode_contexts(ranks, 131, palette, reference, slicing, *v3_context_kernel());
-      EXPECT_EQ(plain, vector) << height;
-      ASSERT_TRUE(plain.has_value());
-      Packet packet{.header = {.slices = static_cast<std::uint8_t>(slicing.slices), .width = 131, .height = height},
-                    .body = bytes_of(*plain)};
-      for (const ContextKernel* kernel : {&portable_context_kernel(), v3_context_kernel()}) {
-        std::vector<std::uint16_t> samples(depth.samples.size());
-        EXPECT_EQ(decode_contexts(packet, reference, samples, *kernel).value().levels, palette.levels);
-        EXPECT_EQ(samples, depth.samples) << kernel->name;
-      }
-    }
-  }
 }
 
 TEST(Crc32c, IsTheOneOfTheStandardBothWays) {

@@ -1,0 +1,117 @@
+#include "codec/depth_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <utility>
+
+#include "codec/depth_coding.h"
+#include "tests/codec/depth_frames.h"
+
+namespace telepalp::codec {
+namespace {
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 200;
+
+TEST(DepthBound, HoldsForEverySampleThereIs) {
+  DepthImage all{.width = 256, .height = 256, .unit_m = 0.001, .samples = std::vector<std::uint16_t>(65536)};
+  std::iota(all.samples.begin(), all.samples.end(), std::uint16_t{0});
+  for (const DepthBound& bound :
+       {DepthBound{}, DepthBound{.least_m = 0.0, .per_m = 0.0}, DepthBound{.least_m = 100.0}}) {
+    for (const DepthImage& key : {kinect_like(kWidth, kHeight, 1), all, filled(8, 8, 0)}) {
+      StandIns stand_ins = stand_ins_for(key, bound);
+      const RankedFrame frame = within_bounds(all, stand_ins);
+      EXPECT_EQ(frame.ranks[0], 0);
+      EXPECT_EQ(frame.most[0], 65535);
+      for (std::size_t sample = 1; sample < all.samples.size(); ++sample) {
+        ASSERT_LE(frame.ranks[sample], frame.most[sample]) << sample;
+        ASSERT_GT(frame.ranks[sample], 0) << sample;
+        for (const std::uint16_t rank : {frame.ranks[sample], frame.most[sample]}) {
+          const double error_m = std::abs(frame.palette.levels[rank] - static_cast<double>(sample)) * all.unit_m;
+          ASSERT_LE(error_m, bound.at(static_cast<double>(sample) * all.unit_m) + 1e-9) << sample;
+        }
+      }
+    }
+  }
+}
+
+using Range = std::pair<int, int>;
+
+bool any_within(const std::vector<int>& values, int from, int to) {
+  return std::any_of(values.begin(), values.end(), [&](int value) { return from <= value && value <= to; });
+}
+
+/// What a set of stand-ins costs: one for each, and one for each two neighbours that could have become the same, and
+/// cannot. Nothing, when some level can become none of them.
+std::optional<std::int64_t> cost_of(const std::vector<int>& set, const std::vector<Range>& levels,
+                                    const std::vector<int>& next_to) {
+  auto cost = static_cast<std::int64_t>(set.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (!any_within(set, levels[i].first, levels[i].second)) return std::nullopt;
+    if (i + 1 == levels.size() || levels[i + 1].first > levels[i].second) continue;
+    if (!any_within(set, levels[i + 1].first, levels[i].second)) cost += next_to[i];
+  }
+  return cost;
+}
+
+/// The least that any set costs, of all those that a better one could be moved to: slow, and sure.
+std::int64_t least_cost(const std::vector<Range>& levels, const std::vector<int>& next_to) {
+  std::vector<int> ends;
+  for (const Range& level : levels) ends.insert(ends.end(), {level.first, level.second});
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (unsigned members = 1; members < 1U << ends.size(); ++members) {
+    std::vector<int> set;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      if ((members >> i & 1) != 0) set.push_back(ends[i]);
+    least = std::min(least, cost_of(set, levels, next_to).value_or(least));
+  }
+  return least;
+}
+
+TEST(DepthBound, StandInsPartAsFewNeighboursAsAnySetCould) {
+  constexpr int kBound = 6;
+  std::mt19937 random(11);
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Range> levels;
+    std::vector<int> next_to;
+    DepthImage depth{.width = 2, .height = 0, .unit_m = 0.001, .samples = {}};
+    for (int level = 1000; levels.size() < 6; level += 1 + static_cast<int>(random() % 12)) {
+      if (!levels.empty()) {
+        next_to.push_back(1 + static_cast<int>(random() % 5));
+        const auto before = static_cast<std::uint16_t>(levels.back().first + kBound);
+        for (int n = 0; n < next_to.back(); ++n, depth.height += 2)  // each pair on a row, a row of holes behind it
+          depth.samples.insert(depth.samples.end(), {before, static_cast<std::uint16_t>(level), 0, 0});
+      }
+      levels.emplace_back(level - kBound, level + kBound);
+    }
+    const StandIns stand_ins = stand_ins_for(depth, {.least_m = 0.001 * kBound, .per_m = 0.0});
+    const std::vector<std::uint16_t>& found = stand_ins.levels.levels;
+    EXPECT_EQ(cost_of({found.begin() + 1, found.end()}, levels, next_to), least_cost(levels, next_to)) << round;
+  }
+}
+
+/// A frame as it is shown to be when each level has one stand-in alone, the nearest: what choosing saves.
+DepthImage by_nearest(const DepthImage& depth, const StandIns& stand_ins) {
+  DepthImage moved = depth;
+  const RankOfLevel nearest = nearest_ranks_of(stand_ins.levels);
+  for (std::uint16_t& sample : moved.samples) sample = stand_ins.levels.levels[nearest[sample]];
+  return moved;
+}
+
+TEST(DepthBound, ChoosingWhatIsLikelyTakesFewerBytesThanTheNearest) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const DepthImage depth = kinect_like(320, 240, seed);
+    StandIns stand_ins = stand_ins_for(depth, {});
+    const std::size_t nearest = write_frame(by_nearest(depth, stand_ins), DepthMode::Bounded, {}).size();
+    EXPECT_LT(write_bounded(depth, stand_ins, {}).packet.size(), nearest * 9 / 10);
+  }
+}
+
+}  // namespace
+}  // namespace telepalp::codec
