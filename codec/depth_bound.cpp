@@ -46,6 +46,7 @@ Neighbours neighbours_of(const RankedFrame& frame, std::size_t width) {
 
 /// A frame's levels, ascending and without 0, each with the depths that it may become.
 struct Reach {
+  std::vector<int> level;
   std::vector<int> nearest;
   std::vector<int> farthest;
 };
@@ -55,6 +56,7 @@ Reach reach_of(const LevelPalette& palette, const std::vector<int>& bounds) {
   for (std::size_t rank = 1; rank < palette.size(); ++rank) {
     const int level = palette.levels[rank];
     const int bound = bounds[palette.levels[rank]];
+    reach.level.push_back(level);
     reach.nearest.push_back(std::max(1, level - bound));
     reach.farthest.push_back(std::min(kSamples - 1, level + bound));
   }
@@ -73,10 +75,10 @@ std::int64_t parted(const Reach& reach, const Neighbours& neighbours, std::size_
   return sum;
 }
 
-/// Depths of which every level can become one: of all such sets the one that parts the fewest neighbours, where each
-/// depth costs as much as `level_cost` of them. A set that serves has its depths at the farthest that some level may
-/// become, so least cost by dynamic programming over those, from each on to the next.
-std::vector<int> best_depths(const Reach& reach, const Neighbours& neighbours, std::int64_t level_cost) {
+/// Levels of which every level can become the farthest depth of one: of all such sets the one that parts the fewest
+/// neighbours, where each depth costs as much as `level_cost` of them. No other depths serve better than those farthest
+/// ones, so least cost by dynamic programming over them, from each on to the next.
+std::vector<std::size_t> best_depths(const Reach& reach, const Neighbours& neighbours, std::int64_t level_cost) {
   const std::size_t count = reach.nearest.size();
   constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
@@ -90,7 +92,8 @@ std::vector<int> best_depths(const Reach& reach, const Neighbours& neighbours, s
     if (cost[last] == kNever) continue;
     if (apart == count && (best_last == kNone || cost[last] < cost[best_last])) best_last = last;
     std::int64_t with_next = cost[last] + level_cost;
-    for (std::size_t next = last + 1; next <= std::min(apart, count - 1); ++next) {
+    const std::size_t first_parting = apart - std::min(apart, kMostAcross + std::size_t{1});  // none before parts any
+    for (std::size_t next = std::max(last + 1, first_parting); next <= std::min(apart, count - 1); ++next) {
       if (with_next < cost[next]) {
         cost[next] = with_next;
         before[next] = last;
@@ -98,10 +101,19 @@ std::vector<int> best_depths(const Reach& reach, const Neighbours& neighbours, s
       with_next += parted(reach, neighbours, next, apart);
     }
   }
-  std::vector<int> depths;
-  for (std::size_t i = best_last; i != kNone; i = before[i]) depths.push_back(reach.farthest[i]);
-  std::reverse(depths.begin(), depths.end());
-  return depths;
+  std::vector<std::size_t> farthest_of;
+  for (std::size_t i = best_last; i != kNone; i = before[i]) farthest_of.push_back(i);
+  std::reverse(farthest_of.begin(), farthest_of.end());
+  return farthest_of;
+}
+
+/// The depth in the middle of all levels that can become the farthest of one, and which they still can become: so that
+/// none is moved further than it must, and as many to either side.
+int centred(const Reach& reach, std::size_t farthest_of) {
+  const int farthest = reach.farthest[farthest_of];
+  const auto past_last = std::upper_bound(reach.nearest.begin(), reach.nearest.end(), farthest);
+  const auto last = static_cast<std::size_t>(past_last - reach.nearest.begin()) - 1;
+  return std::clamp((reach.level[farthest_of] + reach.level[last]) / 2, reach.nearest[last], farthest);
 }
 
 /// Stand-ins for those of a frame's levels that have none.
@@ -160,8 +172,9 @@ StandIns stand_ins_for(const DepthImage& depth, const DepthBound& bound) {
   StandIns stand_ins{.levels = {}, .bounds = bounds_of(bound, depth.unit_m)};
   const Neighbours neighbours = neighbours_of(frame, static_cast<std::size_t>(depth.width));
   const auto level_cost = static_cast<std::int64_t>(depth.samples.size() / kPixelsPerLevel + 1);
-  for (const int level : best_depths(reach_of(frame.palette, stand_ins.bounds), neighbours, level_cost))
-    stand_ins.levels.levels.push_back(static_cast<std::uint16_t>(level));
+  const Reach reach = reach_of(frame.palette, stand_ins.bounds);
+  for (const std::size_t farthest_of : best_depths(reach, neighbours, level_cost))
+    stand_ins.levels.levels.push_back(static_cast<std::uint16_t>(centred(reach, farthest_of)));
   return stand_ins;
 }
 
