@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/hard_cases/hard_case.h"
+
+namespace telepalp::hard_cases {
+
+/// Points that span no plane, disagree, or lie far away.
+[[nodiscard]] std::vector<HardCase> point_rows();
+/// What a depth image does not show: holes, silhouettes, rims.
+[[nodiscard]] std::vector<HardCase> image_rows();
+/// Shapes, and ways to come upon them, that leave no one answer.
+[[nodiscard]] std::vector<HardCase> shape_rows();
+/// Frames that are late, early, old, or do not come.
+[[nodiscard]] std::vector<HardCase> time_rows();
+
+}  // namespace telepalp::hard_cases
