@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "codec/depth_codec.h"
-#include "haptic_station/control/phase.h"
 #include "haptic_station/station/bill.h"
 #include "haptic_station/station/cost_clock.h"
 #include "haptic_station/station/placement.h"
@@ -22,7 +21,6 @@ using namespace std::chrono_literals;
 constexpr const char* kName = "telepalp-station";
 constexpr auto kTellPeriod = 10ms;  // /station/state at 100 Hz
 constexpr auto kTotalsPeriod = 1s;  // /station/stats
-constexpr auto kRearmTakes = 20ms;  // some ticks, and their telling
 constexpr auto kSayStillWaiting = 5s;
 
 void say(const std::string& text) { program::log(kName, text); }
@@ -58,9 +56,6 @@ Station::Station(StationOptions options, const scenes::Scene& scene, const surfa
       fast_timer_(io_),
       slow_timer_(io_),
       signals_(io_, SIGINT, SIGTERM),
-      rearm_timer_(io_),
-      control_socket_(
-          io_, [this](const std::string& command, const ControlSocket::Reply& reply) { on_command(command, reply); }),
       link_(io_, link_options(options_, rig.browser != nullptr),
             {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); }}),
@@ -68,7 +63,9 @@ Station::Station(StationOptions options, const scenes::Scene& scene, const surfa
       loop_(make_loop(scene)),
       rig_(std::move(rig.rig)),
       browser_hand_(rig.browser),
-      telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }) {
+      telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }),
+      faults_(io_, telemetry_, options_.control, options_.state_folder, scene_.name,
+              {.now = [this] { return now(); }, .rearm = [this] { haptic_->rearm(); }}) {
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
     const auto haptic_from_camera = placed(scene_, depth, camera);
     boost::asio::post(io_, [this, haptic_from_camera] { haptic_from_camera_ = haptic_from_camera; });
@@ -96,8 +93,7 @@ Result<void> Station::run() {
   signals_.async_wait([this](const boost::system::error_code& error, int) {
     if (!error) stop("asked to end");
   });
-  if (!options_.control.empty())
-    if (const Result<void> listening = control_socket_.listen(options_.control); !listening) return listening.error();
+  if (const Result<void> listening = faults_.listen(); !listening) return listening.error();
   started_ = std::chrono::steady_clock::now();
   link_.start();
   if (options_.model) touch_model();
@@ -114,7 +110,7 @@ void Station::stop(const std::string& reason) {
   if (std::exchange(stopped_, true)) return;
   if (haptic_) haptic_->stop();
   telemetry_.drain(now());
-  look_for_faults(true);
+  faults_.look(true);
   tell_totals();
   say("ending: " + reason);
   if (!costs_.empty())
@@ -122,8 +118,7 @@ void Station::stop(const std::string& reason) {
   fast_timer_.cancel();
   slow_timer_.cancel();
   signals_.cancel();
-  rearm_timer_.cancel();
-  control_socket_.stop();
+  faults_.stop();
   link_.stop(reason);
 }
 
@@ -227,7 +222,7 @@ void Station::start_haptic_thread() {
 
 void Station::every_10_ms() {
   telemetry_.drain(now());
-  look_for_faults(false);
+  faults_.look(false);
   if (haptic_ && haptic_->compensation().take())
     publish(
         wire::make_message(wire::kStationCompensation, now(), compensation_message(haptic_->compensation().current())));
@@ -249,55 +244,6 @@ void Station::every_second() {
   slow_timer_.expires_after(kTotalsPeriod);
   slow_timer_.async_wait([this](const boost::system::error_code& error) {
     if (!error && !stopped_) every_second();
-  });
-}
-
-/// Tells of a fault at once; keeps what led to it when its letting go is in the black box too.
-void Station::look_for_faults(bool ending) {
-  FaultWatch& faults = telemetry_.faults();
-  if (const std::optional<TickSample> fault = faults.begun()) {
-    const std::string cause = control::name(static_cast<control::FaultCause>(fault->fault));
-    say("fault: " + cause + ": let go, until an operator re-arms. fix: remove the cause, then " + how_to_rearm());
-    telemetry_.tell_event(now(), msg::EVENT_KIND_FAULT, cause);
-  }
-  if (auto ticks = faults.due(ending)) {
-    black_box_ = std::async(std::launch::async,
-                            [folder = options_.state_folder, ticks = std::move(*ticks), scene = scene_.name] {
-                              const auto cause = static_cast<control::FaultCause>(ticks.back().fault);
-                              return write_black_box(folder, ticks, control::name(cause), scene);
-                            });
-  }
-  if (black_box_.valid() && (ending || black_box_.wait_for(0s) == std::future_status::ready)) {
-    const Result<std::filesystem::path> written = black_box_.get();
-    say(written ? "black box: " + written->string() + ". read it by telepalp-report"
-                : "no black box: " + to_string(written.error()));
-  }
-}
-
-std::string Station::how_to_rearm() const {
-  return options_.control.empty() ? "start this station again"
-                                  : "telepalp-station rearm --control " + options_.control.string();
-}
-
-void Station::on_command(const std::string& command, const ControlSocket::Reply& reply) {
-  if (command == "rearm") return rearm(reply);
-  reply("'" + command + "' is not understood. fix: rearm");
-}
-
-void Station::rearm(const ControlSocket::Reply& reply) {
-  const auto is_faulted = [this] { return telemetry_.has_ticked() && telemetry_.last().phase == msg::PHASE_FAULTED; };
-  if (!is_faulted()) return reply("there is no fault to re-arm from");
-  haptic_->rearm();
-  rearm_timer_.expires_after(kRearmTakes);
-  rearm_timer_.async_wait([this, reply, is_faulted](const boost::system::error_code& error) {
-    if (error || stopped_) return;
-    telemetry_.drain(now());
-    if (!is_faulted()) {
-      say("re-armed by the operator");
-      return reply("re-armed: the station touches again");
-    }
-    const auto stands = static_cast<control::FaultCause>(telemetry_.last().fault_stands);
-    reply(std::string("not re-armed: ") + control::name(stands) + ". fix: remove the cause, then try again");
   });
 }
 

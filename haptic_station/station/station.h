@@ -4,7 +4,6 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <set>
@@ -13,7 +12,7 @@
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/collision_thread.h"
-#include "haptic_station/station/control_socket.h"
+#include "haptic_station/station/fault_desk.h"
 #include "haptic_station/station/haptic_thread.h"
 #include "haptic_station/station/rig_choice.h"
 #include "haptic_station/station/static_patient.h"
@@ -58,10 +57,6 @@ class Station {
   void start_haptic_thread();
   void every_10_ms();
   void every_second();
-  void look_for_faults(bool ending);
-  void on_command(const std::string& command, const ControlSocket::Reply& reply);
-  void rearm(const ControlSocket::Reply& reply);
-  [[nodiscard]] std::string how_to_rearm() const;
   void tell_totals();
   void stop(const std::string& reason);
   void publish(wire::Message message);
@@ -74,8 +69,6 @@ class Station {
   boost::asio::steady_timer fast_timer_;
   boost::asio::steady_timer slow_timer_;
   boost::asio::signal_set signals_;
-  boost::asio::steady_timer rearm_timer_;
-  ControlSocket control_socket_;
   wire::ClientLink link_;
   std::optional<Intrinsics> camera_;
   std::optional<Error> failure_;
@@ -93,12 +86,12 @@ class Station {
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // once the first image told
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;
+  FaultDesk faults_;
   std::optional<CollisionThread> collision_;
   std::optional<SurfaceWorker> worker_;  // declared last: its thread ends before what it calls
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point ticking_since_;
   std::vector<msg::EffectCost> costs_;
-  std::future<Result<std::filesystem::path>> black_box_;  // being written
   bool realtime_granted_ = false;
   bool stopped_ = false;  // a timer that has fired cannot be cancelled: its handler looks here
 };
