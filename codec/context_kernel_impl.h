@@ -77,6 +77,11 @@ inline void fill_gaps(Lane<RangeEncoder>& lane, const uint16_t* ranks, int width
   for (int from = 0; from < width; from += 16) {
     uint32_t gaps = zeros_of(lane.measured + from);
     if (width - from < 16) gaps &= (1U << (width - from)) - 1;
+    const bool is_flat = filled[from - 1] == above[from - 1] && memcmp(above + from - 1, above + from, 32) == 0;
+    if (gaps == 0xffff && is_flat) {  // as in most of an empty frame: no pixel need wait for another
+      for (int x = from; x < from + 16; ++x) filled[x] = above[x];
+      continue;
+    }
     for (; gaps != 0; gaps &= gaps - 1) {
       const int x = from + __builtin_ctz(gaps);
       filled[x] = static_cast<uint16_t>(predict(filled[x - 1], above[x], above[x - 1]));

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "codec/level_palette.h"
@@ -16,30 +17,27 @@ namespace {
 constexpr int kSamples = 65536;
 constexpr int kMostAcross = 6;                 // ranks
 constexpr std::size_t kPixelsPerLevel = 1024;  // of which one is worth a neighbour's difference: what a level costs
+constexpr std::size_t kRowsPerCounted = 2;
 
-/// The bound at each sample, in whole units.
-std::vector<int> bounds_of(const DepthBound& bound, double unit_m) {
-  std::vector<int> bounds(kSamples);
-  for (int sample = 1; sample < kSamples; ++sample)
-    bounds[static_cast<std::size_t>(sample)] =
-        static_cast<int>(std::min(std::floor(bound.at(sample * unit_m) / unit_m + 1e-9), double{kSamples}));
-  return bounds;
-}
+/// How often a pixel of each rank has a neighbour so many ranks farther away, as far as every other row tells. Those
+/// further apart than kMostAcross, counted as one more, lie on either side of an edge, which is dear whatever stands in
+/// for them; what is said of rank 0, of holes, means nothing.
+using Neighbours = std::vector<std::array<std::int32_t, kMostAcross + 2>>;
 
-/// How often a pixel of each rank has a neighbour 1, 2 … ranks farther away. Those further apart than kMostAcross lie
-/// on either side of an edge, which is dear whatever stands in for them.
-using Neighbours = std::vector<std::array<std::int64_t, kMostAcross + 1>>;
-
-Neighbours neighbours_of(const RankedFrame& frame, std::size_t width) {
-  Neighbours neighbours(frame.palette.size());
-  const auto count = [&](std::uint16_t a, std::uint16_t b) {
-    const int across = std::abs(a - b);
-    if (across == 0 || across > kMostAcross || a == 0 || b == 0) return;
-    ++neighbours[std::min(a, b)][static_cast<std::size_t>(across)];
+Neighbours neighbours_of(const DepthImage& depth, const LevelPalette& palette) {
+  const RankOfLevel rank_of = ranks_of(palette);
+  Neighbours neighbours(palette.size());
+  const auto count = [&](std::uint16_t a, std::uint16_t b) {  // without a branch, as it would be guessed wrong
+    ++neighbours[std::min(a, b)][static_cast<std::size_t>(std::min(std::abs(a - b), kMostAcross + 1))];
   };
-  for (std::size_t i = 1; i < frame.ranks.size(); ++i) {
-    count(frame.ranks[i - 1], frame.ranks[i]);
-    if (i >= width) count(frame.ranks[i - width], frame.ranks[i]);
+  const auto width = static_cast<std::size_t>(depth.width);
+  for (std::size_t row = 0; row < depth.samples.size(); row += kRowsPerCounted * width) {
+    std::uint16_t west = 0;
+    for (std::size_t i = row; i < row + width; ++i) {
+      const std::uint16_t rank = rank_of[depth.samples[i]];
+      count(std::exchange(west, rank), rank);
+      if (row >= width) count(rank_of[depth.samples[i - width]], rank);
+    }
   }
   return neighbours;
 }
@@ -51,11 +49,11 @@ struct Reach {
   std::vector<int> farthest;
 };
 
-Reach reach_of(const LevelPalette& palette, const std::vector<int>& bounds) {
+Reach reach_of(const LevelPalette& palette, const BoundInUnits& bound_at) {
   Reach reach;
   for (std::size_t rank = 1; rank < palette.size(); ++rank) {
     const int level = palette.levels[rank];
-    const int bound = bounds[palette.levels[rank]];
+    const int bound = bound_at(level);
     reach.level.push_back(level);
     reach.nearest.push_back(std::max(1, level - bound));
     reach.farthest.push_back(std::min(kSamples - 1, level + bound));
@@ -122,7 +120,7 @@ void complete(StandIns& stand_ins, const LevelPalette& present) {
   auto next = levels.begin() + 1;  // the first that is not too near
   for (std::size_t rank = 1; rank < present.size(); ++rank) {
     const int level = present.levels[rank];
-    const int bound = stand_ins.bounds[present.levels[rank]];
+    const int bound = stand_ins.bound(level);
     while (next != levels.end() && *next < level - bound) ++next;
     if (next == levels.end() || *next > level + bound)
       next = levels.insert(next, static_cast<std::uint16_t>(std::min(kSamples - 1, level + bound)));
@@ -142,7 +140,7 @@ Choice choice_of(const LevelPalette& present, const StandIns& stand_ins) {
   std::size_t most = 0;
   for (std::size_t rank = 1; rank < present.size(); ++rank) {
     const int level = present.levels[rank];
-    const int bound = stand_ins.bounds[present.levels[rank]];
+    const int bound = stand_ins.bound(level);
     while (levels[least] < level - bound) ++least;
     while (most + 1 < levels.size() && levels[most + 1] <= level + bound) ++most;
     choice.least.push_back(least);
@@ -167,19 +165,20 @@ std::vector<std::uint16_t> rank_those_of(const Choice& choice, const StandIns& s
 
 double DepthBound::at(double z_m) const noexcept { return std::max(least_m, per_m * z_m * z_m); }
 
-StandIns stand_ins_for(const DepthImage& depth, const DepthBound& bound) {
-  const RankedFrame frame = ranked(palette_of(depth.samples), depth.samples);
-  StandIns stand_ins{.levels = {}, .bounds = bounds_of(bound, depth.unit_m)};
-  const Neighbours neighbours = neighbours_of(frame, static_cast<std::size_t>(depth.width));
-  const auto level_cost = static_cast<std::int64_t>(depth.samples.size() / kPixelsPerLevel + 1);
-  const Reach reach = reach_of(frame.palette, stand_ins.bounds);
-  for (const std::size_t farthest_of : best_depths(reach, neighbours, level_cost))
+int BoundInUnits::operator()(int sample) const noexcept {
+  return static_cast<int>(std::min(std::floor(bound.at(sample * unit_m) / unit_m + 1e-9), double{kSamples}));
+}
+
+StandIns stand_ins_for(const DepthImage& depth, const LevelPalette& palette, const DepthBound& bound) {
+  StandIns stand_ins{.levels = {}, .bound = {bound, depth.unit_m}};
+  const Reach reach = reach_of(palette, stand_ins.bound);
+  const auto level_cost = static_cast<std::int64_t>(depth.samples.size() / (kPixelsPerLevel * kRowsPerCounted) + 1);
+  for (const std::size_t farthest_of : best_depths(reach, neighbours_of(depth, palette), level_cost))
     stand_ins.levels.levels.push_back(static_cast<std::uint16_t>(centred(reach, farthest_of)));
   return stand_ins;
 }
 
-RankedFrame within_bounds(const DepthImage& depth, StandIns& stand_ins) {
-  const LevelPalette present = palette_of(depth.samples);
+RankedFrame within_bounds(const DepthImage& depth, const LevelPalette& present, StandIns& stand_ins) {
   complete(stand_ins, present);
   const Choice choice = choice_of(present, stand_ins);
   RankedFrame frame;

@@ -17,17 +17,25 @@ struct DepthBound {
   [[nodiscard]] double at(double z_m) const noexcept;
 };
 
+/// The same for samples, in whole units.
+struct BoundInUnits {
+  DepthBound bound;
+  double unit_m = 0.001;
+
+  [[nodiscard]] int operator()(int sample) const noexcept;
+};
+
 /// Levels that stand in for others, a few for many.
 struct StandIns {
   LevelPalette levels;
-  std::vector<int> bounds;  ///< of each of the 65 536 samples, in whole units
+  BoundInUnits bound;
 };
 
-/// Stand-ins as few, and common to as many neighbouring pixels of `depth`, as may be.
-[[nodiscard]] StandIns stand_ins_for(const DepthImage& depth, const DepthBound& bound);
+/// Stand-ins as few, and common to as many neighbouring pixels of `depth`, as may be. `palette` is its own, as below.
+[[nodiscard]] StandIns stand_ins_for(const DepthImage& depth, const LevelPalette& palette, const DepthBound& bound);
 
 /// What each pixel of a frame may become: which one is the coder's choice. Depths that have no stand-in yet, as the
 /// frame that they were made for did not have them, get one.
-[[nodiscard]] RankedFrame within_bounds(const DepthImage& depth, StandIns& stand_ins);
+[[nodiscard]] RankedFrame within_bounds(const DepthImage& depth, const LevelPalette& palette, StandIns& stand_ins);
 
 }  // namespace telepalp::codec

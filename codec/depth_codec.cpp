@@ -24,8 +24,9 @@ std::optional<DepthMode> depth_mode(std::string_view name) noexcept {
 std::string encode_depth(const DepthImage& depth, DepthMode mode) {
   demand(is_well_formed(depth), "encode_depth is given a well-formed image");
   if (mode == DepthMode::Bounded) {
-    StandIns stand_ins = stand_ins_for(depth, {});
-    return write_bounded(depth, stand_ins, {}).packet;
+    const LevelPalette palette = palette_of(depth.samples);
+    StandIns stand_ins = stand_ins_for(depth, palette, {});
+    return write_bounded(depth, palette, stand_ins, {}).packet;
   }
   return write_frame(depth, mode, {});
 }

@@ -54,15 +54,16 @@ std::string write_frame(const DepthImage& depth, const LevelPalette& palette, De
   return packet_of(depth, header_of(mode, slicing, reference), *body);
 }
 
-WrittenFrame write_bounded(const DepthImage& depth, StandIns& stand_ins, const Reference& reference) {
-  RankedFrame frame = within_bounds(depth, stand_ins);
+WrittenFrame write_bounded(const DepthImage& depth, const LevelPalette& palette, StandIns& stand_ins,
+                           const Reference& reference) {
+  RankedFrame frame = within_bounds(depth, palette, stand_ins);
   const Slicing slicing = Slicing::for_frame(depth.width, depth.height);
   const std::optional<std::string> body =
       encode_contexts(frame, depth.width, {samples_of(reference), reference.palette}, slicing, context_kernel());
   if (!body)
     return {.packet = packet_of(depth, {.mode = DepthMode::Bounded, .coding = Coding::Stored}, stored(depth).bytes),
             .depth = depth,
-            .palette = palette_of(depth.samples)};
+            .palette = palette};
   WrittenFrame written{.packet = {}, .depth = depth, .palette = std::move(frame.palette)};
   put_levels(frame.ranks, written.palette, written.depth.samples);
   written.packet = packet_of(written.depth, header_of(DepthMode::Bounded, slicing, reference), *body);

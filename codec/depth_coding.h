@@ -33,9 +33,10 @@ struct WrittenFrame {
   LevelPalette palette;
 };
 
-/// A packet of `depth` with each pixel moved within its bound, so that it takes fewer bytes. `stand_ins`
-/// as for within_bounds().
-[[nodiscard]] WrittenFrame write_bounded(const DepthImage& depth, StandIns& stand_ins, const Reference& reference);
+/// A packet of `depth` with each pixel moved within its bound, so that it takes fewer bytes. `palette` is the frame's
+/// own; `stand_ins` as for within_bounds().
+[[nodiscard]] WrittenFrame write_bounded(const DepthImage& depth, const LevelPalette& palette, StandIns& stand_ins,
+                                         const Reference& reference);
 
 /// A frame as it was decoded.
 struct DecodedFrame {

@@ -44,11 +44,11 @@ std::string DepthEncoder::encode(const DepthImage& depth) {
 }
 
 WrittenFrame DepthEncoder::write(const DepthImage& depth, bool is_key, const Reference& reference) {
-  if (settings_.mode == DepthMode::Bounded) {
-    if (is_key) stand_ins_ = stand_ins_for(depth, settings_.bound);
-    return write_bounded(depth, stand_ins_, reference);
-  }
   LevelPalette palette = palette_of(depth.samples);
+  if (settings_.mode == DepthMode::Bounded) {
+    if (is_key) stand_ins_ = stand_ins_for(depth, palette, settings_.bound);
+    return write_bounded(depth, palette, stand_ins_, reference);
+  }
   std::string packet = write_frame(depth, palette, settings_.mode, reference);
   return {.packet = std::move(packet), .depth = depth, .palette = std::move(palette)};
 }

@@ -11,9 +11,10 @@ namespace {
 
 /// What pixels are, or what they may be within their bounds.
 RankedFrame given(const DepthImage& depth, bool chooses) {
-  if (!chooses) return ranked(palette_of(depth.samples), depth.samples);
-  StandIns stand_ins = stand_ins_for(depth, {});
-  return within_bounds(depth, stand_ins);
+  const LevelPalette palette = palette_of(depth.samples);
+  if (!chooses) return ranked(palette, depth.samples);
+  StandIns stand_ins = stand_ins_for(depth, palette, {});
+  return within_bounds(depth, palette, stand_ins);
 }
 
 TEST(ContextKernel, EveryKernelWritesTheSameBytesAndReadsThem) {

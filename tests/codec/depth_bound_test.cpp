@@ -25,8 +25,8 @@ TEST(DepthBound, HoldsForEverySampleThereIs) {
   for (const DepthBound& bound :
        {DepthBound{}, DepthBound{.least_m = 0.0, .per_m = 0.0}, DepthBound{.least_m = 100.0}}) {
     for (const DepthImage& key : {kinect_like(kWidth, kHeight, 1), all, filled(8, 8, 0)}) {
-      StandIns stand_ins = stand_ins_for(key, bound);
-      const RankedFrame frame = within_bounds(all, stand_ins);
+      StandIns stand_ins = stand_ins_for(key, palette_of(key.samples), bound);
+      const RankedFrame frame = within_bounds(all, palette_of(all.samples), stand_ins);
       EXPECT_EQ(frame.ranks[0], 0);
       EXPECT_EQ(frame.most[0], 65535);
       for (std::size_t sample = 1; sample < all.samples.size(); ++sample) {
@@ -90,7 +90,8 @@ TEST(DepthBound, StandInsPartAsFewNeighboursAsAnySetCould) {
       }
       levels.emplace_back(level - kBound, level + kBound);
     }
-    const StandIns stand_ins = stand_ins_for(depth, {.least_m = 0.001 * kBound, .per_m = 0.0});
+    const StandIns stand_ins =
+        stand_ins_for(depth, palette_of(depth.samples), {.least_m = 0.001 * kBound, .per_m = 0.0});
     const std::vector<std::uint16_t>& found = stand_ins.levels.levels;
     EXPECT_EQ(cost_of({found.begin() + 1, found.end()}, levels, next_to), least_cost(levels, next_to)) << round;
   }
@@ -107,9 +108,10 @@ DepthImage by_nearest(const DepthImage& depth, const StandIns& stand_ins) {
 TEST(DepthBound, ChoosingWhatIsLikelyTakesFewerBytesThanTheNearest) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     const DepthImage depth = kinect_like(320, 240, seed);
-    StandIns stand_ins = stand_ins_for(depth, {});
+    const LevelPalette palette = palette_of(depth.samples);
+    StandIns stand_ins = stand_ins_for(depth, palette, {});
     const std::size_t nearest = write_frame(by_nearest(depth, stand_ins), DepthMode::Bounded, {}).size();
-    EXPECT_LT(write_bounded(depth, stand_ins, {}).packet.size(), nearest * 9 / 10);
+    EXPECT_LT(write_bounded(depth, palette, stand_ins, {}).packet.size(), nearest * 9 / 10);
   }
 }
 
