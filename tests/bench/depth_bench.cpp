@@ -1,5 +1,6 @@
 #include "tests/bench/depth_bench.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <ctime>
@@ -18,8 +19,8 @@ namespace telepalp::bench {
 namespace {
 
 constexpr int kMostFrames = 20;
-constexpr int kRounds = 5;          // over the frames, for times that stand above the noise
-constexpr double kMostSeconds = 3;  // of one codec
+constexpr std::size_t kFrameTimes = 60;  // of one codec, at least: rounds over the frames, for times above the noise
+constexpr double kMostSeconds = 3;       // of one codec
 
 /// CPU time of this thread [ms]: a busy machine does not lengthen it as it does wall time.
 double cpu_ms() {
@@ -53,6 +54,8 @@ struct Measured {
   double bytes = 0.0;
   Distribution encode_ms;
   Distribution decode_ms;
+  Distribution yard_encode_ms;  // of zstd-3 in between, if it is measured by that
+  Distribution yard_decode_ms;
   double worst_mm = 0.0;
   double squares_mm2 = 0.0;
   double measured = 0.0;
@@ -73,22 +76,37 @@ void compare(const DepthImage& sent, const DepthImage& got, Measured& into) {
   }
 }
 
-/// `encode` and `decode` are made anew for each round, so that streams begin with a key frame each time.
+/// Both ways with one frame; false when it does not come back.
+template <class Encode, class Decode>
+bool time_both(const DepthImage& frame, Encode& encode, Decode& decode, Distribution& encode_ms,
+               Distribution& decode_ms, std::string& packet, DepthImage& got) {
+  const double start_ms = cpu_ms();
+  packet = encode(frame);
+  const double encoded_ms = cpu_ms();
+  const bool came_back = decode(packet, got);
+  encode_ms.add(encoded_ms - start_ms);
+  decode_ms.add(cpu_ms() - encoded_ms);
+  return came_back;
+}
+
+/// `encode` and `decode` are made anew for each round, so that streams begin with a key frame each time. `yard`: what
+/// takes turns with them, frame by frame, so that a machine which is slow for a while is so for both.
 template <class MakeEncode, class MakeDecode>
-Measured measure(const std::vector<DepthImage>& frames, MakeEncode make_encode, MakeDecode make_decode) {
+Measured measure(const std::vector<DepthImage>& frames, MakeEncode make_encode, MakeDecode make_decode,
+                 const DepthPeer* yard = nullptr) {
   Measured measured;
   const double begin_ms = cpu_ms();
-  for (int round = 0; round < kRounds && cpu_ms() - begin_ms < 1e3 * kMostSeconds; ++round) {
+  const std::size_t rounds = (kFrameTimes + frames.size() - 1) / frames.size();
+  for (std::size_t round = 0; round < rounds && cpu_ms() - begin_ms < 1e3 * kMostSeconds; ++round) {
     auto encode = make_encode();
     auto decode = make_decode();
     for (const DepthImage& frame : frames) {
       DepthImage got = frame;
-      const double start_ms = cpu_ms();
-      const std::string packet = encode(frame);
-      const double encoded_ms = cpu_ms();
-      measured.failed |= !decode(packet, got);
-      measured.encode_ms.add(encoded_ms - start_ms);
-      measured.decode_ms.add(cpu_ms() - encoded_ms);
+      std::string packet;
+      if (yard != nullptr)
+        measured.failed |= !time_both(frame, yard->encode, yard->decode, measured.yard_encode_ms,
+                                      measured.yard_decode_ms, packet, got);
+      measured.failed |= !time_both(frame, encode, decode, measured.encode_ms, measured.decode_ms, packet, got);
       if (round > 0) continue;
       measured.bytes += static_cast<double>(packet.size());
       compare(frame, got, measured);
@@ -97,7 +115,7 @@ Measured measure(const std::vector<DepthImage>& frames, MakeEncode make_encode, 
   return measured;
 }
 
-Measured measure_mode(const std::vector<DepthImage>& frames, codec::DepthMode mode) {
+Measured measure_mode(const std::vector<DepthImage>& frames, codec::DepthMode mode, const DepthPeer* yard = nullptr) {
   return measure(
       frames,
       [mode] {
@@ -111,7 +129,8 @@ Measured measure_mode(const std::vector<DepthImage>& frames, codec::DepthMode mo
           if (got) depth = *std::move(got);
           return got.ok();
         };
-      });
+      },
+      yard);
 }
 
 double raw_bytes(const std::vector<DepthImage>& frames) {
@@ -159,6 +178,24 @@ TimesAsked times_asked(codec::DepthMode mode) {
 constexpr std::array kModes{codec::DepthMode::Fast, codec::DepthMode::Intra, codec::DepthMode::Temporal,
                             codec::DepthMode::Bounded};
 
+/// Whether levels lie as a Kinect v1's do, about 2.85 mm apart at 1 m and further with the square of depth. The budgets
+/// of time are for its frames: zstd takes a third of the time for an empty frame, and twice for noise.
+bool is_kinects(const DepthImage& frame) {
+  constexpr double kStep_per_m = 2.85e-3;
+  constexpr std::size_t kFewest = 16;
+  std::vector<double> steps;
+  const std::vector<std::uint16_t> levels = codec::palette_of(frame.samples).levels;
+  for (std::size_t i = 2; i < levels.size(); ++i) {
+    const double near_m = levels[i - 1] * frame.unit_m;
+    const double far_m = levels[i] * frame.unit_m;
+    if (near_m >= 1.0) steps.push_back((far_m - near_m) / (near_m * far_m));  // nearer ones are rounded too coarsely
+  }
+  if (steps.size() < kFewest) return false;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return std::abs(*middle / kStep_per_m - 1.0) < 0.1;
+}
+
 /// The ratio asked of a mode on the recording of a room, or on a sensor without levels; nullopt: none is.
 std::optional<double> ratio_asked(const std::string& input, const DepthImage& frame, codec::DepthMode mode) {
   constexpr std::size_t kMostLevelsOfKinect = 1024;
@@ -195,30 +232,34 @@ Result<Report> run_depth(const program::Arguments& arguments) {
   const std::vector<DepthImage>& frames = *read;
   const double raw = raw_bytes(frames);
   Report report{.bench = "depth", .rows = {}, .notes = {}};
-  double zstd_encode_ms = 0.0;
-  double zstd_decode_ms = 0.0;
-  for (const DepthPeer& peer : depth_peers()) {
+  const bool kinects = is_kinects(frames.front());
+  const std::vector<DepthPeer> peers = depth_peers();
+  const DepthPeer* yard = nullptr;
+  for (const DepthPeer& peer : peers) {
     const Measured measured = measure(
         frames, [&] { return std::cref(peer.encode); }, [&] { return std::cref(peer.decode); });
     add_rows(peer.name, measured, raw, std::nullopt, report);
-    if (peer.name != "zstd-3") continue;
-    zstd_encode_ms = measured.encode_ms.p50();
-    zstd_decode_ms = measured.decode_ms.p50();
+    if (peer.name == "zstd-3") yard = &peer;
   }
   for (const codec::DepthMode mode : kModes) {
-    const Measured measured = measure_mode(frames, mode);
+    const Measured measured = measure_mode(frames, mode, yard);
     const std::string name(codec::name(mode));
     add_rows(name, measured, raw, ratio_asked(arguments.text("input"), frames.front(), mode), report);
-    const double encode = measured.encode_ms.p50() / zstd_encode_ms;
-    const double decode = measured.decode_ms.p50() / zstd_decode_ms;
+    const double encode = measured.encode_ms.p50() / measured.yard_encode_ms.p50();
+    const double decode = measured.decode_ms.p50() / measured.yard_decode_ms.p50();
     const TimesAsked asked = times_asked(mode);
-    report.rows.push_back(at_most(name + ": encode, times zstd-3", encode, "", asked.encode));
-    report.rows.push_back(at_most(name + ": decode, times zstd-3", decode, "", asked.decode));
+    const auto times = [&](const std::string& what, double value, double most) {
+      const std::string row = name + ": " + what + ", times zstd-3";
+      report.rows.push_back(kinects ? at_most(row, value, "", most) : bench::measured(row, value, ""));
+    };
+    times("encode", encode, asked.encode);
+    times("decode", decode, asked.decode);
     report.rows.push_back(bench::measured(name + ": largest error", measured.worst_mm, "mm"));
     report.rows.push_back(bench::measured(name + ": RMS error", measured.rms_mm(), "mm"));
   }
   if (arguments.has("held-out"))
     if (const Result<void> added = add_held_out(arguments.text("held-out"), report); !added) return added.error();
+  if (!kinects) report.notes.push_back("not a Kinect's frames: no times are asked");
   report.notes.push_back(
       std::to_string(frames.size()) + " frames of " + std::to_string(frames[0].width) + " x " +
       std::to_string(frames[0].height) + ", one core, CPU time; kernel " +
