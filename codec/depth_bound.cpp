@@ -111,7 +111,9 @@ int centred(const Reach& reach, std::size_t farthest_of) {
   const int farthest = reach.farthest[farthest_of];
   const auto past_last = std::upper_bound(reach.nearest.begin(), reach.nearest.end(), farthest);
   const auto last = static_cast<std::size_t>(past_last - reach.nearest.begin()) - 1;
-  return std::clamp((reach.level[farthest_of] + reach.level[last]) / 2, reach.nearest[last], farthest);
+  const int twice = reach.level[farthest_of] + reach.level[last];
+  const int middle = twice / 2 + (twice / 2 & twice & 1);  // halves to the even, else all would lie too near
+  return std::clamp(middle, reach.nearest[last], farthest);
 }
 
 /// Stand-ins for those of a frame's levels that have none.

@@ -97,6 +97,36 @@ TEST(DepthBound, StandInsPartAsFewNeighboursAsAnySetCould) {
   }
 }
 
+/// What Bounded makes of one frame.
+DepthImage moved(const DepthImage& depth) {
+  const LevelPalette palette = palette_of(depth.samples);
+  StandIns stand_ins = stand_ins_for(depth, palette, {});
+  return write_bounded(depth, palette, stand_ins, {}).depth;
+}
+
+TEST(DepthBound, DepthsThatShareWithNoneAreNotMoved) {
+  DepthImage depth = filled(64, 48, 0);
+  for (std::size_t i = 0; i < depth.samples.size(); ++i)
+    depth.samples[i] = static_cast<std::uint16_t>(i % 9 == 0 ? 0 : 1000 + 100 * (i / 7 % 20));
+  EXPECT_EQ(moved(depth).samples, depth.samples);
+}
+
+TEST(DepthBound, WhatIsOfferedLiesAsMuchTowardsTheCameraAsAway) {
+  const DepthImage depth = kinect_like(320, 240, 5);
+  const LevelPalette palette = palette_of(depth.samples);
+  StandIns stand_ins = stand_ins_for(depth, palette, {});
+  const RankedFrame frame = within_bounds(depth, palette, stand_ins);
+  double sum_in_bounds = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < depth.samples.size(); ++i) {
+    if (depth.samples[i] == 0) continue;
+    const double middle = 0.5 * (frame.palette.levels[frame.ranks[i]] + frame.palette.levels[frame.most[i]]);
+    sum_in_bounds += (middle - depth.samples[i]) * depth.unit_m / DepthBound{}.at(depth.samples[i] * depth.unit_m);
+    count += 1.0;
+  }
+  EXPECT_LT(std::abs(sum_in_bounds / count), 0.05);
+}
+
 /// A frame as it is shown to be when each level has one stand-in alone, the nearest: what choosing saves.
 DepthImage by_nearest(const DepthImage& depth, const StandIns& stand_ins) {
   DepthImage moved = depth;
