@@ -62,8 +62,7 @@ function(telepalp_test name)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags GTest::gtest GTest::gtest_main)
-  target_compile_definitions(${name} PRIVATE TELEPALP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    TELEPALP_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/where)  # where.h, from tests/support
   set(properties TIMEOUT 300 RUN_SERIAL ${ARG_SERIAL})
   if(ARG_SERIAL)
     list(APPEND properties LABELS timed)

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "where.h"
+
 namespace {
 
 namespace fs = std::filesystem;

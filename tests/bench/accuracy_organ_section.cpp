@@ -4,6 +4,7 @@
 
 #include "haptic_station/organs/organ_shape.h"
 #include "tests/bench/accuracy_sections.h"
+#include "where.h"
 
 namespace telepalp::bench {
 namespace {

@@ -8,6 +8,7 @@
 #include "tests/bench/accuracy_rms.h"
 #include "tests/bench/distribution.h"
 #include "tests/haptic_station/surface/touch_scenario.h"
+#include "where.h"
 
 namespace telepalp::bench {
 namespace {

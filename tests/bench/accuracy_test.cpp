@@ -5,6 +5,7 @@
 
 #include "tests/bench/accuracy_page.h"
 #include "tests/bench/accuracy_pareto.h"
+#include "where.h"
 
 namespace telepalp::bench {
 namespace {

@@ -15,6 +15,7 @@
 #include "haptic_station/trials/blind_search.h"
 #include "haptic_station/trials/trial_run.h"
 #include "tests/bench/distribution.h"
+#include "where.h"
 
 namespace telepalp::bench {
 namespace {

@@ -18,6 +18,7 @@
 #include "server/hub/peer_listener.h"
 #include "tests/proto/mcap_samples.h"
 #include "tests/support/child_process.h"
+#include "where.h"
 
 namespace telepalp::record {
 namespace {

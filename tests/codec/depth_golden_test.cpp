@@ -6,6 +6,7 @@
 
 #include "codec/depth_stream.h"
 #include "tests/codec/depth_frames.h"
+#include "where.h"
 
 namespace telepalp::codec {
 namespace {

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <string>
 
+#include "where.h"
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -11,6 +11,7 @@
 #include "proto/wire/mcap/reader.h"
 #include "tests/haptic_station/device/protocol/fake_udp_device.h"
 #include "tests/support/child_process.h"
+#include "where.h"
 
 namespace telepalp {
 namespace {

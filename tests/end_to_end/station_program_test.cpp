@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tests/support/child_process.h"
+#include "where.h"
 
 namespace telepalp {
 namespace {

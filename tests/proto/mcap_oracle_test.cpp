@@ -12,6 +12,7 @@
 #include "proto/wire/mcap/stream_reader.h"
 #include "tests/proto/mcap_samples.h"
 #include "tests/support/child_process.h"
+#include "where.h"
 
 namespace telepalp::wire {
 namespace {

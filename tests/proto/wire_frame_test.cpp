@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "proto/wire/frame.h"
+#include "where.h"
 
 namespace telepalp::wire {
 namespace {

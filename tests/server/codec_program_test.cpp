@@ -9,6 +9,7 @@
 #include "server/capture/images/image_file.h"
 #include "tests/codec/depth_frames.h"
 #include "tests/support/child_process.h"
+#include "where.h"
 
 namespace telepalp::server {
 namespace {

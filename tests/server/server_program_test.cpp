@@ -10,6 +10,7 @@
 #include "messages/camera.pb.h"
 #include "proto/wire/client_link.h"
 #include "tests/support/child_process.h"
+#include "where.h"
 
 namespace telepalp::server {
 namespace {

@@ -12,6 +12,7 @@
 #include "clients/plot/bars.h"
 #include "clients/plot/palette.h"
 #include "clients/plot/svg.h"
+#include "where.h"
 
 namespace telepalp::plot {
 namespace {

@@ -17,6 +17,7 @@
 #include "clients/report/view.h"
 #include "proto/wire/mcap/writer.h"
 #include "tests/clients/report/made_session.h"
+#include "where.h"
 
 namespace telepalp::report {
 namespace {

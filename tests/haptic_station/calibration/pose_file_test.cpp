@@ -1,4 +1,5 @@
 #include "haptic_station/calibration/pose_file.h"
+#include "where.h"
 
 #include <gtest/gtest.h>
 

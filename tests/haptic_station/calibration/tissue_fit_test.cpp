@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "haptic_station/effects/tissue_presets.h"
+#include "where.h"
 
 namespace telepalp::calibration {
 namespace {

@@ -1,4 +1,5 @@
 #include "haptic_station/control/phase_event.h"
+#include "where.h"
 
 #include <gtest/gtest.h>
 

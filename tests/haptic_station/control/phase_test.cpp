@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "messages/station.pb.h"
+#include "where.h"
 
 namespace telepalp::control {
 namespace {

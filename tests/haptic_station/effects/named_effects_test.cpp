@@ -17,6 +17,7 @@
 #include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/trials/virtual_station.h"
+#include "where.h"
 
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "haptic_station/device/random.h"
 #include "haptic_station/organs/organ_shape.h"
+#include "where.h"
 
 namespace telepalp::effects {
 namespace {

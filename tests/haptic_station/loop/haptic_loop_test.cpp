@@ -13,6 +13,7 @@
 #include "server/capture/synthetic/mesh.h"
 #include "server/capture/synthetic/synthetic_patient.h"
 #include "tests/support/no_heap_scope.h"
+#include "where.h"
 
 namespace telepalp::station {
 namespace {

@@ -12,6 +12,7 @@
 #include "haptic_station/probe/probed_surface.h"
 #include "haptic_station/probe/touch_run.h"
 #include "tests/support/child_process.h"
+#include "where.h"
 
 namespace telepalp::probe {
 namespace {

@@ -1,4 +1,5 @@
 #include "haptic_station/scenes/scene.h"
+#include "where.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "haptic_station/tracking/hand_trace.h"
+#include "where.h"
 
 #include <gtest/gtest.h>
 

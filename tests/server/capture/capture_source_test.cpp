@@ -12,6 +12,7 @@
 #include "server/capture/images/image_file.h"
 #include "server/capture/session_frames.h"
 #include "server/pipeline/camera_messages.h"
+#include "where.h"
 namespace telepalp::server {
 namespace {
 

@@ -7,6 +7,7 @@
 
 #include "server/capture/images/camera_file.h"
 #include "server/capture/images/image_listing.h"
+#include "where.h"
 
 namespace telepalp::server {
 namespace {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "proto/models/lzf.h"
+#include "where.h"
 
 namespace telepalp::server {
 namespace {

@@ -1,4 +1,5 @@
 #include "server/capture/synthetic/synthetic_patient.h"
+#include "where.h"
 
 #include <gtest/gtest.h>
 
