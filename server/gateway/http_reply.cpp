@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "server/gateway/request_headers.h"
+
 namespace telepalp::server {
 namespace {
 
@@ -35,6 +37,21 @@ HttpReply with_security(HttpReply reply, const HttpRequest& request) {
   return reply;
 }
 
+/// Files keep their names from build to build, so a browser asks each time; the ETag spares it the bytes.
+HttpReply serve(const HttpRequest& request, const StaticFile& file) {
+  const bool as_gzip = !file.gzip_bytes.empty() && takes_gzip(view(request[http::field::accept_encoding]));
+  const std::string& etag = as_gzip ? file.gzip_etag : file.etag;
+  const bool has_it = names_etag(view(request[http::field::if_none_match]), etag);
+  HttpReply reply{has_it ? http::status::not_modified : http::status::ok, 11};
+  reply.set(http::field::content_type, file.content_type);
+  reply.set(http::field::cache_control, "no-cache");
+  reply.set(http::field::etag, etag);
+  if (!file.gzip_bytes.empty()) reply.set(http::field::vary, "Accept-Encoding");
+  if (as_gzip) reply.set(http::field::content_encoding, "gzip");
+  if (!has_it) reply.body() = as_gzip ? file.gzip_bytes : file.bytes;
+  return with_security(std::move(reply), request);
+}
+
 HttpReply clock(const HttpRequest& request, SessionTime now) {
   HttpReply reply{http::status::ok, 11};
   reply.set(http::field::content_type, "text/plain; charset=utf-8");
@@ -64,14 +81,7 @@ HttpReply reply_to(const HttpRequest& request, const StaticFiles& files, const R
   const StaticFile* const file = files.find(view(request.target()));
   if (file == nullptr) return refuse(request, http::status::not_found, "there is no such file here");
 
-  // Files keep their names from build to build, so a browser asks each time; the ETag spares it the bytes.
-  const bool has_it = view(request[http::field::if_none_match]) == file->etag;
-  HttpReply reply{has_it ? http::status::not_modified : http::status::ok, 11};
-  reply.set(http::field::content_type, file->content_type);
-  reply.set(http::field::cache_control, "no-cache");
-  reply.set(http::field::etag, file->etag);
-  if (!has_it) reply.body() = file->bytes;
-  return with_security(std::move(reply), request);
+  return serve(request, *file);
 }
 
 }  // namespace telepalp::server

@@ -1,5 +1,7 @@
 #include "server/gateway/static_files.h"
 
+#include <zlib.h>
+
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -7,6 +9,8 @@
 #include <sstream>
 #include <system_error>
 #include <utility>
+
+#include "proto/words/demand.h"
 
 namespace telepalp::server {
 namespace {
@@ -44,6 +48,14 @@ std::string etag_of(std::string_view bytes) {
   return text.data();
 }
 
+/// Compresses `file` unless that saves less than a tenth: images are compressed already.
+void add_gzip(StaticFile& file) {
+  std::string smaller = gzip(file.bytes);
+  if (smaller.size() > file.bytes.size() / 10 * 9) return;
+  file.gzip_etag = etag_of(smaller);
+  file.gzip_bytes = std::move(smaller);
+}
+
 bool is_hidden(const fs::path& file) { return file.filename().string().starts_with('.'); }
 
 }  // namespace
@@ -52,6 +64,23 @@ std::string_view content_type_of(std::string_view file_name) noexcept {
   for (const ContentType& known : kContentTypes)
     if (file_name.ends_with(known.extension)) return known.type;
   return {};
+}
+
+std::string gzip(const std::string& bytes) {
+  constexpr int kGzipWindow = 15 + 16;  // the largest window; 16 asks for gzip's header and trailer
+  constexpr int kMemoryLevel = 8;
+  z_stream stream{};
+  demand(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzipWindow, kMemoryLevel, Z_DEFAULT_STRATEGY) == Z_OK,
+         "zlib compresses with these settings");
+  std::string out(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib reads it only
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  demand(deflate(&stream, Z_FINISH) == Z_STREAM_END, "deflateBound() gave room for all of it");
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
 }
 
 Result<StaticFiles> StaticFiles::read(const fs::path& folder) {
@@ -69,10 +98,11 @@ Result<StaticFiles> StaticFiles::read(const fs::path& folder) {
       return cannot_serve(folder, "holds more than a viewer's files");
     std::ostringstream bytes;
     bytes << std::ifstream(path, std::ios::binary).rdbuf();
-    StaticFile file{std::string(type), {}, std::move(bytes).str()};
+    StaticFile file{.content_type = std::string(type), .etag = {}, .bytes = std::move(bytes).str()};
     if (file.bytes.size() != size) return cannot_serve(path, "cannot be read");
     total_bytes += file.bytes.size();
     file.etag = etag_of(file.bytes);
+    add_gzip(file);
     files.files_.emplace("/" + path.lexically_relative(folder).generic_string(), std::move(file));
   }
   if (failed) return cannot_serve(folder, "cannot be read: " + failed.message());

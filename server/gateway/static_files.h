@@ -15,10 +15,15 @@ struct StaticFile {
   std::string content_type;
   std::string etag;  ///< quoted, changes with the bytes
   std::string bytes;
+  std::string gzip_etag{};  ///< of `gzip_bytes`: the two forms of a file differ, so their tags do too (RFC 9110, 8.8.3)
+  std::string gzip_bytes{};  ///< `bytes` compressed; empty for a file that gzip does not make smaller
 };
 
-/// The viewer's files, read once at start. A request is looked up by name and never turned into a path, so nothing
-/// outside the folder can be asked for, whatever the request says.
+/// `bytes` as a gzip file (RFC 1952) of the same bytes in every run.
+[[nodiscard]] std::string gzip(const std::string& bytes);
+
+/// The viewer's files, read and compressed once at start. A request is looked up by name and never turned into a path,
+/// so nothing outside the folder can be asked for, whatever the request says.
 class StaticFiles {
  public:
   static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;  ///< of all files together

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <zlib.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -20,6 +22,7 @@ class Folder {
     fs::create_directories(path_ / "viewer");
     write("viewer/index.html", "<p>hello</p>");
     write("viewer/viewer.js", "1");
+    write("viewer/page.css", std::string(100'000, 'p'));
     write("viewer/.secret.js", "2");
     write("viewer/notes.exe", "3");
     write("outside.txt", "4");
@@ -75,6 +78,63 @@ TEST(HttpReply, FilesComeWithTheirTypeAndNothingFromElsewhereMayRun) {
   HttpRequest again = get("/viewer.js");
   again.set(http::field::if_none_match, reply[http::field::etag]);
   EXPECT_EQ(reply_to(again, *files, {}, {}).result_int(), 304u);
+}
+
+/// What a browser makes of a gzip body.
+std::string unzipped(const std::string& bytes) {
+  z_stream stream{};
+  EXPECT_EQ(inflateInit2(&stream, 15 + 16), Z_OK);
+  std::string out(1 << 20, '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  EXPECT_EQ(inflate(&stream, Z_FINISH), Z_STREAM_END);
+  out.resize(stream.total_out);
+  inflateEnd(&stream);
+  return out;
+}
+
+HttpReply page_for(const StaticFiles& files, const char* accept_encoding, boost::beast::string_view known = "") {
+  HttpRequest request = get("/page.css");
+  if (accept_encoding != nullptr) request.set(http::field::accept_encoding, accept_encoding);
+  if (!known.empty()) request.set(http::field::if_none_match, known);
+  return reply_to(request, files, {}, {});
+}
+
+TEST(HttpReply, AFileIsCompressedForABrowserThatTakesGzipAndForNoOther) {
+  const Folder folder;
+  const auto files = StaticFiles::read(folder.viewer());
+  ASSERT_TRUE(files);
+  const HttpReply small = page_for(*files, "br, GZIP;q=0.8, deflate");
+  EXPECT_EQ(small[http::field::content_encoding], "gzip");
+  EXPECT_LT(small.body().size(), 1000u);
+  EXPECT_EQ(unzipped(small.body()), std::string(100'000, 'p'));
+  for (const char* accepted : {"*", "*;q=0.1, br", "gzip"})
+    EXPECT_EQ(page_for(*files, accepted)[http::field::content_encoding], "gzip") << accepted;
+  for (const char* refused :
+       {static_cast<const char*>(nullptr), "", "br", "gzip;q=0", "gzip; q=0.000", "*;q=0", "gzip;q=0, *", "xgzip"}) {
+    const HttpReply plain = page_for(*files, refused);
+    EXPECT_EQ(plain.count(http::field::content_encoding), 0u) << (refused ? refused : "no header");
+    EXPECT_EQ(plain.body().size(), 100'000u);
+    EXPECT_EQ(plain[http::field::vary], "Accept-Encoding") << "a cache between must keep the two forms apart";
+  }
+}
+
+TEST(HttpReply, TheTwoFormsOfAFileHaveTagsOfTheirOwnAndAListOfTagsIsRead) {
+  const Folder folder;
+  const auto files = StaticFiles::read(folder.viewer());
+  ASSERT_TRUE(files);
+  const std::string small(page_for(*files, "gzip")[http::field::etag]);
+  const std::string plain(page_for(*files, nullptr)[http::field::etag]);
+  EXPECT_NE(small, plain);
+  const std::string both = "\"other\" , W/" + small;
+  EXPECT_EQ(page_for(*files, "gzip", small).result_int(), 304u);
+  EXPECT_EQ(page_for(*files, "gzip", both).result_int(), 304u);
+  EXPECT_EQ(page_for(*files, "gzip", "*").result_int(), 304u);
+  EXPECT_EQ(page_for(*files, "gzip", plain).result_int(), 200u);
+  EXPECT_EQ(page_for(*files, nullptr, small).result_int(), 200u);
+  EXPECT_TRUE(page_for(*files, "gzip", small).body().empty());
 }
 
 TEST(HttpReply, OtherMethodsAndOtherNamesAreRefused) {
