@@ -22,6 +22,9 @@ using asio::ip::tcp;
 constexpr std::size_t kMaxTextBytes = 64 * 1024;  // of a client's message; a larger one closes with 1009
 constexpr std::size_t kMaxSubscriptions = 256;
 constexpr std::size_t kMaxWaitingTexts = 32;
+constexpr std::string_view kSubscriberName = "viewer";
+/// A hand that no station takes is told of at most so often: a viewer publishes it 100 times a second.
+constexpr std::chrono::seconds kUntakenWarnedEvery{1};
 /// Bounds how old a frame can get between us and a slow viewer: what waits in the kernel can no longer be overtaken.
 constexpr int kSendBufferBytes = 256 * 1024;
 
@@ -70,7 +73,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void greet(const std::string& peer) {
     if (!socket().is_open()) return;  // the gateway was closed meanwhile, and the hub may be gone
-    subscriber_ = context()->hub.join("viewer", peer, [this] { write_next(); });
+    subscriber_ = context()->hub.join(std::string(kSubscriberName), peer, [this] { write_next(); });
     say(foxglove::server_info(context()->options.server_name, context()->session_id));
     say(foxglove::advertise_all_topics());
     read();
@@ -103,7 +106,18 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   void publish(const std::string& bytes) {
     const auto message = voice_.hear(bytes, *subscriber_, context()->now());
     if (!message) return warn(to_string(message.error()));
-    if (*message) context()->hub.publish(**message);
+    if (!*message) return;
+    if (!context()->hub.is_taken((*message)->topic.name, kSubscriberName)) warn_untaken();
+    context()->hub.publish(**message);
+  }
+
+  void warn_untaken() {
+    const SessionTime now = context()->now();
+    if (untaken_warned_ && now - *untaken_warned_ < kUntakenWarnedEvery) return;
+    untaken_warned_ = now;
+    warn(
+        "no station takes a hand from a viewer. fix: telepalp-station --tracker browser, or deploy/demo --hand "
+        "browser");
   }
 
   void subscribe(const foxglove::Request::Subscription& wanted) {
@@ -173,6 +187,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   std::optional<SubscriberId> subscriber_;                   // from the greeting until the end
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics
   ViewerVoice voice_;
+  std::optional<SessionTime> untaken_warned_;
   std::deque<std::string> texts_;  // to write before data
   bool writing_ = false;
   std::optional<wire::Message> message_;  // being written

@@ -76,6 +76,14 @@ void Hub::publish(wire::Message message) {
     if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
 }
 
+bool Hub::is_taken(std::string_view topic, std::string_view other_than) const noexcept {
+  return std::any_of(subscribers_.begin(), subscribers_.end(), [&](const auto& entry) {
+    const Subscriber& subscriber = entry.second;
+    return subscriber.count.name != other_than &&
+           std::find(subscriber.topics.begin(), subscriber.topics.end(), topic) != subscriber.topics.end();
+  });
+}
+
 void Hub::want_key(SubscriberId id, const wire::Topic& topic, SessionTime unreadable) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end() || !wants(found->second.topics, topic.name)) return;

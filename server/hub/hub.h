@@ -46,6 +46,9 @@ class Hub {
   /// The next message for this subscriber, oldest first; nullopt when none waits.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
+  /// True when a subscriber asked for exactly `topic`, not by a prefix, and is not named `other_than`.
+  [[nodiscard]] bool is_taken(std::string_view topic, std::string_view other_than) const noexcept;
+
   struct TopicCount {
     std::uint64_t published = 0;  ///< of a subscriber: offered to it
     std::uint64_t sent = 0;       ///< taken by a subscriber with next(); published = sent + dropped + still waiting

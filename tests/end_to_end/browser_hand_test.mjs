@@ -3,8 +3,9 @@
 import assert from 'node:assert/strict';
 import {writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
-import {join} from 'node:path';
+import {dirname, join} from 'node:path';
 import test from 'node:test';
+import {fileURLToPath} from 'node:url';
 
 import {openBrowser, untilStatus} from './browser.mjs';
 import {sleep, until, Workplace} from './running_program.mjs';
@@ -58,6 +59,35 @@ test('the pointer meets the skin, presses, and when it leaves the page the stati
     await page.click('#hold-hand');
     await untilStatus(page, 'the station lets go', (now) => now.phase === 'Released' && now.force_N === 0);
     assert.match(child.heard, /its hand is followed/);
+    assert.deepEqual(problems, []);
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
+test('deploy/demo --hand browser: the page says that there is no hand, and a mouse touches the patient', async () => {
+  const workplace = new Workplace('browser_hand_demo');
+  let browser;
+  try {
+    process.env.TELEPALP_BIN = dirname(server);
+    const demo = fileURLToPath(new URL('../../deploy/demo', import.meta.url));
+    const child = workplace.start(demo, ['--hand', 'browser', '--http-port', '0', '--source', `pcd:${levelPatient(workplace.folder)}`]);
+    const address = await until('the demo runs', () => /watch at (http:\S+)/.exec(child.heard)?.[1]);
+    browser = await openBrowser(workplace.folder, {width: 700, height: 640});
+    const {page, problems} = browser;
+    await page.goto(address);
+    await untilStatus(page, 'the patient is let go of', (now) => now.meshVertices > 10_000 && now.phase === 'Released');
+    assert.equal((await untilStatus(page, 'a status', () => true)).handPosition_m, undefined, 'no hand is drawn');
+    await page.waitForSelector('#banner-title:text-is("No hand")');
+    await page.keyboard.press('t');
+    await page.mouse.move(350, 320);
+    await untilStatus(page, 'the hand is followed and drawn', (now) => now.phase === 'Out body' && now.handPosition_m);
+    await page.mouse.down();
+    await untilStatus(page, 'the patient is touched', (now) => now.phase === 'In body' && now.force_N > 0.2);
+    await page.mouse.up();
+    await page.keyboard.press('t');
+    await untilStatus(page, 'the hand is gone', (now) => now.force_N === 0 && now.handPosition_m === undefined);
     assert.deepEqual(problems, []);
   } finally {
     await browser?.context.close();
@@ -134,9 +164,11 @@ test('a station that was not asked to takes no hand from a viewer', async () => 
   const workplace = new Workplace('browser_hand_unasked');
   try {
     const {child, http_port} = await start(workplace, 'simulated');
-    const {client, tell} = await connect(http_port);
+    const {client, heard, tell} = await connect(http_port);
     await hold(500, () => tell(0, 0, 0.63));
     assert.doesNotMatch(child.heard, /viewer/);
+    await until('the viewer is told, with what to do', () => heard.warnings.some((text) => /deploy\/demo --hand browser/.test(text)));
+    assert.equal(heard.warnings.length, 1, 'once a second, and not for each hand');
     client.close();
   } finally {
     await workplace.end();

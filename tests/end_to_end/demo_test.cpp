@@ -140,6 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, WronglyAsked,
                                            WrongCase{"no_such_source", "--source kinect9", 1, "kinect9"},
                                            WrongCase{"unknown_option", "--sauce synthetic", 2, "--sauce"},
                                            WrongCase{"not_a_number", "--seconds soon", 2, "soon"},
+                                           WrongCase{"no_such_hand", "--hand left", 2, "left"},
                                            WrongCase{"no_such_scene", "--scene nowhere.textproto", 1,
                                                      "nowhere.textproto"}),
                          [](const auto& test) { return test.param.name; });

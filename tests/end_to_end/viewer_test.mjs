@@ -49,6 +49,16 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     running.child.stdin.write('bounded off\n');
     await page.waitForSelector('#depth', {state: 'hidden'});
 
+    running.child.stdin.write('hand off\n');
+    await untilStatus(page, 'no hand is drawn when there is none', (now) => now.handPosition_m === undefined);
+    await until('the page says so', async () => (await banner(page)).includes('No hand'));
+    await page.keyboard.press('t');
+    await page.mouse.move(450, 400);
+    await until('Touch says what it wants', async () => (await banner(page)).includes('deploy/demo --hand browser'));
+    await page.keyboard.press('t');
+    running.child.stdin.write('hand on\n');
+    await untilStatus(page, 'the hand is drawn again', (now) => now.handPosition_m !== undefined);
+
     running.child.stdin.write('phase PHASE_CYLINDER_UPPER\n');
     await page.waitForSelector('#phase-name:text-is("Cylinder upper area")');
     running.child.stdin.write('phase PHASE_FAULTED\n');
@@ -66,6 +76,43 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     running = await startStage(workplace, running.port);
     await untilStatus(page, 'it comes back by itself', (now) => now.connected && now.frames > before);
     await page.waitForSelector('#banner', {state: 'hidden'});
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
+const SAFETY = ['force', 'indentation', 'phase-name', 'surface-age', 'picture-age', 'link-age', 'late'];
+
+/** Which of `ids` cannot be read: not shown, not whole in the window, or under something else. */
+const unreadable = (page, ids) => page.evaluate((wanted) => {
+  const boxOf = (element) => element.getBoundingClientRect();
+  const covers = [...document.querySelectorAll('.banner:not([hidden]), .tools, .top')];
+  return wanted.filter((id) => {
+    const element = document.getElementById(id);
+    const box = boxOf(element);
+    if (box.width === 0 || box.left < 0 || box.top < 0 || box.right > innerWidth || box.bottom > innerHeight) return true;
+    return covers.map(boxOf).some((cover) => cover.width > 0 && box.left < cover.right && cover.left < box.right &&
+        box.top < cover.bottom && cover.top < box.bottom);
+  });
+}, ids);
+
+test('the safety readings stay in view in a small window, with a banner and a note on depth beside them', async () => {
+  const workplace = new Workplace('viewer_small');
+  let browser;
+  try {
+    const {child, address} = await startStage(workplace);
+    browser = await openBrowser(workplace.folder);
+    const {page} = browser;
+    await page.goto(address);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 10_000);
+    child.stdin.write('bounded on\nphase PHASE_CYLINDER_LATERAL\nstale on\n');
+    await page.waitForSelector('#banner:not([hidden])');
+    for (const [width, height] of [[1400, 900], [900, 640], [390, 760], [390, 500], [700, 420], [640, 320], [320, 568]]) {
+      await page.setViewportSize({width, height});
+      await page.waitForFunction((wide) => innerWidth === wide, width);
+      assert.deepEqual(await unreadable(page, SAFETY), [], `${width} x ${height}`);
+    }
   } finally {
     await browser?.context.close();
     await workplace.end();

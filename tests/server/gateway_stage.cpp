@@ -1,7 +1,7 @@
 // telepalp-gateway-stage: a real hub and gateway with a scripted patient and hand, so that a browser or a Foxglove
 // client can be tested against states that a live station reaches only now and then.
-// Commands, one a line on stdin: pause, resume, phase NAME, stale on, stale off, bounded on, bounded off. End of stdin
-// ends it.
+// Commands, one a line on stdin: pause, resume, phase NAME, stale on, stale off, bounded on, bounded off, hand on,
+// hand off. End of stdin ends it.
 
 #include <unistd.h>
 
@@ -167,6 +167,8 @@ class Stage {
     msg::StationState state;
     state.set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(now)));
     state.set_surface_captured_ns(captured_ns_);
+    if (hand_) hand_sampled_ns_ = state.stamp_ns();
+    state.set_hand_sampled_ns(hand_sampled_ns_);
     state.set_phase(phase_.value_or(indentation_m > 0.0    ? msg::PHASE_IN_BODY
                                     : above_m > 0.02       ? msg::PHASE_OUT_BODY
                                     : std::sin(turn) > 0.0 ? msg::PHASE_PLANE_TO_BODY
@@ -199,6 +201,7 @@ class Stage {
     if (line == "pause" || line == "resume") paused_ = line == "pause";
     if (line == "stale on" || line == "stale off") stale_ = line == "stale on";
     if (line == "bounded on" || line == "bounded off") bounded_ = line == "bounded on";
+    if (line == "hand on" || line == "hand off") hand_ = line == "hand on";
     msg::Phase phase{};
     if (line.starts_with("phase ") && msg::Phase_Parse(line.substr(6), &phase)) phase_ = phase;
   }
@@ -222,6 +225,8 @@ class Stage {
   bool paused_ = false;
   bool stale_ = false;
   bool bounded_ = false;
+  bool hand_ = true;
+  std::uint64_t hand_sampled_ns_ = 0;  // 0 until there is a hand
 };
 
 int run(const program::Arguments& arguments) {

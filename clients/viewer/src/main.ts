@@ -5,6 +5,7 @@ import type {CompressedImage, StationState} from './link/messages';
 import {SessionClock} from './link/session_clock';
 import {Stream} from './link/stream';
 import {Readouts} from './panel/readouts';
+import {shownHand} from './panel/touch_advice';
 import {forceColor, FULL_SCALE_N} from './scene/force_color';
 import {fromCamera} from './scene/frames';
 import {SceneView} from './scene/scene_view';
@@ -57,7 +58,8 @@ function showStation(station: StationState): void {
   const force_N = station.forceN === undefined ? 0 : length(station.forceN);
   const color = forceColor(force_N);
   const proxy = station.proxyCamera && fromCamera(station.proxyCamera);
-  view.hand.show(station.displayedHandCamera && fromCamera(station.displayedHandCamera), station.indentationM);
+  const hand = shownHand(station);
+  view.hand.show(hand && fromCamera(hand), station.indentationM);
   view.probe.show(
       {
         device: station.deviceCamera && fromCamera(station.deviceCamera),
@@ -101,14 +103,20 @@ const stream = new Stream(
     () => {
       clock.restart();
       state.connected();
+    },
+    (warning) => {
+      console.warn('server:', warning);
+      if (warning.includes('takes a hand')) state.handUntaken(performance.now());
     });
 
-const read = () => state.read(performance.now(), stream.connected, stream.retryAt_ms);
+const read = () => {
+  state.holdsHand = heldHand.held;
+  return state.read(performance.now(), stream.connected, stream.retryAt_ms);
+};
 const status = publishStatus(() => ({
   ...read(),
   meshVertices: view.drawnVertices,
   handPosition: view.hand.mesh.visible ? view.hand.mesh.position.toArray() : undefined,
-  holdsHand: heldHand.held,
   undecodable: stream.undecodable + decoder.undecodable,
   overtaken: decoder.overtaken,
   drawn_ms: view.drawn_ms,

@@ -5,7 +5,6 @@ import type {Reading} from './viewer_state';
 interface Facts extends Reading {
   meshVertices: number;
   handPosition: number[] | undefined;
-  holdsHand: boolean;
   undecodable: number;
   overtaken: number;
   drawn_ms: number;

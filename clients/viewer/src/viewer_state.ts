@@ -2,6 +2,9 @@ import {type DepthTold, depthTold} from './depth/depth_told';
 import {type CaptureStatus, type DepthImage, Phase, type StationState, type Vec3} from './link/messages';
 import type {SessionClock} from './link/session_clock';
 import type {Health} from './panel/banner';
+import {shownHand} from './panel/touch_advice';
+
+const UNTAKEN_MS = 2500;
 
 /** All that the page shows in words and numbers, at one instant. */
 export interface Reading extends Health {
@@ -25,6 +28,7 @@ export class ViewerState {
   depth: DepthTold | undefined;
   lateTicks: number | undefined;
   everConnected = false;
+  holdsHand = false;
   frames = 0;
   dropped = 0;
 
@@ -33,6 +37,7 @@ export class ViewerState {
   private shownCaptured_ns: bigint | undefined;
   private stationHeard_ms: number | undefined;
   private link_ms: number | undefined;
+  private untaken_ms: number | undefined;
 
   constructor(private readonly clock: SessionClock) {}
 
@@ -67,6 +72,11 @@ export class ViewerState {
     this.measureLink(published_ns);
   }
 
+  /** The server says that no station takes the hand that is held here; it repeats this once a second. */
+  handUntaken(now_ms: number): void {
+    this.untaken_ms = now_ms;
+  }
+
   read(now_ms: number, connected: boolean, retryAt_ms: number | undefined): Reading {
     const {station} = this;
     const heard = connected && station !== undefined;
@@ -80,6 +90,9 @@ export class ViewerState {
       indentation_mm: heard ? 1000 * station.indentationM : undefined,
       limited: heard && station.limited,
       depth: this.depth,
+      handShown: heard ? shownHand(station) !== undefined : undefined,
+      holdsHand: this.holdsHand,
+      untaken: this.untaken_ms !== undefined && now_ms - this.untaken_ms < UNTAKEN_MS,
       surfaceStale: heard && station.surfaceStale,
       surface_ms: heard && station.surfaceCapturedNs !== 0n
           ? Number(station.stampNs - station.surfaceCapturedNs) / 1e6

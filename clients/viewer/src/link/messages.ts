@@ -66,6 +66,7 @@ export interface CaptureStatus {
 export interface StationState {
   stampNs: bigint;
   surfaceCapturedNs: bigint;
+  handSampledNs: bigint;  // 0: no hand yet
   phase: Phase;
   forceN?: Vec3;
   displayedHandCamera?: Vec3;

@@ -39,6 +39,7 @@ export class Stream {
       private readonly handlers: Handlers,
       private readonly publishes: readonly (keyof OwnTopics)[],
       private readonly onConnected: () => void,
+      private readonly onWarning: (text: string) => void,
   ) {
     window.setInterval(() => this.endIfSilent(), 1000);
     this.connect();
@@ -81,6 +82,7 @@ export class Stream {
       this.heard_ms = performance.now();
       this.deliver(subscriptionId, timestamp, new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
     });
+    client.on('status', ({message}) => this.onWarning(message));
     client.on('error', (problem) => console.warn('stream:', problem.message));
     client.on('close', () => {
       if (this.client === client) this.retry();

@@ -1,7 +1,8 @@
 import {CaptureState, type CaptureStatus, Phase} from '../link/messages';
+import {touchAdvice, type TouchHealth} from './touch_advice';
 
 /** What the banner depends on. Ages in milliseconds; undefined: nothing came yet. */
-export interface Health {
+export interface Health extends TouchHealth {
   connected: boolean;
   retryIn_ms: number | undefined;
   everConnected: boolean;
@@ -49,7 +50,7 @@ export function bannerFor(health: Health): Banner | undefined {
     };
   if (health.station_ms !== undefined && health.station_ms > STALE_MS)
     return {level: 'warn', title: 'Station silent', text: `No word for ${seconds(health.station_ms)}.`};
-  return undefined;
+  return touchAdvice(health);
 }
 
 function isRecent(age_ms: number | undefined): boolean {

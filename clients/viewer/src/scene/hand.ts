@@ -17,15 +17,16 @@ export class Hand {
   readonly mesh = new Mesh(handGeometry(), this.material);
 
   private known = false;
-  private shown = true;
+  private shown = true;  // the user's wish
 
   constructor() {
     this.mesh.visible = false;
   }
 
+  /** `at` undefined: the station has no hand, and none is drawn. */
   show(at: Vector3 | undefined, indentation_m: number): void {
-    if (at !== undefined) this.mesh.position.copy(at);  // held where it was while it is not known, as S1 does
-    this.known ||= at !== undefined;
+    if (at !== undefined) this.mesh.position.copy(at);
+    this.known = at !== undefined;
     this.mesh.visible = this.known && this.shown;
     const red = Math.min(1, Math.max(0, indentation_m / ALL_RED_M));
     this.material.color.copy(CALM).lerp(DEEPEST, red);

@@ -1,0 +1,31 @@
+import type {StationState, Vec3} from '../link/messages';
+import type {Banner} from './banner';
+
+/** A tracker that is silent for longer sees no hand; above the 0.1 s after which a station lets go. */
+const HAND_GONE_MS = 250;
+
+/** Where the station says that the hand is shown; undefined while its tracker sees none. */
+export function shownHand({stampNs, handSampledNs, displayedHandCamera}: StationState): Vec3 | undefined {
+  if (handSampledNs === 0n) return undefined;
+  return Number(stampNs - handSampledNs) / 1e6 > HAND_GONE_MS ? undefined : displayedHandCamera;
+}
+
+export interface TouchHealth {
+  handShown: boolean | undefined;  // undefined: no station is heard
+  holdsHand: boolean;              // "Touch" is on in this page
+  untaken: boolean;                // the server says that no station takes the hand of this page
+}
+
+/** What a user who wants to touch should do next; undefined when there is nothing to say. */
+export function touchAdvice({handShown, holdsHand, untaken}: TouchHealth): Banner | undefined {
+  if (holdsHand && untaken)
+    return {
+      level: 'warn',
+      title: 'Touch reaches no station',
+      text: 'Start the demo with deploy/demo --hand browser, or the station with --tracker browser.',
+    };
+  if (handShown !== false) return undefined;
+  return holdsHand
+      ? {level: 'wait', title: 'Touch', text: 'Move the pointer over the skin; hold the button down to push in.'}
+      : {level: 'wait', title: 'No hand', text: 'Press Touch (T) to hold it here, if the station runs with --tracker browser.'};
+}

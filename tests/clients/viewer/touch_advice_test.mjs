@@ -1,0 +1,31 @@
+// When a hand is drawn, and what a user who wants to touch is told: node touch_advice_test.mjs VIEWER_SOURCES VIEWER_WORK
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {shownHand, touchAdvice} = await bundled('panel/touch_advice.ts');
+
+const at = {x: 0, y: 0, z: 0.7};
+const station = (stamp_ms, sampled_ms) => (
+    {stampNs: BigInt(stamp_ms * 1e6), handSampledNs: BigInt(sampled_ms * 1e6), displayedHandCamera: at});
+
+test('a hand is shown only while its tracker sees one', () => {
+  assert.equal(shownHand(station(5000, 4990)), at);
+  assert.equal(shownHand(station(5000, 5010)), at, 'sampled after the tick that is told of');
+  assert.equal(shownHand(station(5000, 4000)), undefined, 'a second ago');
+  assert.equal(shownHand(station(5000, 0)), undefined, 'never');
+});
+
+test('Touch without a station that takes a hand says what to start', () => {
+  const {title, text} = touchAdvice({handShown: true, holdsHand: true, untaken: true});
+  assert.equal(title, 'Touch reaches no station');
+  assert.match(text, /deploy\/demo --hand browser.*--tracker browser/);
+});
+
+test('without a hand the page says how to hold one; with one, or without a station, it is silent', () => {
+  assert.match(touchAdvice({handShown: false, holdsHand: false, untaken: false}).text, /Press Touch/);
+  assert.match(touchAdvice({handShown: false, holdsHand: true, untaken: false}).text, /Move the pointer/);
+  assert.equal(touchAdvice({handShown: true, holdsHand: true, untaken: false}), undefined);
+  assert.equal(touchAdvice({handShown: undefined, holdsHand: false, untaken: false}), undefined);
+});
