@@ -27,6 +27,9 @@ class CaptureSource {
 
   /// For people: what is being captured, or what went wrong and how to fix it.
   [[nodiscard]] virtual std::string detail() const = 0;
+
+  /// For people: what of a recording could not be read so far, and where; empty when all of it could.
+  [[nodiscard]] virtual std::string complaint() const { return {}; }
 };
 
 /// How any source is opened.

@@ -67,7 +67,7 @@ class Unplugged final : public openni::OpenNI::DeviceDisconnectedListener {
 
 class OpenNiDevice final : public CameraDevice {
  public:
-  OpenNiDevice(OpenNiAddress address, wire::SessionClock clock) : address_(std::move(address)), clock_(clock) {}
+  OpenNiDevice(std::string uri, wire::SessionClock clock) : uri_(std::move(uri)), clock_(clock) {}
   ~OpenNiDevice() override { close(); }
   OpenNiDevice(const OpenNiDevice&) = delete;
   OpenNiDevice& operator=(const OpenNiDevice&) = delete;
@@ -80,12 +80,11 @@ class OpenNiDevice final : public CameraDevice {
  private:
   [[nodiscard]] Error failed(const std::string& what) const;
   Result<void> start_streams();
-  void prepare_recording();
   void prepare_camera();
   Read take_ready(openni::VideoStream& stream);
   [[nodiscard]] Read paired();
 
-  OpenNiAddress address_;
+  std::string uri_;
   wire::SessionClock clock_;
   // Destroyed last to first: streams before their device, all before OpenNI itself; the other order crashes.
   Session session_;
@@ -96,24 +95,22 @@ class OpenNiDevice final : public CameraDevice {
   ColorDepthPairing pairing_;
   CameraModel camera_;
   std::chrono::steady_clock::time_point started_;
-  int frames_in_recording_ = 0;
-  bool reached_end_ = false;
   std::string description_ = "OpenNI2 camera";
 };
 
 Error OpenNiDevice::failed(const std::string& what) const {
   return {.what = what + ": " + last_words(),
-          .where = address_.uri.empty() ? "openni2" : address_.uri,
-          .fix = address_.recording ? "give a recording made by OpenNI's recorder (NiViewer writes them)"
-                                    : "plug a camera in, check `lsusb` and that its OpenNI2 driver is installed, or "
-                                      "start with --source synthetic"};
+          .where = uri_.empty() ? "openni2" : uri_,
+          .fix =
+              "plug a camera in, check `lsusb` and that its OpenNI2 driver is installed, or start with --source "
+              "synthetic"};
 }
 
 Result<void> OpenNiDevice::open() {
   if (!session_.ok()) return failed("OpenNI2 does not start");
   close();
-  if (device_.open(address_.uri.empty() ? openni::ANY_DEVICE : address_.uri.c_str()) != openni::STATUS_OK)
-    return failed(address_.recording ? "cannot be played" : "no camera can be opened");
+  if (device_.open(uri_.empty() ? openni::ANY_DEVICE : uri_.c_str()) != openni::STATUS_OK)
+    return failed("no camera can be opened");
   unplugged_.watch(device_.getDeviceInfo().getUri());
   Result<void> started = start_streams();
   if (!started) close();
@@ -125,11 +122,7 @@ Result<void> OpenNiDevice::start_streams() {
       depth_.create(device_, openni::SENSOR_DEPTH) != openni::STATUS_OK)
     return failed("has no depth stream");
   if (device_.getSensorInfo(openni::SENSOR_COLOR) != nullptr) (void)color_.create(device_, openni::SENSOR_COLOR);
-  if (address_.recording)
-    prepare_recording();
-  else
-    prepare_camera();
-  // Both together: the player stalls after a frame when it waits for a stream that nobody started.
+  prepare_camera();
   if (depth_.start() != openni::STATUS_OK) return failed("its depth stream does not start");
   if (color_.isValid() && color_.start() != openni::STATUS_OK) color_.destroy();
   started_ = std::chrono::steady_clock::now();
@@ -141,15 +134,6 @@ Result<void> OpenNiDevice::start_streams() {
                  (color_.isValid() ? " depth and colour" : " depth") +
                  (camera_.color_registered || !color_.isValid() ? "" : ", not registered");
   return {};
-}
-
-void OpenNiDevice::prepare_recording() {
-  openni::PlaybackControl* playback = device_.getPlaybackControl();
-  if (playback == nullptr) return;
-  playback->setRepeatEnabled(address_.loop);
-  constexpr float kAsAskedFor = -1.0F;  // OpenNI2's manual speed; at any other it drops what is read late
-  playback->setSpeed(address_.paced ? 1.0F : kAsAskedFor);
-  frames_in_recording_ = playback->getNumberOfFrames(depth_);
 }
 
 void OpenNiDevice::prepare_camera() {
@@ -170,7 +154,7 @@ CameraDevice::Read OpenNiDevice::read(Nanoseconds patience) {
     if (unplugged_.gone()) return Gone{"it was unplugged"};
     if (Read pair = paired(); !std::holds_alternative<Nothing>(pair)) return pair;
     const Nanoseconds left = until - clock_.now();
-    if (left <= Nanoseconds{0}) return reached_end_ && !pairing_.waiting() ? Read{Ended{}} : Read{Nothing{}};
+    if (left <= Nanoseconds{0}) return Nothing{};
     const Nanoseconds wait = pairing_.waiting() ? std::min(left, ColorDepthPairing::kWaitForColor) : left;
     openni::VideoStream* streams[] = {&depth_, &color_};
     int ready = -1;
@@ -189,7 +173,6 @@ CameraDevice::Read OpenNiDevice::take_ready(openni::VideoStream& stream) {
   if (&stream == &depth_) {
     if (std::optional<DepthImage> depth = depth_image(frame))
       pairing_.add_depth(driver_time, clock_.now(), std::move(*depth));
-    reached_end_ = !address_.loop && frames_in_recording_ > 0 && frame.getFrameIndex() >= frames_in_recording_;
   } else if (std::optional<ColorImage> color = color_image(frame)) {
     pairing_.add_color(driver_time, std::move(*color));
   }
@@ -221,13 +204,12 @@ void OpenNiDevice::close() {
   depth_.destroy();
   device_.close();
   pairing_ = {};
-  reached_end_ = false;
 }
 
 }  // namespace
 
-std::unique_ptr<CameraDevice> make_openni_device(OpenNiAddress address, wire::SessionClock clock) {
-  return std::make_unique<OpenNiDevice>(std::move(address), clock);
+std::unique_ptr<CameraDevice> make_openni_device(std::string uri, wire::SessionClock clock) {
+  return std::make_unique<OpenNiDevice>(std::move(uri), clock);
 }
 
 }  // namespace telepalp::server

@@ -31,6 +31,7 @@ class SequenceSource final : public CaptureSource {
   }
   CaptureState state() const override { return state_; }
   std::string detail() const override { return failure_.empty() ? sequence_.description : failure_; }
+  std::string complaint() const override { return failure_; }
 
  private:
   std::optional<RgbdFrame> ended(std::string failure) {

@@ -131,4 +131,8 @@ std::optional<RgbdFrame> SessionFrames::take() {
   return std::nullopt;
 }
 
+std::string SessionFrames::complaint() const {
+  return damaged_ == 0 ? "" : std::to_string(damaged_) + " damaged parts passed over";
+}
+
 }  // namespace telepalp::server

@@ -8,29 +8,23 @@
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
 #include "proto/wire/mcap/reader.h"
-#include "proto/words/rgbd_frame.h"
+#include "server/capture/recorded_frames.h"
 
 namespace telepalp::server {
 
-/// The frames of a recorded session in order, with the times at which they were captured then. Depth leads; each gets
-/// the colour of the same capture, and the camera model last published.
-class SessionFrames {
+/// The frames of a recorded session. Depth leads; each gets the colour of the same capture, and the camera model last
+/// published.
+class SessionFrames final : public RecordedFrames {
  public:
   /// Refused: no session file, one without depth, or one without a camera model.
   [[nodiscard]] static Result<SessionFrames> open(const std::filesystem::path& file);
 
-  /// When the next frame was captured; nullopt at the end. A damaged chunk or message is passed over and counted.
-  [[nodiscard]] std::optional<SessionTime> peek();
-
-  /// The next frame, decoded; nullopt when it turns out to be damaged. Only after peek() named it.
-  [[nodiscard]] std::optional<RgbdFrame> take();
-
-  /// Passes over the frame that peek() named; its depth is decoded only if a frame that is taken depends on it.
-  void skip();
-
-  /// Starts again from the beginning.
-  void rewind();
-
+  std::optional<SessionTime> peek() override;
+  std::optional<RgbdFrame> take() override;
+  /// The skipped frame's depth is decoded only if a frame that is taken depends on it.
+  void skip() override;
+  void rewind() override;
+  [[nodiscard]] std::string complaint() const override;
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
 
  private:

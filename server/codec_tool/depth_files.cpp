@@ -87,7 +87,7 @@ Result<void> visit_session(const fs::path& file, const Visit& visit, const PassO
   }
 }
 
-Result<void> visit_source(const std::string& spec, const Visit& visit) {
+Result<void> visit_source(const std::string& spec, const Visit& visit, const PassOver& pass_over) {
   Result<std::unique_ptr<CaptureSource>> source =
       open_source(spec, {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = false, .paced = false});
   if (!source) return source.error();
@@ -97,6 +97,11 @@ Result<void> visit_source(const std::string& spec, const Visit& visit) {
       if (Result<void> done = visit({std::to_string(number++), frame->captured, std::move(frame->depth)}); !done)
         return done;
     } else if ((*source)->state() == CaptureState::Ended) {
+      const std::string complaint = (*source)->complaint();
+      if (complaint.empty()) return {};
+      const Error damage{.what = complaint, .where = spec, .fix = "copy the recording again, whole"};
+      if (!pass_over || number == 0) return damage;
+      pass_over(damage);
       return {};
     } else if ((*source)->state() == CaptureState::Lost) {
       return Error{.what = (*source)->detail(), .where = spec, .fix = "check the file"};
@@ -117,8 +122,8 @@ Result<void> for_each_depth(const fs::path& input, double unit_m, const Visit& v
   }
   if (is_image(input)) return visit_image(input, unit_m, false, visit);
   if (input.extension() == ".mcap") return visit_session(input, visit, pass_over);
-  if (input.extension() == ".oni") return visit_source("oni:" + input.string(), visit);
-  if (input.extension() == ".pcd") return visit_source("pcd:" + input.string(), visit);
+  if (input.extension() == ".oni") return visit_source("oni:" + input.string(), visit, pass_over);
+  if (input.extension() == ".pcd") return visit_source("pcd:" + input.string(), visit, pass_over);
   return Error{.what = "is of no kind that holds depth",
                .where = input.string(),
                .fix = "give PNG, TIFF, PGM, .oni, .pcd, .mcap, or a directory of images"};

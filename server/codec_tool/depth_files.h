@@ -22,7 +22,7 @@ struct NamedDepth {
 /// Gives each depth image of `input` to `visit`, in order, until one is refused: a 16-bit PNG, TIFF or binary PGM; a
 /// directory of these, at any depth, sorted by path, colour images passed over; a .oni, .pcd or .mcap recording. Image
 /// files do not say their unit: `unit_m` is taken. Samples are given as they lie, none is ignored.
-/// A depth image of an .mcap that cannot be decoded is given to `pass_over`; without one, it is the end.
+/// What cannot be decoded in an .mcap, and what is damaged in a .oni, is told to `pass_over`; without one, it is an error.
 [[nodiscard]] Result<void> for_each_depth(const std::filesystem::path& input, double unit_m,
                                           const std::function<Result<void>(NamedDepth)>& visit,
                                           const std::function<void(const Error&)>& pass_over = {});

@@ -1,3 +1,5 @@
+#include <cstdio>
+
 #include "proto/wire/mcap/writer.h"
 #include "server/codec_tool/commands.h"
 #include "server/codec_tool/depth_files.h"
@@ -15,6 +17,9 @@ SessionTime captured_of(const NamedDepth& named, std::size_t number) {
   return SessionTime{kAssumedPeriod * static_cast<std::int64_t>(number)};
 }
 
+/// A recording that a camera's program did not finish still gives the frames that it holds.
+void say_what_is_missing(const Error& damage) { std::fprintf(stderr, "note: %s\n", to_string(damage).c_str()); }
+
 }  // namespace
 
 Result<void> encode_recording(const std::filesystem::path& input, const std::filesystem::path& output,
@@ -25,20 +30,23 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
   codec::DepthEncoder encoder(settings);
   Progress progress(count_depth_files(input));
   Totals totals;
-  Result<void> done = for_each_depth(input, unit_m, [&](NamedDepth named) -> Result<void> {
-    const SessionTime captured = captured_of(named, totals.frames);
-    std::string packet = encoder.encode(named.depth);
-    const RgbdFrame frame{.captured = captured,
-                          .sequence = totals.frames + 1,
-                          .camera = {},
-                          .depth = std::move(named.depth),
-                          .color = {},
-                          .loss = named.loss};
-    const msg::DepthImage image = depth_message(frame, settings, std::move(packet));
-    totals.add(static_cast<double>(frame.depth.samples.size()), image.data().size());
-    progress.step();
-    return writer->write(wire::make_message(wire::kCameraDepth, captured, image));
-  });
+  Result<void> done = for_each_depth(
+      input, unit_m,
+      [&](NamedDepth named) -> Result<void> {
+        const SessionTime captured = captured_of(named, totals.frames);
+        std::string packet = encoder.encode(named.depth);
+        const RgbdFrame frame{.captured = captured,
+                              .sequence = totals.frames + 1,
+                              .camera = {},
+                              .depth = std::move(named.depth),
+                              .color = {},
+                              .loss = named.loss};
+        const msg::DepthImage image = depth_message(frame, settings, std::move(packet));
+        totals.add(static_cast<double>(frame.depth.samples.size()), image.data().size());
+        progress.step();
+        return writer->write(wire::make_message(wire::kCameraDepth, captured, image));
+      },
+      input.extension() == ".oni" ? say_what_is_missing : std::function<void(const Error&)>{});
   if (done && totals.frames == 0)
     done = Error{.what = "holds no depth image", .where = input.string(), .fix = "give 16-bit images"};
   if (!done) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <bit>
+#include <cstring>
+#include <string_view>
+
+namespace telepalp::server {
+
+static_assert(std::endian::native == std::endian::little, "an .oni file is little-endian, and is read as it stands");
+
+/// The number at `at`; `bytes` must reach so far.
+template <class Number>
+[[nodiscard]] Number little_endian(std::string_view bytes, std::size_t at) {
+  Number number{};
+  std::memcpy(&number, bytes.data() + at, sizeof number);
+  return number;
+}
+
+}  // namespace telepalp::server

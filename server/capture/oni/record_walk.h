@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <string>
+
+#include "proto/words/result.h"
+
+namespace telepalp::server {
+
+/// Kinds of record in an .oni file, as OpenNI's recorder numbers them.
+enum class OniRecordKind : std::uint32_t {
+  NodeAdded4 = 2,  ///< by format 1.0.0.4
+  IntProperty = 3,
+  RealProperty = 4,
+  StringProperty = 5,
+  GeneralProperty = 6,
+  NodeRemoved = 7,
+  NodeDataBegin = 8,
+  NodeStateReady = 9,
+  NewData = 10,
+  End = 11,
+  NodeAdded5 = 12,  ///< by format 1.0.0.5
+  NodeAdded = 13,
+  SeekTable = 14,
+};
+
+struct OniRecord {
+  OniRecordKind kind{};
+  std::uint32_t node = 0;
+  std::uint64_t at = 0;  ///< where it begins in the file
+  std::string fields;
+  std::uint64_t payload_at = 0;
+  std::uint32_t payload_bytes = 0;  ///< all of them lie within the file
+};
+
+/// Walks the records of an .oni file. Every size is checked against the file before anything is allocated. A damaged
+/// record is passed over: the walk goes on at the next record mark. The time it takes is linear in the file's size.
+class OniRecordWalk {
+ public:
+  /// `name` stands for the file in errors. Borrows `file`.
+  [[nodiscard]] static Result<OniRecordWalk> open(std::istream& file, const std::string& name);
+
+  /// The next readable record; nullopt at the end record, or where the file ends.
+  [[nodiscard]] std::optional<OniRecord> next();
+
+  [[nodiscard]] bool reached_end_record() const noexcept { return reached_end_record_; }
+  [[nodiscard]] std::uint64_t file_bytes() const noexcept { return file_bytes_; }
+  [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
+  /// Where the first damaged record begins; meaningless without damage.
+  [[nodiscard]] std::uint64_t first_damage_at() const noexcept { return first_damage_at_; }
+
+ private:
+  OniRecordWalk(std::istream& file, std::uint64_t file_bytes, bool offsets_of_32_bits)
+      : file_(&file), file_bytes_(file_bytes), header_bytes_(offsets_of_32_bits ? 24 : 28) {}
+  [[nodiscard]] std::optional<OniRecord> read_record();
+  [[nodiscard]] bool find_mark();
+
+  std::istream* file_;
+  std::uint64_t file_bytes_;
+  std::uint32_t header_bytes_;
+  std::uint64_t at_ = 24;  // after the file's header
+  bool reached_end_record_ = false;
+  std::uint64_t damaged_ = 0;
+  std::uint64_t first_damage_at_ = 0;
+};
+
+/// `count` bytes at `at`; nullopt when the file does not hold them (any more).
+[[nodiscard]] std::optional<std::string> read_at(std::istream& file, std::uint64_t at, std::uint32_t count);
+
+}  // namespace telepalp::server
