@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 #include "clients/ar/png.h"
@@ -8,6 +7,7 @@
 #include "clients/report/session_file.h"
 #include "clients/report/view.h"
 #include "proto/program/options.h"
+#include "proto/program/whole_file.h"
 
 using namespace telepalp;
 
@@ -21,24 +21,15 @@ const program::Usage kUsage{
         {{.name = "out", .argument = "DIR", .help = "folder for the three files; made when missing", .initial = "."}},
     .example = "telepalp-report out/session.mcap --out out"};
 
+/// A report shows a patient: its group may read it, nobody else.
 Result<void> write_file(const std::filesystem::path& file, const std::string& bytes) {
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  out << bytes;
-  out.close();
-  if (!out)
-    return Error{
-        .what = "cannot be written", .where = file.string(), .fix = "check the folder's rights and free space"};
-  return {};
+  return program::write_whole_file(file, bytes, program::Readers::Group);
 }
 
 Result<void> write_report(const std::filesystem::path& file, const std::filesystem::path& folder) {
   const Result<report::Session> session = report::read_session(file);
   if (!session) return session.error();
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed)
-    return Error{
-        .what = failed.message(), .where = folder.string(), .fix = "name a folder that can be made: --out DIR"};
+  if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;
 
   const report::Summary summary = report::summarise(*session);
   const report::Verdict verdict = report::judge(summary);

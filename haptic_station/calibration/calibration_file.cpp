@@ -4,10 +4,9 @@
 
 #include <cstdio>
 #include <ctime>
-#include <fstream>
-#include <system_error>
 
 #include "proto/program/text_format.h"
+#include "proto/program/whole_file.h"
 
 namespace telepalp::calibration {
 namespace {
@@ -79,18 +78,9 @@ Result<msg::Calibration> read_calibration(const std::filesystem::path& file) {
 Result<void> write_calibration(const std::filesystem::path& file, const msg::Calibration& calibration) {
   std::string text;
   google::protobuf::TextFormat::PrintToString(calibration, &text);
-  std::filesystem::path partial = file;
-  partial += ".partial";
-  std::ofstream stream(partial, std::ios::binary);
-  stream
-      << "# Where things stand, as telepalp-station calibrate measured it. telepalp-station --calibration reads it.\n"
-      << text;
-  stream.close();
-  std::error_code code;
-  if (stream) std::filesystem::rename(partial, file, code);
-  if (!stream || code)
-    return Error{.what = "cannot be written", .where = file.string(), .fix = "check the folder and its permissions"};
-  return {};
+  constexpr auto kHead =
+      "# Where things stand, as telepalp-station calibrate measured it. telepalp-station --calibration reads it.\n";
+  return program::write_whole_file(file, kHead + text, program::Readers::Anyone);
 }
 
 }  // namespace telepalp::calibration

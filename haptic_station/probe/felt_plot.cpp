@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 
 #include "haptic_station/trials/figure.h"
+#include "proto/program/whole_file.h"
 
 namespace telepalp::probe {
 namespace {
@@ -74,10 +74,7 @@ Result<void> plot_felt(const std::filesystem::path& file, const std::vector<Felt
     svg += "<g transform=\"translate(0 " + std::to_string(top) + ")\">\n" + trials::to_svg(figure) + "</g>\n";
     top += kFigureHeight;
   }
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  if (!(out << svg << "</svg>\n") || !out.flush())
-    return Error{.what = "cannot be written", .where = file.string(), .fix = "check the folder and its rights"};
-  return {};
+  return program::write_whole_file(file, svg + "</svg>\n", program::Readers::Group);
 }
 
 }  // namespace telepalp::probe

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <numbers>
+#include <string>
+
+#include "proto/program/whole_file.h"
 
 namespace telepalp::probe {
 namespace {
@@ -122,15 +124,14 @@ Result<std::vector<Waypoint>> palpation_path(const surface::SurfaceSnapshot& sna
 }
 
 Result<void> write_trajectory(const std::filesystem::path& file, const std::vector<Waypoint>& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.c_str(), "w"), &std::fclose);
-  if (!out) return Error{.what = "cannot be written", .where = file.string(), .fix = "check the folder and its rights"};
-  std::fputs("t_s,x,y,z\n", out.get());
-  for (const Waypoint& waypoint : path)
-    std::fprintf(out.get(), "%.9g,%.9g,%.9g,%.9g\n", waypoint.t_s, waypoint.at_m.x(), waypoint.at_m.y(),
-                 waypoint.at_m.z());
-  if (std::fflush(out.get()) != 0)
-    return Error{.what = "cannot be written to its end", .where = file.string(), .fix = "check the disk"};
-  return {};
+  std::string text = "t_s,x,y,z\n";
+  for (const Waypoint& waypoint : path) {
+    std::array<char, 128> row{};
+    std::snprintf(row.data(), row.size(), "%.9g,%.9g,%.9g,%.9g\n", waypoint.t_s, waypoint.at_m.x(), waypoint.at_m.y(),
+                  waypoint.at_m.z());
+    text += row.data();
+  }
+  return program::write_whole_file(file, text, program::Readers::Group);
 }
 
 }  // namespace telepalp::probe

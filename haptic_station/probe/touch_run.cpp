@@ -1,12 +1,14 @@
 #include "haptic_station/probe/touch_run.h"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <memory>
+#include <string>
 
 #include "haptic_station/surface/touch.h"
+#include "proto/program/whole_file.h"
 
 namespace telepalp::probe {
 namespace {
@@ -15,10 +17,13 @@ constexpr double kTeleport_m = 0.5;  // in one step: no hand, and whatever was h
 
 constexpr const char* kColumns = "t_s,px,py,pz,distance_m,in_body,nx,ny,nz,fx,fy,fz,step_us\n";
 
-void write_row(std::FILE* out, const Felt& felt) {
+void append_row(std::string& out, const Felt& felt) {
   const auto& [p, n, f] = std::tie(felt.proxy_m, felt.normal, felt.force_N);
-  std::fprintf(out, "%.9g,%.9g,%.9g,%.9g,%.9g,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.3f\n", felt.t_s, p.x(), p.y(), p.z(),
-               felt.distance_m, felt.in_body ? 1 : 0, n.x(), n.y(), n.z(), f.x(), f.y(), f.z(), felt.step_us);
+  std::array<char, 512> row{};
+  std::snprintf(row.data(), row.size(), "%.9g,%.9g,%.9g,%.9g,%.9g,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.3f\n", felt.t_s,
+                p.x(), p.y(), p.z(), felt.distance_m, felt.in_body ? 1 : 0, n.x(), n.y(), n.z(), f.x(), f.y(), f.z(),
+                felt.step_us);
+  out += row.data();
 }
 
 }  // namespace
@@ -58,14 +63,9 @@ std::vector<Felt> touch_along(const surface::SurfaceSnapshot& snapshot, const st
 }
 
 Result<void> write_felt(const std::filesystem::path& file, const std::vector<Felt>& felt) {
-  const std::filesystem::path beside = file.string() + ".part";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(beside.c_str(), "w"), &std::fclose);
-  if (!out) return Error{.what = "cannot be written", .where = file.string(), .fix = "check the folder and its rights"};
-  std::fputs(kColumns, out.get());
-  for (const Felt& one : felt) write_row(out.get(), one);
-  if (std::fflush(out.get()) != 0 || std::rename(beside.c_str(), file.c_str()) != 0)
-    return Error{.what = "cannot be written to its end", .where = file.string(), .fix = "check the disk"};
-  return {};
+  std::string text = kColumns;
+  for (const Felt& one : felt) append_row(text, one);
+  return program::write_whole_file(file, text, program::Readers::Group);
 }
 
 }  // namespace telepalp::probe

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
-#include <system_error>
 
 #include "haptic_station/station/haptic_thread.h"
 #include "haptic_station/station/telemetry.h"
 #include "proto/program/version.h"
+#include "proto/program/whole_file.h"
 #include "proto/wire/mcap/writer.h"
 #include "proto/words/demand.h"
 
@@ -96,12 +96,9 @@ std::optional<std::vector<TickSample>> FaultWatch::due(bool ending) {
 Result<fs::path> write_black_box(const fs::path& folder, const std::vector<TickSample>& samples,
                                  const std::string& fault, const std::string& scene) {
   demand(!samples.empty(), "a black box holds at least one tick");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    return Error{.what = "the folder cannot be made: " + error.message(),
-                 .where = folder.string(),
-                 .fix = "name one that can be written by --state-dir"};
+  if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made)
+    return Error{
+        .what = made.error().what, .where = made.error().where, .fix = "name one that can be written by --state-dir"};
   Result<wire::McapWriter> file =
       wire::McapWriter::open(folder / name_of_now(), {"telepalp-station", program::version(), program::commit(),
                                                       "black box of the last seconds before a fault", scene});

@@ -1,9 +1,9 @@
 #include "haptic_station/trials/trial_report.h"
 
 #include <cstdio>
-#include <fstream>
 
 #include "haptic_station/trials/figure.h"
+#include "proto/program/whole_file.h"
 
 namespace telepalp::trials {
 namespace {
@@ -123,14 +123,6 @@ std::string json_of(const TrialResult& result) {
   return out + "]}";
 }
 
-Result<void> write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (stream) return {};
-  return Error{.what = "cannot be written", .where = file.string(), .fix = "check the folder and the space left"};
-}
-
 }  // namespace
 
 std::string to_json(std::span<const TrialResult> results) {
@@ -163,12 +155,11 @@ std::string to_html(std::span<const TrialResult> results) {
 }
 
 Result<void> write_report(std::span<const TrialResult> results, const std::filesystem::path& folder) {
-  std::error_code code;
-  std::filesystem::create_directories(folder, code);
-  if (code)
-    return Error{.what = "cannot be made: " + code.message(), .where = folder.string(), .fix = "name another folder"};
-  if (const Result<void> json = write(folder / "report.json", to_json(results)); !json) return json;
-  return write(folder / "report.html", to_html(results));
+  constexpr auto kReaders = program::Readers::Anyone;  // a simulated hand on a level skin: no patient
+  if (const Result<void> made = program::make_folder(folder, kReaders); !made) return made;
+  if (const Result<void> json = program::write_whole_file(folder / "report.json", to_json(results), kReaders); !json)
+    return json;
+  return program::write_whole_file(folder / "report.html", to_html(results), kReaders);
 }
 
 }  // namespace telepalp::trials

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "proto/program/whole_file.h"
 #include "server/capture/images/image_file.h"
 #include "server/codec_tool/commands.h"
 #include "server/codec_tool/depth_files.h"
@@ -19,17 +20,15 @@ std::string file_name(std::size_t number, const std::string& kind) {
 
 Result<void> decode_recording(const std::filesystem::path& input, const std::filesystem::path& folder,
                               const std::string& kind) {
-  std::error_code code;
-  std::filesystem::create_directories(folder, code);
-  if (code)
-    return Error{.what = "cannot be made: " + code.message(), .where = folder.string(), .fix = "choose another"};
+  if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;
   Progress progress(0);
   std::size_t frames = 0;
   std::size_t unreadable = 0;
   const auto write = [&](NamedDepth named) -> Result<void> {
     const GrayImage16 image{named.depth.width, named.depth.height, std::move(named.depth.samples)};
     progress.step();
-    return write_file(folder / file_name(frames++, kind), kind == "png" ? encode_png(image) : encode_pgm(image));
+    return program::write_whole_file(folder / file_name(frames++, kind),
+                                     kind == "png" ? encode_png(image) : encode_pgm(image), program::Readers::Group);
   };
   const auto pass_over = [&](const Error& error) {
     if (unreadable++ == 0) std::fprintf(stderr, "frame %zu is left out: %s\n", frames, to_string(error).c_str());

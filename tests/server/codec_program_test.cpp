@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "proto/program/whole_file.h"
 #include "server/capture/images/image_file.h"
 #include "tests/codec/depth_frames.h"
 #include "tests/support/child_process.h"
@@ -23,7 +24,9 @@ class CodecProgram : public testing::Test {
     for (unsigned i = 0; i < 3; ++i) {
       DepthImage depth = codec::kinect_like(64, 48, i);
       const GrayImage16 image{depth.width, depth.height, std::move(depth.samples)};
-      EXPECT_TRUE(write_file(in("original/" + std::to_string(i) + ".png"), encode_png(image)).ok());
+      EXPECT_TRUE(program::write_whole_file(in("original/" + std::to_string(i) + ".png"), encode_png(image),
+                                            program::Readers::Group)
+                      .ok());
     }
   }
   std::string in(const std::string& name) const { return (folder_.path() / name).string(); }

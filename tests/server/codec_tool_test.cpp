@@ -4,6 +4,7 @@
 
 #include "codec/depth_stream.h"
 #include "messages/camera.pb.h"
+#include "proto/program/whole_file.h"
 #include "proto/wire/mcap/writer.h"
 #include "server/codec_tool/depth_files.h"
 #include "server/codec_tool/pgm.h"
@@ -36,9 +37,13 @@ TEST(DepthFiles, GiveTheImagesOfADirectoryInOrderAndPassOverColour) {
   for (const std::uint16_t number : {std::uint16_t{2}, std::uint16_t{1}}) {
     GrayImage16 image = kImage;
     image.samples[0] = number;
-    ASSERT_TRUE(write_file(folder / "depth" / (std::to_string(number) + ".png"), encode_png(image)).ok());
+    ASSERT_TRUE(program::write_whole_file(folder / "depth" / (std::to_string(number) + ".png"), encode_png(image),
+                                          program::Readers::Group)
+                    .ok());
   }
-  ASSERT_TRUE(write_file(folder / "picture.png", encode_png(ColorImage{2, 1, {1, 2, 3, 4, 5, 6}})).ok());
+  ASSERT_TRUE(program::write_whole_file(folder / "picture.png", encode_png(ColorImage{2, 1, {1, 2, 3, 4, 5, 6}}),
+                                        program::Readers::Group)
+                  .ok());
   std::vector<std::uint16_t> first_samples;
   const Result<void> done = for_each_depth(folder, 0.000125, [&](NamedDepth named) -> Result<void> {
     EXPECT_EQ(named.depth.unit_m, 0.000125);

@@ -52,19 +52,4 @@ Result<ColorImage> read_color_image(const std::filesystem::path& file) {
                .fix = "give an 8-bit RGB PNG or TIFF"};
 }
 
-Result<void> write_file(const std::filesystem::path& file, const std::string& bytes) {
-  const std::filesystem::path partial = file.string() + ".partial";
-  std::ofstream stream(partial, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  std::error_code code;
-  if (stream) std::filesystem::rename(partial, file, code);
-  if (stream && !code) return {};
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
-  return Error{.what = "cannot be written" + (code ? ": " + code.message() : std::string{}),
-               .where = file.string(),
-               .fix = "check that the directory exists, may be written to, and has room"};
-}
-
 }  // namespace telepalp::server

@@ -40,7 +40,4 @@ using AnyImage = std::variant<GrayImage16, ColorImage>;
 [[nodiscard]] std::string encode_png(const GrayImage16& image);
 [[nodiscard]] std::string encode_png(const ColorImage& image);
 
-/// Writes `bytes` beside `file` and renames them into place, so that no half-written file is ever seen.
-[[nodiscard]] Result<void> write_file(const std::filesystem::path& file, const std::string& bytes);
-
 }  // namespace telepalp::server

@@ -351,6 +351,46 @@ TEST(Program, WritesItsThreeFiles) {
   EXPECT_EQ(png.str().substr(1, 3), "PNG");
 }
 
+/// A folder of its own for one run of the program.
+std::filesystem::path fresh_folder(const std::string& name) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / name;
+  std::filesystem::remove_all(folder);
+  return folder;
+}
+
+std::filesystem::perms mode_of(const std::filesystem::path& file) {
+  return std::filesystem::symlink_status(file).permissions();
+}
+
+TEST(Program, KeepsWhatShowsThePatientFromOthersAndWritesThroughNoPlantedLink) {
+  const auto file = written({.seconds = 1.0}, "report_private.mcap");
+  const std::filesystem::path top = fresh_folder("report_private_out"), out = top / "new";
+  const std::string command = "umask 022; " + kProgram + file.string() + " --out " + out.string();
+  int code = -1;
+  std::string said = output_of(command, code);
+  ASSERT_EQ(code, 0) << said;
+  EXPECT_EQ(mode_of(out), std::filesystem::perms{0750});
+  for (const char* name : {"report.json", "report.html", "view.png"}) {
+    EXPECT_EQ(mode_of(out / name), std::filesystem::perms{0640}) << name;
+    std::filesystem::remove(out / name);
+    std::filesystem::create_symlink(top / "victim", out / name);
+  }
+  said = output_of(command, code);
+  ASSERT_EQ(code, 0) << said;
+  EXPECT_FALSE(std::filesystem::exists(top / "victim"));
+}
+
+TEST(Program, OnAFullDiskSaysSoAndLeavesNoHalfReport) {
+  const auto file = written({.seconds = 2.0}, "report_full.mcap");
+  const std::filesystem::path out = fresh_folder("report_full_out");
+  int code = -1;
+  const std::string said =
+      output_of("trap '' XFSZ; ulimit -f 40; " + kProgram + file.string() + " --out " + out.string(), code);
+  EXPECT_EQ(code, 1) << said;
+  EXPECT_NE(said.find("fix: free space"), std::string::npos) << said;
+  for (const char* name : {"report.html", "view.png"}) EXPECT_FALSE(std::filesystem::exists(out / name)) << name;
+}
+
 TEST(Program, SaysWhatIsWrongAndLeavesWithItsCode) {
   int code = -1;
   EXPECT_NE(output_of(kProgram, code).find("fix:"), std::string::npos);

@@ -116,17 +116,6 @@ TEST(Png, AClaimedGiantIsRefusedBeforeAnythingIsAllocated) {
   EXPECT_FALSE(decode_png(bytes_of(png), "giant.png").ok());
 }
 
-TEST(WriteFile, LeavesNothingBehindWhenItCannotWrite) {
-  const fs::path folder = fs::temp_directory_path() / "telepalp_write_file_test";
-  fs::remove_all(folder);
-  EXPECT_FALSE(write_file(folder / "a.png", "x").ok());
-  fs::create_directories(folder);
-  EXPECT_TRUE(write_file(folder / "a.png", "x").ok());
-  EXPECT_EQ(file_bytes(folder / "a.png"), "x");
-  EXPECT_FALSE(fs::exists(folder / "a.png.partial"));
-  fs::remove_all(folder);
-}
-
 std::vector<fs::path> paths(std::initializer_list<const char*> names) { return {names.begin(), names.end()}; }
 
 TEST(ImageListing, OrdersByNumberNotByName) {
