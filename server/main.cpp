@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "proto/program/ending.h"
 #include "proto/program/log.h"
 #include "proto/program/options.h"
 #include "proto/program/ready_file.h"
@@ -136,8 +137,8 @@ int run(const Asked& asked) {
     if (std::exchange(stopped, true)) return;
     program::log(kProgram, "stopping: " + reason);
     boost::system::error_code ignored;
-    signals.cancel(ignored);
-    signals.clear(ignored);  // a second Ctrl-C ends the process at once
+    signals.cancel(ignored);  // and not clear(): a second signal means the same as the first
+    program::end_within(program::kTimeToEnd, "telepalp-server: the camera did not let go in time");
     time_is_up.cancel();
     gateway.reset();
     server.stop(reason);

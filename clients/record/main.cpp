@@ -6,6 +6,7 @@
 #include "clients/record/inspect.h"
 #include "clients/record/recording.h"
 #include "clients/record/repair.h"
+#include "clients/record/unfinished.h"
 #include "proto/program/log.h"
 #include "proto/program/options.h"
 
@@ -26,7 +27,9 @@ program::Usage usage() {
                       {"patience-s", "S", "give up if the server does not answer at the start", "30"},
                       {"ready-file", "FILE", "write there once the server is subscribed to"},
                       {"info", "FILE", "tell what a session file holds"},
-                      {"repair", "FILE", "copy what can be read of a damaged or cut-off file, to --out or beside it"}},
+                      {"repair", "FILE",
+                       "finish FILE.mcap.partial that was cut off; or copy what can be read of a damaged file, to "
+                       "--out or beside it"}},
           .example = "telepalp-record --out session.mcap --seconds 60"};
 }
 
@@ -37,7 +40,16 @@ int show_info(const std::string& file) {
   return program::kDone;
 }
 
+int run_finish(const std::filesystem::path& partial) {
+  const Result<record::RepairReport> report = record::finish(partial);
+  if (!report) return program::fail(report.error());
+  for (const std::string& damage : report->damages) program::log(kProgram, partial.string() + ": " + damage);
+  program::log(kProgram, record::in_words(*report));
+  return program::kDone;
+}
+
 int run_repair(const std::string& file, const std::string& out) {
+  if (const auto partial = record::unfinished(file); partial && out.empty()) return run_finish(*partial);
   const Result<record::RepairReport> report =
       record::repair(file, out.empty() ? record::repaired_name(file) : std::filesystem::path(out));
   if (!report) return program::fail(report.error());

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "clients/record/disk_thread.h"
+#include "proto/program/ending.h"
 #include "proto/program/log.h"
 #include "proto/program/ready_file.h"
 #include "proto/program/version.h"
@@ -25,6 +26,9 @@ using Clock = std::chrono::steady_clock;
 using boost::system::error_code;
 
 constexpr const char* kProgram = "telepalp-record";
+constexpr const char* kNotFinished =
+    "telepalp-record: the disk did not take the rest in time; the file stays as NAME.partial. fix: telepalp-record "
+    "--repair NAME.partial";
 constexpr auto kProgressEvery = std::chrono::milliseconds(500);
 
 std::string address_text(const program::Address& address) { return address.host + ":" + std::to_string(address.port); }
@@ -70,7 +74,9 @@ class Recording {
 
   Result<RecordingReport> run() {
     signals_.async_wait([this](const error_code& cancelled, int) {
-      if (!cancelled) stop("stopped by the operator");
+      if (cancelled) return;
+      program::end_within(program::kTimeToEnd, kNotFinished);
+      stop("stopped by the operator");
     });
     deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.patience));
     deadline_.async_wait([this](const error_code& cancelled) {
@@ -162,8 +168,7 @@ class Recording {
     if (std::exchange(stopping_, true)) return;
     say("finishing the file: " + reason);
     error_code ignored;
-    signals_.cancel(ignored);
-    signals_.clear(ignored);  // a second Ctrl-C ends the process at once; the file is then left as NAME.partial
+    signals_.cancel(ignored);  // and not clear(): a second signal shall change nothing
     deadline_.cancel();
     watch_.cancel();
     link_.stop(reason);
@@ -175,6 +180,7 @@ class Recording {
   }
 
   Result<RecordingReport> finish() {
+    program::end_within_when_signalled(program::kTimeToEnd, kNotFinished);
     if (std::exchange(line_shown_, false)) std::fputs("\n", stderr);
     const Result<void> stored = disk_.finish();
     if (!stored && !failed_) failed_ = stored.error();
@@ -191,6 +197,7 @@ class Recording {
       report_.messages = writer_.messages();
       report_.file_bytes = writer_.bytes();
     }
+    program::work_is_done();
     if (!failed_) return report_;
     if (started_) say("until then: " + describe(report_));
     return *failed_;

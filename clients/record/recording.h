@@ -33,7 +33,8 @@ struct RecordingReport {
 };
 
 /// Subscribes and writes what comes, until the time is up or SIGINT or SIGTERM arrives. The file is complete and
-/// indexed then, and also if it fails on the way, as far as anything was received.
+/// indexed then, and also if it fails on the way, as far as anything was received. Further signals change nothing; five
+/// seconds after the first one the process ends even if the disk has not taken the rest.
 [[nodiscard]] Result<RecordingReport> record(const RecordingOptions& options);
 
 /// "12.0 s, 3210 messages, 4.5 MB"

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "clients/ar/png.h"
+#include "clients/record/unfinished.h"
 #include "clients/report/report_html.h"
 #include "clients/report/report_json.h"
 #include "clients/report/session_file.h"
@@ -26,7 +27,20 @@ Result<void> write_file(const std::filesystem::path& file, const std::string& by
   return program::write_whole_file(file, bytes, program::Readers::Group);
 }
 
-Result<void> write_report(const std::filesystem::path& file, const std::filesystem::path& folder) {
+/// `asked`, or the session that is made of it when its recorder was cut off.
+Result<std::filesystem::path> finished(const std::filesystem::path& asked) {
+  const auto partial = record::unfinished(asked);
+  if (!partial) return asked;
+  const Result<record::RepairReport> report = record::finish(*partial);
+  if (!report) return report.error();
+  std::cerr << record::in_words(*report) << "\n";
+  return report->file;
+}
+
+Result<void> write_report(const std::filesystem::path& asked, const std::filesystem::path& folder) {
+  const Result<std::filesystem::path> whole = finished(asked);
+  if (!whole) return whole.error();
+  const std::filesystem::path& file = *whole;
   const Result<report::Session> session = report::read_session(file);
   if (!session) return session.error();
   if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;

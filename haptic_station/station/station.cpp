@@ -9,6 +9,7 @@
 #include "haptic_station/station/cost_clock.h"
 #include "haptic_station/station/placement.h"
 #include "haptic_station/station/scene_rig.h"
+#include "proto/program/ending.h"
 #include "proto/program/log.h"
 #include "proto/wire/depth_told.h"
 #include "proto/wire/viewer_hand.h"
@@ -91,7 +92,9 @@ Station::Station(StationOptions options, const scenes::Scene& scene, const surfa
 
 Result<void> Station::run() {
   signals_.async_wait([this](const boost::system::error_code& error, int) {
-    if (!error) stop("asked to end");
+    if (error) return;
+    program::end_within(program::kTimeToEnd, "telepalp-station: did not end in time");
+    stop("asked to end");
   });
   if (const Result<void> listening = faults_.listen(); !listening) return listening.error();
   started_ = std::chrono::steady_clock::now();

@@ -13,11 +13,13 @@
 #include "clients/record/disk_thread.h"
 #include "clients/record/inspect.h"
 #include "clients/record/repair.h"
+#include "clients/record/unfinished.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/mcap/stream_reader.h"
 #include "server/hub/peer_listener.h"
 #include "tests/proto/mcap_samples.h"
 #include "tests/support/child_process.h"
+#include "tests/support/terminal.h"
 #include "where.h"
 
 namespace telepalp::record {
@@ -192,12 +194,73 @@ TEST_F(Recorder, KilledWhileRecordingLosesNothingThatWasFlushedAndTheRepairFinds
   EXPECT_FALSE(std::filesystem::exists(session()));
   EXPECT_EQ(run({"--info", partial}), 1);
   EXPECT_NE(log().find("fix: telepalp-record --repair " + partial), std::string::npos) << log();
+  const std::string as_killed = bytes_of(partial);
+  EXPECT_EQ(run({"--repair", partial, "--out", in("copy.mcap")}), 0) << log();
+  EXPECT_NE(log().find("recovered 50 messages to " + in("copy.mcap").string()), std::string::npos) << log();
+  EXPECT_EQ(bytes_of(partial), as_killed);
   EXPECT_EQ(run({"--repair", partial}), 0) << log();
-  EXPECT_NE(log().find("recovered 50 messages to " + in("session.repaired.mcap").string()), std::string::npos) << log();
-  auto reader = wire::McapReader::open(in("session.repaired.mcap"));
+  EXPECT_NE(log().find("was not finished by its recorder; finished it now, with 50 messages"), std::string::npos)
+      << log();
+  EXPECT_FALSE(std::filesystem::exists(partial));
+  auto reader = wire::McapReader::open(session());
   ASSERT_TRUE(reader);
   EXPECT_EQ(reader->summary().statistics.message_count, messages.size());
   EXPECT_EQ(reader->session()->program, "telepalp-record");
+}
+
+TEST_F(Recorder, AsksAgainWithinASecondMeansTheSameAndTheFileIsWhole) {
+  for (const auto pause : {0ms, 1ms, 5ms, 30ms, 300ms}) {
+    const auto name = std::to_string(pause.count());
+    Server server;
+    support::Terminal terminal(
+        {kRecorder, "--connect", server.address(), "--out", in(name + ".mcap"), "--ready-file", in(name + ".ready")});
+    ASSERT_TRUE(support::await_ready(in(name + ".ready"), "recording")) << terminal.shown();
+    publish_slowly(server, states(0.5));
+    terminal.type(support::kCtrlC);
+    std::this_thread::sleep_for(pause);
+    ::kill(terminal.pid(), SIGTERM);
+    terminal.type(support::kCtrlC);
+    EXPECT_EQ(terminal.wait(10s), 0) << terminal.shown();
+    auto reader = wire::McapReader::open(in(name + ".mcap"));
+    ASSERT_TRUE(reader) << to_string(reader.error());
+    EXPECT_GT(reader->summary().statistics.message_count, 0U);
+  }
+}
+
+TEST_F(Recorder, AFileThatIsStillBeingRecordedIsNotFinishedByOthers) {
+  Server server;
+  const auto recorder = start(server);
+  publish_slowly(server, states(0.5));
+  const auto partial = session().string() + ".partial";
+  ASSERT_TRUE(wait_for([&] { return flushed_messages(partial) == 50; }));
+  for (const std::filesystem::path& asked : {session(), std::filesystem::path(partial)}) {
+    const auto refused = unfinished(asked);
+    ASSERT_EQ(refused, partial);
+    const auto finished = finish(*refused);
+    ASSERT_FALSE(finished.ok());
+    EXPECT_EQ(finished.error().what, "is still being recorded");
+  }
+  recorder->signal(SIGINT);
+  EXPECT_EQ(recorder->wait(10s), 0) << log();
+  EXPECT_EQ(unfinished(session()), std::nullopt);
+  EXPECT_EQ(wire::McapReader::open(session())->summary().statistics.message_count, 50U);
+}
+
+TEST_F(Recorder, AnUnfinishedFileThatIsDamagedElsewhereTooIsKept) {
+  ASSERT_TRUE(wire::samples::write_file(session(), wire::samples::session(4, 500), {.bytes = 5000}));
+  const auto chunk = wire::McapReader::open(session())->summary().chunks[4];
+  std::string bytes = bytes_of(session());
+  bytes[chunk.chunk_start_offset + chunk.chunk_length - 20] ^= 0x55;
+  bytes.resize(bytes.size() * 3 / 4);
+  std::filesystem::remove(session());
+  const std::filesystem::path partial = session().string() + ".partial";
+  std::ofstream(partial, std::ios::binary) << bytes;
+  const auto finished = finish(partial);
+  ASSERT_TRUE(finished) << to_string(finished.error());
+  EXPECT_EQ(finished->damages.size(), 2U);
+  EXPECT_EQ(bytes_of(partial), bytes);
+  EXPECT_TRUE(wire::McapReader::open(session()));
+  EXPECT_FALSE(finish(partial).ok()) << "session.mcap exists now and is nobody's to replace";
 }
 
 TEST_F(Recorder, NotesHowExactTheDepthIsThatItRecorded) {

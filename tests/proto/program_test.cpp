@@ -1,7 +1,15 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+#include <utility>
 
 #include "messages/camera.pb.h"
 #include "proto/program/address.h"
+#include "proto/program/ending.h"
 #include "proto/program/options.h"
 #include "proto/program/shipped.h"
 #include "proto/program/text_format.h"
@@ -55,6 +63,32 @@ TEST(Address, HostAndPortAreReadAndAnythingElseIsRefused) {
   EXPECT_EQ(parse_address("[::1]:7400", "--connect")->host, "::1");
   for (const char* wrong : {"", "host", "host:", ":7400", "host:0", "host:70000", "host:74x", "::1:7400", "a:b:3"})
     EXPECT_FALSE(parse_address(wrong, "--connect").ok()) << wrong;
+}
+
+/// How long a child process takes, and its exit code, that was asked to end three times and then has `work` left.
+std::pair<int, std::chrono::milliseconds> end_with(std::chrono::milliseconds work) {
+  const auto begun = std::chrono::steady_clock::now();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    end_within_when_signalled(std::chrono::seconds(1), "the test's child was not done in time");
+    for (int signals = 0; signals < 3; ++signals) (void)std::raise(signals == 1 ? SIGTERM : SIGINT);
+    std::this_thread::sleep_for(work);
+    work_is_done();
+    (void)::kill(::getpid(), SIGINT);
+    ::_exit(kDone);
+  }
+  int status = 0;
+  (void)::waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begun)};
+}
+
+TEST(Ending, IsBoundedByTimeAndNotByTheNumberOfSignals) {
+  EXPECT_EQ(end_with(std::chrono::milliseconds(300)).first, kDone);
+  const auto [code, took] = end_with(std::chrono::seconds(60));
+  EXPECT_EQ(code, kFailed);
+  EXPECT_GE(took, std::chrono::milliseconds(900));
+  EXPECT_LT(took, std::chrono::seconds(20));
 }
 
 TEST(ShippedFile, IsFoundAboveTheProgramAndWhatIsNotThereIsNot) {

@@ -1,6 +1,7 @@
 #include "proto/wire/mcap/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,13 +18,6 @@ std::filesystem::path folder_of(const std::filesystem::path& name) {
   return name.has_parent_path() ? name.parent_path() : std::filesystem::path(".");
 }
 
-/// Never replaces: renameat2 refuses an existing name; where a file system lacks it, the check at creation stands.
-int rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to) {
-  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
-  if (errno != EINVAL && errno != ENOSYS) return -1;
-  return ::rename(from.c_str(), to.c_str());
-}
-
 void sync_folder(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -33,6 +27,12 @@ void sync_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
+int rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return -1;
+  return ::rename(from.c_str(), to.c_str());
+}
+
 std::filesystem::path OutputFile::partial_name() const { return partial(name_); }
 
 Result<OutputFile> OutputFile::create(const std::filesystem::path& name) {
@@ -40,11 +40,14 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& name) {
   if (std::filesystem::exists(name, code))
     return Error{.what = "exists already", .where = name.string(), .fix = "choose another name, or move it away"};
   const int descriptor = ::open(partial(name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0640);
-  if (descriptor >= 0) return OutputFile(name, descriptor);
+  if (descriptor >= 0) {
+    (void)::flock(descriptor, LOCK_EX | LOCK_NB);  // best effort: not every file system can
+    return OutputFile(name, descriptor);
+  }
   if (errno == EEXIST)
     return Error{.what = "exists already: a recording that was cut off, or one that is running",
                  .where = partial(name).string(),
-                 .fix = "telepalp-record --repair " + partial(name).string() + ", then move it away"};
+                 .fix = "telepalp-record --repair " + partial(name).string() + ", then choose another name"};
   return Error{.what = std::string("cannot be created: ") + std::strerror(errno),
                .where = name.string(),
                .fix = "check that the folder exists and may be written"};

@@ -8,8 +8,12 @@
 
 namespace telepalp::wire::mcap {
 
+/// 0, or -1 with the reason in errno: an existing `to` is refused. Where a file system cannot refuse, it is replaced.
+[[nodiscard]] int rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// A file that appears under its name only when it is complete: it grows as `NAME.partial` and is renamed at the
-/// end. Neither name may exist before; nothing of anyone's is ever overwritten.
+/// end. Neither name may exist before; nothing of anyone's is ever overwritten. While it grows it is locked (flock), so
+/// that others can tell a file that is being written from one whose writer died.
 class OutputFile {
  public:
   [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& name);

@@ -380,6 +380,21 @@ TEST(Program, KeepsWhatShowsThePatientFromOthersAndWritesThroughNoPlantedLink) {
   EXPECT_FALSE(std::filesystem::exists(top / "victim"));
 }
 
+TEST(Program, FinishesASessionWhoseRecorderWasCutOffAndSaysSo) {
+  const auto file = written({.seconds = 2.0}, "report_unfinished.mcap");
+  const std::filesystem::path partial = file.string() + ".partial";
+  std::filesystem::rename(file, partial);
+  std::filesystem::resize_file(partial, std::filesystem::file_size(partial) * 3 / 4);
+  const std::filesystem::path out = fresh_folder("report_unfinished_out");
+  int code = -1;
+  const std::string said = output_of(kProgram + file.string() + " --out " + out.string(), code);
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_NE(said.find("was not finished by its recorder; finished it now"), std::string::npos) << said;
+  EXPECT_TRUE(std::filesystem::exists(out / "report.html"));
+  EXPECT_TRUE(read_session(file).ok());
+  EXPECT_FALSE(std::filesystem::exists(partial));
+}
+
 TEST(Program, OnAFullDiskSaysSoAndLeavesNoHalfReport) {
   const auto file = written({.seconds = 2.0}, "report_full.mcap");
   const std::filesystem::path out = fresh_folder("report_full_out");

@@ -1,0 +1,106 @@
+#include "clients/record/unfinished.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "proto/wire/mcap/output_file.h"
+
+namespace telepalp::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPartial = ".partial";
+
+fs::path finished_name(const fs::path& partial) {
+  const std::string name = partial.string();
+  return name.substr(0, name.size() - kPartial.size());
+}
+
+Error cannot_be_finished(const fs::path& file, const std::string& why) {
+  return {.what = "cannot be finished: " + why, .where = file.string(), .fix = "check the folder and its rights"};
+}
+
+/// Holds the lock that a recorder holds on its file while it writes.
+class Lock {
+ public:
+  [[nodiscard]] static Result<Lock> take(const fs::path& partial) {
+    Lock lock(::open(partial.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (lock.descriptor_ < 0) return cannot_be_finished(partial, std::strerror(errno));
+    if (::flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0) return lock;
+    if (errno != EWOULDBLOCK) return cannot_be_finished(partial, std::strerror(errno));
+    return Error{.what = "is still being recorded",
+                 .where = partial.string(),
+                 .fix = "wait until telepalp-record has ended, or end it by Ctrl-C"};
+  }
+  Lock(Lock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  Lock& operator=(Lock&&) = delete;
+  ~Lock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  /// False when the recorder has meanwhile given the file its final name.
+  [[nodiscard]] bool is_of(const fs::path& partial) const {
+    struct stat locked {};
+    struct stat named {};
+    return ::fstat(descriptor_, &locked) == 0 && ::lstat(partial.c_str(), &named) == 0 &&
+           locked.st_ino == named.st_ino && locked.st_dev == named.st_dev;
+  }
+
+ private:
+  explicit Lock(int descriptor) noexcept : descriptor_(descriptor) {}
+  int descriptor_;
+};
+
+bool only_the_end_is_missing(const RepairReport& report) {
+  return report.damages.empty() ||
+         (report.damages.size() == 1 && report.damages.front().find("truncated") != std::string::npos);
+}
+
+}  // namespace
+
+std::optional<fs::path> unfinished(const fs::path& asked) {
+  std::error_code ignored;
+  if (asked.string().ends_with(kPartial) && fs::is_regular_file(asked, ignored)) return asked;
+  const fs::path partial = asked.string() + std::string(kPartial);
+  if (fs::exists(asked, ignored) || !fs::is_regular_file(partial, ignored)) return std::nullopt;
+  return partial;
+}
+
+Result<RepairReport> finish(const fs::path& partial) {
+  const fs::path name = finished_name(partial);
+  std::error_code ignored;
+  if (fs::exists(name, ignored))
+    return Error{.what = "cannot be finished: " + name.filename().string() + " exists already",
+                 .where = partial.string(),
+                 .fix = "move one of the two away, or copy what can be read elsewhere: telepalp-record --repair " +
+                        partial.string() + " --out OTHER.mcap"};
+  const Result<Lock> lock = Lock::take(partial);
+  if (!lock) return lock.error();
+  if (!lock->is_of(partial)) return cannot_be_finished(partial, "its recorder has just finished it");
+  const fs::path made = name.string() + ".finishing";  // under the lock: whatever has this name was left by a crash
+  fs::remove(made, ignored);
+  fs::remove(made.string() + std::string(kPartial), ignored);
+  Result<RepairReport> report = repair(partial, made);
+  if (!report) return report;
+  if (wire::mcap::rename_without_replacing(report->file, name) != 0)
+    return cannot_be_finished(name, std::strerror(errno));
+  report->file = name;
+  if (only_the_end_is_missing(*report)) fs::remove(partial, ignored);
+  return report;
+}
+
+std::string in_words(const RepairReport& finished) {
+  std::string text = finished.file.string() + " was not finished by its recorder; finished it now, with " +
+                     std::to_string(finished.messages) + " messages";
+  if (!only_the_end_is_missing(finished))
+    text += "; " + std::to_string(finished.damages.size()) + " places were damaged, so the partial file stays";
+  return text;
+}
+
+}  // namespace telepalp::record
