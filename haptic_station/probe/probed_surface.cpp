@@ -10,6 +10,7 @@
 #include "haptic_station/surface/static_model.h"
 #include "haptic_station/surface/surface_builder.h"
 #include "messages/camera.pb.h"
+#include "proto/models/png_bounds.h"
 #include "proto/program/text_format.h"
 
 namespace telepalp::probe {
@@ -111,26 +112,11 @@ Error with_place(Error error, const std::filesystem::path& file) {
   return error;
 }
 
-/// libpng leaves through longjmp where a file is damaged: each part that may is a function without C++ objects.
-bool read_header(png_structp png, png_infop info, std::FILE* file) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_init_io(png, file);
-  png_set_user_limits(png, kMaxImageSide, kMaxImageSide);
-  png_read_info(png, info);
-  png_set_swap(png);
-  return png_get_bit_depth(png, info) == 16 && png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY;
-}
-
-bool read_rows(png_structp png, png_bytepp rows) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_read_image(png, rows);
-  return true;
-}
-
 struct PngReader {
   std::FILE* file = nullptr;
   png_structp png = nullptr;
   png_infop info = nullptr;
+  models::PngBounds bounds;
 
   explicit PngReader(const std::filesystem::path& path) : file(std::fopen(path.c_str(), "rb")) {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -144,6 +130,29 @@ struct PngReader {
   }
 };
 
+void take_bytes(png_structp png, png_bytep to, std::size_t count) {
+  auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
+  models::check_png_bytes(png, reader->info, reader->bounds, count);
+  if (std::fread(to, 1, count, reader->file) != count) png_error(png, "ends too early");
+}
+
+/// libpng leaves through longjmp where a file is damaged: each part that may is a function without C++ objects.
+bool read_header(PngReader& reader) {
+  if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+  png_set_read_fn(reader.png, &reader, take_bytes);
+  models::bound_png(reader.png, kMaxImageSide);
+  png_read_info(reader.png, reader.info);
+  png_set_swap(reader.png);
+  return png_get_bit_depth(reader.png, reader.info) == 16 &&
+         png_get_color_type(reader.png, reader.info) == PNG_COLOR_TYPE_GRAY;
+}
+
+bool read_rows(png_structp png, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_read_image(png, rows);
+  return true;
+}
+
 /// 16-bit grey samples as they stand; libpng's simple interface would pass them through a gamma.
 Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit_m) {
   const auto fail = [&](const std::string& what) {
@@ -151,7 +160,7 @@ Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit
   };
   PngReader reader(path);
   if (reader.file == nullptr || reader.info == nullptr) return fail("cannot be opened");
-  if (!read_header(reader.png, reader.info, reader.file)) return fail("is no 16-bit grey PNG");
+  if (!read_header(reader)) return fail("is no 16-bit grey PNG");
   DepthImage image{.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
                    .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
                    .unit_m = unit_m,

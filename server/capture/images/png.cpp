@@ -3,6 +3,7 @@
 #include <csetjmp>
 #include <cstring>
 
+#include "proto/models/png_bounds.h"
 #include "server/capture/images/image_file.h"
 
 namespace telepalp::server {
@@ -15,6 +16,7 @@ struct PngState {
   png_infop info = nullptr;
   std::span<const std::byte> rest;  // yet to be read
   std::string* out = nullptr;       // written so far
+  models::PngBounds bounds;
   char message[160] = "is damaged";
 };
 
@@ -27,6 +29,7 @@ void on_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
 void take_bytes(png_structp png, png_bytep to, size_t count) {
   auto* state = static_cast<PngState*>(png_get_io_ptr(png));
+  models::check_png_bytes(png, state->info, state->bounds, count);
   if (count > state->rest.size()) png_error(png, "ends too early");
   std::memcpy(to, state->rest.data(), count);
   state->rest = state->rest.subspan(count);
@@ -44,8 +47,7 @@ struct PngHeader {
 
 bool read_header(PngState& state, PngHeader& header) {
   if (setjmp(png_jmpbuf(state.png)) != 0) return false;
-  png_set_user_limits(state.png, kMaxImageSide, kMaxImageSide);
-  png_set_chunk_malloc_max(state.png, 1U << 22U);
+  models::bound_png(state.png, kMaxImageSide);
   png_set_read_fn(state.png, &state, take_bytes);
   png_read_info(state.png, state.info);
   int bits = 0;

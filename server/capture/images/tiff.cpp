@@ -104,6 +104,15 @@ bool read_color(TIFF* tiff, ColorImage& image) {
   return true;
 }
 
+/// True when what libtiff decodes at once, a strip or a tile, is no larger than the largest image that is read.
+bool decodes_in_bounds(TIFF* tiff, const TiffHeader& header) {
+  constexpr tmsize_t kMostBytes = tmsize_t{4} * kMaxImageSide * kMaxImageSide;
+  constexpr std::uint16_t kMostChannels = 4;
+  if (header.channels == 0 || header.channels > kMostChannels) return false;
+  const tmsize_t bytes = header.tiled ? TIFFTileSize(tiff) : TIFFStripSize(tiff);
+  return bytes > 0 && bytes <= kMostBytes;
+}
+
 }  // namespace
 
 Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string& name) {
@@ -120,6 +129,8 @@ Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string
   const TiffHeader header = header_of(tiff.get());
   if (header.width == 0 || header.height == 0 || header.width > kMaxImageSide || header.height > kMaxImageSide)
     return refuse("is " + std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels");
+  if (!decodes_in_bounds(tiff.get(), header))
+    return refuse("has " + std::to_string(header.channels) + " channels, or strips or tiles larger than an image");
   const auto width = static_cast<int>(header.width);
   const auto height = static_cast<int>(header.height);
   const std::size_t pixels = std::size_t{header.width} * header.height;

@@ -1,6 +1,7 @@
 #include "server/capture/images/image_file.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <fstream>
 #include <random>
@@ -114,6 +115,65 @@ TEST(Png, AClaimedGiantIsRefusedBeforeAnythingIsAllocated) {
   const unsigned char giant[] = {0, 0, 0x40, 0, 0, 0, 0x40, 0};  // 16384 x 16384, in IHDR
   std::copy(std::begin(giant), std::end(giant), png.begin() + 16);
   EXPECT_FALSE(decode_png(bytes_of(png), "giant.png").ok());
+}
+
+void append_chunk(std::string& png, const std::string& kind, const std::string& data) {
+  const auto big_endian = [&png](std::uint32_t value) {
+    for (int shift = 24; shift >= 0; shift -= 8) png += static_cast<char>(value >> shift & 255U);
+  };
+  big_endian(static_cast<std::uint32_t>(data.size()));
+  const std::string body = kind + data;
+  png += body;
+  big_endian(static_cast<std::uint32_t>(
+      crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()))));
+}
+
+/// A PNG of 8 x 4 depth samples whose compressed data holds `extra` bytes more than its rows.
+std::string png_with_extra(std::size_t extra, bool interlaced) {
+  const std::size_t rows_bytes = interlaced ? 8 + 64 : 4 * (1 + 16);  // a filter byte leads each row of each pass
+  const std::string raw(rows_bytes + extra, '\0');
+  uLongf size = compressBound(raw.size());
+  std::string data(size, '\0');
+  compress2(reinterpret_cast<Bytef*>(data.data()), &size, reinterpret_cast<const Bytef*>(raw.data()), raw.size(), 1);
+  data.resize(size);
+  std::string png = "\x89PNG\r\n\x1a\n";
+  append_chunk(png, "IHDR", std::string({0, 0, 0, 8, 0, 0, 0, 4, 16, 0, 0, 0, static_cast<char>(interlaced)}));
+  append_chunk(png, "IDAT", data);
+  append_chunk(png, "IEND", "");
+  return png;
+}
+
+TEST(Png, DataBehindTheLastRowIsRefusedWithoutReadingItAll) {
+  constexpr std::size_t kBomb = 40U << 20U;
+  EXPECT_TRUE(decode_png(bytes_of(png_with_extra(0, false)), "whole.png").ok());
+  EXPECT_TRUE(decode_png(bytes_of(png_with_extra(0, true)), "whole.png").ok());
+  EXPECT_FALSE(decode_png(bytes_of(png_with_extra(10, false)), "extra.png").ok());
+  for (const bool interlaced : {false, true}) {
+    const auto read = decode_png(bytes_of(png_with_extra(kBomb, interlaced)), "bomb.png");
+    ASSERT_FALSE(read.ok());
+    // libpng's own words, after it has read all, are "Too much image data".
+    EXPECT_NE(read.error().what.find("more data than its rows"), std::string::npos) << to_string(read.error());
+  }
+}
+
+TEST(Tiff, ThousandsOfChannelsAreRefusedBeforeAnythingIsAllocated) {
+  std::string tiff("II*\0\x08\0\0\0", 8);
+  const auto little_endian = [&tiff](std::uint32_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) tiff += static_cast<char>(value >> (8 * i) & 255U);
+  };
+  const std::uint32_t tags[][2] = {{256, 4096}, {257, 4096},  {258, 8},    {259, 1}, {262, 1},
+                                   {273, 8},    {277, 60000}, {278, 4096}, {279, 16}};
+  little_endian(std::size(tags), 2);
+  for (const auto& [tag, value] : tags) {
+    little_endian(tag, 2);
+    little_endian(4, 2);  // of 32 bits
+    little_endian(1, 4);
+    little_endian(value, 4);
+  }
+  little_endian(0, 4);
+  const auto read = decode_tiff(bytes_of(tiff), "channels.tiff");
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().what.find("60000 channels"), std::string::npos) << to_string(read.error());
 }
 
 std::vector<fs::path> paths(std::initializer_list<const char*> names) { return {names.begin(), names.end()}; }

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <png.h>
+
+#include <cstddef>
+
+namespace telepalp::models {
+
+/// Keeps libpng from inflating more than an image's own rows. libpng reads compressed data to its end even when the
+/// last row is complete, so a file of 400 KB can hold 400 MB behind a small image.
+struct PngBounds {
+  std::size_t bytes_after_last_row = 0;
+};
+
+/// Called before png_read_info. Text, profiles and the like are passed over unread; data behind the last row is an
+/// error of libpng's, not a warning.
+inline void bound_png(png_structp png, png_uint_32 most_pixels_a_side) {
+  png_set_user_limits(png, most_pixels_a_side, most_pixels_a_side);
+  png_set_chunk_malloc_max(png, 1U << 22U);
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+  png_set_benign_errors(png, 0);
+}
+
+/// Called by the read function before it gives `count` bytes. Leaves through png_error when compressed data goes on
+/// behind the last row; libpng has at most 8 KiB in its buffer then, which inflate to 8 MiB.
+inline void check_png_bytes(png_structp png, png_infop info, PngBounds& bounds, std::size_t count) {
+  constexpr png_uint_32 kImageData = 0x49444154;  // "IDAT"
+  constexpr std::size_t kMostBytes = 1024;        // the end mark of a zlib stream has some ten bytes
+  constexpr int kPassesOfInterlacing = 7;
+  const bool in_image_data =
+      (png_get_io_state(png) & PNG_IO_MASK_LOC) == PNG_IO_CHUNK_DATA && png_get_io_chunk_type(png) == kImageData;
+  if (!in_image_data) return;
+  const bool interlaced = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
+  const bool after_last_row = interlaced ? png_get_current_pass_number(png) >= kPassesOfInterlacing
+                                         : png_get_current_row_number(png) >= png_get_image_height(png, info);
+  if (!after_last_row) return;
+  bounds.bytes_after_last_row += count;
+  if (bounds.bytes_after_last_row > kMostBytes) png_error(png, "holds more data than its rows");
+}
+
+}  // namespace telepalp::models
