@@ -5,7 +5,8 @@ import {mkdir, readFile} from 'node:fs/promises';
 const out = process.argv[2] ?? 'dist';
 await mkdir(out, {recursive: true});
 const {metafile} = await build({
-  entryPoints: {viewer: 'src/main.ts', depth_worker: 'src/depth/depth_worker.ts'},
+  entryPoints: {viewer: 'src/main.ts', link_worker: 'src/link/link_worker.ts',
+                depth_worker: 'src/depth/depth_worker.ts'},
   outdir: out,
   bundle: true,
   format: 'esm',

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 
 import {lookAtMiddle, openBrowser, status, untilStatus} from './browser.mjs';
-import {until, Workplace} from './running_program.mjs';
+import {sleep, until, Workplace} from './running_program.mjs';
 
 const [stage, viewer] = process.argv.slice(2);
 
@@ -82,7 +82,7 @@ test('the viewer draws the patient, follows the hand, and says when what it show
   }
 });
 
-const SAFETY = ['force', 'indentation', 'phase-name', 'surface-age', 'picture-age', 'link-age', 'late'];
+const SAFETY = ['force', 'indentation', 'phase-name', 'surface-age', 'picture-age', 'link-age', 'computer-age', 'late'];
 
 /** Which of `ids` cannot be read: not shown, not whole in the window, or under something else. */
 const unreadable = (page, ids) => page.evaluate((wanted) => {
@@ -113,6 +113,55 @@ test('the safety readings stay in view in a small window, with a banner and a no
       await page.waitForFunction((wide) => innerWidth === wide, width);
       assert.deepEqual(await unreadable(page, SAFETY), [], `${width} x ${height}`);
     }
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
+/** Of `times` looks at the page: instants and numbers as drawn, and what stands beside them. */
+async function looks(page, times) {
+  const found = [];
+  for (let look = 0; look < times; ++look) {
+    found.push(await page.evaluate(() => {
+      const text = (id) => document.getElementById(id).textContent;
+      const shown = window.telepalp;  // in the same turn of the page, so that nothing is drawn between
+      return {...shown, force: text('force'), indentation: text('indentation'), banner: text('banner-text')};
+    }));
+    await sleep(100);
+  }
+  return found;
+}
+
+test('an overloaded viewer says that this computer is slow, and its numbers stay with its picture', async () => {
+  const workplace = new Workplace('viewer_overloaded');
+  let browser;
+  try {
+    const {address} = await startStage(workplace);
+    browser = await openBrowser(workplace.folder);
+    const {context, page} = browser;
+    await page.goto(address);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 10_000);
+    const devtools = await context.newCDPSession(page);
+    await devtools.send('Emulation.setCPUThrottlingRate', {rate: 20});
+    await page.evaluate(() => window.setInterval(() => {  // and another program that wants the same core
+      for (const end = performance.now() + 500; performance.now() < end;);
+    }, 600));
+    await until('the banner names this computer', async () => (await banner(page)).includes('This computer'));
+    const seen = await looks(page, 40);
+    for (const {pictureInstant_ms, numbersInstant_ms} of seen)
+      assert.ok(Math.abs(pictureInstant_ms - numbersInstant_ms) < 30, `${numbersInstant_ms - pictureInstant_ms} ms apart`);
+    for (const {force, force_N, indentation, indentation_m} of seen) {
+      assert.equal(force, force_N.toFixed(1));
+      assert.equal(indentation, (1000 * indentation_m).toFixed(0));
+    }
+    const told = seen.filter(({banner: text}) => text !== '');
+    assert.ok(told.length > 20, 'a slow page is told of');
+    const right = told.filter(({banner: text}) => text.includes('This computer'));
+    assert.ok(right.length > 0.8 * told.length, 'and not the patient\'s site or the network');
+    const links = seen.map(({linkAge_ms}) => linkAge_ms).sort((a, b) => a - b);
+    assert.ok(links[20] < 1000, `the queue does not grow: the link is ${links[20]} ms old`);
+    assert.ok(new Set(seen.map(({numbersInstant_ms}) => numbersInstant_ms)).size > 3, 'it goes on');
   } finally {
     await browser?.context.close();
     await workplace.end();

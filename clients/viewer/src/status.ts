@@ -1,12 +1,11 @@
 import {inWords} from './depth/depth_told';
 import {lookOf} from './panel/phases';
+import type {TimeAccount} from './present/time_account';
 import type {Reading} from './viewer_state';
 
 interface Facts extends Reading {
   meshVertices: number;
   handPosition: number[] | undefined;
-  undecodable: number;
-  overtaken: number;
   drawn_ms: number;
   coarseness: number;
 }
@@ -26,6 +25,9 @@ export interface ViewerStatus {
   readonly pictureAge_ms: number | undefined;
   readonly linkAge_ms: number | undefined;
   readonly surfaceAge_ms: number | undefined;
+  readonly pictureInstant_ms: number | undefined;
+  readonly numbersInstant_ms: number | undefined;
+  readonly account: TimeAccount | undefined;
   readonly holdsHand: boolean;
   readonly undecodable: number;
   readonly decode_ms: number;
@@ -42,7 +44,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       connected: now.connected,
       frames: now.frames,
       fps: now.fps,
-      dropped: now.dropped + now.overtaken,
+      dropped: now.dropped,
       meshVertices: now.meshVertices,
       force_N: now.force_N ?? 0,
       indentation_m: (now.indentation_mm ?? 0) / 1000,
@@ -52,6 +54,9 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       pictureAge_ms: now.picture_ms,
       linkAge_ms: now.link_ms,
       surfaceAge_ms: now.surface_ms,
+      pictureInstant_ms: now.pictureInstant_ms,
+      numbersInstant_ms: now.numbersInstant_ms,
+      account: now.account,
       holdsHand: now.holdsHand,
       undecodable: now.undecodable,
       decode_ms: own.decode_ms,

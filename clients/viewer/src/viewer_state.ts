@@ -1,12 +1,15 @@
-import {type DepthTold, depthTold} from './depth/depth_told';
-import {type CaptureStatus, type DepthImage, Phase, type StationState, type Vec3} from './link/messages';
-import type {SessionClock} from './link/session_clock';
+import type {DepthTold} from './depth/depth_told';
+import {Phase, type StationState, type Vec3} from './link/messages';
+import {milliseconds} from './link/session_clock';
+import type {News} from './link/worker_messages';
 import type {Health} from './panel/banner';
 import {shownHand} from './panel/touch_advice';
+import type {Instant} from './present/instant';
+import {accountFor, type FrameTimes, type TimeAccount, WorstOfSecond} from './present/time_account';
 
 const UNTAKEN_MS = 2500;
 
-/** All that the page shows in words and numbers, at one instant. */
+/** All that the page shows in words and numbers, at one time. */
 export interface Reading extends Health {
   force_N: number | undefined;
   indentation_mm: number | undefined;
@@ -16,107 +19,105 @@ export interface Reading extends Health {
   fps: number;
   frames: number;
   dropped: number;
+  undecodable: number;
   lateTicks: number | undefined;
+  pictureInstant_ms: number | undefined;  // session time of the exposure that is drawn
+  numbersInstant_ms: number | undefined;  // session time that force, hand and numbers belong to
 }
 
 export const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
 
-/** Gathers what the messages say. No page, no sockets: `read` gives the whole of it at a time. */
+interface DrawnPicture {
+  captured_ms: number;  // session time
+  times: FrameTimes | undefined;
+  drawn_ms: number;
+}
+
+/** What is presented, and how link and site are. No page and no workers: `read` gives the whole of it at a time. */
 export class ViewerState {
-  capture: CaptureStatus | undefined;
-  station: StationState | undefined;
-  depth: DepthTold | undefined;
-  lateTicks: number | undefined;
-  everConnected = false;
+  news: News | undefined;
   holdsHand = false;
   frames = 0;
-  dropped = 0;
 
-  private lastSequence: bigint | undefined;
-  private shownAt_ms: number[] = [];
-  private shownCaptured_ns: bigint | undefined;
-  private stationHeard_ms: number | undefined;
-  private link_ms: number | undefined;
-  private untaken_ms: number | undefined;
+  private coming: Instant | undefined;  // taken by the page, not drawn yet
+  private station: StationState | undefined;
+  private picture: DrawnPicture | undefined;
+  private drawnAt_ms: number[] = [];
+  private readonly worst = new WorstOfSecond();
 
-  constructor(private readonly clock: SessionClock) {}
-
-  connected(): void {
-    this.everConnected = true;
-    this.lastSequence = undefined;  // frames missed while away are not the link's drops
-    this.station = undefined;
-    this.stationHeard_ms = undefined;
-    this.link_ms = undefined;
+  /** The page has taken `instant` to draw it next. */
+  taken(instant: Instant): void {
+    this.coming = instant;
   }
 
-  /** A depth image came. What the sequence skips was overtaken on the way. */
-  depthCame(image: DepthImage, published_ns: bigint): void {
-    const {sequence} = image;
-    this.depth = depthTold(image);
-    const last = this.lastSequence;
-    if (last !== undefined && sequence > last) this.dropped += Number(sequence - last - 1n);
-    this.lastSequence = sequence;
-    this.measureLink(published_ns);
-  }
-
-  depthShown(captured_ns: bigint, now_ms: number): void {
+  /** `instant` is on the screen: from now on its numbers are told, too. */
+  drawn({picture, station, times}: Instant, now_ms: number): void {
+    this.coming = undefined;
+    this.station = station;
+    if (picture === undefined) return;
     ++this.frames;
-    this.shownCaptured_ns = captured_ns;
-    this.shownAt_ms.push(now_ms);
-    if (this.shownAt_ms.length > 120) this.shownAt_ms.shift();
+    this.picture = {captured_ms: milliseconds(picture.captured_ns), times, drawn_ms: now_ms};
+    this.drawnAt_ms.push(now_ms);
+    if (this.drawnAt_ms.length > 120) this.drawnAt_ms.shift();
   }
 
-  stationCame(state: StationState, published_ns: bigint, now_ms: number): void {
-    this.station = state;
-    this.stationHeard_ms = now_ms;
-    this.measureLink(published_ns);
-  }
-
-  /** The server says that no station takes the hand that is held here; it repeats this once a second. */
-  handUntaken(now_ms: number): void {
-    this.untaken_ms = now_ms;
-  }
-
-  read(now_ms: number, connected: boolean, retryAt_ms: number | undefined): Reading {
-    const {station} = this;
-    const heard = connected && station !== undefined;
+  read(now_ms: number): Reading {
+    const {news, picture} = this;
+    const connected = news?.connected ?? false;
+    const station = connected && news?.stationHeard_ms !== undefined ? this.station : undefined;
+    const account = this.account(now_ms);
     return {
+      ...touchOf(station),
       connected,
-      everConnected: this.everConnected,
-      retryIn_ms: retryAt_ms === undefined ? undefined : Math.max(0, retryAt_ms - now_ms),
-      capture: this.capture,
-      phase: heard ? station.phase : Phase.Unspecified,
-      force_N: heard && station.forceN ? length(station.forceN) : undefined,
-      indentation_mm: heard ? 1000 * station.indentationM : undefined,
-      limited: heard && station.limited,
-      depth: this.depth,
-      handShown: heard ? shownHand(station) !== undefined : undefined,
+      everConnected: news?.everConnected ?? false,
+      retryIn_ms: news?.retryAt_ms === undefined ? undefined : Math.max(0, news.retryAt_ms - now_ms),
+      capture: news?.capture,
+      phase: news?.phase === Phase.Faulted ? Phase.Faulted : station?.phase ?? Phase.Unspecified,
+      depth: news?.depth,
       holdsHand: this.holdsHand,
-      untaken: this.untaken_ms !== undefined && now_ms - this.untaken_ms < UNTAKEN_MS,
-      surfaceStale: heard && station.surfaceStale,
-      surface_ms: heard && station.surfaceCapturedNs !== 0n
-          ? Number(station.stampNs - station.surfaceCapturedNs) / 1e6
-          : undefined,
-      station_ms: this.stationHeard_ms === undefined ? undefined : now_ms - this.stationHeard_ms,
+      untaken: news?.untaken_ms !== undefined && now_ms - news.untaken_ms < UNTAKEN_MS,
+      surfaceStale: station !== undefined && (news?.surfaceStale ?? false),
+      station_ms: news?.stationHeard_ms === undefined ? undefined : now_ms - news.stationHeard_ms,
       picture_ms: this.pictureAge_ms(now_ms),
-      link_ms: connected ? this.link_ms : undefined,
-      fps: this.shownAt_ms.filter((at_ms) => at_ms > now_ms - 1000).length,
+      account: account && this.worst.note(account, now_ms),
+      apart_ms: station && picture && milliseconds(station.stampNs) - picture.captured_ms,
+      link_ms: connected ? news?.link_ms : undefined,
+      fps: this.drawnAt_ms.filter((at_ms) => at_ms > now_ms - 1000).length,
       frames: this.frames,
-      dropped: this.dropped,
-      lateTicks: this.lateTicks,
+      dropped: (news?.dropped ?? 0) + (news?.overtaken ?? 0),
+      undecodable: news?.undecodable ?? 0,
+      lateTicks: news?.lateTicks,
+      pictureInstant_ms: picture?.captured_ms,
+      numbersInstant_ms: station && milliseconds(station.stampNs),
     };
   }
 
-  /** Since the exposure when the session clock is known, else since the picture was shown. */
+  /** Since the exposure when the session clock is known, else since the picture was drawn. */
   private pictureAge_ms(now_ms: number): number | undefined {
-    const shown_ms = this.shownAt_ms[this.shownAt_ms.length - 1];
-    if (shown_ms === undefined || this.shownCaptured_ns === undefined) return undefined;
-    return this.clock.age_ms(this.shownCaptured_ns) ?? now_ms - shown_ms;
+    if (this.picture === undefined) return undefined;
+    const offset_ms = this.news?.offset_ms;
+    return offset_ms === undefined ? now_ms - this.picture.drawn_ms : now_ms + offset_ms - this.picture.captured_ms;
   }
 
-  private measureLink(published_ns: bigint): void {
-    const age_ms = this.clock.age_ms(published_ns);
-    if (age_ms === undefined) return;
-    this.link_ms = this.link_ms === undefined ? age_ms : this.link_ms + 0.1 * (age_ms - this.link_ms);
+  private account(now_ms: number): TimeAccount | undefined {
+    const times = this.picture?.times;
+    const heard = this.news?.heard;
+    if (this.picture === undefined || times === undefined || heard === undefined) return undefined;
+    const waiting = this.news?.waiting;
+    const newer = waiting !== undefined && waiting.captured_ms > times.captured_ms + 1 ? waiting : undefined;
+    const shown = {...times, drawn_ms: this.picture.drawn_ms};
+    return accountFor({shown, next: this.coming?.times ?? newer, heard}, now_ms);
   }
+}
+
+function touchOf(station: StationState | undefined) {
+  return {
+    force_N: station?.forceN && length(station.forceN),
+    indentation_mm: station && 1000 * station.indentationM,
+    limited: station?.limited ?? false,
+    handShown: station && shownHand(station) !== undefined,
+    surface_ms: station && station.surfaceCapturedNs !== 0n
+        ? Number(station.stampNs - station.surfaceCapturedNs) / 1e6
+        : undefined,
+  };
 }

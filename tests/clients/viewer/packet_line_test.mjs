@@ -4,16 +4,22 @@ import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
 
-const {PacketLine} = await bundled('depth/packet_line.ts');
+const {PacketLine} = await bundled('present/packet_line.ts');
 
-const packet = (number, coding) => ({bytes: Uint8Array.of(84, 80, 68, 50, 2, coding), captured_ns: BigInt(number)});
-const key = (number) => packet(number, 3);
+const packet = (number, coding, bytes = 6) => {
+  const packet = {bytes: new Uint8Array(bytes), captured_ns: BigInt(number)};
+  packet.bytes[5] = coding;
+  return packet;
+};
+const key = (number, bytes) => packet(number, 3, bytes);
 const dependent = (number) => packet(number, 4);
+const LAST = 1_000_000n;
 
-/** The numbers of all that waits, in the order in which it would be decoded. */
-function drained(line) {
+/** The numbers of all that is decoded when a picture is wanted, in order. */
+function drained(line, until = LAST) {
   const numbers = [];
-  for (let next = line.shift(); next !== undefined; next = line.shift()) numbers.push(Number(next.captured_ns));
+  for (let next = line.next(until, true); next !== undefined; next = line.next(until, true))
+    numbers.push(Number(next.captured_ns));
   return numbers;
 }
 
@@ -24,11 +30,31 @@ test('packets that depend on one another are all decoded, in order', () => {
   assert.equal(line.overtaken, 0);
 });
 
-test('a packet that stands alone overtakes all that wait', () => {
+test('what is too old to draw is dropped before it is decoded', () => {
   const line = new PacketLine();
   [key(1), dependent(2), key(3), dependent(4), key(5)].forEach((next) => line.push(next));
   assert.deepEqual(drained(line), [5]);
   assert.equal(line.overtaken, 4);
+});
+
+test('a picture whose numbers have not come is neither decoded nor does it overtake one whose have', () => {
+  const line = new PacketLine();
+  [key(1), key(2), key(3)].forEach((next) => line.push(next));
+  assert.deepEqual(drained(line, 2n), [2]);
+  assert.deepEqual(drained(line), [3]);
+  assert.equal(line.overtaken, 1);
+});
+
+test('a page that is busy decodes ahead only what a later packet depends on', () => {
+  const line = new PacketLine();
+  line.push(key(1));
+  assert.equal(line.next(LAST, false), undefined);
+  line.push(dependent(2));
+  assert.equal(line.next(LAST, false).captured_ns, 1n);
+  assert.equal(line.next(LAST, false).captured_ns, 2n);
+  line.push(dependent(3));
+  assert.equal(line.next(LAST, false).captured_ns, 3n);
+  assert.equal(line.next(LAST, false), undefined);
 });
 
 test('who joins mid-group says so and waits for a key frame', () => {
@@ -42,35 +68,44 @@ test('who joins mid-group says so and waits for a key frame', () => {
 test('after one that could not be decoded, nothing is shown until the next that stands alone', () => {
   const line = new PacketLine();
   [key(1), dependent(2), dependent(3)].forEach((next) => line.push(next));
-  line.shift();
+  assert.equal(line.next(LAST, true).captured_ns, 1n);
   line.failed();
   assert.deepEqual(drained(line), []);
   assert.equal(line.push(dependent(4)), false);
   assert.equal(line.push(key(5)), true);
-  line.shift();
+  assert.equal(line.next(LAST, true).captured_ns, 5n);
   line.failed();
   assert.equal(line.push(dependent(6)), false);
   assert.equal(line.push(key(7)), true);
   assert.deepEqual(drained(line), [7]);
 });
 
-test('a failure is forgotten when what waits stands alone', () => {
+test('a failure is forgotten when a packet waits that stands alone', () => {
   const line = new PacketLine();
   line.push(key(1));
-  line.shift();
-  line.push(key(2));
+  assert.equal(line.next(LAST, true).captured_ns, 1n);
+  [dependent(2), key(3)].forEach((next) => line.push(next));
   line.failed();
-  assert.equal(line.push(dependent(3)), true);
-  assert.deepEqual(drained(line), [2, 3]);
+  assert.equal(line.push(dependent(4)), true);
+  assert.deepEqual(drained(line), [3, 4]);
 });
 
-test('a page that is a second behind lets go of all that waits, and keeps nothing more', () => {
+test('a group that grows too long is let go of, and nothing of it is kept', () => {
   const line = new PacketLine();
   line.push(key(0));
   let kept = 0;
   for (let number = 1; number < 100; ++number) kept += line.push(dependent(number)) ? 1 : 0;
-  assert.equal(kept, 29);
+  assert.equal(kept, 63);
   assert.deepEqual(drained(line), []);
   assert.equal(line.overtaken, 100);
   assert.equal(line.push(key(100)), true);
+});
+
+test('packets that stand alone are bounded in number and in bytes, the newest are kept', () => {
+  const line = new PacketLine();
+  for (let number = 0; number < 1000; ++number) assert.ok(line.push(key(number)));
+  assert.equal(line.overtaken, 1000 - 64);
+  for (let number = 0; number < 40; ++number) line.push(key(1000 + number, 1 << 20));
+  assert.equal(line.overtaken, 1040 - 16);
+  assert.deepEqual(drained(line), [1039]);
 });

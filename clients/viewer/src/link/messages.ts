@@ -45,6 +45,7 @@ export interface DepthImage {
 }
 
 export interface CompressedImage {
+  timestamp?: {seconds: bigint; nanos: number};
   data: Uint8Array;
   format: string;
 }

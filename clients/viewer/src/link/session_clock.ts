@@ -6,6 +6,12 @@ interface Probe {
 const PROBES_KEPT = 8;
 const PROBE_EVERY_MS = 5000;
 
+/** Now, in milliseconds since 1970: the same in the page and in its workers, and steady. */
+export const now_ms = () => performance.timeOrigin + performance.now();
+
+/** Session time `at_ns` in milliseconds. */
+export const milliseconds = (at_ns: bigint) => Number(at_ns / 1000n) / 1000;
+
 /**
  * The session clock as this browser knows it. The server's reading lies half-way between asking and hearing, give or
  * take half the round trip, so the quickest of the last probes is believed.
@@ -16,7 +22,7 @@ export class SessionClock {
   /** Asks the server from now on. */
   start(): void {
     void this.probe();
-    window.setInterval(() => void this.probe(), PROBE_EVERY_MS);
+    setInterval(() => void this.probe(), PROBE_EVERY_MS);
   }
 
   /** Forgets what it knew: the server may be another one, with another session. */
@@ -25,22 +31,20 @@ export class SessionClock {
     for (let times = 0; times < 3; ++times) void this.probe();
   }
 
-  /** Milliseconds since session time `at_ns`; undefined while the server's clock is not known. */
-  age_ms(at_ns: bigint): number | undefined {
-    const best = this.probes.reduce<Probe | undefined>(
-        (least, probe) => (least && least.roundTrip_ms <= probe.roundTrip_ms ? least : probe), undefined);
-    if (best === undefined) return undefined;
-    return performance.now() + best.offset_ms - Number(at_ns / 1000n) / 1000;
+  /** Session time less now_ms(); undefined while the server's clock is not known. */
+  get offset_ms(): number | undefined {
+    return this.probes.reduce<Probe | undefined>(
+        (least, probe) => (least && least.roundTrip_ms <= probe.roundTrip_ms ? least : probe), undefined)?.offset_ms;
   }
 
   private async probe(): Promise<void> {
-    const asked_ms = performance.now();
+    const asked_ms = now_ms();
     try {
       const reply = await fetch('/session_clock', {cache: 'no-store', signal: AbortSignal.timeout(2000)});
       const text = await reply.text();
-      const heard_ms = performance.now();
+      const heard_ms = now_ms();
       if (!reply.ok || !/^\d+$/.test(text)) return;
-      const server_ms = Number(BigInt(text) / 1000n) / 1000;
+      const server_ms = milliseconds(BigInt(text));
       this.probes.push({roundTrip_ms: heard_ms - asked_ms, offset_ms: server_ms - (asked_ms + heard_ms) / 2});
       this.probes = this.probes.slice(-PROBES_KEPT);
     } catch {

@@ -2,6 +2,7 @@ import {FoxgloveClient, type Channel, type SubscriptionId} from '@foxglove/ws-pr
 
 import type {OwnTopics, Topics} from './messages';
 import {decoderFor, encoderFor, type Decode, type Encode} from './schemas';
+import {now_ms} from './session_clock';
 
 const FIRST_RETRY_MS = 500;
 const SLOWEST_RETRY_MS = 5000;
@@ -9,6 +10,12 @@ const SLOWEST_RETRY_MS = 5000;
 const SILENCE_MS = 10_000;
 
 type Handlers = {[Topic in keyof Topics]?: (message: Topics[Topic], published_ns: bigint, bytes: number) => void};
+
+interface Listeners {
+  connected(): void;
+  warned(text: string): void;
+  heard(published_ns: bigint): void;  // a message of any topic, before it is handled
+}
 
 interface Subscription {
   channel: number;
@@ -24,7 +31,7 @@ interface Publication {
 /** The server's messages, decoded, and ours to it. Connects, and connects again by itself for as long as the page is open. */
 export class Stream {
   connected = false;
-  /** When the next attempt begins, on performance.now(); undefined while connected or connecting. */
+  /** When the next attempt begins, on now_ms(); undefined while connected or connecting. */
   retryAt_ms: number | undefined;
   undecodable = 0;
 
@@ -38,10 +45,9 @@ export class Stream {
       private readonly url: string,
       private readonly handlers: Handlers,
       private readonly publishes: readonly (keyof OwnTopics)[],
-      private readonly onConnected: () => void,
-      private readonly onWarning: (text: string) => void,
+      private readonly on: Listeners,
   ) {
-    window.setInterval(() => this.endIfSilent(), 1000);
+    setInterval(() => this.endIfSilent(), 1000);
     this.connect();
   }
 
@@ -72,7 +78,7 @@ export class Stream {
     client.on('serverInfo', () => {
       this.connected = true;
       this.retry_ms = FIRST_RETRY_MS;
-      this.onConnected();
+      this.on.connected();
     });
     client.on('advertise', (channels) => channels.forEach((channel) => {
       this.subscribe(client, channel);
@@ -80,9 +86,10 @@ export class Stream {
     }));
     client.on('message', ({subscriptionId, timestamp, data}) => {
       this.heard_ms = performance.now();
+      this.on.heard(timestamp);
       this.deliver(subscriptionId, timestamp, new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
     });
-    client.on('status', ({message}) => this.onWarning(message));
+    client.on('status', ({message}) => this.on.warned(message));
     client.on('error', (problem) => console.warn('stream:', problem.message));
     client.on('close', () => {
       if (this.client === client) this.retry();
@@ -131,8 +138,8 @@ export class Stream {
     this.connected = false;
     this.client = undefined;
     this.publications.clear();
-    this.retryAt_ms = performance.now() + this.retry_ms;
-    window.setTimeout(() => this.connect(), this.retry_ms);
+    this.retryAt_ms = now_ms() + this.retry_ms;
+    setTimeout(() => this.connect(), this.retry_ms);
     this.retry_ms = Math.min(2 * this.retry_ms, SLOWEST_RETRY_MS);
   }
 }

@@ -1,4 +1,5 @@
 import {CaptureState, type CaptureStatus, Phase} from '../link/messages';
+import {type Place, slowest, type TimeAccount, total_ms} from '../present/time_account';
 import {touchAdvice, type TouchHealth} from './touch_advice';
 
 /** What the banner depends on. Ages in milliseconds; undefined: nothing came yet. */
@@ -8,6 +9,8 @@ export interface Health extends TouchHealth {
   everConnected: boolean;
   capture: CaptureStatus | undefined;
   picture_ms: number | undefined;
+  account: TimeAccount | undefined;  // of the oldest picture of the last second; undefined while it cannot be made
+  apart_ms: number | undefined;      // the numbers' instant less the picture's
   station_ms: number | undefined;
   surfaceStale: boolean;
   surface_ms: number | undefined;
@@ -21,6 +24,7 @@ export interface Banner {
 }
 
 const STALE_MS = 1000;
+const APART_MS = 400;
 
 const seconds = (ms: number) => `${(ms / 1000).toFixed(1)} s`;
 
@@ -40,8 +44,8 @@ export function bannerFor(health: Health): Banner | undefined {
     return {level: 'wait', title: 'Waiting for the camera', text: health.capture?.detail || 'No depth image yet.'};
   if (health.capture?.state === CaptureState.Ended)
     return {level: 'wait', title: 'The recording has ended', text: 'The last picture stays.'};
-  if (health.picture_ms > STALE_MS)
-    return {level: 'warn', title: 'Stale picture', text: `Nothing new for ${seconds(health.picture_ms)}.`};
+  const age_ms = health.account === undefined ? health.picture_ms : total_ms(health.account);
+  if (age_ms > STALE_MS) return {level: 'warn', title: 'Stale picture', text: whereTo(age_ms, health.account)};
   if (health.surfaceStale)
     return {
       level: 'warn',
@@ -50,7 +54,26 @@ export function bannerFor(health: Health): Banner | undefined {
     };
   if (health.station_ms !== undefined && health.station_ms > STALE_MS)
     return {level: 'warn', title: 'Station silent', text: `No word for ${seconds(health.station_ms)}.`};
+  if (health.apart_ms !== undefined && health.apart_ms < -APART_MS)
+    return {
+      level: 'warn',
+      title: 'Late numbers',
+      text: `Hand and force are ${seconds(-health.apart_ms)} older than the picture: the station’s word comes late.`,
+    };
   return touchAdvice(health);
+}
+
+const BLAME: Record<Place, (part: string) => string> = {
+  site: (part) => `Patient’s site: it sent nothing newer for ${part}. The link is alive.`,
+  network: (part) => `Network: ${part} were lost on the way here.`,
+  computer: (part) => `This computer: it needs ${part} to decode and draw. Close other programs, or make the window smaller.`,
+};
+
+/** Names the place where most of the picture's age came from. */
+function whereTo(age_ms: number, account: TimeAccount | undefined): string {
+  if (account === undefined) return `It is ${seconds(age_ms)} old.`;
+  const place = slowest(account);
+  return `It is ${seconds(age_ms)} old. ${BLAME[place](seconds(account[place]))}`;
 }
 
 function isRecent(age_ms: number | undefined): boolean {

@@ -1,4 +1,6 @@
 import {CaptureState} from '../link/messages';
+import type {Touch} from '../present/instant';
+import {total_ms} from '../present/time_account';
 import {forceColor} from '../scene/force_color';
 import type {Reading} from '../viewer_state';
 import {type Banner, bannerFor} from './banner';
@@ -21,11 +23,24 @@ export class Readouts {
   readonly force = new Plot(element('force-plot'), {color: '#ffab5e', unit: 'N', least: 5, step: 5});
   readonly indentation = new Plot(element('indentation-plot'), {color: '#5ad1e6', unit: 'mm', least: 40, step: 20});
 
+  /** What the station said since the last one that was presented. */
+  addTrail(trail: readonly Touch[]): void {
+    for (const {at_s, force_N, indentation_m} of trail) {
+      this.force.add(at_s, force_N);
+      this.indentation.add(at_s, 1000 * indentation_m);
+    }
+  }
+
+  /** The numbers that belong to the picture just drawn. */
+  showNumbers(reading: Reading): void {
+    this.showPhase(reading);
+    this.showTouch(reading);
+  }
+
   show(reading: Reading): void {
     this.showLink(reading);
     this.showDepth(reading);
-    this.showPhase(reading);
-    this.showTouch(reading);
+    this.showNumbers(reading);
     this.showFreshness(reading);
     this.showBanner(reading);
     this.force.draw();
@@ -64,8 +79,11 @@ export class Readouts {
 
   private showFreshness(reading: Reading): void {
     showAge('surface-age', reading.surface_ms);
-    showAge('picture-age', reading.picture_ms);
-    showAge('link-age', reading.link_ms);
+    const {account} = reading;
+    showAge('picture-age', account === undefined ? reading.picture_ms : total_ms(account));
+    showAge('site-age', account?.site);
+    showAge('link-age', account?.network ?? reading.link_ms);
+    showAge('computer-age', account?.computer);
     setText('fps', reading.picture_ms === undefined ? '–' : `${reading.fps.toFixed(0)} /s`);
     setText('dropped', String(reading.dropped));
     setText('late', reading.lateTicks === undefined ? '–' : String(reading.lateTicks));

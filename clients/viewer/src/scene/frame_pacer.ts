@@ -28,7 +28,8 @@ export class FramePacer {
   private easy = 0;
 
   /**
-   * `draw` is called with the animation frame and says whether its time tells anything; `onDrawn` when it is finished.
+   * `draw` is called with the animation frame and says whether its time tells anything; `onDrawn` when it is finished, and
+   * `onFree` when the next one may begin.
    * `level` stays below `levels`.
    */
   constructor(
@@ -36,6 +37,7 @@ export class FramePacer {
       private readonly levels: number,
       private readonly draw: () => boolean,
       private readonly onDrawn: () => void,
+      private readonly onFree: () => void,
   ) {}
 
   /** Asks for a frame. Asking often costs nothing: one is drawn for all that asked before it began. */
@@ -73,6 +75,7 @@ export class FramePacer {
 
   private rested(): void {
     this.busy = false;
+    this.onFree();
     if (this.wanted) this.ask();
   }
 

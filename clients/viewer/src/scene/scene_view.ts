@@ -39,6 +39,11 @@ export class SceneView {
   readonly hand = new Hand();
   readonly probe = new Probe();
 
+  /** Told of each drawing: as it begins, when the graphics card has finished it, and when the next one may begin. */
+  onDraw: () => void = () => undefined;
+  onDrawn: () => void = () => undefined;
+  onFree: () => void = () => undefined;
+
   /** Of the surface, in the last frame that the graphics card has finished. */
   drawnVertices = 0;
 
@@ -59,7 +64,11 @@ export class SceneView {
     this.renderer = new WebGLRenderer({canvas, antialias: !software, powerPreference: 'high-performance'});
     this.pacer = new FramePacer(
         this.renderer.getContext() as WebGL2RenderingContext, DETAILS.length, () => this.draw(),
-        () => (this.drawnVertices = this.drawingVertices));
+        () => {
+          this.drawnVertices = this.drawingVertices;
+          this.onDrawn();
+        },
+        () => this.onFree());
     this.pacer.level = software ? SOFTWARE_LEVEL : 0;
     this.scene.background = BACKGROUND;
     const lamp = new DirectionalLight('#fff4e6', 2.1);
@@ -135,6 +144,7 @@ export class SceneView {
   }
 
   private draw(): boolean {
+    this.onDraw();
     this.fit(DETAILS[this.pacer.level] as Detail);
     if (this.controls.update()) this.invalidate();
     this.drawingVertices = this.surface.meshVertices;

@@ -1,0 +1,127 @@
+// Reads the stream beside the page, however busy that is with drawing, and hands it the newest instant when it asks.
+
+import {DepthDecoder} from '../depth/depth_decoder';
+import type {FrameTimes} from '../present/time_account';
+import {type Arrival, type Chosen, type ColorPicture, Instants} from '../present/instants';
+import type {CompressedImage, StationState} from './messages';
+import {milliseconds, now_ms, SessionClock} from './session_clock';
+import {SiteFacts} from './site_facts';
+import {Stream} from './stream';
+import type {FromWorker, News, ToWorker} from './worker_messages';
+
+const ASK_FOR_KEY_AGAIN_MS = 500;
+
+const clock = new SessionClock();
+const facts = new SiteFacts();
+let cameraMatrix: readonly number[] | undefined;
+let askedForKey_ms = 0;
+
+const tell = (message: FromWorker, transfer: Transferable[] = []) => postMessage(message, {transfer});
+
+/** Session time on this computer's clock; undefined while the session clock is not known. */
+const local_ms = (at_ns: bigint) => (clock.offset_ms === undefined ? undefined : milliseconds(at_ns) - clock.offset_ms);
+
+function timesOf(arrival: Arrival | undefined): FrameTimes | undefined {
+  if (arrival === undefined) return undefined;
+  const [captured_ms, published_ms] = [local_ms(arrival.captured_ns), local_ms(arrival.published_ns)];
+  if (captured_ms === undefined || published_ms === undefined) return undefined;
+  return {captured_ms, published_ms, complete_ms: arrival.complete_ms ?? now_ms()};
+}
+
+async function bitmapOf(color: ColorPicture | undefined): Promise<ImageBitmap | undefined> {
+  if (color === undefined) return undefined;
+  try {
+    return await createImageBitmap(new Blob([color.data.slice()], {type: 'image/jpeg'}));
+  } catch (problem) {
+    console.warn(`/camera/color: ${String(problem)}`);
+    return undefined;
+  }
+}
+
+async function present({decoded, station, color, arrival, trail}: Chosen): Promise<void> {
+  const times = timesOf(arrival);
+  if (decoded === undefined || arrival === undefined) return tell({instant: {picture: undefined, station, trail, times}});
+  const bitmap = await bitmapOf(color);
+  const picture = {...decoded, captured_ns: arrival.captured_ns, color: bitmap, cameraMatrix};
+  const own: Transferable[] = [decoded.frame.samples.buffer as ArrayBuffer];
+  tell({instant: {picture, station, trail, times}}, bitmap === undefined ? own : [...own, bitmap]);
+}
+
+function askForKey(): void {
+  if (now_ms() - askedForKey_ms < ASK_FOR_KEY_AGAIN_MS) return;
+  askedForKey_ms = now_ms();
+  stream.subscribeAgain('/camera/depth');
+}
+
+const decoder = new DepthDecoder((decoded) => instants.decoded(decoded), () => instants.undecodable());
+const instants = new Instants({
+  now_ms,
+  decode: ({bytes}) => decoder.decode(bytes),
+  present: (chosen) => void present(chosen),
+  askForKey,
+});
+
+/** When the picture was taken; a server that does not say so publishes it at once. */
+function takenAt({timestamp}: CompressedImage, published_ns: bigint): bigint {
+  return timestamp === undefined ? published_ns : timestamp.seconds * 1_000_000_000n + BigInt(timestamp.nanos);
+}
+
+function stationCame(state: StationState): void {
+  facts.stationCame(state, now_ms());
+  instants.stationCame(state);
+}
+
+const stream = new Stream(
+    `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/stream`,
+    {
+      '/clock': () => undefined,  // a word each second, though nothing else may happen: the stream listens for silence
+      '/camera/depth': (image, published_ns) => {
+        facts.depthCame(image);
+        instants.depthCame({bytes: image.data, captured_ns: image.capturedNs, published_ns});
+      },
+      '/camera/color': (image, published_ns) =>
+          instants.colorCame({data: image.data, captured_ns: takenAt(image, published_ns)}),
+      '/camera/info': ({K}) => {
+        cameraMatrix = K.length === 9 ? K : undefined;
+      },
+      '/camera/status': (capture) => {
+        facts.capture = capture;
+      },
+      '/station/state': stationCame,
+      '/station/stats': (stats) => {
+        facts.lateTicks = Number(stats.deadlinesMissed);
+      },
+    },
+    ['/viewer/hand'],
+    {
+      connected: () => {
+        clock.restart();
+        facts.connected();
+        instants.restart();
+      },
+      warned: (text) => {
+        console.warn('server:', text);
+        if (text.includes('takes a hand')) facts.untaken_ms = now_ms();
+      },
+      heard: (published_ns) => facts.came(local_ms(published_ns), now_ms()),
+    });
+
+function news(): News {
+  return {
+    ...facts.told,
+    connected: stream.connected,
+    retryAt_ms: stream.retryAt_ms,
+    offset_ms: clock.offset_ms,
+    waiting: timesOf(instants.waiting),
+    overtaken: instants.overtaken,
+    undecodable: stream.undecodable + decoder.undecodable,
+  };
+}
+
+onmessage = ({data}: MessageEvent<ToWorker>) => {
+  if ('hand' in data) stream.publish('/viewer/hand', data.hand);
+  else if (data.ask === 'instant') instants.ask();
+  else tell({news: news()});
+};
+
+clock.start();

@@ -1,0 +1,58 @@
+import {type DepthTold, depthTold} from '../depth/depth_told';
+import {type CaptureStatus, type DepthImage, Phase, type StationState} from './messages';
+import type {News} from './worker_messages';
+
+const LINK_SMOOTHING = 0.1;
+
+/** Gathers what the messages say of link and site. No sockets and no clock: times are arguments. */
+export class SiteFacts {
+  capture: CaptureStatus | undefined;
+  lateTicks: number | undefined;
+  untaken_ms: number | undefined;
+
+  private everConnected = false;
+  private depth: DepthTold | undefined;
+  private dropped = 0;
+  private lastSequence: bigint | undefined;
+  private station: StationState | undefined;
+  private stationHeard_ms: number | undefined;
+  private link_ms: number | undefined;
+  private heard: News['heard'];
+
+  connected(): void {
+    this.everConnected = true;
+    this.lastSequence = undefined;  // frames missed while away are not the link's drops
+    this.station = this.stationHeard_ms = this.link_ms = this.heard = undefined;
+  }
+
+  /** A message of any topic came. `published_ms` on this computer's clock; undefined while the session clock is unknown. */
+  came(published_ms: number | undefined, now_ms: number): void {
+    if (published_ms === undefined) return;
+    this.heard = {published_ms, received_ms: now_ms};
+    const age_ms = now_ms - published_ms;
+    this.link_ms = this.link_ms === undefined ? age_ms : this.link_ms + LINK_SMOOTHING * (age_ms - this.link_ms);
+  }
+
+  /** A depth image came. What the sequence skips was overtaken on the way. */
+  depthCame(image: DepthImage): void {
+    const {sequence} = image;
+    this.depth = depthTold(image);
+    const last = this.lastSequence;
+    if (last !== undefined && sequence > last) this.dropped += Number(sequence - last - 1n);
+    this.lastSequence = sequence;
+  }
+
+  stationCame(state: StationState, now_ms: number): void {
+    this.station = state;
+    this.stationHeard_ms = now_ms;
+  }
+
+  get told() {
+    const {everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, dropped} = this;
+    return {
+      everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, dropped,
+      phase: this.station?.phase ?? Phase.Unspecified,
+      surfaceStale: this.station?.surfaceStale ?? false,
+    } satisfies Partial<News>;
+  }
+}

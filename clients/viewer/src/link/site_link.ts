@@ -1,0 +1,33 @@
+import type {Instant} from '../present/instant';
+import type {ViewerHand} from './messages';
+import type {FromWorker, News, ToWorker} from './worker_messages';
+
+/** The page's end of the link worker. What is asked for is answered once, and not asked for again before. */
+export class SiteLink {
+  private readonly worker = new Worker('link_worker.js', {type: 'module'});
+  private readonly owed = new Set<'instant' | 'news'>();
+
+  constructor(onInstant: (instant: Instant) => void, onNews: (news: News) => void) {
+    this.worker.onmessage = ({data}: MessageEvent<FromWorker>) => {
+      const answered = 'news' in data ? 'news' : 'instant';
+      this.owed.delete(answered);
+      if ('news' in data) onNews(data.news);
+      else onInstant(data.instant);
+    };
+  }
+
+  /** The answer comes later: at once for news, and for an instant when there is one that was not presented. */
+  ask(what: 'instant' | 'news'): void {
+    if (this.owed.has(what)) return;
+    this.owed.add(what);
+    this.say({ask: what});
+  }
+
+  tellHand(hand: ViewerHand): void {
+    this.say({hand});
+  }
+
+  private say(message: ToWorker): void {
+    this.worker.postMessage(message);
+  }
+}

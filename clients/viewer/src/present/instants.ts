@@ -1,0 +1,174 @@
+import type {DecodedDepth} from '../depth/depth_decoder';
+import type {StationState, Vec3} from '../link/messages';
+import type {Instant, Touch} from './instant';
+import {type Packet, PacketLine} from './packet_line';
+import {goesAlone, nearest, presentableUntil} from './presented_instant';
+
+const MOST_STATES = 256;  // 2.5 s of /station/state
+const MOST_COLORS = 40;
+
+export interface DepthPacket extends Packet {
+  published_ns: bigint;
+}
+export interface ColorPicture {
+  data: Uint8Array;
+  captured_ns: bigint;
+}
+
+/** When the parts of a picture were there: session time, and this computer's. */
+export interface Arrival {
+  captured_ns: bigint;
+  published_ns: bigint;
+  complete_ms: number | undefined;  // undefined: the station's word of that instant has not come
+}
+
+export interface Chosen extends Omit<Instant, 'picture' | 'times'> {
+  decoded: DecodedDepth | undefined;
+  color: ColorPicture | undefined;
+  arrival: Arrival | undefined;
+}
+
+/** What chooses needs of the world. */
+export interface Means {
+  now_ms(): number;
+  decode(packet: Packet): void;     // answered by Instants.decoded or Instants.undecodable
+  present(chosen: Chosen): void;    // once for each ask()
+  askForKey(): void;                // nothing can be decoded until a frame comes that stands alone
+}
+
+const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
+
+/**
+ * Chooses what the page presents next. The page asks when it is ready to draw, and is given the newest instant of which
+ * both picture and numbers are here: a page that draws slowly skips instants, and none of its queues grows.
+ */
+export class Instants {
+  private readonly line = new PacketLine();
+  private arrivals: Arrival[] = [];  // of what was pushed, newest last
+  private states: StationState[] = [];
+  private colors: ColorPicture[] = [];
+  private asked = false;
+  private decoding: Packet | undefined;
+  private outdated: Packet | undefined;  // decoding when the connection ended
+  private ready: {decoded: DecodedDepth; captured_ns: bigint} | undefined;
+  private newestCapture_ns = 0n;
+  private presentedCapture_ns: bigint | undefined;
+  private presentedStamp_ns = 0n;
+
+  constructor(private readonly means: Means) {}
+
+  get overtaken(): number {
+    return this.line.overtaken;
+  }
+
+  /** The first instant that could be presented and was not chosen yet. */
+  get waiting(): Arrival | undefined {
+    return this.arrivals.find(({complete_ms}) => complete_ms !== undefined);
+  }
+
+  /** The page is ready to draw. */
+  ask(): void {
+    this.asked = true;
+    this.serve();
+  }
+
+  depthCame(packet: DepthPacket): void {
+    this.newestCapture_ns = packet.captured_ns;
+    this.arrivals.push({captured_ns: packet.captured_ns, published_ns: packet.published_ns, complete_ms: undefined});
+    if (this.arrivals.length > 2 * MOST_STATES) this.arrivals.shift();
+    if (!this.line.push(packet)) this.means.askForKey();
+    this.serve();
+  }
+
+  colorCame(color: ColorPicture): void {
+    this.colors.push(color);
+    if (this.colors.length > MOST_COLORS) this.colors.shift();
+  }
+
+  stationCame(state: StationState): void {
+    const newest = this.states[this.states.length - 1];
+    if (newest !== undefined && state.stampNs < newest.stampNs) this.states = [];  // the station was started anew
+    this.states.push(state);
+    if (this.states.length > MOST_STATES) this.states.shift();
+    this.serve();
+  }
+
+  decoded(decoded: DecodedDepth): void {
+    const packet = this.decoding;
+    this.decoding = undefined;
+    if (packet !== undefined && packet !== this.outdated) this.ready = {decoded, captured_ns: packet.captured_ns};
+    this.serve();
+  }
+
+  undecodable(): void {
+    this.decoding = undefined;
+    this.line.failed();
+    this.serve();
+  }
+
+  /** Another connection begins: what came by the last one is of no use. An answer that is owed is still given. */
+  restart(): void {
+    this.line.clear();
+    this.states = [];
+    this.colors = [];
+    this.arrivals = [];
+    this.ready = this.presentedCapture_ns = undefined;
+    this.presentedStamp_ns = 0n;
+    this.outdated = this.decoding;
+  }
+
+  private get newestState(): StationState | undefined {
+    return this.states[this.states.length - 1];
+  }
+
+  private serve(): void {
+    const until_ns = presentableUntil(this.newestState?.stampNs, this.newestCapture_ns);
+    this.noteComplete(until_ns);
+    if (this.decoding === undefined) {
+      this.decoding = this.line.next(until_ns, this.asked && this.ready === undefined);
+      if (this.decoding !== undefined) this.means.decode(this.decoding);
+    }
+    if (!this.asked) return;
+    if (this.ready !== undefined) return this.presentPicture(this.ready.decoded, this.ready.captured_ns);
+    if (this.decoding === undefined) this.presentAlone();
+  }
+
+  private noteComplete(until_ns: bigint): void {
+    for (const arrival of this.arrivals)
+      if (arrival.captured_ns <= until_ns) arrival.complete_ms ??= this.means.now_ms();
+  }
+
+  private presentPicture(decoded: DecodedDepth, captured_ns: bigint): void {
+    this.ready = undefined;
+    const arrival = this.arrivals.find((one) => one.captured_ns === captured_ns);
+    const station = nearest(this.states, ({stampNs}) => stampNs, captured_ns);
+    const color = nearest(this.colors, (one) => one.captured_ns, captured_ns);
+    this.colors = this.colors.filter((one) => one.captured_ns > captured_ns);
+    this.arrivals = this.arrivals.filter((one) => one.captured_ns > captured_ns);
+    this.presentedCapture_ns = captured_ns;
+    this.give({decoded, station, color, arrival, trail: this.trailTo(station)});
+  }
+
+  private presentAlone(): void {
+    const station = this.newestState;
+    if (station === undefined || station.stampNs <= this.presentedStamp_ns) return;
+    if (!goesAlone(station.stampNs, this.presentedCapture_ns)) return;
+    this.give({decoded: undefined, color: undefined, arrival: undefined, station, trail: this.trailTo(station)});
+  }
+
+  private trailTo(station: StationState | undefined): Touch[] {
+    if (station === undefined) return [];
+    const since_ns = this.presentedStamp_ns;
+    return this.states.filter(({stampNs}) => stampNs > since_ns && stampNs <= station.stampNs).map((state) => ({
+      at_s: Number(state.stampNs / 1000n) / 1e6,
+      force_N: state.forceN === undefined ? 0 : length(state.forceN),
+      indentation_m: state.indentationM,
+    }));
+  }
+
+  private give(chosen: Chosen): void {
+    if (chosen.station !== undefined) this.presentedStamp_ns = chosen.station.stampNs;
+    this.asked = false;
+    this.means.present(chosen);
+  }
+}

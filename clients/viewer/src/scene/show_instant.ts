@@ -1,0 +1,37 @@
+import type {StationState} from '../link/messages';
+import {shownHand} from '../panel/touch_advice';
+import type {Instant, Picture} from '../present/instant';
+import {length} from '../viewer_state';
+import {forceColor, FULL_SCALE_N} from './force_color';
+import {fromCamera} from './frames';
+import type {SceneView} from './scene_view';
+
+/** Puts picture, hand and force of one instant into the scene, to be drawn together. */
+export function showInstant(view: SceneView, {picture, station}: Instant): void {
+  if (picture !== undefined) showPicture(view, picture);
+  if (station !== undefined) showStation(view, station);
+  view.invalidate();
+}
+
+function showPicture(view: SceneView, {frame, summary, color, cameraMatrix}: Picture): void {
+  view.surface.showDepth(frame, summary, cameraMatrix);
+  if (color !== undefined) view.surface.showPicture(color);
+  view.setHome(summary);
+}
+
+function showStation({hand, probe, surface}: SceneView, station: StationState): void {
+  const force_N = station.forceN === undefined ? 0 : length(station.forceN);
+  const color = forceColor(force_N);
+  const proxy = station.proxyCamera && fromCamera(station.proxyCamera);
+  const at = shownHand(station);
+  hand.show(at && fromCamera(at), station.indentationM);
+  probe.show(
+      {
+        device: station.deviceCamera && fromCamera(station.deviceCamera),
+        proxy,
+        normal: station.normalCamera && fromCamera(station.normalCamera),
+        force_N: station.forceCameraN && fromCamera(station.forceCameraN),
+      },
+      color);
+  surface.setTouch(proxy, station.inBody ? 0.35 + 0.65 * Math.min(1, force_N / FULL_SCALE_N) : 0, color);
+}

@@ -1,0 +1,31 @@
+// Which picture and which numbers belong together: node presented_instant_test.mjs VIEWER_SOURCES VIEWER_WORK
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {presentableUntil, goesAlone, nearest} = await bundled('present/presented_instant.ts');
+
+const ms = (value) => BigInt(value) * 1_000_000n;
+
+test('a picture waits for the station\'s word of its instant', () => {
+  assert.equal(presentableUntil(ms(1000), ms(1033)), ms(1005), 'half a period further than the newest word');
+});
+
+test('a station that is silent, far behind or not there is not waited for', () => {
+  assert.equal(presentableUntil(undefined, ms(1033)), ms(1033));
+  assert.equal(presentableUntil(ms(1000), ms(1501)), ms(1501));
+});
+
+test('numbers go on without a picture once none came for a quarter of a second', () => {
+  assert.equal(goesAlone(ms(1200), ms(1000)), false);
+  assert.equal(goesAlone(ms(1251), ms(1000)), true);
+  assert.equal(goesAlone(ms(1), undefined), true);
+});
+
+test('the nearest item is found on either side', () => {
+  const at = (items, time) => nearest(items.map(ms), (item) => item, ms(time));
+  assert.equal(at([10, 20, 30], 24), ms(20));
+  assert.equal(at([10, 20, 30], 26), ms(30));
+  assert.equal(at([], 26), undefined);
+});
