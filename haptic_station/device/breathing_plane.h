@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "haptic_station/effects/surface_contact.h"
+#include "haptic_station/ports/surface_contact.h"
 
 namespace telepalp::device {
 
@@ -21,9 +21,9 @@ struct BreathingPlane {
     return amplitude_m * omega * std::cos(omega * time_s);
   }
 
-  effects::SurfaceContact operator()(const Point<HapticBase>& device, double time_s) const noexcept {
+  ports::SurfaceContact operator()(const Point<HapticBase>& device, double time_s) const noexcept {
     const double skin_m = at_m(time_s);
-    effects::SurfaceContact contact;
+    ports::SurfaceContact contact;
     contact.proxy.m = {device.m.x(), skin_m, device.m.z()};
     contact.normal.v = Eigen::Vector3d::UnitY();
     contact.distance_m = device.m.y() - skin_m;

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "haptic_station/device/device.h"
 #include "haptic_station/device/simulated_pair.h"
+#include "haptic_station/ports/device.h"
 
 namespace telepalp::device {
 
 /// A simulated device under a real, tracked hand: the hand wants to be where the tracker sees it, and the simulated
 /// end-effector meets it there. Nobody feels the force, but everything else is as with a device.
-class HeldDevice final : public Device {
+class HeldDevice final : public ports::Device {
  public:
   HeldDevice(const SimulatedDeviceSettings& device, const SimulatedHandSettings& hand,
              const Point<HapticBase>& rest) noexcept
@@ -16,10 +16,10 @@ class HeldDevice final : public Device {
     intention_.at = rest;
   }
 
-  [[nodiscard]] station::DeviceReading read() noexcept override {
+  [[nodiscard]] ports::DeviceReading read() noexcept override {
     return {.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0};
   }
-  void apply(const Force<HapticBase>& force, const effects::SurfaceContact&, double dt_s) noexcept override {
+  void apply(const Force<HapticBase>& force, const ports::SurfaceContact&, double dt_s) noexcept override {
     pair_.step(force, intention_, dt_s);
   }
   void hand_seen(const Point<HapticBase>& hand) noexcept override { intention_.at = hand; }

@@ -3,14 +3,14 @@
 #include <span>
 
 #include "haptic_station/device/simulated_pair.h"
-#include "haptic_station/effects/surface_contact.h"
+#include "haptic_station/ports/surface_contact.h"
 
 namespace telepalp::device {
 
 /// What the simulated person sees of the scene.
 struct TrialView {
-  double time_s = 0.0;              ///< since the trial's start
-  effects::SurfaceContact contact;  ///< of the end-effector
+  double time_s = 0.0;            ///< since the trial's start
+  ports::SurfaceContact contact;  ///< of the end-effector
   Point<HapticBase> device;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_station/effects/surface_contact.h"
+#include "haptic_station/ports/surface_contact.h"
 #include "proto/words/frames.h"
 
 namespace telepalp::effects {
@@ -9,7 +9,7 @@ namespace telepalp::effects {
 struct EffectInput {
   Point<HapticBase> device;
   Vector<HapticBase> device_velocity;  ///< [m/s]
-  effects::SurfaceContact contact;     ///< of `device`; valid, unless said otherwise
+  ports::SurfaceContact contact;       ///< of `device`; valid, unless said otherwise
   Vector<HapticBase> moved;            ///< of the device since the last tick [m]
 };
 

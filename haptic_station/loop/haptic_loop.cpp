@@ -30,7 +30,7 @@ void HapticLoop::hand_sampled(SessionTime at, const Point<HapticBase>& hand) noe
   }
 }
 
-effects::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) const noexcept {
+ports::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) const noexcept {
   return {.proxy = haptic_from_camera_ * touch.proxy,
           .normal = haptic_from_camera_ * Vector<DepthCamera>{touch.normal},
           .distance_m = touch.distance_m,
@@ -46,7 +46,7 @@ void HapticLoop::begin_new_time_line() noexcept {
   has_surface_ = false;
 }
 
-HapticLoop::Act HapticLoop::tick(const DeviceReading& device, SessionTime now, double dt_s) noexcept {
+HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept {
   if (now + kSameSession < last_tick_) begin_new_time_line();
   last_tick_ = now;
   ticked_ = true;
@@ -78,7 +78,7 @@ Compensation HapticLoop::compensation() const noexcept {
   return told;
 }
 
-TickSample HapticLoop::tell(const DeviceReading& device, const control::ControlInput& in,
+TickSample HapticLoop::tell(const ports::DeviceReading& device, const control::ControlInput& in,
                             const control::ControlOutput& out) const noexcept {
   TickSample told;
   told.phase = static_cast<std::uint8_t>(out.phase);

@@ -4,8 +4,8 @@
 
 #include "haptic_station/control/encountered_controller.h"
 #include "haptic_station/loop/compensation.h"
-#include "haptic_station/loop/rig.h"
 #include "haptic_station/loop/tick_sample.h"
+#include "haptic_station/ports/rig.h"
 #include "haptic_station/surface/touch.h"
 #include "haptic_station/tracking/hand_estimate.h"
 #include "proto/words/frames.h"
@@ -46,11 +46,11 @@ class HapticLoop {
   /// next tick [N, in H], already limited, and all that is told of the tick, but for its number and times.
   struct Act {
     Force<HapticBase> force;
-    effects::SurfaceContact contact;
+    ports::SurfaceContact contact;
     control::ControlOutput control;
     TickSample told;
   };
-  [[nodiscard]] Act tick(const DeviceReading& device, SessionTime now, double dt_s) noexcept;
+  [[nodiscard]] Act tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept;
 
   /// What the last tick did about delay, but for its time.
   [[nodiscard]] Compensation compensation() const noexcept;
@@ -60,8 +60,8 @@ class HapticLoop {
 
  private:
   void begin_new_time_line() noexcept;
-  [[nodiscard]] effects::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
-  [[nodiscard]] TickSample tell(const DeviceReading& device, const control::ControlInput& in,
+  [[nodiscard]] ports::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
+  [[nodiscard]] TickSample tell(const ports::DeviceReading& device, const control::ControlInput& in,
                                 const control::ControlOutput& out) const noexcept;
 
   surface::Touch touch_;

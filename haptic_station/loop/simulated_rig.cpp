@@ -9,17 +9,17 @@ SimulatedRig::SimulatedRig(const Settings& settings, Person person) noexcept
   pair_.place(settings.rest, settings.rest);
 }
 
-DeviceReading SimulatedRig::read() noexcept {
+ports::DeviceReading SimulatedRig::read() noexcept {
   return {.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0};
 }
 
-std::optional<HandSample> SimulatedRig::hand(SessionTime now) noexcept {
+std::optional<ports::HandSample> SimulatedRig::hand(SessionTime now) noexcept {
   const std::optional<Point<HapticBase>> sample = tracker_.sample(time_s_, pair_.true_hand());
   if (!sample) return std::nullopt;
-  return HandSample{now, *sample};
+  return ports::HandSample{now, *sample};
 }
 
-void SimulatedRig::apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept {
+void SimulatedRig::apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept {
   device::Intention intention;
   if (auto* scripted = std::get_if<device::ScriptedIntention>(&person_))
     intention = scripted->step({.time_s = time_s_, .contact = contact, .device = pair_.device()}, dt_s);

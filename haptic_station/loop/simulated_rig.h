@@ -5,14 +5,14 @@
 #include "haptic_station/device/simulated_pair.h"
 #include "haptic_station/device/simulated_tracker.h"
 #include "haptic_station/device/trial.h"
-#include "haptic_station/loop/rig.h"
+#include "haptic_station/ports/rig.h"
 #include "haptic_station/tracking/hand_trace.h"
 
 namespace telepalp::station {
 
 /// A simulated device held by a simulated hand that carries out a trial or repeats a recorded movement, seen by a
 /// simulated tracker. Live it runs on the haptic thread, in virtual time in a test.
-class SimulatedRig final : public Rig {
+class SimulatedRig final : public ports::Rig {
  public:
   struct Settings {
     device::SimulatedDeviceSettings device;
@@ -25,9 +25,9 @@ class SimulatedRig final : public Rig {
 
   SimulatedRig(const Settings& settings, Person person) noexcept;
 
-  [[nodiscard]] DeviceReading read() noexcept override;
-  [[nodiscard]] std::optional<HandSample> hand(SessionTime now) noexcept override;
-  void apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept override;
+  [[nodiscard]] ports::DeviceReading read() noexcept override;
+  [[nodiscard]] std::optional<ports::HandSample> hand(SessionTime now) noexcept override;
+  void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
   [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
 

@@ -16,13 +16,13 @@ namespace telepalp::station {
 namespace {
 
 /// A touch at each hand that the tracker sees while the device answers.
-std::vector<calibration::Touch> take_touches(device::Device& device, tracking::LeapTracker& tracker, double seconds) {
+std::vector<calibration::Touch> take_touches(ports::Device& device, tracking::LeapTracker& tracker, double seconds) {
   constexpr double kSilent_s = 0.05;
   std::vector<calibration::Touch> touches;
   const auto until = std::chrono::steady_clock::now() + from_seconds(seconds);
   while (std::chrono::steady_clock::now() < until) {
     device.apply({}, {}, 0.001);  // no force; devices that answer each command go on telling where they are
-    const DeviceReading reading = device.read();
+    const ports::DeviceReading reading = device.read();
     if (const auto palm = tracker.palm(); palm && reading.age_s < kSilent_s) touches.push_back({*palm, reading.at});
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -57,7 +57,7 @@ Result<Measured> from_offset(const program::Arguments& arguments) {
     return Error{.what = "only a real device under a real tracker can be calibrated",
                  .where = "calibrate offset",
                  .fix = "give --device haply or udp:HOST:PORT, and --tracker leap"};
-  Result<std::unique_ptr<device::Device>> device = connect_device(choice->device, {});
+  Result<std::unique_ptr<ports::Device>> device = connect_device(choice->device, {});
   if (!device) return device.error();
   Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {});
   if (!tracker) return tracker.error();

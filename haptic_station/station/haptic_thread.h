@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "haptic_station/loop/haptic_loop.h"
-#include "haptic_station/loop/rig.h"
+#include "haptic_station/ports/rig.h"
 #include "haptic_station/station/bill.h"
 #include "haptic_station/station/realtime.h"
 #include "haptic_station/station/tick_timer.h"
@@ -29,7 +29,7 @@ struct HapticCounts {
 /// the timer and the rig.
 class HapticThread {
  public:
-  HapticThread(HapticLoop& loop, Rig& rig, LatestValue<TouchableSurface>& surfaces, TickRing& ticks)
+  HapticThread(HapticLoop& loop, ports::Rig& rig, LatestValue<TouchableSurface>& surfaces, TickRing& ticks)
       : loop_(loop), rig_(rig), surfaces_(surfaces), ticks_(ticks) {}
   ~HapticThread() { stop(); }
   HapticThread(const HapticThread&) = delete;
@@ -59,7 +59,7 @@ class HapticThread {
   void tick(const TickTimer::Tick& due) noexcept;
 
   HapticLoop& loop_;                         // owner: haptic thread
-  Rig& rig_;                                 // owner: haptic thread
+  ports::Rig& rig_;                          // owner: haptic thread
   LatestValue<TouchableSurface>& surfaces_;  // written by: surface thread
   TickRing& ticks_;                          // read by: network thread
   HapticCounts counts_;

@@ -165,7 +165,8 @@ int run(station::StationOptions options, const Result<scenes::Scene>& scene, con
   options.model = std::move(model).value();
   Result<station::ConnectedRig> rig = station::connect_rig(rig_choice, *scene);
   if (!rig) return program::fail(rig.error());
-  station::Station station(options, *scene, *surface, std::move(trace).value(), std::move(rig).value());
+  boost::asio::io_context io{1};
+  station::Station station(io, options, *scene, *surface, std::move(trace).value(), std::move(rig).value());
   const Result<void> done = station.run();
   return done ? program::kDone : program::fail(done.error());
 }

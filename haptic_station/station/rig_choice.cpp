@@ -77,19 +77,19 @@ Result<RigChoice> read_rig_choice(const std::string& device, const std::string& 
   return RigChoice{*chosen_device, *chosen_tracker};
 }
 
-Result<std::unique_ptr<device::Device>> connect_device(const DeviceChoice& choice, const scenes::Scene& scene) {
+Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice, const scenes::Scene& scene) {
   if (const auto* haply = std::get_if<Haply>(&choice)) {
     auto made = std::make_unique<device::HaplyDevice>(haply->url, haply->origin, say);
     if (const Result<void> started = made->start(kAnswerWithin); !started) return started.error();
-    return std::unique_ptr<device::Device>(std::move(made));
+    return std::unique_ptr<ports::Device>(std::move(made));
   }
   if (const auto* address = std::get_if<program::Address>(&choice)) {
     Result<std::unique_ptr<device::UdpDevice>> made = device::UdpDevice::open(*address);
     if (!made) return made.error();
     if (const Result<void> started = (*made)->start(kAnswerWithin); !started) return started.error();
-    return std::unique_ptr<device::Device>(std::move(made).value());
+    return std::unique_ptr<ports::Device>(std::move(made).value());
   }
-  return std::unique_ptr<device::Device>(std::make_unique<device::HeldDevice>(
+  return std::unique_ptr<ports::Device>(std::make_unique<device::HeldDevice>(
       scene.simulated_device, scene.simulated_hand, Point<HapticBase>{{0.0, kRestHeight_m, 0.0}}));
 }
 
@@ -102,9 +102,9 @@ Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice, 
 Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& scene) {
   ConnectedRig connected;
   if (choice.is_simulated()) return connected;
-  Result<std::unique_ptr<device::Device>> device = connect_device(choice.device, scene);
+  Result<std::unique_ptr<ports::Device>> device = connect_device(choice.device, scene);
   if (!device) return device.error();
-  std::unique_ptr<tracking::Tracker> tracker = std::make_unique<tracking::HeldHand>();
+  std::unique_ptr<ports::Tracker> tracker = std::make_unique<tracking::HeldHand>();
   if (const auto* leap = std::get_if<Leap>(&choice.tracker)) {
     Result<std::unique_ptr<tracking::LeapTracker>> made = connect_leap(*leap, scene);
     if (!made) return made.error();

@@ -7,7 +7,7 @@
 #include "haptic_station/device/protocol/haply_device.h"
 #include "haptic_station/device/protocol/udp_socket_device.h"
 #include "haptic_station/device/protocol/websocket_line.h"
-#include "haptic_station/loop/rig.h"
+#include "haptic_station/ports/rig.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/tracking/protocol/browser_hand.h"
 #include "haptic_station/tracking/protocol/leap_tracker.h"
@@ -51,14 +51,14 @@ inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser"
 inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 
 /// Connected, or why not.
-[[nodiscard]] Result<std::unique_ptr<device::Device>> connect_device(const DeviceChoice& choice,
-                                                                     const scenes::Scene& scene);
+[[nodiscard]] Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice,
+                                                                    const scenes::Scene& scene);
 [[nodiscard]] Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice,
                                                                           const scenes::Scene& scene);
 
 /// A rig whose parts have answered. Without one, the station makes the rig that is simulated as a whole.
 struct ConnectedRig {
-  std::unique_ptr<Rig> rig;
+  std::unique_ptr<ports::Rig> rig;
   tracking::BrowserHand* browser = nullptr;  ///< the rig's tracker, when that is what it is: told of /viewer/hand
 };
 

@@ -15,7 +15,7 @@ SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<t
 
 }  // namespace
 
-std::unique_ptr<Rig> rig_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
+std::unique_ptr<ports::Rig> rig_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
   return std::make_unique<SimulatedRig>(SimulatedRig::Settings{.device = scene.simulated_device,
                                                                .hand = scene.simulated_hand,
                                                                .tracker = {},

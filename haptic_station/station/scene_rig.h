@@ -3,13 +3,14 @@
 #include <memory>
 #include <optional>
 
-#include "haptic_station/loop/rig.h"
+#include "haptic_station/ports/rig.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/tracking/hand_trace.h"
 
 namespace telepalp::station {
 
 /// The simulated device, hand and tracker of a scene: the hand does the scene's trial, or repeats `trace`.
-[[nodiscard]] std::unique_ptr<Rig> rig_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace);
+[[nodiscard]] std::unique_ptr<ports::Rig> rig_of(const scenes::Scene& scene,
+                                                 const std::optional<tracking::HandTrace>& trace);
 
 }  // namespace telepalp::station

@@ -49,24 +49,38 @@ wire::ClientLink::Options link_options(const StationOptions& options, bool takes
 
 }  // namespace
 
-Station::Station(StationOptions options, const scenes::Scene& scene, const surface::SurfaceSettings& surface,
-                 std::optional<tracking::HandTrace> trace, ConnectedRig rig)
-    : options_(std::move(options)),
+Station::Station(boost::asio::io_context& io, const StationOptions& options, const scenes::Scene& scene,
+                 const surface::SurfaceSettings& surface, std::optional<tracking::HandTrace> trace, ConnectedRig rig)
+    : options_(options),
       scene_(scene),
       trace_(std::move(trace)),
-      fast_timer_(io_),
-      slow_timer_(io_),
-      signals_(io_, SIGINT, SIGTERM),
-      link_(io_, link_options(options_, rig.browser != nullptr),
+      io_(io),
+      fast_timer_(io),
+      slow_timer_(io),
+      signals_(io, SIGINT, SIGTERM),
+      link_(io, link_options(options, rig.browser != nullptr),
             {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); }}),
-      in_tick_(options_.model || surface::runs_in_tick(surface)),
+      in_tick_(options.model || surface::runs_in_tick(surface)),
       loop_(make_loop(scene)),
       rig_(std::move(rig.rig)),
       browser_hand_(rig.browser),
       telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }),
-      faults_(io_, telemetry_, options_.control, options_.state_folder, scene_.name,
+      faults_(io, telemetry_, options.control, options.state_folder, scene.name,
               {.now = [this] { return now(); }, .rearm = [this] { haptic_->rearm(); }}) {
+  start_surface_thread(surface);
+}
+
+Station::~Station() { end_threads(); }
+
+/// The threads use the other members. The collision thread reads the haptic thread's hand-off, so it ends first.
+void Station::end_threads() {
+  collision_.reset();
+  haptic_.reset();
+  worker_.reset();
+}
+
+void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
     const auto haptic_from_camera = placed(scene_, depth, camera);
     boost::asio::post(io_, [this, haptic_from_camera] { haptic_from_camera_ = haptic_from_camera; });

@@ -37,9 +37,13 @@ struct StationOptions {
 /// calling thread, which becomes the network thread, until the time is up or a signal asks it to end.
 class Station {
  public:
-  /// `trace`: the recorded hand that the scene names, if it names one. `rig`: a connected one, or none: simulated.
-  Station(StationOptions options, const scenes::Scene& scene, const surface::SurfaceSettings& surface,
-          std::optional<tracking::HandTrace> trace, ConnectedRig rig = {});
+  /// `io`: of the network thread; run() runs it, and it outlives the station. `trace`: the recorded hand that the scene
+  /// names, if it names one. `rig`: a connected rig; without one the scene's simulated rig is used.
+  Station(boost::asio::io_context& io, const StationOptions& options, const scenes::Scene& scene,
+          const surface::SurfaceSettings& surface, std::optional<tracking::HandTrace> trace, ConnectedRig rig = {});
+  ~Station();
+  Station(const Station&) = delete;
+  Station& operator=(const Station&) = delete;
 
   /// Done, or why the station could not do its work.
   [[nodiscard]] Result<void> run();
@@ -54,7 +58,9 @@ class Station {
   void on_surface(const msg::SurfaceReport& report);
   void say_depth(const msg::SurfaceReport& report);
   void touch_model();
+  void start_surface_thread(const surface::SurfaceSettings& surface);
   void start_haptic_thread();
+  void end_threads();
   void every_10_ms();
   void every_second();
   void tell_totals();
@@ -62,10 +68,12 @@ class Station {
   void publish(wire::Message message);
   [[nodiscard]] SessionTime now() const noexcept { return link_.clock().now(); }
 
+  // No member needs another one to be made before it: the initialisers read the constructor's parameters alone. The
+  // destructor ends the threads before any member goes.
   StationOptions options_;
   scenes::Scene scene_;
   std::optional<tracking::HandTrace> trace_;
-  boost::asio::io_context io_{1};
+  boost::asio::io_context& io_;  // of the network thread
   boost::asio::steady_timer fast_timer_;
   boost::asio::steady_timer slow_timer_;
   boost::asio::signal_set signals_;
@@ -80,7 +88,7 @@ class Station {
   LatestValue<TouchableSurface> surfaces_;                  // surface or collision thread to haptic thread
   TickRing ticks_;                                          // haptic thread to network thread
   HapticLoop loop_;                                         // owner: haptic thread, once it runs
-  std::unique_ptr<Rig> rig_;                                // owner: haptic thread, once it runs
+  std::unique_ptr<ports::Rig> rig_;                         // owner: haptic thread, once it runs
   std::optional<tracking::BrowserHand::Taken> hand_taken_;  // what was last said of a viewer's hand
   tracking::BrowserHand* browser_hand_;                     // of rig_; its hear() is this thread's
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // once the first image told
@@ -88,7 +96,7 @@ class Station {
   TelemetryPublisher telemetry_;
   FaultDesk faults_;
   std::optional<CollisionThread> collision_;
-  std::optional<SurfaceWorker> worker_;  // declared last: its thread ends before what it calls
+  std::optional<SurfaceWorker> worker_;
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point ticking_since_;
   std::vector<msg::EffectCost> costs_;

@@ -2,20 +2,20 @@
 
 #include <chrono>
 
-#include "haptic_station/tracking/tracker.h"
+#include "haptic_station/ports/tracker.h"
 
 namespace telepalp::tracking {
 
 /// The hand that holds the end-effector, for devices with a grip and no tracker: it is where the device is, told 100
 /// times a second, and not at all when the device is silent.
-class HeldHand final : public Tracker {
+class HeldHand final : public ports::Tracker {
  public:
-  [[nodiscard]] std::optional<station::HandSample> sample(SessionTime now,
-                                                          const station::DeviceReading& device) noexcept override {
+  [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,
+                                                        const ports::DeviceReading& device) noexcept override {
     constexpr double kSilent_s = 0.05;
     if (now < next_ || !(device.age_s < kSilent_s)) return std::nullopt;
     next_ = now + std::chrono::milliseconds(10);
-    return station::HandSample{now - from_seconds(device.age_s), device.at};
+    return ports::HandSample{now - from_seconds(device.age_s), device.at};
   }
 
  private:

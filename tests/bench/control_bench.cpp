@@ -64,7 +64,7 @@ void measure_tick(double seconds, Report& report) {
       loop.adopt({newer, haptic_from_camera}, now);
       snapshot = std::move(newer);
     }
-    const station::DeviceReading device = rig.read();
+    const ports::DeviceReading device = rig.read();
     const double cpu_before_us = thread_us();
     const auto before = std::chrono::steady_clock::now();
     const auto act = loop.tick(device, now, kTick_s);

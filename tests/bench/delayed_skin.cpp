@@ -150,7 +150,7 @@ void DelayedSkin::receive(double time_s) {
   on_the_way_.erase(on_the_way_.begin(), on_the_way_.begin() + static_cast<std::ptrdiff_t>(arrived));
 }
 
-effects::SurfaceContact DelayedSkin::touch(const Point<HapticBase>& device, double time_s, double dt_s) {
+ports::SurfaceContact DelayedSkin::touch(const Point<HapticBase>& device, double time_s, double dt_s) {
   if (time_s >= next_capture_s_) {
     capture(time_s);
     next_capture_s_ += kFrame_s;

@@ -72,7 +72,7 @@ class DelayedSkin {
   DelayedSkin(const device::BreathingPlane& truth, double noise_m, LinkFaults faults, std::uint64_t seed);
 
   /// The station's contact at this tick.
-  [[nodiscard]] effects::SurfaceContact touch(const Point<HapticBase>& device, double time_s, double dt_s);
+  [[nodiscard]] ports::SurfaceContact touch(const Point<HapticBase>& device, double time_s, double dt_s);
 
  private:
   struct Frame {

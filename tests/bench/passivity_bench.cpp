@@ -61,7 +61,7 @@ RunFigures run_once(const RunSettings& settings) {
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
   const auto ticks = static_cast<int>(settings.seconds / kTick_s);
   for (int i = 0; i < ticks; ++i) {
-    effects::SurfaceContact contact;
+    ports::SurfaceContact contact;
     const Eigen::Vector3d before_m = station.pair().true_device().m;
     const auto out = station.step(
         [&](const Point<HapticBase>& device, double time_s) { return contact = skin.touch(device, time_s, kTick_s); },

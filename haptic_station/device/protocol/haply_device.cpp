@@ -73,15 +73,15 @@ void HaplyDevice::send_force() {
   line_.send(haply::force_text(device_id_, counts ? inverse_from_haptic_ * wanted.force : Force<haply::InverseBase>{}));
 }
 
-station::DeviceReading HaplyDevice::read() noexcept {
+ports::DeviceReading HaplyDevice::read() noexcept {
   if (told_.take()) has_told_ = true;
-  station::DeviceReading reading = told_.current().reading;
+  ports::DeviceReading reading = told_.current().reading;
   reading.age_s = has_told_ ? std::chrono::duration<double>(Clock::now() - told_.current().at).count()
                             : std::numeric_limits<double>::infinity();
   return reading;
 }
 
-void HaplyDevice::apply(const Force<HapticBase>& force, const effects::SurfaceContact&, double) noexcept {
+void HaplyDevice::apply(const Force<HapticBase>& force, const ports::SurfaceContact&, double) noexcept {
   wanted_.put({Clock::now(), force});
 }
 

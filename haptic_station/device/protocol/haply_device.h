@@ -6,10 +6,10 @@
 #include <functional>
 #include <string>
 
-#include "haptic_station/device/device.h"
 #include "haptic_station/device/protocol/edge_thread.h"
 #include "haptic_station/device/protocol/haply_inverse.h"
 #include "haptic_station/device/protocol/websocket_line.h"
+#include "haptic_station/ports/device.h"
 #include "proto/words/latest_value.h"
 
 namespace telepalp::device {
@@ -22,7 +22,7 @@ namespace telepalp::device {
 
 /// A Haply Inverse3, by its service's WebSocket, on a thread of its own: each answer is followed by the newest force,
 /// at most 2500 times a second. A force that the haptic thread has not renewed for 50 ms is sent as zero.
-class HaplyDevice final : public Device {
+class HaplyDevice final : public ports::Device {
  public:
   using Say = std::function<void(const std::string&)>;  ///< called on this device's thread
 
@@ -32,8 +32,8 @@ class HaplyDevice final : public Device {
   /// Returns when a device has told where it is, or why none has within `limit`.
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
-  [[nodiscard]] station::DeviceReading read() noexcept override;
-  void apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept override;
+  [[nodiscard]] ports::DeviceReading read() noexcept override;
+  void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
   /// Texts that could not be used, so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
@@ -42,7 +42,7 @@ class HaplyDevice final : public Device {
   using Clock = std::chrono::steady_clock;
   struct Told {
     Clock::time_point at;
-    station::DeviceReading reading;
+    ports::DeviceReading reading;
   };
   struct Wanted {
     Clock::time_point at;

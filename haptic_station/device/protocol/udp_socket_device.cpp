@@ -50,7 +50,7 @@ Result<void> UdpDevice::start(std::chrono::milliseconds limit) {
   return Error{.what = why, .where = name_, .fix = "start the device's program (UDP_DEVICE.md), or --device simulated"};
 }
 
-station::DeviceReading UdpDevice::read() noexcept {
+ports::DeviceReading UdpDevice::read() noexcept {
   std::array<std::byte, 256> datagram;
   for (int i = 0; i < kMostDatagramsATick; ++i) {
     error_code error;
@@ -68,14 +68,14 @@ station::DeviceReading UdpDevice::read() noexcept {
     faulted_ = pose->faulted;
     has_told_ = true;
   }
-  station::DeviceReading reading = newest_;
+  ports::DeviceReading reading = newest_;
   // A device whose motors are off shows no force, whatever it still tells: to the watchdog it is gone.
   reading.age_s = has_told_ && !faulted_ ? std::chrono::duration<double>(Clock::now() - newest_at_).count()
                                          : std::numeric_limits<double>::infinity();
   return reading;
 }
 
-void UdpDevice::apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double) noexcept {
+void UdpDevice::apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double) noexcept {
   send({.in_body = contact.in_body,
         .surface_valid = contact.valid,
         .proxy = contact.proxy,

@@ -6,15 +6,15 @@
 #include <memory>
 #include <string>
 
-#include "haptic_station/device/device.h"
 #include "haptic_station/device/protocol/udp_device.h"
+#include "haptic_station/ports/device.h"
 #include "proto/program/address.h"
 
 namespace telepalp::device {
 
 /// A device that speaks UDP_DEVICE.md, as PC-2 of S1 II.B. Sends and receives on the haptic thread itself, without
 /// waiting: a datagram a tick is the device's own system call. On this machine only: the datagrams are not sealed.
-class UdpDevice final : public Device {
+class UdpDevice final : public ports::Device {
  public:
   /// Error: an address that is not this machine's, or no socket.
   [[nodiscard]] static Result<std::unique_ptr<UdpDevice>> open(const program::Address& address);
@@ -22,8 +22,8 @@ class UdpDevice final : public Device {
   /// Returns when the device has told where it is, or why it has not within `limit`. Asks it to let go meanwhile.
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
-  [[nodiscard]] station::DeviceReading read() noexcept override;
-  void apply(const Force<HapticBase>& force, const effects::SurfaceContact& contact, double dt_s) noexcept override;
+  [[nodiscard]] ports::DeviceReading read() noexcept override;
+  void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
   /// Datagrams that were damaged, old or repeated, so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }
@@ -39,7 +39,7 @@ class UdpDevice final : public Device {
   const std::uint32_t session_;
   std::uint32_t sequence_ = 0;
   udp::PoseOrder order_;
-  station::DeviceReading newest_;
+  ports::DeviceReading newest_;
   Clock::time_point newest_at_;
   bool has_told_ = false;
   bool faulted_ = false;

@@ -28,9 +28,9 @@ BrowserHand::Taken BrowserHand::hear(const msg::ViewerHand& hand, const Point<Ha
   return Taken::Followed;
 }
 
-std::optional<station::HandSample> BrowserHand::sample(SessionTime now, const station::DeviceReading&) noexcept {
+std::optional<ports::HandSample> BrowserHand::sample(SessionTime now, const ports::DeviceReading&) noexcept {
   const auto seen = sightings_.take(now);
-  return seen ? std::optional(station::HandSample{seen->at, seen->hand}) : std::nullopt;
+  return seen ? std::optional(ports::HandSample{seen->at, seen->hand}) : std::nullopt;
 }
 
 const char* in_words(BrowserHand::Taken taken) noexcept {

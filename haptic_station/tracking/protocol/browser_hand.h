@@ -1,15 +1,15 @@
 #pragma once
 
+#include "haptic_station/ports/tracker.h"
 #include "haptic_station/tracking/protocol/clock_envelope.h"
 #include "haptic_station/tracking/protocol/sightings.h"
-#include "haptic_station/tracking/tracker.h"
 #include "messages/viewer.pb.h"
 
 namespace telepalp::tracking {
 
 /// A hand that somebody holds in a viewer, by mouse, finger or headset, as the server tells of it on /viewer/hand. Who
 /// lets go, hides the page or loses the line falls silent, and the station's watchdog sees the age.
-class BrowserHand final : public Tracker {
+class BrowserHand final : public ports::Tracker {
  public:
   using Clock = std::chrono::steady_clock;
 
@@ -22,8 +22,8 @@ class BrowserHand final : public Tracker {
   /// A message heard at `now`, and where its hand is in H. Network thread only.
   Taken hear(const msg::ViewerHand& hand, const Point<HapticBase>& at, Clock::time_point now) noexcept;
 
-  [[nodiscard]] std::optional<station::HandSample> sample(SessionTime now,
-                                                          const station::DeviceReading& device) noexcept override;
+  [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,
+                                                        const ports::DeviceReading& device) noexcept override;
 
  private:
   std::uint64_t viewer_ = 0;         // owner: network thread; 0: nobody yet

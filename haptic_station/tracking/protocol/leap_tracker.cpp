@@ -61,10 +61,10 @@ void LeapTracker::on_frame(const leap::Frame& frame) {
     sightings_.put(Clock::time_point(at), hand->palm);
 }
 
-std::optional<station::HandSample> LeapTracker::sample(SessionTime now, const station::DeviceReading&) noexcept {
+std::optional<ports::HandSample> LeapTracker::sample(SessionTime now, const ports::DeviceReading&) noexcept {
   const auto seen = sightings_.take(now);
   if (!seen) return std::nullopt;
-  return station::HandSample{seen->at, haptic_from_tracker_ * seen->hand};
+  return ports::HandSample{seen->at, haptic_from_tracker_ * seen->hand};
 }
 
 std::optional<Point<HandTracker>> LeapTracker::palm() noexcept {

@@ -7,10 +7,10 @@
 
 #include "haptic_station/device/protocol/edge_thread.h"
 #include "haptic_station/device/protocol/websocket_line.h"
+#include "haptic_station/ports/tracker.h"
 #include "haptic_station/tracking/protocol/clock_envelope.h"
 #include "haptic_station/tracking/protocol/followed_hand.h"
 #include "haptic_station/tracking/protocol/sightings.h"
-#include "haptic_station/tracking/tracker.h"
 
 namespace telepalp::tracking {
 
@@ -19,7 +19,7 @@ namespace telepalp::tracking {
 
 /// A Leap Motion, by its service's WebSocket, on a thread of its own. Lost connections are made again; samples then
 /// simply stop coming, and the station's watchdog sees their age.
-class LeapTracker final : public Tracker {
+class LeapTracker final : public ports::Tracker {
  public:
   using Say = std::function<void(const std::string&)>;  ///< called on this tracker's thread
 
@@ -29,8 +29,8 @@ class LeapTracker final : public Tracker {
   /// Returns when the service has said that it speaks protocol 6, or why it did not within `limit`.
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
-  [[nodiscard]] std::optional<station::HandSample> sample(SessionTime now,
-                                                          const station::DeviceReading& device) noexcept override;
+  [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,
+                                                        const ports::DeviceReading& device) noexcept override;
   /// The newest hand as the tracker sees it, for calibration. Haptic thread only, instead of sample().
   [[nodiscard]] std::optional<Point<HandTracker>> palm() noexcept;
 

@@ -81,7 +81,7 @@ class Bench {
   device::SimulatedPair pair_;
   LatestValue<TouchableSurface> surfaces_;
   std::shared_ptr<PlaneSnapshot> surface_;
-  DeviceReading reading_;
+  ports::DeviceReading reading_;
   int tick_ = 0;
 };
 

@@ -51,7 +51,7 @@ TEST(ConnectedRig, AHeldHaplyIsDeviceAndHandAndItsForceComesOut) {
   ASSERT_TRUE(choice);
   auto rig = connect_rig(*choice, {});
   ASSERT_TRUE(rig) << to_string(rig.error());
-  std::optional<HandSample> hand;
+  std::optional<ports::HandSample> hand;
   EXPECT_TRUE(soon([&] { return (hand = rig->rig->hand(now())).has_value(); }));
   EXPECT_LT((hand->hand.m - Vector3d(0, 0.03, 0)).norm(), 1e-12);
   EXPECT_LT((rig->rig->read().at.m - Vector3d(0, 0.03, 0)).norm(), 1e-12);
@@ -71,7 +71,7 @@ TEST(ConnectedRig, ATrackedHandPushesTheSimulatedDevice) {
   ASSERT_TRUE(rig) << to_string(rig.error());
   EXPECT_GT(rig->rig->read().at.m.y(), 0.05) << "it rests well above where the hand will be";
   service.say(R"({"timestamp":1000000,"hands":[{"id":1,"palmPosition":[0,20,0],"palmVelocity":[0,0,0]}]})");
-  std::optional<HandSample> hand;
+  std::optional<ports::HandSample> hand;
   ASSERT_TRUE(soon([&] { return (hand = rig->rig->hand(now())).has_value(); }));
   EXPECT_NEAR(hand->hand.m.y(), 0.02, 1e-12);
   for (int tick = 0; tick < 4000; ++tick) rig->rig->apply({{0, 0.5, 0}}, {}, 0.0005);

@@ -147,12 +147,12 @@ AssertionResult objects_in_one_another() {
 }
 
 /// A valley of two planes at 90 degrees along z: the palm's side and the fingers' are met at once.
-effects::SurfaceContact in_a_crease(const Point<HapticBase>& device, double) {
+ports::SurfaceContact in_a_crease(const Point<HapticBase>& device, double) {
   const Eigen::Vector3d left = Eigen::Vector3d(1, 1, 0).normalized();
   const Eigen::Vector3d right = Eigen::Vector3d(-1, 1, 0).normalized();
   const double under_left_m = -left.dot(device.m);
   const double under_right_m = -right.dot(device.m);
-  effects::SurfaceContact contact;
+  ports::SurfaceContact contact;
   contact.valid = true;
   contact.in_body = std::max(under_left_m, under_right_m) > 0.0;
   contact.proxy.m = device.m + std::max(0.0, under_left_m) * left + std::max(0.0, under_right_m) * right;

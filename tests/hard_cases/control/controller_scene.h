@@ -17,7 +17,7 @@ struct ControllerScene {
   trials::VirtualStationSettings settings = trials::paper_settings();
   Point<HapticBase> device{{0.0, 0.03, 0.0}};
   Point<HapticBase> hand{{0.0, 0.05, 0.0}};
-  std::function<effects::SurfaceContact(const Point<HapticBase>&, double)> surface = device::BreathingPlane{};
+  std::function<ports::SurfaceContact(const Point<HapticBase>&, double)> surface = device::BreathingPlane{};
   Person person = waits_at(0.05);
   std::function<void(control::ControlInput&, double)> spoil = [](control::ControlInput&, double) {};
   std::function<void(const control::ControlOutput&, double)> watch = [](const control::ControlOutput&, double) {};

@@ -15,7 +15,7 @@ struct ForcedPath {
 
   double seconds = 10.0;
   std::function<Eigen::Vector3d(double since_down_s)> path;
-  std::function<effects::SurfaceContact(const Point<HapticBase>&, double)> surface = device::BreathingPlane{};
+  std::function<ports::SurfaceContact(const Point<HapticBase>&, double)> surface = device::BreathingPlane{};
   std::function<void(const control::ControlOutput&, double now_s)> watch = [](const control::ControlOutput&, double) {};
 };
 

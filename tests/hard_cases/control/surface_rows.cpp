@@ -11,7 +11,7 @@ namespace {
 
 using control::Phase;
 using device::BreathingPlane;
-using effects::SurfaceContact;
+using ports::SurfaceContact;
 using ::testing::AssertionResult;
 
 constexpr double kPeak_N = 10.0;

@@ -103,7 +103,7 @@ TEST_F(HaplyDeviceTest, TellsItsPlaceInHAndGetsTheForceInItsOwnAxes) {
   FakeService service = make_service();
   HaplyDevice device = make_device(service.port());
   ASSERT_TRUE(device.start(5s));
-  const station::DeviceReading reading = device.read();
+  const ports::DeviceReading reading = device.read();
   EXPECT_LT((reading.at.m - Vector3d(0.01, 0.04, 0.0)).norm(), 1e-12);
   EXPECT_LT((reading.velocity.v - Vector3d(0.1, -0.3, -0.2)).norm(), 1e-12);
   EXPECT_TRUE(soon([&] {

@@ -110,7 +110,7 @@ TEST(UdpDevice, TellsItsPoseAndGetsProxyDistanceFlagAndForce) {
   ASSERT_TRUE(device) << to_string(device.error());
   ASSERT_TRUE((*device)->start(5s));
   EXPECT_EQ((*device)->read().at.m, Vector3d(0.01, -0.02, 0.03));
-  effects::SurfaceContact contact;
+  ports::SurfaceContact contact;
   contact.distance_m = -0.004;
   contact.valid = true;
   EXPECT_TRUE(soon([&] {

@@ -134,8 +134,8 @@ class LeapTrackerTest : public testing::Test {
     haptic_from_tracker.iso.linear() = Vector3d(1, -1, -1).asDiagonal();
     return LeapTracker({"127.0.0.1", port, "/v6.json"}, haptic_from_tracker, [](const std::string&) {});
   }
-  std::optional<station::HandSample> next(LeapTracker& tracker) {
-    std::optional<station::HandSample> sample;
+  std::optional<ports::HandSample> next(LeapTracker& tracker) {
+    std::optional<ports::HandSample> sample;
     (void)soon([&] { return (sample = tracker.sample(session_now(), {})).has_value(); });
     return sample;
   }

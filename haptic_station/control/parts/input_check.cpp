@@ -1,0 +1,42 @@
+#include "haptic_station/control/parts/input_check.h"
+
+#include <cmath>
+
+namespace telepalp::control {
+namespace {
+
+bool is_finite(const ports::SurfaceContact& contact) noexcept {
+  return contact.proxy.m.allFinite() && contact.normal.v.allFinite() && std::isfinite(contact.distance_m) &&
+         std::isfinite(contact.surface_speed_m_per_s);
+}
+
+}  // namespace
+
+bool is_finite(const ControlInput& in) noexcept {
+  return in.device.m.allFinite() && in.device_velocity.v.allFinite() && std::isfinite(in.device_age_s) &&
+         (!in.hand_valid || (in.hand.m.allFinite() && in.hand_velocity.v.allFinite())) &&
+         (!in.contact.valid || is_finite(in.contact));
+}
+
+ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device) noexcept {
+  constexpr double kTooOld_s = 1e9;
+  ControlInput blank;
+  blank.device = device;
+  blank.hand = device;
+  blank.device_age_s = blank.hand_age_s = blank.contact.age_s = kTooOld_s;
+  blank.rearm = in.rearm;
+  return blank;
+}
+
+FaultCause standing_fault(const ControlInput& in, const AgeLimits& ages) noexcept {
+  if (!is_finite(in)) return FaultCause::NotFinite;
+  return in.device_age_s <= ages.device_s ? FaultCause::None : FaultCause::DeviceSilent;
+}
+
+bool is_stale(const ControlInput& in, const AgeLimits& ages) noexcept {
+  // Each comparison is true for a good age only: with NaN it is false.
+  const bool hand_is_fresh = in.hand_age_s <= ages.tracker_s && in.hand_age_s >= -ages.tracker_s;
+  return !(in.hand_valid && hand_is_fresh && in.contact.age_s <= ages.surface_s);
+}
+
+}  // namespace telepalp::control

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "haptic_station/control/control_input.h"
+#include "haptic_station/control/encountered_settings.h"
+#include "haptic_station/control/phase.h"
+
+namespace telepalp::control {
+
+/// True when every number that the controller would use is finite.
+[[nodiscard]] bool is_finite(const ControlInput& in) noexcept;
+
+/// An input without a hand and without a surface, with the end-effector at `device`: stands in for an input that is not
+/// finite, so that no NaN reaches the controller's state. Only the operator's request is kept.
+[[nodiscard]] ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device) noexcept;
+
+/// Why the station must fault at this very tick, if it must.
+[[nodiscard]] FaultCause standing_fault(const ControlInput& in, const AgeLimits& ages) noexcept;
+
+/// True when the tracker or the surface is older than its limit. An age that is NaN counts as too old, and so does a
+/// sample from the future, which would never age.
+[[nodiscard]] bool is_stale(const ControlInput& in, const AgeLimits& ages) noexcept;
+
+}  // namespace telepalp::control

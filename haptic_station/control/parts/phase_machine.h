@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "haptic_station/control/phase_event.h"
+
+namespace telepalp::control {
+
+/// The phase, how long it has lasted, and why it is Faulted. Applies the transition table and its dwell.
+/// Owner: control thread.
+class PhaseMachine {
+ public:
+  /// `dwell_s`: S1's "at least 0.3 s in each state".
+  explicit PhaseMachine(double dwell_s) noexcept : dwell_s_(dwell_s) {}
+
+  /// One tick, `dt_s` after the last. `stands`: the cause that would fault this tick. Returns the event that changed
+  /// the phase; nullopt: the phase stays.
+  std::optional<Event> step(const Seen& seen, FaultCause stands, double dt_s) noexcept;
+
+  [[nodiscard]] Phase phase() const noexcept { return phase_; }
+  [[nodiscard]] Phase previous() const noexcept { return previous_; }  ///< of the tick before
+  [[nodiscard]] FaultCause fault() const noexcept { return fault_; }
+
+  /// The phase has changed at this tick, other than between In body and the phases at an inner object.
+  [[nodiscard]] bool outer_change() const noexcept {
+    return phase_ != previous_ && !(is_inside(phase_) && is_inside(previous_));
+  }
+
+ private:
+  void enter(Phase phase) noexcept;
+
+  double dwell_s_;
+  Phase phase_ = Phase::Released;
+  Phase previous_ = Phase::Released;
+  FaultCause fault_ = FaultCause::None;
+  double in_phase_s_ = 0.0;
+};
+
+}  // namespace telepalp::control

@@ -1,0 +1,45 @@
+#include "haptic_station/control/parts/sink_in.h"
+
+#include <algorithm>
+
+namespace telepalp::control {
+namespace {
+
+constexpr double kFastest_m_per_s = 0.03;
+constexpr double kEasesOver_s = 0.05;  // slower over the last 1.5 mm: the damping must not feel the end
+constexpr double kSlowest_m_per_s = 0.0003;
+
+}  // namespace
+
+void SinkIn::begin(double depth_m) noexcept { lowered_m_ = std::max(0.0, depth_m); }
+
+void SinkIn::step(double dt_s) noexcept {
+  rising_m_per_s_ = 0.0;
+  if (lowered_m_ <= 0.0) return;
+  const double speed_m_per_s = std::clamp(lowered_m_ / kEasesOver_s, kSlowest_m_per_s, kFastest_m_per_s);
+  const double risen_m = std::min(lowered_m_, speed_m_per_s * dt_s);
+  rising_m_per_s_ = risen_m / std::max(dt_s, 1e-9);
+  lowered_m_ -= risen_m;
+}
+
+ports::SurfaceContact SinkIn::shown(const ports::SurfaceContact& contact) const noexcept {
+  ports::SurfaceContact shown = contact;
+  if (lowered_m_ <= 0.0 && rising_m_per_s_ <= 0.0) return shown;
+  shown.proxy.m -= lowered_m_ * contact.normal.v;
+  shown.distance_m += lowered_m_;
+  shown.surface_speed_m_per_s += rising_m_per_s_;
+  return shown;
+}
+
+effects::EffectInput SinkIn::in_body_frame(const Point<HapticBase>& device, const Vector<HapticBase>& velocity,
+                                           const ports::SurfaceContact& as_shown) const noexcept {
+  const Eigen::Vector3d& normal = as_shown.normal.v;
+  effects::EffectInput felt{device, velocity, as_shown, {}};
+  felt.device.m += lowered_m_ * normal;
+  felt.device_velocity.v -= rising_m_per_s_ * normal;
+  felt.contact.proxy.m += lowered_m_ * normal;
+  felt.contact.surface_speed_m_per_s -= rising_m_per_s_;
+  return felt;
+}
+
+}  // namespace telepalp::control

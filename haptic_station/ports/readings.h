@@ -1,0 +1,21 @@
+#pragma once
+
+#include "proto/words/frames.h"
+#include "proto/words/time.h"
+
+namespace telepalp::ports {
+
+/// What the haptic device measures at a tick.
+struct DeviceReading {
+  Point<HapticBase> at;
+  Vector<HapticBase> velocity;  ///< [m/s]
+  double age_s = 0.0;           ///< since the device last answered
+};
+
+/// One sample of the hand tracker, stamped with the instant at which the tracker saw the hand.
+struct HandSample {
+  SessionTime at;
+  Point<HapticBase> hand;
+};
+
+}  // namespace telepalp::ports

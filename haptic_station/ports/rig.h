@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "haptic_station/ports/readings.h"
+#include "haptic_station/ports/surface_contact.h"
+
+namespace telepalp::ports {
+
+/// The equipment at the doctor's hand: a haptic device and a hand tracker. Every method is called on the haptic thread
+/// and neither allocates, locks nor throws; the only system calls are the device's own.
+class Rig {
+ public:
+  virtual ~Rig() = default;
+  [[nodiscard]] virtual DeviceReading read() noexcept = 0;
+  /// The newest sample of the hand, once: nullopt until there is a newer one.
+  [[nodiscard]] virtual std::optional<HandSample> hand(SessionTime now) noexcept = 0;
+  /// The force to hold for the next `dt_s`. `contact`: the surface's answer for the last reading, for simulated rigs.
+  virtual void apply(const Force<HapticBase>& force, const SurfaceContact& contact, double dt_s) noexcept = 0;
+};
+
+}  // namespace telepalp::ports

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "haptic_station/ports/readings.h"
+
+namespace telepalp::ports {
+
+/// A hand tracker of any maker. Called on the haptic thread; does not allocate, lock, wait or throw.
+class Tracker {
+ public:
+  virtual ~Tracker() = default;
+  /// The newest sample, once: nullopt until there is a newer one. `device`: the device's reading at `now`, for a hand
+  /// that holds the end-effector and is where the device is.
+  [[nodiscard]] virtual std::optional<HandSample> sample(SessionTime now, const DeviceReading& device) noexcept = 0;
+};
+
+}  // namespace telepalp::ports

@@ -1,0 +1,64 @@
+#include "haptic_station/control/parts/force_control.h"
+
+#include <gtest/gtest.h>
+
+namespace telepalp::control {
+namespace {
+
+constexpr double kTick_s = 0.0005;
+constexpr double kBound_N = 10.0;
+
+ForceControl over_a_skin_of(double stiffness_N_per_m) {
+  effects::EffectBank bank;
+  (void)bank.add(effects::Skin({.law = effects::linear_law(stiffness_N_per_m)}));
+  return {bank, {}, kBound_N};
+}
+
+ControlInput at_height(double height_m) {
+  ControlInput in;
+  in.device.m.y() = height_m;
+  in.contact.valid = true;
+  in.contact.in_body = height_m < 0.0;
+  in.contact.normal.v = Eigen::Vector3d::UnitY();
+  in.contact.distance_m = height_m;
+  return in;
+}
+
+/// Goes from the skin down to `depth_m` at 0.1 m/s.
+Eigen::Vector3d pressed_to(ForceControl& control, double depth_m) {
+  Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+  for (double at_m = 0.0; at_m < depth_m; at_m += 5e-5)
+    force_N = control.step(at_height(-at_m), true, kBound_N, kTick_s);
+  return force_N;
+}
+
+TEST(ForceControl, ShowsTheLawOfTheSkin) {
+  ForceControl control = over_a_skin_of(300.0);
+  EXPECT_NEAR(pressed_to(control, 0.01).y(), 3.0, 0.02);
+  EXPECT_NEAR(control.indentation().v.y(), -0.01, 1e-4);
+}
+
+TEST(ForceControl, GivesNothingWithoutContact) {
+  ForceControl control = over_a_skin_of(300.0);
+  (void)pressed_to(control, 0.01);
+  EXPECT_EQ(control.step(at_height(0.001), false, kBound_N, kTick_s), Eigen::Vector3d::Zero());
+  EXPECT_TRUE(control.contact_changed());
+  EXPECT_FALSE(control.touching());
+  EXPECT_EQ(control.indentation().v, Eigen::Vector3d::Zero());
+}
+
+TEST(ForceControl, AContactThatBeginsAtDepthBeginsWithoutForce) {
+  ForceControl control = over_a_skin_of(300.0);
+  EXPECT_LT(control.step(at_height(-0.02), true, kBound_N, kTick_s).norm(), 0.01);
+  EXPECT_NEAR(control.shown().distance_m, 0.0, 1e-4);
+}
+
+TEST(ForceControl, StiffSkinIsMetThroughTheCoupling) {
+  ForceControl control = over_a_skin_of(20'000.0);
+  ASSERT_TRUE(control.coupling().engaged());
+  const double most_N = control.coupling().stiffness_N_per_m() * 0.002;
+  EXPECT_LE(pressed_to(control, 0.002).y(), most_N);
+}
+
+}  // namespace
+}  // namespace telepalp::control

@@ -1,0 +1,61 @@
+#include "haptic_station/control/parts/input_check.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace telepalp::control {
+namespace {
+
+const double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+ControlInput good() {
+  ControlInput in;
+  in.hand_valid = true;
+  in.contact.valid = true;
+  return in;
+}
+
+TEST(InputCheck, NumbersThatNobodyUsesMayBeAnything) {
+  ControlInput in = good();
+  EXPECT_TRUE(is_finite(in));
+  in.hand.m.x() = in.contact.proxy.m.x() = kNaN;
+  EXPECT_FALSE(is_finite(in));
+  in.hand_valid = in.contact.valid = false;
+  EXPECT_TRUE(is_finite(in));
+}
+
+TEST(InputCheck, ABlankInputIsFiniteStaleAndKeepsTheOperatorsRequest) {
+  ControlInput in = good();
+  in.device.m.x() = kNaN;
+  in.rearm = true;
+  const ControlInput blank = blank_input(in, {{0.0, 0.1, 0.0}});
+  EXPECT_TRUE(is_finite(blank));
+  EXPECT_TRUE(is_stale(blank, {}));
+  EXPECT_TRUE(blank.rearm);
+  EXPECT_EQ(blank.device.m.y(), 0.1);
+}
+
+TEST(InputCheck, NamesTheCauseOfAFault) {
+  ControlInput in = good();
+  EXPECT_EQ(standing_fault(in, {}), FaultCause::None);
+  in.device_age_s = 0.11;
+  EXPECT_EQ(standing_fault(in, {}), FaultCause::DeviceSilent);
+  in.device_age_s = kNaN;
+  EXPECT_EQ(standing_fault(in, {}), FaultCause::NotFinite);
+}
+
+TEST(InputCheck, AnAgeThatIsNaNOrFarInTheFutureIsStale) {
+  for (const double age_s : {0.2, -0.2, kNaN}) {
+    ControlInput in = good();
+    in.hand_age_s = age_s;
+    EXPECT_TRUE(is_stale(in, {})) << age_s;
+  }
+  ControlInput in = good();
+  EXPECT_FALSE(is_stale(in, {}));
+  in.contact.age_s = kNaN;
+  EXPECT_TRUE(is_stale(in, {}));
+}
+
+}  // namespace
+}  // namespace telepalp::control
