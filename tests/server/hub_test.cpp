@@ -56,6 +56,18 @@ TEST(Hub, AnEmptyQueueThatFillsWakesItsSubscriberOnce) {
   EXPECT_EQ(wakes, 1);
 }
 
+TEST(Hub, AStationTakesAHandAndNeitherARecorderNorAnotherViewerDoes) {
+  Hub hub;
+  hub.subscribe(hub.join("recorder", "", [] {}), {"*"});
+  hub.subscribe(hub.join("viewer", "", [] {}), {"/viewer/hand"});
+  EXPECT_FALSE(hub.is_taken("/viewer/hand", "viewer"));
+  const SubscriberId station = hub.join("station", "", [] {});
+  hub.subscribe(station, {"/camera/depth", "/viewer/hand"});
+  EXPECT_TRUE(hub.is_taken("/viewer/hand", "viewer"));
+  hub.leave(station);
+  EXPECT_FALSE(hub.is_taken("/viewer/hand", "viewer"));
+}
+
 TEST(Hub, ALateSubscriberIsGivenTheCameraModel) {
   Hub hub;
   hub.publish(message(wire::kCameraInfo, 7));

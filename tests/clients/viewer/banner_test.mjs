@@ -1,0 +1,38 @@
+// What the banner says first: node banner_test.mjs VIEWER_SOURCES VIEWER_WORK
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {bannerFor} = await bundled('panel/banner.ts');
+
+const WELL = {
+  connected: true, everConnected: true, retryIn_ms: undefined, capture: undefined, phase: 3, picture_ms: 60,
+  account: {site: 10, network: 30, computer: 20}, apart_ms: -4, station_ms: 10, surfaceStale: false, surface_ms: 40,
+  handShown: true, holdsHand: false, untaken: false,
+};
+const banner = (changes) => bannerFor({...WELL, ...changes});
+
+test('all is well: no banner', () => assert.equal(banner({}), undefined));
+
+for (const [place, says] of [['site', /^It is 2\.\d s old\. Patient’s site: .* 2\.0 s/],
+                             ['network', /^It is 2\.\d s old\. Network: 2\.0 s/],
+                             ['computer', /^It is 2\.\d s old\. This computer: .* 2\.0 s/]])
+  test(`an old picture names the place where the time went: ${place}`, () => {
+    const {title, text} = banner({account: {...WELL.account, [place]: 2000}});
+    assert.equal(title, 'Stale picture');
+    assert.match(text, says);
+  });
+
+test('while the session clock is not known, an old picture blames nobody', () => {
+  assert.equal(banner({account: undefined, picture_ms: 1500}).text, 'It is 1.5 s old.');
+});
+
+test('numbers that are much older than the picture are told of', () => {
+  assert.match(banner({apart_ms: -600}).text, /0\.6 s older than the picture/);
+  assert.equal(banner({apart_ms: 300}), undefined);
+});
+
+test('a fault comes before a slow picture', () => {
+  assert.equal(banner({phase: 9, account: {...WELL.account, computer: 5000}}).title, 'Station faulted');
+});
