@@ -36,6 +36,18 @@ if(TELEPALP_SANITIZE)
   endif()
 endif()
 
+# telepalp_doors(a.h sub/b.h …): the public headers of this folder. Files outside the folder may include these and no
+# other header of it. A folder without doors is open. tests/architecture_test reads the list and every #include.
+function(telepalp_doors)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
+  foreach(door ${ARGN})
+    if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${door})
+      message(FATAL_ERROR "${folder}/CMakeLists.txt names the door ${door}, which does not exist")
+    endif()
+    set_property(GLOBAL APPEND PROPERTY TELEPALP_DOORS "${folder} ${folder}/${door}")
+  endforeach()
+endfunction()
+
 # telepalp_library(NAME SOURCES a.cpp … LINKS targets …)
 function(telepalp_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})

@@ -1,15 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 
-#include "codec/depth_bound.h"
-#include "codec/depth_codec.h"
-#include "codec/depth_coding.h"
-#include "codec/level_palette.h"
+#include "codec/depth.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
@@ -17,44 +13,70 @@ namespace telepalp::codec {
 
 struct DepthStreamSettings {
   DepthMode mode = DepthMode::Intra;
-  int key_every = 30;     ///< frames from one key frame to the next, where frames depend on one another
+  int key_every = 30;     ///< length of a group of pictures: frames from one key frame to the next
   DepthBound bound = {};  ///< of DepthMode::Bounded
 };
 
-/// Compresses the frames of one camera, one after the other. Fast and Intra frames stand alone; Temporal and Bounded
-/// ones depend on the one before, but for key frames.
+/// Compresses the frames of one camera in order. Fast and Intra frames are all key frames. Temporal and Bounded frames
+/// between key frames are predicted from the frame before.
 class DepthEncoder {
  public:
-  explicit DepthEncoder(const DepthStreamSettings& settings) : settings_(settings) {}
+  explicit DepthEncoder(const DepthStreamSettings& settings);
+  ~DepthEncoder();
+  DepthEncoder(DepthEncoder&&) noexcept;
+  DepthEncoder& operator=(DepthEncoder&&) noexcept;
 
-  /// `depth` must be well formed. A frame of another size or unit is a key frame.
-  [[nodiscard]] std::string encode(const DepthImage& depth);
+  /// `depth` must be well formed. A change of image size or unit forces a key frame.
+  [[nodiscard]] EncodedDepth encode(const DepthImage& depth);
 
-  /// The next frame is a key frame: somebody joined, or lost one.
-  void want_key_frame() noexcept { key_wanted_ = true; }
+  /// Forces the next frame to be a key frame: a receiver joined, or lost a frame.
+  void request_key_frame() noexcept;
 
  private:
-  WrittenFrame write(const DepthImage& depth, bool is_key, const Reference& reference);
-
-  DepthStreamSettings settings_;
-  StandIns stand_ins_;  // of Bounded, made for the key frame: levels that change from frame to frame cost more
-  DepthImage before_;   // as the decoder has it
-  LevelPalette before_palette_;
-  std::uint32_t before_crc_ = 0;
-  int since_key_ = 0;
-  bool key_wanted_ = true;
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
-/// Gives the frames back. A frame whose reference is not the one at hand is an error and changes nothing: after a loss,
-/// errors last until the next key frame, and depth is right or absent.
+/// Decodes the frames of one DepthEncoder in order. A frame whose reference frame is missing is an error and changes
+/// nothing. After a loss, errors last until the next key frame: depth is right or absent.
 class DepthDecoder {
  public:
+  DepthDecoder();
+  ~DepthDecoder();
+  DepthDecoder(DepthDecoder&&) noexcept;
+  DepthDecoder& operator=(DepthDecoder&&) noexcept;
+
   [[nodiscard]] Result<DepthImage> decode(std::span<const std::byte> packet);
 
  private:
-  DepthImage before_;
-  std::optional<LevelPalette> before_palette_;  // as its packet had it
-  std::uint32_t before_crc_ = 0;
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// A decoded depth image with the facts that its packet's header gives.
+struct DecodedDepth {
+  DepthImage image;
+  DepthMode mode = DepthMode::Fast;
+  bool key_frame = true;
+};
+
+/// Decodes some frames of a stream and skips others, in the stream's order. A skipped frame is decoded only if a frame
+/// that is read depends on it, so skipping key frames costs nothing.
+class DepthReader {
+ public:
+  DepthReader();
+  ~DepthReader();
+  DepthReader(DepthReader&&) noexcept;
+  DepthReader& operator=(DepthReader&&) noexcept;
+
+  void skip(std::string packet);
+
+  /// As DepthDecoder::decode(), after the skipped frames that `packet` depends on.
+  [[nodiscard]] Result<DecodedDepth> read(std::span<const std::byte> packet);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace telepalp::codec

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "codec/depth_codec.h"
+#include "codec/depth.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "proto/wire/topics.h"
 
@@ -89,7 +89,7 @@ bool add_readable(Session& session, const wire::Message& message) {
     });
   if (topic == wire::kCameraDepth.name)
     return read<msg::DepthImage>(message, [&](const auto& image) {
-      const bool is_key = codec::stands_alone(std::as_bytes(std::span(image.data())));
+      const bool is_key = codec::is_key_frame(std::as_bytes(std::span(image.data())));
       const std::int64_t logged_ns = to_nanoseconds(message.published);
       session.depth = wire::less_exact(session.depth, wire::depth_told(image));
       session.depth_captured_ns.push_back(static_cast<std::int64_t>(image.captured_ns()));

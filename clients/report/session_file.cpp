@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "codec/color_codec.h"
-#include "codec/depth_reader.h"
+#include "codec/color.h"
+#include "codec/depth_stream.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/topics.h"
@@ -56,13 +56,12 @@ Intrinsics fitted(Intrinsics camera, int width, int height) {
 }
 
 void take_depth(RgbdFrame& frame, msg::DepthImage& image, std::int64_t wanted_ns, codec::DepthReader& reader) {
-  if (static_cast<std::int64_t>(image.captured_ns()) != wanted_ns)
-    return reader.pass_over(std::move(*image.mutable_data()));
-  Result<DepthImage> depth = reader.read(bytes_of(image.data()));
+  if (static_cast<std::int64_t>(image.captured_ns()) != wanted_ns) return reader.skip(std::move(*image.mutable_data()));
+  Result<codec::DecodedDepth> depth = reader.read(bytes_of(image.data()));
   if (!depth) return;
   frame.captured = session_time(wanted_ns);
   frame.sequence = image.sequence();
-  frame.depth = std::move(depth).value();
+  frame.depth = std::move(depth->image);
 }
 
 void take_color(RgbdFrame& frame, const foxglove::CompressedImage& image, std::optional<std::int64_t> wanted_ns) {

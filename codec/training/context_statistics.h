@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "codec/depth_contexts.h"
+#include "codec/model/contexts.h"
 
 namespace telepalp::codec {
 
 /// What the coder would see of a pixel.
-struct Sighting {
+struct PixelSymbol {
   int context;
   int beyond_class;
   int before_class;
@@ -20,7 +20,7 @@ struct Sighting {
 
 /// Visits each pixel of a band with its context and symbol, as the coder would, one pixel at a time and without haste:
 /// what tables are trained on, and what the fast kernels are tested against.
-/// `before`: the band in the frame before, in ranks of this one; empty when there is none. `visit(Sighting)`.
+/// `before`: the band in the frame before, in ranks of this one; empty when there is none. `visit(PixelSymbol)`.
 template <class Visit>
 void for_each_symbol(std::span<const std::uint16_t> ranks, std::span<const std::uint16_t> before, int width,
                      Visit visit) {
@@ -45,11 +45,11 @@ void for_each_symbol(std::span<const std::uint16_t> ranks, std::span<const std::
                           context_from_row(west, west_west, north_west, measured[place - 1] != 0);
       const int step = ranks[x] - predicted;
       const int then = before.empty() ? 0 : before[x];
-      visit(Sighting{.context = context,
-                     .beyond_class = beyond_class(&filled_above[place], &filled_two_above[place]),
-                     .before_class = before_class(then, predicted, west_stayed),
-                     .symbol = ranks[x] == 0 ? static_cast<int>(kNotMeasured) : kSymbolOf[bounded(step, 7) + 7],
-                     .step = step});
+      visit(PixelSymbol{.context = context,
+                        .beyond_class = beyond_class(&filled_above[place], &filled_two_above[place]),
+                        .before_class = before_class(then, predicted, west_stayed),
+                        .symbol = ranks[x] == 0 ? static_cast<int>(kNotMeasured) : kSymbolOf[bounded(step, 7) + 7],
+                        .step = step});
       filled[place] = ranks[x] == 0 ? static_cast<std::uint16_t>(predicted) : ranks[x];
       measured[place] = ranks[x];
       west_west = std::exchange(west, filled[place]);

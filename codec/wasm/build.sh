@@ -13,11 +13,13 @@ clang++-14 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi
   -isystem /usr/include/wasm32-wasi -Icodec/wasm/include -I"$work/zstd" -I. \
   -std=c++20 -O3 -msimd128 -mbulk-memory -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections \
   -Wno-ignored-attributes -ffile-prefix-map="$PWD"=. -nostdlib \
-  codec/wasm/depth_decoder_wasm.cpp codec/wasm/decoding_kernel.cpp codec/context_coding.cpp \
-  codec/crc32c.cpp codec/depth_bound.cpp codec/depth_codec.cpp codec/depth_coding.cpp \
-  codec/depth_packet.cpp codec/depth_stream.cpp codec/depth_tables.cpp codec/disparity_law.cpp \
-  codec/fast_coding.cpp codec/fast_token_reader.cpp codec/fast_token_writer.cpp codec/level_palette.cpp \
-  codec/palette_coding.cpp codec/rank_wavefront.cpp codec/zstd_stream.cpp proto/words/rgbd_frame.cpp \
+  codec/wasm/depth_decoder_wasm.cpp codec/wasm/decoding_kernel.cpp codec/bounded/reconstruction.cpp \
+  codec/bytes/crc32c.cpp codec/bytes/zstd_stream.cpp codec/context/context_coding.cpp \
+  codec/entropy/palette_coding.cpp codec/fast/fast_coding.cpp codec/fast/rank_wavefront.cpp \
+  codec/fast/token_reader.cpp codec/fast/token_writer.cpp codec/levels/disparity_law.cpp \
+  codec/levels/level_palette.cpp codec/model/depth_tables.cpp codec/packet/depth_packet.cpp \
+  codec/stream/depth.cpp codec/stream/depth_stream.cpp codec/stream/frame_coding.cpp \
+  codec/stream/packet_decoder.cpp proto/words/rgbd_frame.cpp \
   /usr/lib/wasm32-wasi/crt1-reactor.o -L/usr/lib/wasm32-wasi -L/usr/lib/llvm-14/lib/wasm32-wasi -lc++ -lc++abi -lc \
   -Wl,--no-entry -Wl,--export=_initialize -Wl,--gc-sections -Wl,--strip-all -Wl,--allow-undefined \
   -o "$work/depth_decoder.wasm"

@@ -1,14 +1,14 @@
-#include "codec/context_together.h"
+#include "codec/context/interleaved_decoder.h"
 
-// The browser's kernel, in place of codec/context_kernel_portable.cpp and _v3.cpp: it decodes alone, which leaves a
-// quarter of the module out.
+// The browser's kernel, in place of codec/context/kernel_portable.cpp and kernel_v3.cpp: it decodes alone, which leaves
+// a quarter of the module out.
 
 namespace telepalp::codec {
 
 size_t scratch_bytes(int width, const ContextTables& tables) { return scratch_of_kernels(width, tables); }
 
 const ContextKernel& portable_context_kernel() {
-  static const ContextKernel kernel{"browser", nullptr, decode_together<Plain>};
+  static const ContextKernel kernel{"browser", nullptr, decode_interleaved<Plain>};
   return kernel;
 }
 

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <utility>
 
-#include "codec/depth_codec.h"
+#include "codec/depth.h"
 #include "haptic_station/station/bill.h"
 #include "haptic_station/station/cost_clock.h"
 #include "haptic_station/station/placement.h"

@@ -12,11 +12,6 @@ constexpr double kReach_m = 0.16;
 // Half a second of frames; what comes while so many wait is lost.
 constexpr int kMostWaiting = 16;
 
-std::string mode_of(const msg::DepthImage& message) {
-  const auto packet = codec::inspect_depth(std::as_bytes(std::span(message.data())));
-  return packet ? std::string(codec::name(packet->mode)) : "";
-}
-
 Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
   return {.what = "the image is " + std::to_string(depth.width) + " x " + std::to_string(depth.height) +
                   " pixels, its camera model is for " + std::to_string(camera.width) + " x " +
@@ -60,24 +55,25 @@ void SurfaceWorker::work_off(const Work& work) {
   if (!message.ParseFromString(*work.depth.payload))
     return handlers_.on_bad_frame(
         {.what = "not a DepthImage", .where = "/camera/depth", .fix = "check that both ends match"});
-  if (!is_newest) return reader_.pass_over(std::move(*message.mutable_data()));
-  const Result<DepthImage> depth = read(message);
+  if (!is_newest) return reader_.skip(std::move(*message.mutable_data()));
+  const Result<codec::DecodedDepth> depth = read(message);
   if (!depth) {
-    if (!asking_.failed(handlers_.now())) return;  // said and asked a moment ago
+    if (!key_request_.failed(handlers_.now())) return;  // said and asked a moment ago
     handlers_.on_bad_frame(depth.error());
     return handlers_.want_key(work.depth);
   }
-  asking_.succeeded();
+  key_request_.succeeded();
   const Result<msg::SurfaceReport> report = build(work, message, *depth);
   if (!report) return handlers_.on_bad_frame(report.error());
   built_.fetch_add(1, std::memory_order_relaxed);
   handlers_.on_report(*report);
 }
 
-Result<DepthImage> SurfaceWorker::read(const msg::DepthImage& message) {
-  Result<DepthImage> depth = reader_.read(std::as_bytes(std::span(message.data())));
+Result<codec::DecodedDepth> SurfaceWorker::read(const msg::DepthImage& message) {
+  Result<codec::DecodedDepth> depth = reader_.read(std::as_bytes(std::span(message.data())));
   if (!depth) return depth;
-  if (depth->width != static_cast<int>(message.width()) || depth->height != static_cast<int>(message.height()))
+  if (depth->image.width != static_cast<int>(message.width()) ||
+      depth->image.height != static_cast<int>(message.height()))
     return Error{.what = "the image's size is not the one that its message declares",
                  .where = "/camera/depth " + std::to_string(message.sequence()),
                  .fix = "check that both ends were built from the same version"};
@@ -85,7 +81,8 @@ Result<DepthImage> SurfaceWorker::read(const msg::DepthImage& message) {
 }
 
 Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::DepthImage& message,
-                                                const DepthImage& depth) {
+                                                const codec::DecodedDepth& decoded_depth) {
+  const DepthImage& depth = decoded_depth.image;
   if (depth.width != work.camera.width || depth.height != work.camera.height) return other_camera(depth, work.camera);
   const SessionTime decoded = handlers_.now();
   if (!haptic_from_camera_) haptic_from_camera_ = placement_(depth, work.camera);
@@ -110,7 +107,7 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   report.set_sequence(message.sequence());
   report.set_points(snapshot->points);
   report.set_index(snapshot->index_name);
-  report.set_depth_mode(mode_of(message));
+  report.set_depth_mode(std::string(codec::name(decoded_depth.mode)));
   if (message.has_bound()) *report.mutable_depth_bound() = message.bound();
   judge(report, captured, to_seconds(handlers_.now() - begun));
   return report;

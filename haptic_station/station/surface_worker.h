@@ -7,8 +7,8 @@
 #include <optional>
 #include <thread>
 
-#include "codec/depth_reader.h"
-#include "codec/key_asking.h"
+#include "codec/depth_stream.h"
+#include "codec/key_frame_request.h"
 #include "haptic_station/loop/haptic_loop.h"
 #include "haptic_station/surface/setting_choice.h"
 #include "haptic_station/surface/surface_builder.h"
@@ -57,15 +57,16 @@ class SurfaceWorker {
 
  private:
   void work_off(const Work& work);
-  Result<DepthImage> read(const msg::DepthImage& message);
-  Result<msg::SurfaceReport> build(const Work& work, const msg::DepthImage& message, const DepthImage& depth);
+  Result<codec::DecodedDepth> read(const msg::DepthImage& message);
+  Result<msg::SurfaceReport> build(const Work& work, const msg::DepthImage& message,
+                                   const codec::DecodedDepth& decoded_depth);
   void judge(msg::SurfaceReport& report, SessionTime captured, double cost_s);
 
-  codec::DepthReader reader_;        // owner: surface thread
-  codec::KeyAsking asking_;          // owner: surface thread
-  surface::SettingChoice choice_;    // owner: surface thread
-  surface::SurfaceBuilder builder_;  // owner: surface thread
-  SessionTime last_captured_{};      // owner: surface thread
+  codec::DepthReader reader_;           // owner: surface thread
+  codec::KeyFrameRequest key_request_;  // owner: surface thread
+  surface::SettingChoice choice_;       // owner: surface thread
+  surface::SurfaceBuilder builder_;     // owner: surface thread
+  SessionTime last_captured_{};         // owner: surface thread
   Placement placement_;
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
   Handlers handlers_;

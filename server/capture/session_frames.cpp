@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "codec/color_codec.h"
+#include "codec/color.h"
 #include "proto/wire/depth_told.h"
 #include "proto/wire/topics.h"
 
@@ -95,7 +95,7 @@ void SessionFrames::note(const wire::Message& message) {
       return;
     }
     next_ = std::exchange(gathering_, std::nullopt);
-    if (!pinhole_) return depth_.pass_over(std::move(*encoded.depth.mutable_data()));
+    if (!pinhole_) return depth_.skip(std::move(*encoded.depth.mutable_data()));
     encoded.pinhole = *pinhole_;
     if (color_ && captured_ns(*color_) == captured_ns(encoded.depth))
       encoded.color = std::exchange(color_, std::nullopt);
@@ -105,12 +105,12 @@ void SessionFrames::note(const wire::Message& message) {
 
 void SessionFrames::skip() {
   Encoded passed = std::move(*std::exchange(next_, std::nullopt));
-  depth_.pass_over(std::move(*passed.depth.mutable_data()));
+  depth_.skip(std::move(*passed.depth.mutable_data()));
 }
 
 std::optional<RgbdFrame> SessionFrames::take() {
   const Encoded encoded = std::move(*std::exchange(next_, std::nullopt));
-  Result<DepthImage> depth = depth_.read(bytes_of(encoded.depth.data()));
+  Result<codec::DecodedDepth> depth = depth_.read(bytes_of(encoded.depth.data()));
   if (!depth) {
     ++damaged_;
     return std::nullopt;
@@ -118,7 +118,7 @@ std::optional<RgbdFrame> SessionFrames::take() {
   RgbdFrame frame;
   frame.captured = session_time(captured_ns(encoded.depth));
   frame.camera = {.depth = encoded.pinhole, .color = encoded.pinhole, .color_registered = true};
-  frame.depth = std::move(*depth);
+  frame.depth = std::move(depth->image);
   frame.loss = wire::loss_of(wire::depth_told(encoded.depth));
   if (encoded.color) {
     frame.camera.color_registered = encoded.color->frame_id() == kRegisteredFrameId;

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "codec/depth_reader.h"
+#include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "codec/depth_bound.h"
+#include "codec/depth.h"
 #include "proto/words/rgbd_frame.h"
 
 namespace telepalp::server {

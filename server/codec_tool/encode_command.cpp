@@ -34,14 +34,14 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
       input, unit_m,
       [&](NamedDepth named) -> Result<void> {
         const SessionTime captured = captured_of(named, totals.frames);
-        std::string packet = encoder.encode(named.depth);
+        codec::EncodedDepth encoded = encoder.encode(named.depth);
         const RgbdFrame frame{.captured = captured,
                               .sequence = totals.frames + 1,
                               .camera = {},
                               .depth = std::move(named.depth),
                               .color = {},
                               .loss = named.loss};
-        const msg::DepthImage image = depth_message(frame, settings, std::move(packet));
+        const msg::DepthImage image = depth_message(frame, std::move(encoded));
         totals.add(static_cast<double>(frame.depth.samples.size()), image.data().size());
         progress.step();
         return writer->write(wire::make_message(wire::kCameraDepth, captured, image));

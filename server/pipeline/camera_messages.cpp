@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "codec/color_codec.h"
+#include "codec/color.h"
 
 namespace telepalp::server {
 namespace {
@@ -17,11 +17,11 @@ void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
   timestamp.set_nanos(static_cast<std::int32_t>(nanoseconds % kNanosecondsPerSecond));
 }
 
-/// What depth is off by once it was compressed: what it came with, and what that adds. The sum of two laws is no such
-/// law; twice the larger of each term is never less, and no more where both are alike.
-std::optional<DepthLoss> loss_of(const RgbdFrame& frame, const codec::DepthStreamSettings& settings) {
-  if (settings.mode != codec::DepthMode::Bounded) return frame.loss;
-  const codec::DepthBound& bound = settings.bound;
+/// The error bound of depth that may have been near-lossless before, and is coded with the bound `coded` now. The sum
+/// of two such bounds has another form; twice the larger of each term is an upper bound, exact where both are equal.
+std::optional<DepthLoss> loss_of(const RgbdFrame& frame, const std::optional<codec::DepthBound>& coded) {
+  if (!coded) return frame.loss;
+  const codec::DepthBound& bound = *coded;
   if (!frame.loss) return DepthLoss{.least_m = bound.least_m, .per_m = bound.per_m};
   return DepthLoss{.least_m = 2.0 * std::max(bound.least_m, frame.loss->least_m),
                    .per_m = 2.0 * std::max(bound.per_m, frame.loss->per_m)};
@@ -29,7 +29,7 @@ std::optional<DepthLoss> loss_of(const RgbdFrame& frame, const codec::DepthStrea
 
 }  // namespace
 
-msg::DepthImage depth_message(const RgbdFrame& frame, const codec::DepthStreamSettings& settings, std::string packet) {
+msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encoded) {
   msg::DepthImage image;
   image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(frame.captured)));
   image.set_sequence(frame.sequence);
@@ -37,12 +37,12 @@ msg::DepthImage depth_message(const RgbdFrame& frame, const codec::DepthStreamSe
   image.set_width(static_cast<std::uint32_t>(frame.depth.width));
   image.set_height(static_cast<std::uint32_t>(frame.depth.height));
   image.set_unit_m(frame.depth.unit_m);
-  image.set_format(std::string(codec::name(settings.mode)));
-  if (const std::optional<DepthLoss> loss = loss_of(frame, settings)) {
+  image.set_format(std::string(codec::name(encoded.mode)));
+  if (const std::optional<DepthLoss> loss = loss_of(frame, encoded.bound)) {
     image.mutable_bound()->set_least_m(loss->least_m);
     image.mutable_bound()->set_per_m(loss->per_m);
   }
-  image.set_data(std::move(packet));
+  image.set_data(std::move(encoded.bytes));
   return image;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "codec/depth_stream.h"
+#include "codec/depth.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
@@ -16,9 +16,8 @@ namespace telepalp::server {
 inline constexpr std::string_view kDepthFrameId = "camera_depth";
 inline constexpr std::string_view kColorFrameId = "camera_color";
 
-/// The depth of `frame`, compressed by `settings` to `packet`; `encoded_ns` is left for whoever has a clock.
-[[nodiscard]] msg::DepthImage depth_message(const RgbdFrame& frame, const codec::DepthStreamSettings& settings,
-                                            std::string packet);
+/// The depth of `frame`, which the encoder compressed to `encoded`. The caller, who has a clock, sets `encoded_ns`.
+[[nodiscard]] msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encoded);
 
 /// The colour of `frame` as JPEG. `frame` is well formed and has colour.
 [[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality);

@@ -49,15 +49,15 @@ void CameraPipeline::publish_frame(const RgbdFrame& frame) {
 
 void CameraPipeline::publish_depth(const RgbdFrame& frame) {
   if (handlers_.take_key_wish()) keys_.asked = true;
-  if (key_is_due(keys_)) encoder_.want_key_frame();
-  std::string packet = encoder_.encode(frame.depth);
-  const bool stands_alone = codec::stands_alone(std::as_bytes(std::span(packet)));
-  keys_ = after_frame(keys_, stands_alone);
-  msg::DepthImage depth = depth_message(frame, options_.depth, std::move(packet));
+  if (key_is_due(keys_)) encoder_.request_key_frame();
+  codec::EncodedDepth coded = encoder_.encode(frame.depth);
+  const bool is_key = coded.key_frame;
+  keys_ = after_frame(keys_, is_key);
+  msg::DepthImage depth = depth_message(frame, std::move(coded));
   const SessionTime encoded = clock_.now();
   depth.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(encoded)));
-  // What nobody has, nobody can follow.
-  if (!publish(wire::kCameraDepth, encoded, depth, stands_alone)) encoder_.want_key_frame();
+  // A dropped frame cannot be a reference: the next one must be a key frame.
+  if (!publish(wire::kCameraDepth, encoded, depth, is_key)) encoder_.request_key_frame();
 }
 
 void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {

@@ -153,7 +153,7 @@ Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode
   std::vector<DepthImage> got;
   for (const DepthImage& frame : sequence.frames) {
     const double start_ms = cpu_ms();
-    const std::string packet = encoder.encode(frame);
+    const std::string packet = encoder.encode(frame).bytes;
     const double encoded_ms = cpu_ms();
     Result<DepthImage> decoded = decoder.decode(std::as_bytes(std::span(packet)));
     decode_ms.add(cpu_ms() - encoded_ms);

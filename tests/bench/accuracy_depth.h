@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "codec/depth_bound.h"
-#include "codec/depth_codec.h"
+#include "codec/bounded/reconstruction.h"
+#include "codec/depth.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <sstream>
 
-#include "codec/context_kernel.h"
+#include "codec/context/kernel.h"
 #include "codec/depth_stream.h"
-#include "codec/level_palette.h"
+#include "codec/levels/level_palette.h"
 #include "server/capture/capture_source.h"
 #include "server/codec_tool/depth_files.h"
 #include "tests/bench/depth_peers.h"
@@ -120,7 +120,7 @@ Measured measure_mode(const std::vector<DepthImage>& frames, codec::DepthMode mo
       frames,
       [mode] {
         return [encoder = codec::DepthEncoder({.mode = mode})](const DepthImage& depth) mutable {
-          return encoder.encode(depth);
+          return encoder.encode(depth).bytes;
         };
       },
       [] {

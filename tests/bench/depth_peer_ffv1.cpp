@@ -9,7 +9,7 @@ extern "C" {
 #include <cstring>
 #include <memory>
 
-#include "codec/level_palette.h"
+#include "codec/levels/level_palette.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::bench {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "codec/color_codec.h"
-#include "codec/depth_codec.h"
+#include "codec/color.h"
+#include "codec/depth.h"
 
 namespace telepalp::codec {
 namespace {

@@ -1,9 +1,9 @@
-#include "codec/context_kernel.h"
+#include "codec/context/kernel.h"
 
 #include <gtest/gtest.h>
 
-#include "codec/context_coding.h"
-#include "codec/depth_bound.h"
+#include "codec/bounded/reconstruction.h"
+#include "codec/context/context_coding.h"
 #include "tests/codec/depth_frames.h"
 
 namespace telepalp::codec {
@@ -13,8 +13,8 @@ namespace {
 RankedFrame given(const DepthImage& depth, bool chooses) {
   const LevelPalette palette = palette_of(depth.samples);
   if (!chooses) return ranked(palette, depth.samples);
-  StandIns stand_ins = stand_ins_for(depth, palette, {});
-  return within_bounds(depth, palette, stand_ins);
+  ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, {});
+  return within_bounds(depth, palette, reconstruction);
 }
 
 TEST(ContextKernel, EveryKernelWritesTheSameBytesAndReadsThem) {

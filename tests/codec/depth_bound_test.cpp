@@ -1,4 +1,4 @@
-#include "codec/depth_bound.h"
+#include "codec/bounded/reconstruction.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <utility>
 
-#include "codec/depth_coding.h"
+#include "codec/stream/frame_coding.h"
 #include "tests/codec/depth_frames.h"
 
 namespace telepalp::codec {
@@ -25,8 +25,8 @@ TEST(DepthBound, HoldsForEverySampleThereIs) {
   for (const DepthBound& bound :
        {DepthBound{}, DepthBound{.least_m = 0.0, .per_m = 0.0}, DepthBound{.least_m = 100.0}}) {
     for (const DepthImage& key : {kinect_like(kWidth, kHeight, 1), all, filled(8, 8, 0)}) {
-      StandIns stand_ins = stand_ins_for(key, palette_of(key.samples), bound);
-      const RankedFrame frame = within_bounds(all, palette_of(all.samples), stand_ins);
+      ReconstructionLevels reconstruction = reconstruction_levels_for(key, palette_of(key.samples), bound);
+      const RankedFrame frame = within_bounds(all, palette_of(all.samples), reconstruction);
       EXPECT_EQ(frame.ranks[0], 0);
       EXPECT_EQ(frame.most[0], 65535);
       for (std::size_t sample = 1; sample < all.samples.size(); ++sample) {
@@ -90,9 +90,9 @@ TEST(DepthBound, StandInsPartAsFewNeighboursAsAnySetCould) {
       }
       levels.emplace_back(level - kBound, level + kBound);
     }
-    const StandIns stand_ins =
-        stand_ins_for(depth, palette_of(depth.samples), {.least_m = 0.001 * kBound, .per_m = 0.0});
-    const std::vector<std::uint16_t>& found = stand_ins.levels.levels;
+    const ReconstructionLevels reconstruction =
+        reconstruction_levels_for(depth, palette_of(depth.samples), {.least_m = 0.001 * kBound, .per_m = 0.0});
+    const std::vector<std::uint16_t>& found = reconstruction.levels.levels;
     EXPECT_EQ(cost_of({found.begin() + 1, found.end()}, levels, next_to), least_cost(levels, next_to)) << round;
   }
 }
@@ -100,8 +100,8 @@ TEST(DepthBound, StandInsPartAsFewNeighboursAsAnySetCould) {
 /// What Bounded makes of one frame.
 DepthImage moved(const DepthImage& depth) {
   const LevelPalette palette = palette_of(depth.samples);
-  StandIns stand_ins = stand_ins_for(depth, palette, {});
-  return write_bounded(depth, palette, stand_ins, {}).depth;
+  ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, {});
+  return code_bounded(depth, palette, reconstruction, {}).depth;
 }
 
 TEST(DepthBound, DepthsThatShareWithNoneAreNotMoved) {
@@ -114,8 +114,8 @@ TEST(DepthBound, DepthsThatShareWithNoneAreNotMoved) {
 TEST(DepthBound, WhatIsOfferedLiesAsMuchTowardsTheCameraAsAway) {
   const DepthImage depth = kinect_like(320, 240, 5);
   const LevelPalette palette = palette_of(depth.samples);
-  StandIns stand_ins = stand_ins_for(depth, palette, {});
-  const RankedFrame frame = within_bounds(depth, palette, stand_ins);
+  ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, {});
+  const RankedFrame frame = within_bounds(depth, palette, reconstruction);
   double sum_in_bounds = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < depth.samples.size(); ++i) {
@@ -128,10 +128,10 @@ TEST(DepthBound, WhatIsOfferedLiesAsMuchTowardsTheCameraAsAway) {
 }
 
 /// A frame as it is shown to be when each level has one stand-in alone, the nearest: what choosing saves.
-DepthImage by_nearest(const DepthImage& depth, const StandIns& stand_ins) {
+DepthImage by_nearest(const DepthImage& depth, const ReconstructionLevels& reconstruction) {
   DepthImage moved = depth;
-  const RankOfLevel nearest = nearest_ranks_of(stand_ins.levels);
-  for (std::uint16_t& sample : moved.samples) sample = stand_ins.levels.levels[nearest[sample]];
+  const RankOfLevel nearest = nearest_ranks_of(reconstruction.levels);
+  for (std::uint16_t& sample : moved.samples) sample = reconstruction.levels.levels[nearest[sample]];
   return moved;
 }
 
@@ -139,9 +139,9 @@ TEST(DepthBound, ChoosingWhatIsLikelyTakesFewerBytesThanTheNearest) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     const DepthImage depth = kinect_like(320, 240, seed);
     const LevelPalette palette = palette_of(depth.samples);
-    StandIns stand_ins = stand_ins_for(depth, palette, {});
-    const std::size_t nearest = write_frame(by_nearest(depth, stand_ins), DepthMode::Bounded, {}).size();
-    EXPECT_LT(write_bounded(depth, palette, stand_ins, {}).packet.size(), nearest * 9 / 10);
+    ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, {});
+    const std::size_t nearest = write_frame(by_nearest(depth, reconstruction), DepthMode::Bounded, {}).bytes.size();
+    EXPECT_LT(code_bounded(depth, palette, reconstruction, {}).packet.bytes.size(), nearest * 9 / 10);
   }
 }
 

@@ -1,8 +1,8 @@
-#include "codec/depth_reader.h"
+#include "codec/depth_stream.h"
 
 #include <gtest/gtest.h>
 
-#include "codec/key_asking.h"
+#include "codec/key_frame_request.h"
 #include "tests/codec/depth_frames.h"
 
 namespace telepalp::codec {
@@ -16,7 +16,7 @@ DepthImage frame(unsigned number) { return kinect_like(kWidth, kHeight, number, 
 std::vector<std::string> stream_of(DepthMode mode, unsigned frames, int key_every) {
   DepthEncoder encoder({.mode = mode, .key_every = key_every});
   std::vector<std::string> packets;
-  for (unsigned i = 0; i < frames; ++i) packets.push_back(encoder.encode(frame(i)));
+  for (unsigned i = 0; i < frames; ++i) packets.push_back(encoder.encode(frame(i)).bytes);
   return packets;
 }
 
@@ -25,10 +25,10 @@ TEST(DepthReader, ReadsAnyFrameThoughThoseBeforeItWerePassedOver) {
     const std::vector<std::string> packets = stream_of(mode, 12, 5);
     for (unsigned wanted = 0; wanted < 12; ++wanted) {
       DepthReader reader;
-      for (unsigned i = 0; i < wanted; ++i) reader.pass_over(packets[i]);
-      const Result<DepthImage> back = reader.read(bytes_of(packets[wanted]));
+      for (unsigned i = 0; i < wanted; ++i) reader.skip(packets[i]);
+      const Result<DecodedDepth> back = reader.read(bytes_of(packets[wanted]));
       ASSERT_TRUE(back.ok()) << name(mode) << " " << wanted << ": " << to_string(back.error());
-      EXPECT_EQ(back->samples, frame(wanted).samples);
+      EXPECT_EQ(back->image.samples, frame(wanted).samples);
     }
   }
 }
@@ -38,22 +38,22 @@ TEST(DepthReader, ReadsOnAfterSomeWereReadAndSomePassedOver) {
   DepthReader reader;
   for (unsigned i = 0; i < packets.size(); ++i) {
     if (i % 3 != 0) {
-      reader.pass_over(packets[i]);
+      reader.skip(packets[i]);
       continue;
     }
-    const Result<DepthImage> back = reader.read(bytes_of(packets[i]));
+    const Result<DecodedDepth> back = reader.read(bytes_of(packets[i]));
     ASSERT_TRUE(back.ok()) << i;
-    EXPECT_EQ(back->samples, frame(i).samples);
+    EXPECT_EQ(back->image.samples, frame(i).samples);
   }
 }
 
 TEST(DepthReader, KeepsItsPlaceInAGroupLongerThanItKeepsPackets) {
   const std::vector<std::string> packets = stream_of(DepthMode::Temporal, 80, 1000);
   DepthReader reader;
-  for (unsigned i = 0; i + 1 < packets.size(); ++i) reader.pass_over(packets[i]);
-  const Result<DepthImage> back = reader.read(bytes_of(packets.back()));
+  for (unsigned i = 0; i + 1 < packets.size(); ++i) reader.skip(packets[i]);
+  const Result<DecodedDepth> back = reader.read(bytes_of(packets.back()));
   ASSERT_TRUE(back.ok());
-  EXPECT_EQ(back->samples, frame(79).samples);
+  EXPECT_EQ(back->image.samples, frame(79).samples);
 }
 
 TEST(DepthReader, DamageAmongWhatWasPassedOverIsAnErrorUntilTheNextKeyFrameAndNeverWrongDepth) {
@@ -61,16 +61,16 @@ TEST(DepthReader, DamageAmongWhatWasPassedOverIsAnErrorUntilTheNextKeyFrameAndNe
   char& byte = packets[3][packets[3].size() / 2];
   byte = static_cast<char>(byte ^ 1);
   DepthReader reader;
-  for (unsigned i = 0; i < 4; ++i) reader.pass_over(packets[i]);
+  for (unsigned i = 0; i < 4; ++i) reader.skip(packets[i]);
   EXPECT_FALSE(reader.read(bytes_of(packets[4])).ok());
   EXPECT_FALSE(reader.read(bytes_of(packets[5])).ok());
-  const Result<DepthImage> key = reader.read(bytes_of(packets[6]));
+  const Result<DecodedDepth> key = reader.read(bytes_of(packets[6]));
   ASSERT_TRUE(key.ok());
-  EXPECT_EQ(key->samples, frame(6).samples);
+  EXPECT_EQ(key->image.samples, frame(6).samples);
 }
 
-TEST(KeyAsking, AsksAtOnceAndAgainOnlyWhileNothingCanBeRead) {
-  KeyAsking asking;
+TEST(KeyFrameRequest, AsksAtOnceAndAgainOnlyWhileNothingCanBeRead) {
+  KeyFrameRequest asking;
   const SessionTime start = session_time(1'000'000'000);
   EXPECT_TRUE(asking.failed(start));
   EXPECT_FALSE(asking.failed(start + std::chrono::milliseconds(33)));
@@ -80,8 +80,8 @@ TEST(KeyAsking, AsksAtOnceAndAgainOnlyWhileNothingCanBeRead) {
   EXPECT_TRUE(asking.failed(start + std::chrono::milliseconds(333)));
 }
 
-TEST(KeyAsking, AClockThatGoesBackDoesNotSilenceIt) {
-  KeyAsking asking;
+TEST(KeyFrameRequest, AClockThatGoesBackDoesNotSilenceIt) {
+  KeyFrameRequest asking;
   EXPECT_TRUE(asking.failed(session_time(5'000'000'000)));
   EXPECT_TRUE(asking.failed(session_time(1'000'000'000)));
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "codec/crc32c.h"
+#include "codec/bytes/crc32c.h"
 #include "tests/codec/depth_frames.h"
 
 namespace telepalp::codec {
@@ -21,7 +21,7 @@ TEST_P(LosslessMode, GivesASequenceBackAsItWas) {
   DepthDecoder decoder;
   for (unsigned i = 0; i < 10; ++i) {
     const DepthImage depth = kinect_like(kWidth, kHeight, i, static_cast<int>(i));
-    const std::string packet = encoder.encode(depth);
+    const std::string packet = encoder.encode(depth).bytes;
     const Result<DepthImage> back = decoder.decode(bytes_of(packet));
     ASSERT_TRUE(back.ok()) << to_string(back.error());
     EXPECT_EQ(back->samples, depth.samples);
@@ -41,7 +41,7 @@ TEST(DepthStream, BoundedKeepsItsBoundAndEveryHole) {
     for (unsigned i = 0; i < 5; ++i) {
       DepthImage depth = kinect_like(kWidth, kHeight, i, static_cast<int>(3 * i));
       depth.unit_m = unit_m;
-      const Result<DepthImage> back = decoder.decode(bytes_of(encoder.encode(depth)));
+      const Result<DepthImage> back = decoder.decode(bytes_of(encoder.encode(depth).bytes));
       ASSERT_TRUE(back.ok());
       for (std::size_t k = 0; k < depth.samples.size(); ++k) {
         ASSERT_EQ(back->samples[k] == 0, depth.samples[k] == 0);
@@ -57,7 +57,7 @@ TEST(DepthStream, AfterALostFrameOnlyAKeyFrameIsShown) {
   DepthDecoder decoder;
   for (unsigned i = 0; i < 12; ++i) {
     const DepthImage depth = kinect_like(kWidth, kHeight, i);
-    const std::string packet = encoder.encode(depth);
+    const std::string packet = encoder.encode(depth).bytes;
     if (i == 2) continue;  // lost
     const Result<DepthImage> back = decoder.decode(bytes_of(packet));
     EXPECT_EQ(back.ok(), i < 2 || i >= 6) << i;
@@ -71,7 +71,7 @@ TEST(DepthStream, WithEverySecondFrameLostOnlyKeyFramesAreShown) {
   DepthEncoder encoder({.mode = DepthMode::Temporal, .key_every = 4});
   DepthDecoder decoder;
   for (unsigned i = 0; i < 12; ++i) {
-    const std::string packet = encoder.encode(kinect_like(kWidth, kHeight, i));
+    const std::string packet = encoder.encode(kinect_like(kWidth, kHeight, i)).bytes;
     if (i % 2 == 0) {
       EXPECT_EQ(decoder.decode(bytes_of(packet)).ok(), i % 4 == 0) << i;
     }
@@ -83,9 +83,9 @@ TEST(DepthStream, TwoWhoJoinMidGroupSeeFromTheKeyFrameThatIsMadeForThem) {
   DepthDecoder first;
   DepthDecoder second;
   for (unsigned i = 0; i < 9; ++i) {
-    if (i == 6) encoder.want_key_frame();
+    if (i == 6) encoder.request_key_frame();
     const DepthImage depth = kinect_like(kWidth, kHeight, i);
-    const std::string packet = encoder.encode(depth);
+    const std::string packet = encoder.encode(depth).bytes;
     if (i >= 3) {
       EXPECT_EQ(first.decode(bytes_of(packet)).ok(), i >= 6) << i;
     }
@@ -98,17 +98,17 @@ TEST(DepthStream, TwoWhoJoinMidGroupSeeFromTheKeyFrameThatIsMadeForThem) {
 TEST(DepthStream, AFrameOfAnotherSizeIsAKeyFrame) {
   DepthEncoder encoder({.mode = DepthMode::Temporal});
   DepthDecoder decoder;
-  EXPECT_TRUE(decoder.decode(bytes_of(encoder.encode(kinect_like(kWidth, kHeight, 1)))).ok());
-  EXPECT_TRUE(decode_depth(bytes_of(encoder.encode(kinect_like(kHeight, kWidth, 1)))).ok());
+  EXPECT_TRUE(decoder.decode(bytes_of(encoder.encode(kinect_like(kWidth, kHeight, 1)).bytes)).ok());
+  EXPECT_TRUE(decode_depth(bytes_of(encoder.encode(kinect_like(kHeight, kWidth, 1)).bytes)).ok());
 }
 
 TEST(DepthStream, AWrongReferenceIsAnErrorEvenOfTheRightSize) {
   DepthEncoder ours({.mode = DepthMode::Temporal});
   DepthEncoder theirs({.mode = DepthMode::Temporal});
   DepthDecoder decoder;
-  ASSERT_TRUE(decoder.decode(bytes_of(theirs.encode(kinect_like(kWidth, kHeight, 7)))).ok());
+  ASSERT_TRUE(decoder.decode(bytes_of(theirs.encode(kinect_like(kWidth, kHeight, 7)).bytes)).ok());
   (void)ours.encode(kinect_like(kWidth, kHeight, 1));
-  const Result<DepthImage> back = decoder.decode(bytes_of(ours.encode(kinect_like(kWidth, kHeight, 2))));
+  const Result<DepthImage> back = decoder.decode(bytes_of(ours.encode(kinect_like(kWidth, kHeight, 2)).bytes));
   ASSERT_FALSE(back.ok());
   EXPECT_NE(back.error().fix.find("key frame"), std::string::npos);
 }

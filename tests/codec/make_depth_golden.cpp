@@ -23,7 +23,7 @@ void write_sequence(const std::string& folder, DepthMode mode) {
   DepthDecoder decoder;
   for (unsigned i = 0; i < 3; ++i) {
     const DepthImage depth = i == 2 ? noise(24, 18, 9) : kinect_like(24, 18, i, static_cast<int>(i));
-    const std::string packet = encoder.encode(depth);
+    const std::string packet = encoder.encode(depth).bytes;
     write(folder + "/" + std::string(name(mode)) + "_" + std::to_string(i), packet, *decoder.decode(bytes_of(packet)));
   }
 }

@@ -1,4 +1,4 @@
-#include "codec/palette_coding.h"
+#include "codec/entropy/palette_coding.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "codec/disparity_law.h"
+#include "codec/levels/disparity_law.h"
 
 namespace telepalp::codec {
 namespace {

@@ -1,6 +1,6 @@
 #include <cstdint>
 
-#include "codec/color_codec.h"
+#include "codec/color.h"
 #include "proto/words/demand.h"
 
 /// Whatever bytes come as a picture: an error or a whole picture.

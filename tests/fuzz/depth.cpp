@@ -1,8 +1,8 @@
 #include <cstdint>
 
-#include "codec/context_coding.h"
-#include "codec/depth_coding.h"
+#include "codec/context/context_coding.h"
 #include "codec/depth_stream.h"
+#include "codec/stream/frame_coding.h"
 #include "proto/words/demand.h"
 
 namespace {

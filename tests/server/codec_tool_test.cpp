@@ -64,7 +64,7 @@ TEST(DepthFiles, OfARecordingThatLacksAFrameAllThatCanBeReadIsGiven) {
   codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 4});
   for (unsigned i = 0; i < 8; ++i) {
     msg::DepthImage image;
-    image.set_data(encoder.encode(codec::kinect_like(32, 24, i)));
+    image.set_data(encoder.encode(codec::kinect_like(32, 24, i)).bytes);
     if (i == 1) continue;  // never recorded
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, session_time(i + 1), image)).ok());
   }

@@ -16,8 +16,8 @@
 #include <istream>
 #include <optional>
 
-#include "codec/color_codec.h"
-#include "codec/depth_codec.h"
+#include "codec/color.h"
+#include "codec/depth.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"

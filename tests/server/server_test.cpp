@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "codec/color_codec.h"
+#include "codec/color.h"
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
@@ -145,7 +145,7 @@ struct Onlooker {
   }
   void on_depth(const wire::Message& message) {
     const auto depth = parsed<msg::DepthImage>(message);
-    is_key.push_back(codec::stands_alone(bytes_of(depth.data())));
+    is_key.push_back(codec::is_key_frame(bytes_of(depth.data())));
     last_sequence = depth.sequence();
     unreadable += decoder.decode(bytes_of(depth.data())).ok() ? 0 : 1;
     if (asks_always) link.want_key(message);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "codec/color_codec.h"
+#include "codec/color.h"
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
@@ -147,7 +147,7 @@ void add_camera(std::vector<wire::Message>& out, const MadeSession& made) {
   for (int frame = 0; frame / 30.0 < seconds; ++frame) {
     msg::DepthImage depth;
     depth.set_captured_ns(stamp(frame / 30.0));
-    depth.set_data(encoder.encode(scene));
+    depth.set_data(encoder.encode(scene).bytes);
     depth.set_format(std::string(codec::name(made.depth_mode)));
     if (made.depth_mode == codec::DepthMode::Bounded) *depth.mutable_bound() = default_bound();
     out.push_back(wire::make_message(wire::kCameraDepth, time_of(frame / 30.0 + 0.002), depth));

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "codec/depth_codec.h"
+#include "codec/depth.h"
 #include "proto/wire/message.h"
 
 namespace telepalp::report {

@@ -94,7 +94,7 @@ class Bench {
 std::vector<wire::Message> stream_of(codec::DepthMode mode, int frames, int key_every) {
   codec::DepthEncoder encoder({.mode = mode, .key_every = key_every});
   std::vector<wire::Message> messages;
-  for (int i = 0; i < frames; ++i) messages.push_back(message_of(i, encoder.encode(plane(i))));
+  for (int i = 0; i < frames; ++i) messages.push_back(message_of(i, encoder.encode(plane(i)).bytes));
   return messages;
 }
 

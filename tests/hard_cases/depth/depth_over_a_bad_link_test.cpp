@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "codec/depth_stream.h"
-#include "codec/key_asking.h"
+#include "codec/key_frame_request.h"
 #include "server/hub/hub.h"
 #include "server/pipeline/key_pacing.h"
 #include "tests/codec/depth_frames.h"
@@ -29,7 +29,7 @@ struct Watcher {
   std::function<bool(int)> loses;  ///< whether that frame is lost behind the hub
   server::SubscriberId id = 0;
   codec::DepthDecoder decoder{};
-  codec::KeyAsking asking{};
+  codec::KeyFrameRequest asking{};
   int shown = 0;
   int unreadable = 0;
   int longest_gap = 0;  ///< frames from one shown to the next
@@ -47,12 +47,13 @@ struct Site {
   }
 
   void capture(int number) {
-    if (server::key_is_due(pacing)) encoder.want_key_frame();
-    std::string packet = encoder.encode(frame(number));
-    const bool is_key = codec::stands_alone(codec::bytes_of(packet));
+    if (server::key_is_due(pacing)) encoder.request_key_frame();
+    codec::EncodedDepth coded = encoder.encode(frame(number));
+    const bool is_key = coded.key_frame;
     pacing = server::after_frame(pacing, is_key);
     keys += is_key ? 1 : 0;
-    wire::Message message{wire::kCameraDepth, time_of(number), std::make_shared<const std::string>(std::move(packet))};
+    wire::Message message{wire::kCameraDepth, time_of(number),
+                          std::make_shared<const std::string>(std::move(coded.bytes))};
     message.stands_alone = is_key;
     hub.publish(std::move(message));
   }

@@ -244,7 +244,7 @@ void record(const std::string& spec, const std::string& to, int frames,
     const SessionTime at = frame->captured;
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraInfo, at, calibration_message(*frame))).ok());
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraColor, at, color_message(*frame, 85))).ok());
-    const msg::DepthImage image = depth_message(*frame, depth, encoder.encode(frame->depth));
+    const msg::DepthImage image = depth_message(*frame, encoder.encode(frame->depth));
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, at, image)).ok());
   }
   ASSERT_TRUE(writer->close().ok());
@@ -343,7 +343,10 @@ TEST(DepthMessage, OfDepthThatIsOffByAnUnknownAmountTellsSo) {
   RgbdFrame frame;
   frame.loss = DepthLoss{};
   for (const codec::DepthMode mode : {codec::DepthMode::Fast, codec::DepthMode::Bounded}) {
-    const wire::DepthTold told = wire::depth_told(depth_message(frame, {.mode = mode}, ""));
+    codec::EncodedDepth encoded;
+    encoded.mode = mode;
+    if (mode == codec::DepthMode::Bounded) encoded.bound = codec::DepthBound{};
+    const wire::DepthTold told = wire::depth_told(depth_message(frame, encoded));
     EXPECT_TRUE(told.moved);
     EXPECT_FALSE(told.within);
   }

@@ -1,0 +1,203 @@
+#include "codec/bounded/reconstruction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "codec/levels/level_palette.h"
+
+namespace telepalp::codec {
+namespace {
+
+constexpr int kSamples = 65536;
+constexpr int kMostAcross = 6;                 // ranks
+constexpr std::size_t kPixelsPerLevel = 1024;  // of which one is worth a neighbour's difference: what a level costs
+constexpr std::size_t kRowsPerCounted = 2;
+
+/// How often a pixel of each rank has a neighbour so many ranks farther away, as far as every other row tells. Those
+/// further apart than kMostAcross, counted as one more, lie on either side of an edge, which is dear whatever stands in
+/// for them; what is said of rank 0, of holes, means nothing.
+using Neighbours = std::vector<std::array<std::int32_t, kMostAcross + 2>>;
+
+Neighbours neighbours_of(const DepthImage& depth, const LevelPalette& palette) {
+  const RankOfLevel rank_of = ranks_of(palette);
+  Neighbours neighbours(palette.size());
+  const auto count = [&](std::uint16_t a, std::uint16_t b) {  // without a branch, as it would be guessed wrong
+    ++neighbours[std::min(a, b)][static_cast<std::size_t>(std::min(std::abs(a - b), kMostAcross + 1))];
+  };
+  const auto width = static_cast<std::size_t>(depth.width);
+  for (std::size_t row = 0; row < depth.samples.size(); row += kRowsPerCounted * width) {
+    std::uint16_t west = 0;
+    for (std::size_t i = row; i < row + width; ++i) {
+      const std::uint16_t rank = rank_of[depth.samples[i]];
+      count(std::exchange(west, rank), rank);
+      if (row >= width) count(rank_of[depth.samples[i - width]], rank);
+    }
+  }
+  return neighbours;
+}
+
+/// A frame's levels, ascending and without 0, each with the depths that it may become.
+struct Reach {
+  std::vector<int> level;
+  std::vector<int> nearest;
+  std::vector<int> farthest;
+};
+
+Reach reach_of(const LevelPalette& palette, const BoundInUnits& bound_at) {
+  Reach reach;
+  for (std::size_t rank = 1; rank < palette.size(); ++rank) {
+    const int level = palette.levels[rank];
+    const int bound = bound_at(level);
+    reach.level.push_back(level);
+    reach.nearest.push_back(std::max(1, level - bound));
+    reach.farthest.push_back(std::min(kSamples - 1, level + bound));
+  }
+  return reach;
+}
+
+/// Neighbouring pixels, one of level `from` and one of `first_apart` or beyond, that could have become the same, and
+/// no longer can.
+std::int64_t parted(const Reach& reach, const Neighbours& neighbours, std::size_t from, std::size_t first_apart) {
+  std::int64_t sum = 0;
+  for (std::size_t across = first_apart - from; across <= std::size_t{kMostAcross}; ++across) {
+    const std::size_t to = from + across;
+    if (to >= reach.nearest.size() || reach.nearest[to] > reach.farthest[from]) break;
+    sum += neighbours[from + 1][across];
+  }
+  return sum;
+}
+
+/// Levels of which every level can become the farthest depth of one: of all such sets the one that parts the fewest
+/// neighbours, where each depth costs as much as `level_cost` of them. No other depths serve better than those farthest
+/// ones, so least cost by dynamic programming over them, from each on to the next.
+std::vector<std::size_t> best_depths(const Reach& reach, const Neighbours& neighbours, std::int64_t level_cost) {
+  const std::size_t count = reach.nearest.size();
+  constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::vector<std::int64_t> cost(count, kNever);
+  std::vector<std::size_t> before(count, kNone);
+  if (count > 0) cost[0] = level_cost;
+  std::size_t unreachable = 0;  // first level that cannot become the depth at hand
+  std::size_t best_last = kNone;
+  for (std::size_t last = 0; last < count; ++last) {
+    while (unreachable < count && reach.nearest[unreachable] <= reach.farthest[last]) ++unreachable;
+    if (cost[last] == kNever) continue;
+    if (unreachable == count && (best_last == kNone || cost[last] < cost[best_last])) best_last = last;
+    std::int64_t with_next = cost[last] + level_cost;
+    const std::size_t first_parting =
+        unreachable - std::min(unreachable, kMostAcross + std::size_t{1});  // none before parts any
+    for (std::size_t next = std::max(last + 1, first_parting); next <= std::min(unreachable, count - 1); ++next) {
+      if (with_next < cost[next]) {
+        cost[next] = with_next;
+        before[next] = last;
+      }
+      with_next += parted(reach, neighbours, next, unreachable);
+    }
+  }
+  std::vector<std::size_t> farthest_of;
+  for (std::size_t i = best_last; i != kNone; i = before[i]) farthest_of.push_back(i);
+  std::reverse(farthest_of.begin(), farthest_of.end());
+  return farthest_of;
+}
+
+/// The depth in the middle of all levels that can become the farthest of one, and which they still can become: so that
+/// none is moved further than it must, and as many to either side.
+int centred(const Reach& reach, std::size_t farthest_of) {
+  const int farthest = reach.farthest[farthest_of];
+  const auto past_last = std::upper_bound(reach.nearest.begin(), reach.nearest.end(), farthest);
+  const auto last = static_cast<std::size_t>(past_last - reach.nearest.begin()) - 1;
+  const int twice = reach.level[farthest_of] + reach.level[last];
+  const int middle = twice / 2 + (twice / 2 & twice & 1);  // halves to the even, else all would lie too near
+  return std::clamp(middle, reach.nearest[last], farthest);
+}
+
+/// Stand-ins for those of a frame's levels that have none.
+void complete(ReconstructionLevels& reconstruction, const LevelPalette& present) {
+  std::vector<std::uint16_t>& levels = reconstruction.levels.levels;
+  auto next = levels.begin() + 1;  // the first that is not too near
+  for (std::size_t rank = 1; rank < present.size(); ++rank) {
+    const int level = present.levels[rank];
+    const int bound = reconstruction.bound(level);
+    while (next != levels.end() && *next < level - bound) ++next;
+    if (next == levels.end() || *next > level + bound)
+      next = levels.insert(next, static_cast<std::uint16_t>(std::min(kSamples - 1, level + bound)));
+  }
+}
+
+/// From the nearest to the farthest stand-in of each level of a frame.
+struct Choice {
+  std::vector<std::size_t> least;
+  std::vector<std::size_t> most;
+};
+
+Choice choice_of(const LevelPalette& present, const ReconstructionLevels& reconstruction) {
+  Choice choice{.least = {0}, .most = {0}};
+  const std::vector<std::uint16_t>& levels = reconstruction.levels.levels;
+  std::size_t least = 1;
+  std::size_t most = 0;
+  for (std::size_t rank = 1; rank < present.size(); ++rank) {
+    const int level = present.levels[rank];
+    const int bound = reconstruction.bound(level);
+    while (levels[least] < level - bound) ++least;
+    while (most + 1 < levels.size() && levels[most + 1] <= level + bound) ++most;
+    choice.least.push_back(least);
+    choice.most.push_back(most);
+  }
+  return choice;
+}
+
+/// The stand-ins that some level may become, and the rank of each.
+std::vector<std::uint16_t> rank_those_of(const Choice& choice, const ReconstructionLevels& reconstruction,
+                                         LevelPalette& palette) {
+  std::vector<std::uint16_t> rank_of(reconstruction.levels.size());
+  std::size_t next = 1;
+  for (std::size_t i = 1; i < choice.least.size(); ++i)
+    for (next = std::max(next, choice.least[i]); next <= choice.most[i]; ++next) {
+      rank_of[next] = static_cast<std::uint16_t>(palette.size());
+      palette.levels.push_back(reconstruction.levels.levels[next]);
+    }
+  return rank_of;
+}
+
+}  // namespace
+
+int BoundInUnits::operator()(int sample) const noexcept {
+  return static_cast<int>(std::min(std::floor(bound.at(sample * unit_m) / unit_m + 1e-9), double{kSamples}));
+}
+
+ReconstructionLevels reconstruction_levels_for(const DepthImage& depth, const LevelPalette& palette,
+                                               const DepthBound& bound) {
+  ReconstructionLevels reconstruction{.levels = {}, .bound = {bound, depth.unit_m}};
+  const Reach reach = reach_of(palette, reconstruction.bound);
+  const auto level_cost = static_cast<std::int64_t>(depth.samples.size() / (kPixelsPerLevel * kRowsPerCounted) + 1);
+  for (const std::size_t farthest_of : best_depths(reach, neighbours_of(depth, palette), level_cost))
+    reconstruction.levels.levels.push_back(static_cast<std::uint16_t>(centred(reach, farthest_of)));
+  return reconstruction;
+}
+
+RankedFrame within_bounds(const DepthImage& depth, const LevelPalette& present, ReconstructionLevels& reconstruction) {
+  complete(reconstruction, present);
+  const Choice choice = choice_of(present, reconstruction);
+  RankedFrame frame;
+  const std::vector<std::uint16_t> rank_of = rank_those_of(choice, reconstruction, frame.palette);
+  std::vector<std::uint32_t> ranks_of_sample(kSamples);  // the last above the first: one look-up for both
+  ranks_of_sample[0] = 0xffff0000;
+  for (std::size_t i = 1; i < present.size(); ++i)
+    ranks_of_sample[present.levels[i]] = std::uint32_t{rank_of[choice.most[i]]} << 16 | rank_of[choice.least[i]];
+  frame.ranks.resize(depth.samples.size());
+  frame.most.resize(depth.samples.size());
+  for (std::size_t i = 0; i < depth.samples.size(); ++i) {
+    const std::uint32_t ranks = ranks_of_sample[depth.samples[i]];
+    frame.ranks[i] = static_cast<std::uint16_t>(ranks);
+    frame.most[i] = static_cast<std::uint16_t>(ranks >> 16);
+  }
+  return frame;
+}
+
+}  // namespace telepalp::codec

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "codec/bytes/bytes.h"
+
+namespace telepalp::codec {
+
+/// How much effort zstd spends on matches.
+enum class ZstdEffort {
+  Entropy,  ///< next to none: what is left in our tokens is not repetition
+  Matches,  ///< zstd's level 1
+};
+
+/// Appends `plain` as: size, size once compressed (0: kept as it is), bytes.
+void append_zstd_stream(std::string& packet, std::string_view plain, ZstdEffort effort);
+
+/// Reads one such stream. nullopt when it is damaged, or longer than `most_bytes`, which is checked first.
+[[nodiscard]] std::optional<std::string> read_zstd_stream(ByteReader& reader, std::size_t most_bytes);
+
+}  // namespace telepalp::codec

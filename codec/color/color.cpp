@@ -1,0 +1,57 @@
+#include "codec/color.h"
+
+#include <turbojpeg.h>
+
+#include <memory>
+
+#include "proto/words/demand.h"
+
+namespace telepalp::codec {
+namespace {
+
+struct CloseTurbo {
+  void operator()(void* handle) const noexcept { tjDestroy(handle); }
+};
+using Turbo = std::unique_ptr<void, CloseTurbo>;
+
+struct FreeTurbo {
+  void operator()(unsigned char* bytes) const noexcept { tjFree(bytes); }
+};
+
+Error damaged(std::string what) {
+  return {.what = std::move(what), .where = "decode_color", .fix = "send the picture again"};
+}
+
+}  // namespace
+
+std::string encode_color(const ColorImage& color, int quality) {
+  demand(is_well_formed(color) && !color.rgb.empty(), "encode_color is given a picture");
+  const Turbo turbo(tjInitCompress());
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  const int failed = tjCompress2(turbo.get(), color.rgb.data(), color.width, 0, color.height, TJPF_RGB, &bytes, &size,
+                                 TJSAMP_420, quality, TJFLAG_FASTDCT);
+  const std::unique_ptr<unsigned char, FreeTurbo> owned(bytes);
+  demand(failed == 0, "libjpeg-turbo compresses any well-formed picture");
+  return {reinterpret_cast<const char*>(bytes), size};
+}
+
+Result<ColorImage> decode_color(std::span<const std::byte> jpeg) {
+  const Turbo turbo(tjInitDecompress());
+  const auto* bytes = reinterpret_cast<const unsigned char*>(jpeg.data());
+  ColorImage color;
+  int subsampling = 0;
+  int colorspace = 0;
+  if (tjDecompressHeader3(turbo.get(), bytes, jpeg.size(), &color.width, &color.height, &subsampling, &colorspace) != 0)
+    return damaged("not a JPEG picture");
+  if (color.width < 1 || color.height < 1 || color.width > kMaxImageSide || color.height > kMaxImageSide)
+    return damaged("declares " + std::to_string(color.width) + " x " + std::to_string(color.height) + " pixels");
+  color.rgb.resize(3 * static_cast<std::size_t>(color.width) * static_cast<std::size_t>(color.height));
+  // libjpeg only warns of a truncated picture and fills the rest with grey: a warning is an error here.
+  if (tjDecompress2(turbo.get(), bytes, jpeg.size(), color.rgb.data(), color.width, 0, color.height, TJPF_RGB,
+                    TJFLAG_STOPONWARNING) != 0)
+    return damaged(std::string("damaged picture: ") + tjGetErrorStr2(turbo.get()));
+  return color;
+}
+
+}  // namespace telepalp::codec

@@ -1,0 +1,127 @@
+#pragma once
+
+#include "codec/context/kernel_impl.h"
+#include "codec/simd/lane_vector.h"
+#include "codec/simd/row_interleave.h"
+
+// LaneVector slices at once, for those who decode and those who choose: their neighbours, predictions and contexts lie
+// in one register each, and the rows that they look back to side by side. Internal linkage for the same reason as in
+// range_coder.h.
+
+namespace telepalp::codec {
+namespace {
+
+static_assert(kLanes == 4 && kWestClass == 5);
+
+/// Rows of all four slices in one: four numbers a pixel.
+inline uint16_t* take_interleaved_rows(uint8_t*& scratch, int width, uint16_t value) {
+  const size_t numbers = kLanes * row_bytes(width) / sizeof(uint16_t);
+  auto* const rows = reinterpret_cast<uint16_t*>(scratch);
+  for (size_t i = 0; i < numbers; ++i) rows[i] = value;
+  scratch += numbers * sizeof(uint16_t);
+  return rows + kLanes * kMargin;
+}
+
+/// before_class() of four slices.
+inline LaneVector before_classes(LaneVector before, LaneVector predicted, LaneVector west_stayed) {
+  const LaneVector away = bounded_by_two(before - predicted) + 2;
+  return (away + away + 1 - west_stayed) & (before != 0);
+}
+
+/// What four slices carry from pixel to pixel. Flags are all bits or none.
+struct Neighbours {
+  LaneVector west, west_west, north_west;
+  LaneVector west_measured, west_stayed;
+};
+
+/// One row of each slice, four numbers a pixel.
+struct InterleavedRows {
+  const uint16_t* above = nullptr;  ///< filled
+  const uint32_t* context_above = nullptr;
+  const uint16_t* before = nullptr;  ///< in the frame before
+  uint16_t* filled = nullptr;        ///< written, as is:
+  uint16_t* measured = nullptr;
+};
+
+/// What four pixels' models follow from.
+struct PixelPrediction {
+  LaneVector predicted, contexts, classes;
+  LaneVector was;  ///< in the frame before
+};
+
+template <bool kDependent>
+inline PixelPrediction predict_pixel(const Neighbours& at, const InterleavedRows& rows, int x) {
+  const LaneVector north = lanes_at(rows.above + kLanes * x);
+  PixelPrediction out{};
+  out.predicted = predict(at.west, north, at.north_west);
+  const LaneVector from_north = bounded_by_two(at.west - at.north_west);
+  const LaneVector five_from_north = (from_north << 2) + from_north;  // shorter than to multiply, and all wait for it
+  out.contexts = wide_lanes_at(rows.context_above + kLanes * x) + (2 + 2 * kWestClass) +
+                 (at.west_measured & kWestMeasured) + bounded_by_two(at.west_west - at.west) + five_from_north;
+  if constexpr (kDependent) {
+    out.was = lanes_at(rows.before + kLanes * x);
+    out.classes = before_classes(out.was, out.predicted, at.west_stayed);
+  }
+  return out;
+}
+
+/// Writes four pixels down and goes on to the east.
+inline void step_east(Neighbours& at, const InterleavedRows& rows, int x, LaneVector value, LaneVector is_measured,
+                      LaneVector was) {
+  const LaneVector rank = value & is_measured;
+  put_lanes(rows.filled + kLanes * x, value);
+  put_lanes(rows.measured + kLanes * x, rank);
+  at = {value, at.west, lanes_at(rows.above + kLanes * x), is_measured, rank == was};
+}
+
+/// Before a row, whose first pixels have the one to the north for all neighbours.
+inline Neighbours neighbours_at_start(const InterleavedRows& rows) {
+  const LaneVector start = lanes_at(rows.above);
+  return {start, start, start, LaneVector{}, LaneVector{}};
+}
+
+/// The row that four slices are at, and those above.
+struct InterleavedHistory {
+  uint16_t* above = nullptr;  // filled
+  uint16_t* two_above = nullptr;
+  uint16_t* measured_above = nullptr;
+  uint16_t* filled = nullptr;
+  uint16_t* measured = nullptr;
+  uint16_t* before = nullptr;
+  uint32_t* contexts = nullptr;
+};
+
+inline InterleavedHistory take_history(uint8_t*& scratch, int width) {
+  InterleavedHistory taken;
+  taken.above = take_interleaved_rows(scratch, width, 1);
+  taken.two_above = take_interleaved_rows(scratch, width, 1);
+  taken.measured_above = take_interleaved_rows(scratch, width, 0);
+  taken.filled = take_interleaved_rows(scratch, width, 0);
+  taken.measured = take_interleaved_rows(scratch, width, 0);
+  taken.before = take_interleaved_rows(scratch, width, 0);
+  taken.contexts = reinterpret_cast<uint32_t*>(take_interleaved_rows(scratch, 2 * width + 2 * kMargin, 0));
+  return taken;
+}
+
+/// What a row is coded from; `before`: the same rows of the frame before, none where frames stand alone.
+inline InterleavedRows begin_rows(const InterleavedHistory& history, const uint16_t* const (*before)[kLanes],
+                                  int width) {
+  classify_above<kLanes>({history.above, history.two_above, history.measured_above}, history.contexts, kLanes * width);
+  if (before != nullptr) interleave_rows(*before, history.before, width);
+  return {history.above, history.contexts, history.before, history.filled, history.measured};
+}
+
+/// A row is done, and can be looked back to, beyond both ends as well.
+inline void end_rows(InterleavedHistory& history, int width) {
+  uint16_t* const filled = history.filled;
+  for (int i = 0; i < kLanes; ++i) {
+    filled[i - kLanes] = filled[i - 2 * kLanes] = filled[i];
+    filled[kLanes * width + i] = filled[kLanes * (width + 1) + i] = filled[kLanes * (width - 1) + i];
+  }
+  swap_rows(history.two_above, history.above);
+  swap_rows(history.above, history.filled);
+  swap_rows(history.measured_above, history.measured);
+}
+
+}  // namespace
+}  // namespace telepalp::codec

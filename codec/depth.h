@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "proto/words/result.h"
+#include "proto/words/rgbd_frame.h"
+
+namespace telepalp::codec {
+
+/// How depth is compressed. Its name is used on the command line and in DepthImage.format.
+enum class DepthMode : std::uint8_t {
+  Fast = 0,      ///< lossless; run lengths and zstd's entropy coder: the cheapest to encode
+  Intra = 1,     ///< lossless; context modelling with range coding; every frame is a key frame
+  Temporal = 2,  ///< lossless; frames between key frames are predicted from the previous frame
+  Bounded = 3,   ///< near-lossless: Temporal, with each depth moved within DepthBound; for display, not for touch
+};
+inline constexpr std::uint8_t kLastDepthMode = 3;
+
+[[nodiscard]] std::string_view name(DepthMode mode) noexcept;
+
+/// The mode of that name; nullopt for any other name.
+[[nodiscard]] std::optional<DepthMode> depth_mode(std::string_view name) noexcept;
+
+/// The error bound of near-lossless coding: a depth z [m] moves by at most max(least_m, per_m * z²). The default is one
+/// disparity step of a Kinect-class camera, which is about that sensor's own resolution, and at least a millimetre.
+struct DepthBound {
+  double least_m = 0.001;
+  double per_m = 2.85e-3;
+
+  [[nodiscard]] double at(double z_m) const noexcept { return std::max(least_m, per_m * z_m * z_m); }
+};
+
+/// A compressed depth image with the facts that its reader would otherwise have to parse from `bytes`.
+struct EncodedDepth {
+  std::string bytes;
+  bool key_frame = true;  ///< decodes without the frame before it
+  DepthMode mode = DepthMode::Fast;
+  std::optional<DepthBound> bound;  ///< set for near-lossless coding; nullopt: lossless
+  std::uint32_t crc = 0;            ///< CRC-32C of header and decoded samples; it names this frame as a reference
+};
+
+/// Compresses one depth image as a key frame. Lossless except for Bounded, which uses the default DepthBound. `depth`
+/// must be well formed. The packet is at most 64 B larger than the samples.
+[[nodiscard]] std::string encode_depth(const DepthImage& depth, DepthMode mode = DepthMode::Fast);
+
+/// Decodes a key frame of any mode. A damaged or hostile packet is an error, never wrong depth: the decoded samples are
+/// checked against a CRC made before coding. No allocation exceeds what kMaxImageSide allows.
+[[nodiscard]] Result<DepthImage> decode_depth(std::span<const std::byte> packet);
+
+/// The header fields of a packet.
+struct DepthPacketInfo {
+  DepthMode mode = DepthMode::Fast;
+  std::string_view coding;  ///< "stored", "zstd", "tokens", "contexts" or "dependent"
+  int width = 0;
+  int height = 0;
+  double unit_m = 0.001;
+  int slices = 1;
+  int since_key = 0;  ///< frames since the last key frame; 0: this is a key frame
+};
+
+[[nodiscard]] Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> packet);
+
+/// True for a key frame, which decodes without the frame before it. False for bytes that are not a packet.
+[[nodiscard]] bool is_key_frame(std::span<const std::byte> packet);
+
+}  // namespace telepalp::codec

@@ -1,0 +1,87 @@
+#include "codec/packet/depth_packet.h"
+
+#include <cmath>
+
+#include "codec/bytes/bytes.h"
+#include "codec/bytes/crc32c.h"
+
+namespace telepalp::codec {
+namespace {
+
+constexpr std::string_view kMagic = "TPD";
+constexpr char kVersion = '3';
+constexpr std::size_t kCrcAt = 12;
+
+std::string header_bytes(const PacketHeader& header) {
+  std::string bytes(kMagic);
+  bytes.push_back(kVersion);
+  append(bytes, static_cast<std::uint8_t>(header.mode));
+  append(bytes, static_cast<std::uint8_t>(header.coding));
+  append(bytes, header.slices);
+  append(bytes, std::uint8_t{0});
+  append(bytes, static_cast<std::uint16_t>(header.width));
+  append(bytes, static_cast<std::uint16_t>(header.height));
+  append(bytes, header.crc);
+  append(bytes, header.unit_m);
+  append(bytes, header.reference);
+  append(bytes, header.since_key);
+  append(bytes, std::uint16_t{0});
+  return bytes;
+}
+
+bool is_side(int side) noexcept { return side > 0 && side <= kMaxImageSide; }
+
+}  // namespace
+
+Error damaged(std::string what) {
+  return {.what = std::move(what), .where = "decode_depth", .fix = "send the frame again; check that both ends match"};
+}
+
+std::uint32_t frame_crc(const PacketHeader& header, std::span<const std::uint16_t> samples) {
+  const std::string bytes = header_bytes(header);
+  const auto all = std::as_bytes(std::span(bytes));
+  const std::uint32_t front = crc32c(all.first(kCrcAt));
+  return crc32c(std::as_bytes(samples), crc32c(all.subspan(kCrcAt + sizeof header.crc), front));
+}
+
+WrittenPacket write_packet(PacketHeader header, std::span<const std::uint16_t> samples, std::string_view body) {
+  header.crc = frame_crc(header, samples);
+  WrittenPacket packet{
+      .bytes = header_bytes(header), .crc = header.crc, .key_frame = header.coding != Coding::Dependent};
+  packet.bytes.append(body);
+  return packet;
+}
+
+Result<Packet> read_packet(std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (bytes.size() < kHeaderBytes || !text.starts_with(kMagic))
+    return damaged("packet of " + std::to_string(bytes.size()) + " B is no depth image");
+  if (text[kMagic.size()] != kVersion)
+    return damaged("packet of version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
+                   ", this decoder reads version 3");
+  ByteReader reader(bytes.subspan(4));
+  PacketHeader header;
+  const std::uint8_t mode = *reader.number<std::uint8_t>();
+  const std::uint8_t coding = *reader.number<std::uint8_t>();
+  header.slices = *reader.number<std::uint8_t>();
+  const std::uint8_t zero = *reader.number<std::uint8_t>();
+  header.width = *reader.number<std::uint16_t>();
+  header.height = *reader.number<std::uint16_t>();
+  header.crc = *reader.number<std::uint32_t>();
+  header.unit_m = *reader.number<double>();
+  header.reference = *reader.number<std::uint32_t>();
+  header.since_key = *reader.number<std::uint16_t>();
+  const std::uint16_t zeros = *reader.number<std::uint16_t>();
+  if (mode > kLastDepthMode || coding > kLastCoding || zero != 0 || zeros != 0 || header.slices == 0)
+    return damaged("header names a mode, coding or slicing that does not exist");
+  header.mode = static_cast<DepthMode>(mode);
+  header.coding = static_cast<Coding>(coding);
+  if (!is_side(header.width) || !is_side(header.height))
+    return damaged("declares " + std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels");
+  if (!std::isfinite(header.unit_m) || header.unit_m <= 0.0) return damaged("depth unit is not a positive length");
+  if ((header.coding == Coding::Dependent) != (header.since_key != 0))
+    return damaged("says both that it depends on a frame and that it stands alone");
+  return Packet{header, reader.rest()};
+}
+
+}  // namespace telepalp::codec

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "codec/bounded/reconstruction.h"
+#include "codec/levels/level_palette.h"
+#include "codec/packet/depth_packet.h"
+#include "proto/words/rgbd_frame.h"
+
+namespace telepalp::codec {
+
+/// The frame that another frame is predicted from, and the crc that names it.
+struct Reference {
+  const DepthImage* depth = nullptr;      ///< nullptr: the predicted frame is a key frame
+  const LevelPalette* palette = nullptr;  ///< of `depth`; nullptr: not known
+  std::uint32_t crc = 0;
+  std::uint16_t since_key = 0;  ///< of the frame that is predicted
+};
+
+/// Packs `depth` unchanged, in any mode.
+[[nodiscard]] WrittenPacket write_frame(const DepthImage& depth, DepthMode mode, const Reference& reference);
+
+/// Packs `depth` unchanged with `palette`, its own, in any mode but Fast.
+[[nodiscard]] WrittenPacket write_lossless(const DepthImage& depth, const LevelPalette& palette, DepthMode mode,
+                                           const Reference& reference);
+
+/// A packet together with the frame as its decoder will have it.
+struct CodedFrame {
+  WrittenPacket packet;
+  DepthImage depth;
+  LevelPalette palette;
+};
+
+/// Codes `depth` near-losslessly: each pixel moves within its bound to where it costs least. `palette` is the frame's
+/// own; `reconstruction` as for within_bounds().
+[[nodiscard]] CodedFrame code_bounded(const DepthImage& depth, const LevelPalette& palette,
+                                      ReconstructionLevels& reconstruction, const Reference& reference);
+
+struct DecodedFrame {
+  DepthImage depth;
+  std::optional<LevelPalette> palette;  ///< nullopt: the packet carries none
+};
+
+/// Decodes a packet. The decoded samples must match the header's crc.
+[[nodiscard]] Result<DecodedFrame> read_frame(const Packet& packet, const Reference& reference);
+
+}  // namespace telepalp::codec
