@@ -36,11 +36,17 @@ if(TELEPALP_SANITIZE)
   endif()
 endif()
 
-# telepalp_doors(a.h sub/b.h …): the public headers of this folder. Files outside the folder may include these and no
-# other header of it. A folder without doors is open. tests/architecture_test reads the list and every #include.
+# telepalp_doors([WHY "reason"] a.h sub/b.h …): the public headers of this folder. Files outside the folder may include
+# these and no other header of it. WHY is needed for more than four. tests/architecture_test reads the lists and every
+# #include.
 function(telepalp_doors)
+  cmake_parse_arguments(ARG "" "WHY" "" ${ARGN})
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
-  foreach(door ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY TELEPALP_DOORS "room ${folder}")
+  if(ARG_WHY)
+    set_property(GLOBAL APPEND PROPERTY TELEPALP_DOORS "why ${folder}")
+  endif()
+  foreach(door ${ARG_UNPARSED_ARGUMENTS})
     if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${door})
       message(FATAL_ERROR "${folder}/CMakeLists.txt names the door ${door}, which does not exist")
     endif()

@@ -5,14 +5,14 @@
 #include <filesystem>
 #include <utility>
 
-#include "proto/program/ending.h"
-#include "proto/program/log.h"
-#include "proto/program/options.h"
-#include "proto/program/ready_file.h"
-#include "proto/program/shipped.h"
-#include "server/depth_options.h"
 #include "server/gateway/gateway.h"
+#include "server/pipeline/depth_options.h"
 #include "server/server.h"
+#include "support/program/ending.h"
+#include "support/program/log.h"
+#include "support/program/options.h"
+#include "support/program/ready_file.h"
+#include "support/program/shipped.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "proto/program/log.h"
-#include "proto/wire/depth_told.h"
+#include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/reader.h"
+#include "support/program/log.h"
 
 namespace telepalp::record {
 namespace {
@@ -52,7 +52,7 @@ std::string depth_of(wire::McapReader& reader) {
   const auto first = reader.next();
   msg::DepthImage image;
   if (!first || !*first || !image.ParseFromString(*(*first)->payload)) return {};
-  return line(wire::in_words(wire::depth_told(image)));
+  return line(wire::in_words(wire::depth_fidelity(image)));
 }
 
 struct Row {

@@ -7,8 +7,8 @@
 #include "clients/record/recording.h"
 #include "clients/record/repair.h"
 #include "clients/record/unfinished.h"
-#include "proto/program/log.h"
-#include "proto/program/options.h"
+#include "support/program/log.h"
+#include "support/program/options.h"
 
 namespace {
 

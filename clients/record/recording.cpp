@@ -11,13 +11,13 @@
 #include <utility>
 
 #include "clients/record/disk_thread.h"
-#include "proto/program/ending.h"
-#include "proto/program/log.h"
-#include "proto/program/ready_file.h"
-#include "proto/program/version.h"
 #include "proto/wire/client_link.h"
-#include "proto/wire/depth_told.h"
+#include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/writer.h"
+#include "support/program/ending.h"
+#include "support/program/log.h"
+#include "support/program/ready_file.h"
+#include "support/program/version.h"
 
 namespace telepalp::record {
 namespace {
@@ -102,7 +102,7 @@ class Recording {
     constexpr std::size_t kMostKinds = 8;
     msg::DepthImage image;
     if (depth_.size() >= kMostKinds || !image.ParseFromString(*message.payload)) return;
-    depth_.insert(wire::in_words(wire::depth_told(image)));
+    depth_.insert(wire::in_words(wire::depth_fidelity(image)));
   }
 
   void on_state(wire::LinkState state, const std::string& detail) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "proto/program/address.h"
 #include "proto/words/result.h"
+#include "support/program/address.h"
 
 namespace telepalp::record {
 

@@ -1,9 +1,9 @@
 #include "clients/record/repair.h"
 
-#include "proto/program/version.h"
 #include "proto/wire/mcap/reader.h"
-#include "proto/wire/mcap/stream_reader.h"
+#include "proto/wire/mcap/reading/stream_reader.h"
 #include "proto/wire/mcap/writer.h"
+#include "support/program/version.h"
 
 namespace telepalp::record {
 namespace {

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "proto/wire/mcap/output_file.h"
+#include "proto/wire/mcap/writing/output_file.h"
 
 namespace telepalp::record {
 namespace {

@@ -1,14 +1,14 @@
 #include <filesystem>
 #include <iostream>
 
-#include "clients/ar/png.h"
 #include "clients/record/unfinished.h"
-#include "clients/report/report_html.h"
-#include "clients/report/report_json.h"
-#include "clients/report/session_file.h"
-#include "clients/report/view.h"
-#include "proto/program/options.h"
-#include "proto/program/whole_file.h"
+#include "clients/report/figures/report_html.h"
+#include "clients/report/figures/view.h"
+#include "clients/report/session/session_file.h"
+#include "clients/report/summary/report_json.h"
+#include "support/images/image_file.h"
+#include "support/program/options.h"
+#include "support/program/whole_file.h"
 
 using namespace telepalp;
 
@@ -50,7 +50,7 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
   const std::int64_t moment_ns = report::telling_moment_ns(*session);
   const auto frame = report::read_frame(file, *session, moment_ns);
   if (!frame) return frame.error();
-  const std::string png = *frame ? ar::encode_png(report::draw_view(*session, **frame, moment_ns)) : std::string();
+  const std::string png = *frame ? images::encode_png(report::draw_view(*session, **frame, moment_ns)) : std::string();
 
   if (auto done = write_file(folder / "report.json", report::report_json(*session, summary, verdict)); !done)
     return done;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "haptic_station/control/control_input.h"
-#include "haptic_station/control/control_output.h"
-#include "haptic_station/control/encountered_settings.h"
+#include "haptic_station/control/values/control_input.h"
+#include "haptic_station/control/values/control_output.h"
+#include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/control/parts/displayed_hand.h"
 #include "haptic_station/control/parts/force_control.h"
 #include "haptic_station/control/parts/phase_machine.h"

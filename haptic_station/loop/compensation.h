@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "haptic_station/control/encountered_controller.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/touch/touch.h"
 #include "haptic_station/tracking/hand_estimate.h"
 
 namespace telepalp::station {

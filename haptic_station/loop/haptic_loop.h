@@ -6,7 +6,7 @@
 #include "haptic_station/loop/compensation.h"
 #include "haptic_station/loop/tick_sample.h"
 #include "haptic_station/ports/rig.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/touch/touch.h"
 #include "haptic_station/tracking/hand_estimate.h"
 #include "proto/words/frames.h"
 #include "proto/words/time.h"

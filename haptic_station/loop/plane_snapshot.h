@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_station/surface/surface_snapshot.h"
+#include "haptic_station/surface/snapshot/surface_snapshot.h"
 
 namespace telepalp::station {
 

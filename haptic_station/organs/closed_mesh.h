@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "proto/models/point_model.h"
+#include "support/models/point_model.h"
 
 namespace telepalp::organs {
 

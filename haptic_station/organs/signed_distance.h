@@ -1,7 +1,7 @@
 #pragma once
 
 #include "haptic_station/effects/distance_lattice.h"
-#include "proto/models/point_model.h"
+#include "support/models/point_model.h"
 
 namespace telepalp::organs {
 

@@ -7,7 +7,7 @@
 #include "haptic_station/probe/palpation_path.h"
 #include "haptic_station/probe/probed_surface.h"
 #include "haptic_station/probe/touch_run.h"
-#include "proto/program/options.h"
+#include "support/program/options.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "proto/program/whole_file.h"
+#include "support/program/whole_file.h"
 
 namespace telepalp::probe {
 namespace {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "haptic_station/surface/grid_snapshot.h"
-#include "haptic_station/surface/paper_surface.h"
-#include "haptic_station/surface/static_model.h"
-#include "haptic_station/surface/surface_builder.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/surface/cloud/static_model.h"
+#include "haptic_station/surface/grid/grid_snapshot.h"
+#include "haptic_station/surface/paper/paper_surface.h"
 #include "messages/camera.pb.h"
-#include "proto/models/png_bounds.h"
-#include "proto/program/text_format.h"
+#include "support/models/png_bounds.h"
+#include "support/program/text_format.h"
 
 namespace telepalp::probe {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "haptic_station/surface/surface_settings.h"
-#include "haptic_station/surface/surface_snapshot.h"
+#include "haptic_station/surface/snapshot/surface_settings.h"
+#include "haptic_station/surface/snapshot/surface_snapshot.h"
 #include "proto/words/result.h"
 
 namespace telepalp::probe {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "haptic_station/surface/touch.h"
-#include "proto/program/whole_file.h"
+#include "haptic_station/surface/touch/touch.h"
+#include "support/program/whole_file.h"
 
 namespace telepalp::probe {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "haptic_station/probe/trajectory.h"
-#include "haptic_station/surface/surface_snapshot.h"
+#include "haptic_station/surface/snapshot/surface_snapshot.h"
 
 namespace telepalp::probe {
 

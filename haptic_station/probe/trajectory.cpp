@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "proto/models/text_cursor.h"
+#include "support/models/text_cursor.h"
 
 namespace telepalp::probe {
 namespace {

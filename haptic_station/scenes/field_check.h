@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "proto/program/text_format.h"
 #include "proto/words/frames.h"
 #include "proto/words/result.h"
+#include "support/program/text_format.h"
 
 namespace telepalp::scenes {
 

@@ -6,7 +6,7 @@
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/scenes/field_check.h"
-#include "proto/program/text_format.h"
+#include "support/program/text_format.h"
 
 namespace telepalp::scenes {
 namespace {

@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "haptic_station/control/encountered_settings.h"
+#include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/device/simulated_pair.h"
 #include "haptic_station/device/trial.h"
 #include "haptic_station/effects/effect_bank.h"
 #include "messages/scene.pb.h"
-#include "proto/program/text_format.h"
 #include "proto/words/result.h"
+#include "support/program/text_format.h"
 
 namespace telepalp::scenes {
 

@@ -5,18 +5,18 @@
 
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/station/calibrate_command.h"
-#include "haptic_station/station/calibrated_scene.h"
-#include "haptic_station/station/rearm_command.h"
-#include "haptic_station/station/rig_choice.h"
-#include "haptic_station/station/static_patient.h"
+#include "haptic_station/station/commands/calibrate_command.h"
+#include "haptic_station/station/commands/tissue_command.h"
+#include "haptic_station/station/faults/rearm_command.h"
+#include "haptic_station/station/rigs/calibrated_scene.h"
+#include "haptic_station/station/rigs/rig_choice.h"
+#include "haptic_station/station/rigs/static_patient.h"
 #include "haptic_station/station/station.h"
-#include "haptic_station/station/tissue_command.h"
-#include "haptic_station/surface/surface_settings.h"
+#include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/trials/trials_command.h"
-#include "proto/program/address.h"
-#include "proto/program/options.h"
-#include "proto/program/shipped.h"
+#include "support/program/address.h"
+#include "support/program/options.h"
+#include "support/program/shipped.h"
 
 namespace {
 

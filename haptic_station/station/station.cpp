@@ -5,14 +5,14 @@
 #include <utility>
 
 #include "codec/depth.h"
-#include "haptic_station/station/bill.h"
-#include "haptic_station/station/cost_clock.h"
-#include "haptic_station/station/placement.h"
-#include "haptic_station/station/scene_rig.h"
-#include "proto/program/ending.h"
-#include "proto/program/log.h"
-#include "proto/wire/depth_told.h"
+#include "haptic_station/station/rigs/placement.h"
+#include "haptic_station/station/rigs/scene_rig.h"
+#include "haptic_station/station/threads/bill.h"
+#include "haptic_station/station/threads/cost_clock.h"
+#include "proto/wire/depth_loss.h"
 #include "proto/wire/viewer_hand.h"
+#include "support/program/ending.h"
+#include "support/program/log.h"
 
 namespace telepalp::station {
 namespace {
@@ -65,7 +65,9 @@ Station::Station(boost::asio::io_context& io, const StationOptions& options, con
       loop_(make_loop(scene)),
       rig_(std::move(rig.rig)),
       browser_hand_(rig.browser),
-      telemetry_(ticks_, [this](wire::Message message) { publish(std::move(message)); }),
+      telemetry_(
+          ticks_, [this](wire::Message message) { publish(std::move(message)); },
+          [this](const TickSample& sample) { faults_.add(sample); }),
       faults_(io, telemetry_, options.control, options.state_folder, scene.name,
               {.now = [this] { return now(); }, .rearm = [this] { haptic_->rearm(); }}) {
   start_surface_thread(surface);
@@ -199,7 +201,7 @@ void Station::on_surface(const msg::SurfaceReport& report) {
 
 /// Depth that was moved is not what the camera measured, and whoever touches it is told.
 void Station::say_depth(const msg::SurfaceReport& report) {
-  const wire::DepthTold told = wire::depth_told(report);
+  const wire::DepthFidelity told = wire::depth_fidelity(report);
   const std::string words = wire::in_words(told);
   if (std::exchange(depth_, words) == words) return;
   if (!told.moved) return say("depth comes without loss (" + told.mode + ")");

@@ -11,13 +11,13 @@
 
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/station/collision_thread.h"
-#include "haptic_station/station/fault_desk.h"
-#include "haptic_station/station/haptic_thread.h"
-#include "haptic_station/station/rig_choice.h"
-#include "haptic_station/station/static_patient.h"
-#include "haptic_station/station/surface_worker.h"
-#include "haptic_station/station/telemetry_publisher.h"
+#include "haptic_station/station/faults/fault_monitor.h"
+#include "haptic_station/station/rigs/rig_choice.h"
+#include "haptic_station/station/rigs/static_patient.h"
+#include "haptic_station/station/telemetry/telemetry_publisher.h"
+#include "haptic_station/station/threads/collision_thread.h"
+#include "haptic_station/station/threads/haptic_thread.h"
+#include "haptic_station/station/threads/surface_worker.h"
 #include "proto/wire/client_link.h"
 
 namespace telepalp::station {
@@ -29,7 +29,7 @@ struct StationOptions {
   double seconds = 0.0;  ///< of ticking, then end; 0: until asked to end
   Realtime realtime = Realtime::Prefer;
   std::filesystem::path control;                      ///< of the socket that operators speak to; empty: there is none
-  std::filesystem::path state_folder;                 ///< where the black box goes at a fault
+  std::filesystem::path state_folder;                 ///< where the flight recorder is written at a fault
   std::optional<StaticPatient> model = std::nullopt;  ///< touched instead of what a server streams
 };
 
@@ -94,7 +94,7 @@ class Station {
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // once the first image told
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;
-  FaultDesk faults_;
+  FaultMonitor faults_;
   std::optional<CollisionThread> collision_;
   std::optional<SurfaceWorker> worker_;
   std::chrono::steady_clock::time_point started_;

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "haptic_station/trials/figure.h"
-#include "proto/program/whole_file.h"
+#include "support/program/whole_file.h"
 
 namespace telepalp::trials {
 namespace {
@@ -35,11 +35,11 @@ const char* color_of(Phase phase) {
       return "#e5f5e0";
     case Phase::PlaneToBody:
       return "#deebf7";
-    case Phase::CylinderLateral:
+    case Phase::ObjectLateral:
       return "#e7d4f0";
-    case Phase::AroundCylinder:
+    case Phase::AroundObject:
       return "#f3e6f5";
-    case Phase::CylinderUpper:
+    case Phase::ObjectUpper:
       return "#d5c0e6";
     case Phase::Released:
     case Phase::Faulted:

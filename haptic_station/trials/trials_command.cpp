@@ -5,7 +5,7 @@
 
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/trials/trial_report.h"
-#include "proto/program/options.h"
+#include "support/program/options.h"
 
 namespace telepalp::trials {
 namespace {

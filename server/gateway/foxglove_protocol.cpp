@@ -3,7 +3,7 @@
 #include <google/protobuf/util/json_util.h>
 
 #include "messages/foxglove_websocket.pb.h"
-#include "proto/wire/mcap/schemas.h"
+#include "proto/wire/mcap/format/schemas.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::server::foxglove {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "server/gateway/foxglove_protocol.h"
-#include "server/gateway/viewer_voice.h"
+#include "server/gateway/viewer_commands.h"
 
 namespace telepalp::server {
 namespace {
@@ -186,7 +186,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   beast::flat_buffer incoming_;                              // bounded by read_message_max
   std::optional<SubscriberId> subscriber_;                   // from the greeting until the end
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics
-  ViewerVoice voice_;
+  ViewerCommands voice_;
   std::optional<SessionTime> untaken_warned_;
   std::deque<std::string> texts_;  // to write before data
   bool writing_ = false;

@@ -69,7 +69,7 @@ void Hub::publish(wire::Message message) {
   TopicCount& count = topics_[message.topic.name];
   message.sequence = ++count.published;
   count.bytes += message.payload->size();
-  KeyWish& wish = wishes_[message.topic.name];
+  KeyFrameState& wish = wishes_[message.topic.name];
   wish = after_publishing(wish, message.stands_alone, message.published);
   if (is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)
@@ -87,7 +87,7 @@ bool Hub::is_taken(std::string_view topic, std::string_view other_than) const no
 void Hub::want_key(SubscriberId id, const wire::Topic& topic, SessionTime unreadable) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end() || !wants(found->second.topics, topic.name)) return;
-  const KeyWish& wish = wishes_[topic.name];
+  const KeyFrameState& wish = wishes_[topic.name];
   if (!wish.in_groups || !still_lost(wish, unreadable)) return;
   Subscriber& subscriber = found->second;
   subscriber.places[topic.name] = {};
@@ -107,7 +107,7 @@ void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
 
 void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
   ++subscriber.count.topics[message.topic.name].published;
-  GroupPlace& place = subscriber.places[message.topic.name];
+  GroupPosition& place = subscriber.places[message.topic.name];
   const bool was_empty = subscriber.queue.empty();
   const bool usable = can_use(place, message.sequence, message.stands_alone);
   const std::vector<wire::Message> gone = usable ? subscriber.queue.push(message) : std::vector{message};

@@ -12,7 +12,7 @@
 
 #include "proto/wire/message.h"
 #include "proto/wire/send_queue.h"
-#include "server/hub/group_place.h"
+#include "server/hub/key_frame_state.h"
 
 namespace telepalp::server {
 
@@ -71,7 +71,7 @@ class Hub {
     SubscriberCount count;
     std::vector<std::string> topics;
     wire::SendQueue queue;
-    std::map<std::string_view, GroupPlace> places;  // by topic
+    std::map<std::string_view, GroupPosition> places;  // by topic
     std::function<void()> wake;
   };
   void drop(SubscriberCount& subscriber, const wire::Message& message);
@@ -84,7 +84,7 @@ class Hub {
   std::map<SubscriberId, Subscriber> subscribers_;
   TopicCounts topics_;
   std::map<std::string_view, wire::Message> latched_;
-  std::map<std::string_view, KeyWish> wishes_;  // by topic
+  std::map<std::string_view, KeyFrameState> wishes_;  // by topic
   std::function<void(std::string_view)> key_wanted_;
   SubscriberId last_id_ = 0;
 };

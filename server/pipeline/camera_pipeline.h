@@ -10,7 +10,7 @@
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
 #include "server/capture/capture_source.h"
-#include "server/pipeline/key_pacing.h"
+#include "server/pipeline/key_frame_pacing.h"
 
 namespace telepalp::server {
 
@@ -51,7 +51,7 @@ class CameraPipeline {
   wire::SessionClock clock_;
   Handlers handlers_;
   codec::DepthEncoder encoder_;
-  KeyPacing keys_;
+  KeyFramePacing keys_;
 
   std::uint64_t frames_ = 0;
   std::string refused_;  // why the last frame could not be sent; empty: it was

@@ -4,10 +4,10 @@
 #include <ctime>
 
 #include "codec/depth_stream.h"
-#include "haptic_station/surface/surface_builder.h"
-#include "haptic_station/surface/touch.h"
-#include "proto/program/shipped.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/surface/touch/touch.h"
 #include "server/capture/capture_source.h"
+#include "support/program/shipped.h"
 #include "tests/bench/accuracy_rms.h"
 #include "tests/bench/accuracy_surface.h"
 #include "tests/bench/distribution.h"

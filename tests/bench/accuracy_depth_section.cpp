@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "clients/plot/chart.h"
-#include "clients/plot/palette.h"
+#include "support/plot/chart.h"
+#include "support/plot/palette.h"
 #include "tests/bench/accuracy_depth.h"
 #include "tests/bench/accuracy_sections.h"
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "clients/plot/number.h"
+#include "support/plot/number.h"
 
 namespace telepalp::bench {
 namespace {

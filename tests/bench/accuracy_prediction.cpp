@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "haptic_station/surface/surface_builder.h"
+#include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/tracking/hand_estimate.h"
 #include "haptic_station/tracking/hand_trace.h"
 #include "tests/bench/accuracy_rms.h"

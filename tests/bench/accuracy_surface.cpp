@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "haptic_station/surface/touch.h"
-#include "proto/program/shipped.h"
+#include "haptic_station/surface/touch/touch.h"
+#include "support/program/shipped.h"
 #include "tests/bench/distribution.h"
 #include "tests/haptic_station/surface/shape_error.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "haptic_station/surface/surface_builder.h"
+#include "haptic_station/surface/build/surface_builder.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 #include "tests/haptic_station/surface/touch_scenario.h"
 

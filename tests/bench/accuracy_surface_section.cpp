@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
-#include "clients/plot/chart.h"
-#include "clients/plot/number.h"
-#include "clients/plot/palette.h"
+#include "support/plot/chart.h"
+#include "support/plot/number.h"
+#include "support/plot/palette.h"
 #include "tests/bench/accuracy_pareto.h"
 #include "tests/bench/accuracy_sections.h"
 #include "tests/bench/accuracy_surface.h"

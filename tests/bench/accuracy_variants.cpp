@@ -1,5 +1,5 @@
-#include "haptic_station/surface/cloud_snapshot.h"
-#include "haptic_station/surface/paper_surface.h"
+#include "haptic_station/surface/cloud/cloud_snapshot.h"
+#include "haptic_station/surface/paper/paper_surface.h"
 #include "tests/bench/accuracy_surface.h"
 
 namespace telepalp::bench {

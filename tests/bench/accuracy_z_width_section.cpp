@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "clients/plot/chart.h"
-#include "clients/plot/palette.h"
-#include "haptic_station/control/virtual_coupling.h"
+#include "haptic_station/control/safety/virtual_coupling.h"
 #include "haptic_station/trials/z_width.h"
+#include "support/plot/chart.h"
+#include "support/plot/palette.h"
 #include "tests/bench/accuracy_sections.h"
 
 namespace telepalp::bench {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "proto/program/options.h"
+#include "support/program/options.h"
 #include "tests/bench/report.h"
 
 namespace telepalp::bench {

@@ -10,7 +10,7 @@
 
 #include "haptic_station/loop/haptic_loop.h"
 #include "haptic_station/loop/simulated_rig.h"
-#include "haptic_station/surface/surface_builder.h"
+#include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/tracking/hand_trace.h"
 #include "haptic_station/trials/blind_search.h"
 #include "haptic_station/trials/trial_run.h"
@@ -100,8 +100,8 @@ void run_trials(Report& report) {
            {control::Phase::InBody, control::Phase::BodyToPlane, control::Phase::OutBody, control::Phase::PlaneToBody})
         all = all && f.entered(phase) > 0;
       outer += all ? 1 : 0;
-      if (trial == device::Trial::FindCylinder && f.entered(control::Phase::CylinderUpper) > 0 &&
-          f.entered(control::Phase::CylinderLateral) > 0 && f.entered(control::Phase::AroundCylinder) > 0)
+      if (trial == device::Trial::FindCylinder && f.entered(control::Phase::ObjectUpper) > 0 &&
+          f.entered(control::Phase::ObjectLateral) > 0 && f.entered(control::Phase::AroundObject) > 0)
         ++inner;
     }
   report.rows.push_back(at_least("trial runs of 8 that reach all outer phases", outer, "", 8));

@@ -6,8 +6,8 @@
 
 #include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/device/random.h"
-#include "haptic_station/surface/surface_snapshot.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/snapshot/surface_snapshot.h"
+#include "haptic_station/surface/touch/touch.h"
 
 namespace telepalp::bench {
 

@@ -11,9 +11,9 @@
 #include "codec/depth_stream.h"
 #include "codec/levels/level_palette.h"
 #include "server/capture/capture_source.h"
-#include "server/codec_tool/depth_files.h"
 #include "tests/bench/depth_peers.h"
 #include "tests/bench/distribution.h"
+#include "tools/codec_tool/depth_files.h"
 
 namespace telepalp::bench {
 namespace {

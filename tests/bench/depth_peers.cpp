@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "server/capture/images/image_file.h"
+#include "support/images/image_file.h"
 #include "tests/bench/depth_peer_ffv1.h"
 
 #if defined(TELEPALP_HAVE_CHARLS)

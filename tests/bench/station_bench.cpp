@@ -6,7 +6,7 @@
 
 #include "haptic_station/loop/plane_snapshot.h"
 #include "haptic_station/loop/simulated_rig.h"
-#include "haptic_station/station/haptic_thread.h"
+#include "haptic_station/station/threads/haptic_thread.h"
 #include "tests/bench/distribution.h"
 #include "tests/haptic_station/calibration/registration_trial.h"
 

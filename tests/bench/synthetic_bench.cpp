@@ -3,8 +3,8 @@
 #include <cmath>
 #include <ctime>
 
-#include "proto/program/shipped.h"
 #include "server/capture/synthetic/synthetic_patient.h"
+#include "support/program/shipped.h"
 #include "tests/bench/distribution.h"
 
 namespace telepalp::bench {

@@ -15,7 +15,7 @@
 #include "clients/record/repair.h"
 #include "clients/record/unfinished.h"
 #include "proto/wire/mcap/reader.h"
-#include "proto/wire/mcap/stream_reader.h"
+#include "proto/wire/mcap/reading/stream_reader.h"
 #include "server/hub/peer_listener.h"
 #include "tests/proto/mcap_samples.h"
 #include "tests/support/child_process.h"

@@ -89,14 +89,14 @@ TEST_F(StationFault, LetsGoKeepsWhatLedToItAndIsRearmedOnlyWhenTheCauseIsGone) {
   EXPECT_EQ(rearm(), 1);
   EXPECT_NE(text_of(path("rearm.log")).find("there is no fault"), std::string::npos);
 
-  std::this_thread::sleep_for(1s);  // of ticks for the black box
+  std::this_thread::sleep_for(1s);  // of ticks for the flight recorder
   device_.fault = Fault::Silent;
   ASSERT_TRUE(hears(path("station.log"), "fault: the haptic device is silent")) << text_of(path("station.log"));
   EXPECT_EQ(rearm(), 1);
   EXPECT_NE(text_of(path("rearm.log")).find("not re-armed: the haptic device is silent"), std::string::npos)
       << text_of(path("rearm.log"));
 
-  ASSERT_TRUE(hears(path("station.log"), "black box: ")) << text_of(path("station.log"));
+  ASSERT_TRUE(hears(path("station.log"), "flight recorder: ")) << text_of(path("station.log"));
   const fs::path kept = fs::directory_iterator(path("state"))->path();
   auto file = wire::McapReader::open(kept);
   ASSERT_TRUE(file) << to_string(file.error());

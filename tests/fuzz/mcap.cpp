@@ -1,9 +1,9 @@
 #include <cstdint>
 #include <string>
 
-#include "proto/wire/mcap/records.h"
-#include "proto/wire/mcap/stream_reader.h"
-#include "proto/wire/mcap/summary.h"
+#include "proto/wire/mcap/format/records.h"
+#include "proto/wire/mcap/reading/stream_reader.h"
+#include "proto/wire/mcap/reading/summary.h"
 #include "proto/words/demand.h"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "haptic_station/probe/trajectory.h"
-#include "proto/models/point_model.h"
 #include "proto/words/demand.h"
+#include "support/models/point_model.h"
 
 namespace {
 

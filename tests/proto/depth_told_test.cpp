@@ -1,4 +1,4 @@
-#include "proto/wire/depth_told.h"
+#include "proto/wire/depth_loss.h"
 
 #include <gtest/gtest.h>
 
@@ -20,69 +20,69 @@ msg::DepthImage bounded_image(double least_m, double per_m) {
   return image;
 }
 
-TEST(DepthTold, DepthWithoutLossIsAsMeasured) {
+TEST(DepthFidelity, DepthWithoutLossIsAsMeasured) {
   for (const std::string mode : {"fast", "intra", "temporal"}) {
-    const DepthTold told = depth_told(image_of(mode));
+    const DepthFidelity told = depth_fidelity(image_of(mode));
     EXPECT_FALSE(told.moved);
     EXPECT_EQ(in_words(told), mode + ", as measured");
   }
 }
 
-TEST(DepthTold, BoundedDepthSaysHowFarItMayBeOff) {
-  EXPECT_EQ(in_words(depth_told(bounded_image(0.001, 0.00285))), "bounded, off by up to 2.85 mm at 1 m");
-  EXPECT_EQ(how_far(depth_told(bounded_image(0.004, 0.00285))), "off by up to 4 mm at 1 m") << "the larger counts";
+TEST(DepthFidelity, BoundedDepthSaysHowFarItMayBeOff) {
+  EXPECT_EQ(in_words(depth_fidelity(bounded_image(0.001, 0.00285))), "bounded, off by up to 2.85 mm at 1 m");
+  EXPECT_EQ(how_far(depth_fidelity(bounded_image(0.004, 0.00285))), "off by up to 4 mm at 1 m") << "the larger counts";
 }
 
-TEST(DepthTold, AnAbsurdBoundIsAsGoodAsNoneButTheLossIsBelieved) {
+TEST(DepthFidelity, AnAbsurdBoundIsAsGoodAsNoneButTheLossIsBelieved) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double absurd : {nan, infinite, -0.001, 1.5})
     for (const msg::DepthImage& image : {bounded_image(absurd, 0.003), bounded_image(0.001, absurd)}) {
-      const DepthTold told = depth_told(image);
+      const DepthFidelity told = depth_fidelity(image);
       EXPECT_TRUE(told.moved);
       EXPECT_FALSE(told.within);
       EXPECT_EQ(in_words(told), "bounded, off by an amount that is not told");
     }
 }
 
-TEST(DepthTold, AServerThatTellsNoBoundIsStillKnownToMoveDepth) {
-  EXPECT_EQ(in_words(depth_told(image_of("bounded"))), "bounded, off by an amount that is not told");
-  EXPECT_EQ(in_words(depth_told(image_of(""))), "not told");
+TEST(DepthFidelity, AServerThatTellsNoBoundIsStillKnownToMoveDepth) {
+  EXPECT_EQ(in_words(depth_fidelity(image_of("bounded"))), "bounded, off by an amount that is not told");
+  EXPECT_EQ(in_words(depth_fidelity(image_of(""))), "not told");
 }
 
-TEST(DepthTold, DepthThatWasMovedBeforeItWasCompressedIsNotAsMeasured) {
+TEST(DepthFidelity, DepthThatWasMovedBeforeItWasCompressedIsNotAsMeasured) {
   msg::DepthImage image = bounded_image(0.001, 0.00285);
   image.set_format("fast");
-  EXPECT_EQ(in_words(depth_told(image)), "fast, off by up to 2.85 mm at 1 m");
-  EXPECT_EQ(loss_of(depth_told(image))->per_m, 0.00285);
+  EXPECT_EQ(in_words(depth_fidelity(image)), "fast, off by up to 2.85 mm at 1 m");
+  EXPECT_EQ(loss_of(depth_fidelity(image))->per_m, 0.00285);
   image.clear_bound();
-  EXPECT_FALSE(loss_of(depth_told(image)));
+  EXPECT_FALSE(loss_of(depth_fidelity(image)));
 }
 
-TEST(DepthTold, TheNameOfAModeIsShownOnlyAsFarAsOneMayBeLong) {
-  EXPECT_EQ(depth_told(image_of(std::string(100'000, 'x'))).mode.size(), 32u);
+TEST(DepthFidelity, TheNameOfAModeIsShownOnlyAsFarAsOneMayBeLong) {
+  EXPECT_EQ(depth_fidelity(image_of(std::string(100'000, 'x'))).mode.size(), 32u);
 }
 
-TEST(DepthTold, OfSeveralTheLeastExactIsTheOneThatCounts) {
-  const DepthTold silent = depth_told(image_of(""));
-  const DepthTold exact = depth_told(image_of("fast"));
-  const DepthTold close = depth_told(bounded_image(0.001, 0.001));
-  const DepthTold coarse = depth_told(bounded_image(0.001, 0.004));
-  const DepthTold unknown = depth_told(image_of("bounded"));
-  const DepthTold in_order[] = {silent, exact, close, coarse, unknown};
+TEST(DepthFidelity, OfSeveralTheLeastExactIsTheOneThatCounts) {
+  const DepthFidelity silent = depth_fidelity(image_of(""));
+  const DepthFidelity exact = depth_fidelity(image_of("fast"));
+  const DepthFidelity close = depth_fidelity(bounded_image(0.001, 0.001));
+  const DepthFidelity coarse = depth_fidelity(bounded_image(0.001, 0.004));
+  const DepthFidelity unknown = depth_fidelity(image_of("bounded"));
+  const DepthFidelity in_order[] = {silent, exact, close, coarse, unknown};
   for (std::size_t i = 0; i + 1 < std::size(in_order); ++i) {
     const std::string wanted = in_words(in_order[i + 1]);
     EXPECT_EQ(in_words(less_exact(in_order[i], in_order[i + 1])), wanted);
     EXPECT_EQ(in_words(less_exact(in_order[i + 1], in_order[i])), wanted);
   }
-  EXPECT_EQ(less_exact(exact, depth_told(image_of("temporal"))).mode, "temporal");
+  EXPECT_EQ(less_exact(exact, depth_fidelity(image_of("temporal"))).mode, "temporal");
 }
 
-TEST(DepthTold, TheStationPassesOnWhatTheImageTold) {
+TEST(DepthFidelity, TheStationPassesOnWhatTheImageTold) {
   msg::SurfaceReport report;
   report.set_depth_mode("bounded");
   *report.mutable_depth_bound() = bounded_image(0.001, 0.00285).bound();
-  EXPECT_EQ(in_words(depth_told(report)), "bounded, off by up to 2.85 mm at 1 m");
+  EXPECT_EQ(in_words(depth_fidelity(report)), "bounded, off by up to 2.85 mm at 1 m");
 }
 
 }  // namespace

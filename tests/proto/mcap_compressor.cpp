@@ -3,7 +3,7 @@
 #include <iostream>
 #include <iterator>
 
-#include "proto/wire/mcap/compression.h"
+#include "proto/wire/mcap/format/compression.h"
 
 int main() {
   const std::string bytes(std::istreambuf_iterator<char>(std::cin), {});

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "proto/wire/mcap/compression.h"
+#include "proto/wire/mcap/format/compression.h"
 #include "proto/wire/mcap/reader.h"
-#include "proto/wire/mcap/stream_reader.h"
+#include "proto/wire/mcap/reading/stream_reader.h"
 #include "tests/proto/mcap_samples.h"
 
 namespace telepalp::wire {

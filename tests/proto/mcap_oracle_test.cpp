@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <map>
 
-#include "proto/wire/mcap/compression.h"
+#include "proto/wire/mcap/format/compression.h"
+#include "proto/wire/mcap/format/schemas.h"
 #include "proto/wire/mcap/reader.h"
-#include "proto/wire/mcap/schemas.h"
-#include "proto/wire/mcap/stream_reader.h"
+#include "proto/wire/mcap/reading/stream_reader.h"
 #include "tests/proto/mcap_samples.h"
 #include "tests/support/child_process.h"
 #include "where.h"

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "proto/wire/mcap/format/schemas.h"
 #include "proto/wire/mcap/reader.h"
-#include "proto/wire/mcap/schemas.h"
-#include "proto/wire/mcap/stream_reader.h"
+#include "proto/wire/mcap/reading/stream_reader.h"
 #include "tests/proto/mcap_samples.h"
 
 namespace telepalp::wire {

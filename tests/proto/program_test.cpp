@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "messages/camera.pb.h"
-#include "proto/program/address.h"
-#include "proto/program/ending.h"
-#include "proto/program/options.h"
-#include "proto/program/shipped.h"
-#include "proto/program/text_format.h"
+#include "support/program/address.h"
+#include "support/program/ending.h"
+#include "support/program/options.h"
+#include "support/program/shipped.h"
+#include "support/program/text_format.h"
 
 namespace telepalp::program {
 namespace {

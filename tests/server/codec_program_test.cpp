@@ -6,8 +6,8 @@
 #include <iterator>
 #include <utility>
 
-#include "proto/program/whole_file.h"
-#include "server/capture/images/image_file.h"
+#include "support/images/image_file.h"
+#include "support/program/whole_file.h"
 #include "tests/codec/depth_frames.h"
 #include "tests/support/child_process.h"
 #include "where.h"
@@ -23,8 +23,8 @@ class CodecProgram : public testing::Test {
     std::filesystem::create_directories(folder_.path() / "original");
     for (unsigned i = 0; i < 3; ++i) {
       DepthImage depth = codec::kinect_like(64, 48, i);
-      const GrayImage16 image{depth.width, depth.height, std::move(depth.samples)};
-      EXPECT_TRUE(program::write_whole_file(in("original/" + std::to_string(i) + ".png"), encode_png(image),
+      const images::GrayImage16 image{depth.width, depth.height, std::move(depth.samples)};
+      EXPECT_TRUE(program::write_whole_file(in("original/" + std::to_string(i) + ".png"), images::encode_png(image),
                                             program::Readers::Group)
                       .ok());
     }

@@ -4,19 +4,19 @@
 
 #include "codec/depth_stream.h"
 #include "messages/camera.pb.h"
-#include "proto/program/whole_file.h"
 #include "proto/wire/mcap/writer.h"
-#include "server/codec_tool/depth_files.h"
-#include "server/codec_tool/pgm.h"
+#include "support/program/whole_file.h"
 #include "tests/codec/depth_frames.h"
+#include "tools/codec_tool/depth_files.h"
+#include "tools/codec_tool/pgm.h"
 
 namespace telepalp::server {
 namespace {
 
-const GrayImage16 kImage{.width = 3, .height = 2, .samples = {0, 1, 255, 256, 700, 65535}};
+const images::GrayImage16 kImage{.width = 3, .height = 2, .samples = {0, 1, 255, 256, 700, 65535}};
 
 TEST(Pgm, RoundTripKeepsEverySample) {
-  const Result<GrayImage16> back = decode_pgm(encode_pgm(kImage), "a.pgm");
+  const Result<images::GrayImage16> back = decode_pgm(encode_pgm(kImage), "a.pgm");
   ASSERT_TRUE(back.ok()) << to_string(back.error());
   EXPECT_EQ(back->samples, kImage.samples);
   EXPECT_EQ(back->width, 3);
@@ -35,13 +35,14 @@ TEST(DepthFiles, GiveTheImagesOfADirectoryInOrderAndPassOverColour) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder / "depth");
   for (const std::uint16_t number : {std::uint16_t{2}, std::uint16_t{1}}) {
-    GrayImage16 image = kImage;
+    images::GrayImage16 image = kImage;
     image.samples[0] = number;
-    ASSERT_TRUE(program::write_whole_file(folder / "depth" / (std::to_string(number) + ".png"), encode_png(image),
-                                          program::Readers::Group)
+    ASSERT_TRUE(program::write_whole_file(folder / "depth" / (std::to_string(number) + ".png"),
+                                          images::encode_png(image), program::Readers::Group)
                     .ok());
   }
-  ASSERT_TRUE(program::write_whole_file(folder / "picture.png", encode_png(ColorImage{2, 1, {1, 2, 3, 4, 5, 6}}),
+  ASSERT_TRUE(program::write_whole_file(folder / "picture.png",
+                                        images::encode_png(ColorImage{2, 1, {1, 2, 3, 4, 5, 6}}),
                                         program::Readers::Group)
                   .ok());
   std::vector<std::uint16_t> first_samples;

@@ -1,4 +1,4 @@
-#include "server/codec_tool/depth_difference.h"
+#include "tools/codec_tool/depth_difference.h"
 
 #include <gtest/gtest.h>
 

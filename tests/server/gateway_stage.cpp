@@ -23,10 +23,10 @@
 #include "messages/camera.pb.h"
 #include "messages/clock.pb.h"
 #include "messages/station.pb.h"
-#include "proto/program/options.h"
 #include "proto/wire/session_clock.h"
 #include "server/gateway/gateway.h"
 #include "server/hub/hub.h"
+#include "support/program/options.h"
 
 namespace telepalp {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "server/hub/hub.h"
-#include "server/pipeline/key_pacing.h"
+#include "server/pipeline/key_frame_pacing.h"
 
 namespace telepalp::server {
 namespace {
@@ -188,8 +188,8 @@ TEST(HubGroups, WhoSubscribesAgainBeginsWithAKeyFrame) {
   EXPECT_EQ(stage.taken(id), "4");
 }
 
-TEST(KeyPacing, WhoeverAsksAtEveryFrameGetsOneKeyFrameInFour) {
-  KeyPacing pacing;
+TEST(KeyFramePacing, WhoeverAsksAtEveryFrameGetsOneKeyFrameInFour) {
+  KeyFramePacing pacing;
   std::string made;
   for (int i = 0; i < 13; ++i) {
     pacing.asked = true;
@@ -200,8 +200,8 @@ TEST(KeyPacing, WhoeverAsksAtEveryFrameGetsOneKeyFrameInFour) {
   EXPECT_EQ(made, "K...K...K...K");
 }
 
-TEST(KeyPacing, AWishIsKeptUntilAKeyFrameIsMadeForWhateverReason) {
-  KeyPacing pacing = after_frame({}, true);
+TEST(KeyFramePacing, AWishIsKeptUntilAKeyFrameIsMadeForWhateverReason) {
+  KeyFramePacing pacing = after_frame({}, true);
   pacing.asked = true;
   pacing = after_frame(pacing, false);
   EXPECT_TRUE(pacing.asked);

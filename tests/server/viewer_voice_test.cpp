@@ -1,6 +1,6 @@
 // What a viewer may say, and what it may not.
 
-#include "server/gateway/viewer_voice.h"
+#include "server/gateway/viewer_commands.h"
 
 #include <gtest/gtest.h>
 
@@ -27,14 +27,14 @@ std::string data(const std::string& payload, std::string header = std::string("\
 }
 
 /// One that has advertised its hand as channel 5.
-ViewerVoice voice() {
-  ViewerVoice made;
+ViewerCommands voice() {
+  ViewerCommands made;
   EXPECT_TRUE(made.advertise({5, "/viewer/hand", "protobuf"}));
   return made;
 }
 
-TEST(ViewerVoice, AHandIsPublishedStampedAndSignedByTheServer) {
-  ViewerVoice viewer = voice();
+TEST(ViewerCommands, AHandIsPublishedStampedAndSignedByTheServer) {
+  ViewerCommands viewer = voice();
   const auto heard = viewer.hear(data(hand_at(0.1, -0.2, 0.8)), 3, session_time(1'000));
   ASSERT_TRUE(heard);
   ASSERT_TRUE(heard->has_value());
@@ -46,8 +46,8 @@ TEST(ViewerVoice, AHandIsPublishedStampedAndSignedByTheServer) {
   EXPECT_EQ(hand->hand_camera().y(), -0.2);
 }
 
-TEST(ViewerVoice, NothingElseMayBeSaid) {
-  ViewerVoice viewer;
+TEST(ViewerCommands, NothingElseMayBeSaid) {
+  ViewerCommands viewer;
   for (const auto& channel :
        {foxglove::Request::Channel{1, "/station/events", "protobuf"},
         foxglove::Request::Channel{1, "/camera/depth", "protobuf"},
@@ -58,10 +58,10 @@ TEST(ViewerVoice, NothingElseMayBeSaid) {
   EXPECT_FALSE(viewer.advertise({8, "/viewer/hand", "protobuf"})) << "channels are bounded";
 }
 
-TEST(ViewerVoice, HandsThatCannotBeAreRefused) {
+TEST(ViewerCommands, HandsThatCannotBeAreRefused) {
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
-  ViewerVoice viewer = voice();
+  ViewerCommands viewer = voice();
   std::int64_t at = 0;
   for (const std::string& bytes :
        {std::string(), std::string("\x01"), std::string("\x02\x05\0\0\0", 5), data(""), data("\xff\xff\xff"),
@@ -70,8 +70,8 @@ TEST(ViewerVoice, HandsThatCannotBeAreRefused) {
     EXPECT_FALSE(viewer.hear(bytes, 1, session_time(at += 1'000'000'000))) << bytes.size();
 }
 
-TEST(ViewerVoice, AFloodIsThinnedToFiveHundredASecond) {
-  ViewerVoice viewer = voice();
+TEST(ViewerCommands, AFloodIsThinnedToFiveHundredASecond) {
+  ViewerCommands viewer = voice();
   int published = 0;
   for (int i = 0; i < 100'000; ++i) {
     const auto heard = viewer.hear(data(hand_at(0, 0, 1)), 1, session_time(i * 10'000));

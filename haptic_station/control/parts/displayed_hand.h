@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_station/control/control_input.h"
+#include "haptic_station/control/values/control_input.h"
 
 namespace telepalp::control {
 

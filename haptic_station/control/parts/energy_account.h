@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_station/control/passivity.h"
+#include "haptic_station/control/safety/passivity.h"
 
 namespace telepalp::control {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "haptic_station/control/control_input.h"
+#include "haptic_station/control/values/control_input.h"
 #include "haptic_station/control/parts/energy_account.h"
 #include "haptic_station/control/parts/sink_in.h"
-#include "haptic_station/control/virtual_coupling.h"
+#include "haptic_station/control/safety/virtual_coupling.h"
 #include "haptic_station/effects/effect_bank.h"
 
 namespace telepalp::control {

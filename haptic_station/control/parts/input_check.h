@@ -1,8 +1,8 @@
 #pragma once
 
-#include "haptic_station/control/control_input.h"
-#include "haptic_station/control/encountered_settings.h"
-#include "haptic_station/control/phase.h"
+#include "haptic_station/control/values/control_input.h"
+#include "haptic_station/control/values/encountered_settings.h"
+#include "haptic_station/control/phases/phase.h"
 
 namespace telepalp::control {
 

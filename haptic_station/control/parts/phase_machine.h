@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "haptic_station/control/phase_event.h"
+#include "haptic_station/control/phases/phase_event.h"
 
 namespace telepalp::control {
 

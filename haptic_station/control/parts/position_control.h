@@ -1,7 +1,7 @@
 #pragma once
 
-#include "haptic_station/control/control_input.h"
-#include "haptic_station/control/encountered_settings.h"
+#include "haptic_station/control/values/control_input.h"
+#include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/control/parts/critically_damped.h"
 
 namespace telepalp::control {

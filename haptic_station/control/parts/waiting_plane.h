@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_station/control/encountered_settings.h"
+#include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/ports/surface_contact.h"
 
 namespace telepalp::control {

@@ -6,8 +6,9 @@
 #include <functional>
 #include <string>
 
-#include "haptic_station/device/protocol/edge_thread.h"
+#include "haptic_station/device/protocol/protocol_thread.h"
 #include "haptic_station/device/protocol/haply_inverse.h"
+#include "haptic_station/device/protocol/protocol_thread.h"
 #include "haptic_station/device/protocol/websocket_line.h"
 #include "haptic_station/ports/device.h"
 #include "proto/words/latest_value.h"
@@ -53,7 +54,7 @@ class HaplyDevice final : public ports::Device {
   void answer();
   void send_force();
 
-  EdgeThread thread_;
+  ProtocolThread thread_;
   const std::string name_;
   const Say say_;
   const Transform<HapticBase, haply::InverseBase> haptic_from_inverse_;

@@ -8,7 +8,7 @@
 
 #include "haptic_station/device/protocol/udp_device.h"
 #include "haptic_station/ports/device.h"
-#include "proto/program/address.h"
+#include "support/program/address.h"
 
 namespace telepalp::device {
 

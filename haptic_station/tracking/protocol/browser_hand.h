@@ -2,7 +2,7 @@
 
 #include "haptic_station/ports/tracker.h"
 #include "haptic_station/tracking/protocol/clock_envelope.h"
-#include "haptic_station/tracking/protocol/sightings.h"
+#include "haptic_station/tracking/protocol/hand_sightings.h"
 #include "messages/viewer.pb.h"
 
 namespace telepalp::tracking {

@@ -5,12 +5,12 @@
 #include <functional>
 #include <string>
 
-#include "haptic_station/device/protocol/edge_thread.h"
+#include "haptic_station/device/protocol/protocol_thread.h"
 #include "haptic_station/device/protocol/websocket_line.h"
 #include "haptic_station/ports/tracker.h"
 #include "haptic_station/tracking/protocol/clock_envelope.h"
 #include "haptic_station/tracking/protocol/followed_hand.h"
-#include "haptic_station/tracking/protocol/sightings.h"
+#include "haptic_station/tracking/protocol/hand_sightings.h"
 
 namespace telepalp::tracking {
 
@@ -45,7 +45,7 @@ class LeapTracker final : public ports::Tracker {
   void on_frame(const leap::Frame& frame);
   void refuse(const std::string& why);
 
-  device::EdgeThread thread_;
+  device::ProtocolThread thread_;
   const std::string name_;
   const Say say_;
   device::WebSocketLine line_;   // owner: thread_

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "proto/wire/mcap/chunk.h"
+#include "proto/wire/mcap/format/chunk.h"
 
 namespace telepalp::wire {
 

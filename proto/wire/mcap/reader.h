@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "proto/wire/mcap/summary.h"
+#include "proto/wire/mcap/reading/summary.h"
 #include "proto/wire/mcap/writer.h"
 
 namespace telepalp::wire {

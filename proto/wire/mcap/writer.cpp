@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "proto/wire/mcap/schemas.h"
+#include "proto/wire/mcap/format/schemas.h"
 
 namespace telepalp::wire {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "proto/wire/mcap/encoder.h"
-#include "proto/wire/mcap/output_file.h"
+#include "proto/wire/mcap/format/encoder.h"
+#include "proto/wire/mcap/writing/output_file.h"
 #include "proto/wire/message.h"
 #include "proto/words/result.h"
 
@@ -22,7 +22,8 @@ struct SessionInfo {
   std::string scene;   ///< text of the scene file, or empty
 };
 inline constexpr std::string_view kSessionMetadata = "telepalp.session";
-inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  ///< what the recorder found out by its end
+inline constexpr std::string_view kRecordingMetadata =
+    "telepalp.recording";  ///< what the recorder found out by its end
 
 /// Reads that record; empty texts where it says nothing.
 [[nodiscard]] SessionInfo session_info(const mcap::Metadata& metadata);

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "messages/camera.pb.h"
-#include "proto/program/text_format.h"
+#include "support/program/text_format.h"
 
 namespace telepalp::server {
 namespace {

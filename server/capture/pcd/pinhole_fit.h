@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "proto/models/point_model.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
+#include "support/models/point_model.h"
 
 namespace telepalp::server {
 

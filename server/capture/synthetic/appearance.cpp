@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/capture/synthetic/pixel_noise.h"
+#include "server/capture/synthetic/sensor/pixel_noise.h"
 #include "server/capture/synthetic/smooth.h"
 #include "server/capture/synthetic/true_surface.h"
 

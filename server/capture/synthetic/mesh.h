@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "proto/models/point_model.h"
 #include "proto/words/result.h"
+#include "support/models/point_model.h"
 
 namespace telepalp::server {
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "server/capture/synthetic/sensor_model.h"
+#include "server/capture/synthetic/sensor/sensor_model.h"
 #include "server/capture/synthetic/settings.h"
 #include "server/capture/synthetic/true_surface.h"
 

@@ -9,9 +9,9 @@
 #include "clients/ar/depth_mesh.h"
 #include "clients/ar/hand_avatar.h"
 #include "clients/ar/isosurface.h"
-#include "clients/ar/png.h"
 #include "clients/ar/shapes.h"
 #include "clients/ar/text.h"
+#include "support/images/image_file.h"
 
 namespace telepalp::ar {
 namespace {
@@ -190,7 +190,7 @@ TEST(AugmentedView, AForceOfZeroHasNoArrowAndNoTrouble) {
 TEST(Png, HoldsThePixelsThatItWasGiven) {
   ColorImage image{5, 3, {}};
   for (int i = 0; i < 5 * 3 * 3; ++i) image.rgb.push_back(static_cast<std::uint8_t>(i * 5));
-  const std::string file = encode_png(image);
+  const std::string file = images::encode_png(image);
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_memory(&header, file.data(), file.size()), 0);

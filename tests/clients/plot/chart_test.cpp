@@ -1,4 +1,4 @@
-#include "clients/plot/chart.h"
+#include "support/plot/chart.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <regex>
 #include <sstream>
 
-#include "clients/plot/bars.h"
-#include "clients/plot/palette.h"
-#include "clients/plot/svg.h"
+#include "support/plot/bars.h"
+#include "support/plot/palette.h"
+#include "support/plot/svg.h"
 #include "where.h"
 
 namespace telepalp::plot {

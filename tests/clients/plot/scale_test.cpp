@@ -1,4 +1,4 @@
-#include "clients/plot/scale.h"
+#include "support/plot/scale.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "clients/plot/histogram.h"
-#include "clients/plot/number.h"
+#include "support/plot/histogram.h"
+#include "support/plot/number.h"
 
 namespace telepalp::plot {
 namespace {

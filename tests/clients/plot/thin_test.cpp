@@ -1,4 +1,4 @@
-#include "clients/plot/thin.h"
+#include "support/plot/thin.h"
 
 #include <gtest/gtest.h>
 

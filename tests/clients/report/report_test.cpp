@@ -7,14 +7,14 @@
 #include <fstream>
 #include <sstream>
 
-#include "clients/report/html.h"
-#include "clients/report/json.h"
-#include "clients/report/motion_figures.h"
-#include "clients/report/phases.h"
-#include "clients/report/report_html.h"
-#include "clients/report/report_json.h"
-#include "clients/report/session_file.h"
-#include "clients/report/view.h"
+#include "clients/report/figures/html.h"
+#include "clients/report/figures/motion_figures.h"
+#include "clients/report/figures/report_html.h"
+#include "clients/report/figures/view.h"
+#include "clients/report/session/session_file.h"
+#include "clients/report/summary/json.h"
+#include "clients/report/summary/phases.h"
+#include "clients/report/summary/report_json.h"
 #include "proto/wire/mcap/writer.h"
 #include "tests/clients/report/made_session.h"
 #include "where.h"

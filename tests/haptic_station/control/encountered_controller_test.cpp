@@ -79,7 +79,7 @@ TEST(EncounteredController, TheFirstTrialEntersAtThreePointsWithoutAJump) {
 
 TEST(EncounteredController, TheThirdTrialVisitsTheCylindersThreePhases) {
   const TrialRun trial = run_trial(device::Trial::FindCylinder);
-  for (const Phase phase : {Phase::CylinderUpper, Phase::CylinderLateral, Phase::AroundCylinder})
+  for (const Phase phase : {Phase::ObjectUpper, Phase::ObjectLateral, Phase::AroundObject})
     EXPECT_TRUE(trial.visited.contains(phase)) << name(phase);
   EXPECT_LE(trial.worst_step_N, 0.05);
   EXPECT_LE(trial.most_N, 10.0);

@@ -1,4 +1,4 @@
-#include "haptic_station/control/force_limiter.h"
+#include "haptic_station/control/safety/force_limiter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "haptic_station/control/phase_event.h"
+#include "haptic_station/control/phases/phase_event.h"
 #include "where.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 namespace telepalp::control {
 namespace {
 
-constexpr Phase kPhases[] = {Phase::InBody,         Phase::BodyToPlane,   Phase::OutBody,
-                             Phase::PlaneToBody,    Phase::CylinderUpper, Phase::CylinderLateral,
-                             Phase::AroundCylinder, Phase::Released,      Phase::Faulted};
+constexpr Phase kPhases[] = {Phase::InBody,       Phase::BodyToPlane, Phase::OutBody,
+                             Phase::PlaneToBody,  Phase::ObjectUpper, Phase::ObjectLateral,
+                             Phase::AroundObject, Phase::Released,    Phase::Faulted};
 static_assert(std::size(kPhases) == kPhaseCount);
 
 using Pair = std::pair<Phase, Event>;
@@ -40,9 +40,9 @@ std::set<Pair> raised() {
 /// What a phase goes on being told while it lasts.
 bool says_what_is(const Pair& pair) {
   const Pair kStays[] = {{Phase::InBody, Event::AwayFromObject},
-                         {Phase::AroundCylinder, Event::NearObject},
-                         {Phase::CylinderUpper, Event::TouchUpper},
-                         {Phase::CylinderLateral, Event::TouchLateral}};
+                         {Phase::AroundObject, Event::NearObject},
+                         {Phase::ObjectUpper, Event::TouchUpper},
+                         {Phase::ObjectLateral, Event::TouchLateral}};
   return std::ranges::find(kStays, pair) != std::end(kStays);
 }
 

@@ -1,4 +1,4 @@
-#include "haptic_station/control/phase.h"
+#include "haptic_station/control/phases/phase.h"
 
 #include <gtest/gtest.h>
 
@@ -54,9 +54,9 @@ TEST(PhaseTable, NumbersArePublishedAsTheyAre) {
   EXPECT_EQ(static_cast<int>(Phase::BodyToPlane), msg::PHASE_BODY_TO_PLANE);
   EXPECT_EQ(static_cast<int>(Phase::OutBody), msg::PHASE_OUT_BODY);
   EXPECT_EQ(static_cast<int>(Phase::PlaneToBody), msg::PHASE_PLANE_TO_BODY);
-  EXPECT_EQ(static_cast<int>(Phase::CylinderLateral), msg::PHASE_CYLINDER_LATERAL);
-  EXPECT_EQ(static_cast<int>(Phase::AroundCylinder), msg::PHASE_AROUND_CYLINDER);
-  EXPECT_EQ(static_cast<int>(Phase::CylinderUpper), msg::PHASE_CYLINDER_UPPER);
+  EXPECT_EQ(static_cast<int>(Phase::ObjectLateral), msg::PHASE_CYLINDER_LATERAL);
+  EXPECT_EQ(static_cast<int>(Phase::AroundObject), msg::PHASE_AROUND_CYLINDER);
+  EXPECT_EQ(static_cast<int>(Phase::ObjectUpper), msg::PHASE_CYLINDER_UPPER);
   EXPECT_EQ(static_cast<int>(Phase::Released), msg::PHASE_RELEASED);
   EXPECT_EQ(static_cast<int>(Phase::Faulted), msg::PHASE_FAULTED);
 }
@@ -66,9 +66,9 @@ TEST(PhaseTable, FiguresPlotThePapersNumbers) {
   EXPECT_EQ(plotted_number(Phase::BodyToPlane), 1);
   EXPECT_EQ(plotted_number(Phase::OutBody), 2);
   EXPECT_EQ(plotted_number(Phase::PlaneToBody), 3);
-  EXPECT_EQ(plotted_number(Phase::CylinderLateral), -1);
-  EXPECT_EQ(plotted_number(Phase::AroundCylinder), -2);
-  EXPECT_EQ(plotted_number(Phase::CylinderUpper), -3);
+  EXPECT_EQ(plotted_number(Phase::ObjectLateral), -1);
+  EXPECT_EQ(plotted_number(Phase::AroundObject), -2);
+  EXPECT_EQ(plotted_number(Phase::ObjectUpper), -3);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "haptic_station/control/virtual_coupling.h"
+#include "haptic_station/control/safety/virtual_coupling.h"
 
 #include <gtest/gtest.h>
 

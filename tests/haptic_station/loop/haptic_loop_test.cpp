@@ -7,8 +7,8 @@
 
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/station/placement.h"
-#include "haptic_station/surface/surface_builder.h"
+#include "haptic_station/station/rigs/placement.h"
+#include "haptic_station/surface/build/surface_builder.h"
 #include "proto/words/latest_value.h"
 #include "server/capture/synthetic/mesh.h"
 #include "server/capture/synthetic/synthetic_patient.h"

@@ -1,4 +1,4 @@
-#include "haptic_station/station/control_socket.h"
+#include "haptic_station/station/faults/control_socket.h"
 
 #include <gtest/gtest.h>
 

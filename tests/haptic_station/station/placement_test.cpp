@@ -1,4 +1,4 @@
-#include "haptic_station/station/placement.h"
+#include "haptic_station/station/rigs/placement.h"
 
 #include <gtest/gtest.h>
 

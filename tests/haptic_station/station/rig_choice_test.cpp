@@ -1,10 +1,10 @@
-#include "haptic_station/station/rig_choice.h"
+#include "haptic_station/station/rigs/rig_choice.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "haptic_station/station/calibrated_scene.h"
+#include "haptic_station/station/rigs/calibrated_scene.h"
 #include "tests/haptic_station/device/protocol/fake_service.h"
 
 namespace telepalp::station {

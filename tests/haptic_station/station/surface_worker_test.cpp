@@ -1,4 +1,4 @@
-#include "haptic_station/station/surface_worker.h"
+#include "haptic_station/station/threads/surface_worker.h"
 
 #include <gtest/gtest.h>
 

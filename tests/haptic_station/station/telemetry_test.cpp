@@ -1,10 +1,10 @@
-#include "haptic_station/station/telemetry.h"
+#include "haptic_station/station/telemetry/telemetry.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "haptic_station/station/tick_timer.h"
+#include "haptic_station/station/threads/tick_timer.h"
 
 namespace telepalp::station {
 namespace {

@@ -1,4 +1,4 @@
-#include "haptic_station/surface/cell_lattice.h"
+#include "haptic_station/surface/temporal/cell_lattice.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <limits>
 #include <random>
 
-#include "haptic_station/surface/cloud_snapshot.h"
-#include "haptic_station/surface/paper_surface.h"
-#include "haptic_station/surface/surface_builder.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/surface/cloud/cloud_snapshot.h"
+#include "haptic_station/surface/paper/paper_surface.h"
+#include "haptic_station/surface/touch/touch.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 
 namespace telepalp::surface {

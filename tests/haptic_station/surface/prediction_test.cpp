@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "haptic_station/surface/surface_builder.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/surface/touch/touch.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 
 namespace telepalp::surface {

@@ -1,4 +1,4 @@
-#include "haptic_station/surface/setting_choice.h"
+#include "haptic_station/surface/build/setting_choice.h"
 
 #include <gtest/gtest.h>
 

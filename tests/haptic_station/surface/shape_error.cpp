@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/touch/touch.h"
 
 namespace telepalp::testing {
 namespace {

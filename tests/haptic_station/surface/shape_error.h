@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "haptic_station/surface/surface_settings.h"
+#include "haptic_station/surface/snapshot/surface_settings.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 #include "tests/haptic_station/surface/touch_scenario.h"
 

@@ -1,4 +1,4 @@
-#include "haptic_station/surface/static_model.h"
+#include "haptic_station/surface/cloud/static_model.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/touch/touch.h"
 
 namespace telepalp::surface {
 namespace {

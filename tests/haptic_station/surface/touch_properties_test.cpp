@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "haptic_station/surface/cloud_snapshot.h"
-#include "haptic_station/surface/surface_builder.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/surface/cloud/cloud_snapshot.h"
+#include "haptic_station/surface/touch/touch.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 #include "tests/haptic_station/surface/shape_error.h"
 

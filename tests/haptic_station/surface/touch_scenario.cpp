@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "proto/program/shipped.h"
+#include "support/program/shipped.h"
 
 namespace telepalp::testing {
 

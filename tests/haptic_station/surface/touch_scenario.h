@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "haptic_station/surface/surface_builder.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/surface/touch/touch.h"
 #include "server/capture/synthetic/synthetic_patient.h"
 
 namespace telepalp::testing {

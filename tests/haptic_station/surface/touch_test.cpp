@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "haptic_station/surface/surface_builder.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/surface/touch/touch.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 #include "tests/haptic_station/surface/shape_error.h"
 

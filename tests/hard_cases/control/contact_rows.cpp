@@ -106,7 +106,7 @@ AssertionResult from_the_side() {
   };
   bool lateral = false;
   scene.watch = [&](const control::ControlOutput& out, double) {
-    lateral = lateral || out.phase == Phase::CylinderLateral;
+    lateral = lateral || out.phase == Phase::ObjectLateral;
   };
   const Felt felt = feel(scene);
   return all_of({{lateral, "its side is met"},
@@ -130,7 +130,7 @@ AssertionResult begins_inside() {
     if (now_s > 4.0) least_J = std::min(least_J, out.passivity_J);
   };
   const Felt felt = feel(scene);
-  return all_of({{felt.last.phase == Phase::CylinderUpper, "felt again, in the cylinder"},
+  return all_of({{felt.last.phase == Phase::ObjectUpper, "felt again, in the cylinder"},
                  below_N("begins with", begun_N, 0.05),
                  below_N("step", felt.worst_step_N, 0.2),
                  below_mJ("in debt", -least_J, 1.0)});

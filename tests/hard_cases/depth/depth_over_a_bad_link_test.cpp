@@ -8,7 +8,7 @@
 #include "codec/depth_stream.h"
 #include "codec/key_frame_request.h"
 #include "server/hub/hub.h"
-#include "server/pipeline/key_pacing.h"
+#include "server/pipeline/key_frame_pacing.h"
 #include "tests/codec/depth_frames.h"
 
 namespace telepalp {
@@ -39,7 +39,7 @@ struct Watcher {
 struct Site {
   server::Hub hub;
   codec::DepthEncoder encoder;
-  server::KeyPacing pacing;
+  server::KeyFramePacing pacing;
   int keys = 0;
 
   explicit Site(codec::DepthMode mode) : encoder({.mode = mode, .key_every = 12}) {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
-#include "haptic_station/surface/cloud_snapshot.h"
-#include "haptic_station/surface/surface_builder.h"
-#include "haptic_station/surface/touch.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/surface/cloud/cloud_snapshot.h"
+#include "haptic_station/surface/touch/touch.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/surface/rows.h"

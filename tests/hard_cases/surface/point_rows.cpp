@@ -1,6 +1,6 @@
 #include <random>
 
-#include "haptic_station/surface/paper_surface.h"
+#include "haptic_station/surface/paper/paper_surface.h"
 #include "tests/hard_cases/surface/driven.h"
 
 namespace telepalp::surface {

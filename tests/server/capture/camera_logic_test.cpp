@@ -3,9 +3,9 @@
 #include <random>
 #include <string>
 
-#include "server/capture/color_depth_pairing.h"
-#include "server/capture/reconnecting_source.h"
-#include "server/capture/timestamp_map.h"
+#include "server/capture/openni/color_depth_pairing.h"
+#include "server/capture/openni/reconnecting_source.h"
+#include "server/capture/openni/timestamp_map.h"
 
 namespace telepalp::server {
 namespace {

@@ -7,11 +7,11 @@
 #include <fstream>
 
 #include "codec/depth_stream.h"
-#include "proto/wire/depth_told.h"
+#include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/writer.h"
-#include "server/capture/images/image_file.h"
-#include "server/capture/session_frames.h"
+#include "server/capture/session/session_frames.h"
 #include "server/pipeline/camera_messages.h"
+#include "support/images/image_file.h"
 #include "where.h"
 namespace telepalp::server {
 namespace {
@@ -179,10 +179,10 @@ TEST_F(SourceFolder, EachBadSourceIsNamedWithWhereAndFix) {
   std::filesystem::create_directories(folder_ / "sizes");
   std::filesystem::create_directories(folder_ / "damaged");
   std::filesystem::create_directories(folder_ / "field");
-  const std::string png = encode_png(GrayImage16{4, 2, std::vector<std::uint16_t>(8, 500)});
+  const std::string png = images::encode_png(images::GrayImage16{4, 2, std::vector<std::uint16_t>(8, 500)});
   for (const char* name : {"gap/1.png", "gap/2.png", "gap/4.png", "sizes/1.png", "damaged/1.png", "field/1.png"})
     write(name, png);
-  write("sizes/2.png", encode_png(GrayImage16{2, 2, std::vector<std::uint16_t>(4, 500)}));
+  write("sizes/2.png", images::encode_png(images::GrayImage16{2, 2, std::vector<std::uint16_t>(4, 500)}));
   write("damaged/2.png", png.substr(0, png.size() / 2));
   write("field/camera.textproto", "depth {\n  focal: 3\n}\n");
   const std::pair<std::string, std::string> kBad[] = {
@@ -346,7 +346,7 @@ TEST(DepthMessage, OfDepthThatIsOffByAnUnknownAmountTellsSo) {
     codec::EncodedDepth encoded;
     encoded.mode = mode;
     if (mode == codec::DepthMode::Bounded) encoded.bound = codec::DepthBound{};
-    const wire::DepthTold told = wire::depth_told(depth_message(frame, encoded));
+    const wire::DepthFidelity told = wire::depth_fidelity(depth_message(frame, encoded));
     EXPECT_TRUE(told.moved);
     EXPECT_FALSE(told.within);
   }

@@ -1,4 +1,4 @@
-#include "server/capture/images/image_file.h"
+#include "support/images/image_file.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -24,18 +24,18 @@ std::string file_bytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-GrayImage16 ramp(int width, int height) {
-  GrayImage16 image{width, height, {}};
+images::GrayImage16 ramp(int width, int height) {
+  images::GrayImage16 image{width, height, {}};
   for (int i = 0; i < width * height; ++i) image.samples.push_back(static_cast<std::uint16_t>(i * 257));
   return image;
 }
 
 TEST(Png, KeepsDepthSamplesExactly) {
   for (const auto& [width, height] : {std::pair{1, 1}, std::pair{3, 5}, std::pair{640, 480}}) {
-    const GrayImage16 image = ramp(width, height);
-    const auto read = decode_png(bytes_of(encode_png(image)), "ramp.png");
+    const images::GrayImage16 image = ramp(width, height);
+    const auto read = images::decode_png(bytes_of(images::encode_png(image)), "ramp.png");
     ASSERT_TRUE(read.ok()) << to_string(read.error());
-    const auto* back = std::get_if<GrayImage16>(&*read);
+    const auto* back = std::get_if<images::GrayImage16>(&*read);
     ASSERT_NE(back, nullptr);
     EXPECT_EQ(back->width, width);
     EXPECT_EQ(back->samples, image.samples);
@@ -44,35 +44,35 @@ TEST(Png, KeepsDepthSamplesExactly) {
 
 TEST(Png, KeepsColourExactly) {
   const ColorImage image{2, 2, {1, 2, 3, 4, 5, 6, 250, 251, 252, 253, 254, 255}};
-  const auto read = decode_png(bytes_of(encode_png(image)), "colour.png");
+  const auto read = images::decode_png(bytes_of(images::encode_png(image)), "colour.png");
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(std::get<ColorImage>(*read).rgb, image.rgb);
 }
 
 TEST(ImageFile, ReadsRealDepthAndColourOfBothFormats) {
-  const auto png = read_depth_image(kData + "/images_rgb_depth/depth/40.png");
+  const auto png = images::read_depth_image(kData + "/images_rgb_depth/depth/40.png");
   ASSERT_TRUE(png.ok()) << to_string(png.error());
   EXPECT_EQ(png->width, 640);
-  const auto color = read_color_image(kData + "/images_rgb_depth/rgb/40.png");
+  const auto color = images::read_color_image(kData + "/images_rgb_depth/rgb/40.png");
   ASSERT_TRUE(color.ok()) << to_string(color.error());
   EXPECT_TRUE(is_well_formed(*color));
-  const auto tiff = read_depth_image(kData + "/images_tiff_pairs/frame_20121214T142255.814212_depth.tiff");
+  const auto tiff = images::read_depth_image(kData + "/images_tiff_pairs/frame_20121214T142255.814212_depth.tiff");
   ASSERT_TRUE(tiff.ok()) << to_string(tiff.error());
   EXPECT_EQ(tiff->height, 480);
   EXPECT_GT(*std::max_element(tiff->samples.begin(), tiff->samples.end()), 1500);
   EXPECT_LT(*std::max_element(tiff->samples.begin(), tiff->samples.end()), 2000);
-  const auto picture = read_color_image(kData + "/images_tiff_pairs/frame_20121214T142255.814212_rgb.tiff");
+  const auto picture = images::read_color_image(kData + "/images_tiff_pairs/frame_20121214T142255.814212_rgb.tiff");
   ASSERT_TRUE(picture.ok()) << to_string(picture.error());
   EXPECT_TRUE(is_well_formed(*picture));
 }
 
 TEST(ImageFile, SaysWhichKindItFoundInsteadOfTheOneAsked) {
-  const auto depth = read_depth_image(kData + "/images_rgb_depth/rgb/40.png");
+  const auto depth = images::read_depth_image(kData + "/images_rgb_depth/rgb/40.png");
   ASSERT_FALSE(depth.ok());
   EXPECT_NE(depth.error().what.find("picture"), std::string::npos);
-  EXPECT_FALSE(read_color_image(kData + "/images_rgb_depth/depth/40.png").ok());
-  EXPECT_FALSE(read_image(kData + "/ATTRIBUTION.md").ok());
-  EXPECT_FALSE(read_image(kData + "/no_such.png").ok());
+  EXPECT_FALSE(images::read_color_image(kData + "/images_rgb_depth/depth/40.png").ok());
+  EXPECT_FALSE(images::read_image(kData + "/ATTRIBUTION.md").ok());
+  EXPECT_FALSE(images::read_image(kData + "/no_such.png").ok());
 }
 
 TEST(ImageFile, ATruncatedImageIsAnErrorNeverHalfAnImage) {
@@ -82,22 +82,23 @@ TEST(ImageFile, ATruncatedImageIsAnErrorNeverHalfAnImage) {
     const auto part = [eighth](const std::string& whole) {
       return whole.substr(0, whole.size() * static_cast<std::size_t>(eighth) / 8);
     };
-    EXPECT_FALSE(decode_png(bytes_of(part(png)), "cut.png").ok()) << eighth;
-    EXPECT_FALSE(decode_tiff(bytes_of(part(tiff)), "cut.tiff").ok()) << eighth;
+    EXPECT_FALSE(images::decode_png(bytes_of(part(png)), "cut.png").ok()) << eighth;
+    EXPECT_FALSE(images::decode_tiff(bytes_of(part(tiff)), "cut.tiff").ok()) << eighth;
   }
 }
 
 TEST(ImageFile, FlippedBytesNeverCrashAndAPngNeverPassesThem) {
   constexpr unsigned kSeed = 5;
   std::mt19937 random{kSeed};
-  const std::string png = encode_png(ramp(40, 30));
+  const std::string png = images::encode_png(ramp(40, 30));
   const std::string tiff = file_bytes(kData + "/images_tiff_pairs/frame_20121214T142255.814212_rgb.tiff");
   for (int i = 0; i < 300; ++i) {
     std::string damaged = png;
     damaged[random() % damaged.size()] ^= static_cast<char>(1 + random() % 255);
-    const auto read = decode_png(bytes_of(damaged), "flipped.png");
+    const auto read = images::decode_png(bytes_of(damaged), "flipped.png");
     if (read.ok()) {
-      EXPECT_EQ(std::get<GrayImage16>(*read).samples, ramp(40, 30).samples) << "seed " << kSeed << " step " << i;
+      EXPECT_EQ(std::get<images::GrayImage16>(*read).samples, ramp(40, 30).samples)
+          << "seed " << kSeed << " step " << i;
     }
   }
   for (int i = 0; i < 60; ++i) {
@@ -106,15 +107,15 @@ TEST(ImageFile, FlippedBytesNeverCrashAndAPngNeverPassesThem) {
     const std::size_t reach = i % 2 == 0 ? 400 : damaged.size();
     damaged[damaged.size() - 1 - random() % reach] ^= static_cast<char>(1 + random() % 255);
     damaged[random() % 8] ^= static_cast<char>(i % 3 == 0 ? 1 : 0);
-    (void)decode_tiff(bytes_of(damaged), "flipped.tiff");
+    (void)images::decode_tiff(bytes_of(damaged), "flipped.tiff");
   }
 }
 
 TEST(Png, AClaimedGiantIsRefusedBeforeAnythingIsAllocated) {
-  std::string png = encode_png(ramp(2, 2));
+  std::string png = images::encode_png(ramp(2, 2));
   const unsigned char giant[] = {0, 0, 0x40, 0, 0, 0, 0x40, 0};  // 16384 x 16384, in IHDR
   std::copy(std::begin(giant), std::end(giant), png.begin() + 16);
-  EXPECT_FALSE(decode_png(bytes_of(png), "giant.png").ok());
+  EXPECT_FALSE(images::decode_png(bytes_of(png), "giant.png").ok());
 }
 
 void append_chunk(std::string& png, const std::string& kind, const std::string& data) {
@@ -145,11 +146,11 @@ std::string png_with_extra(std::size_t extra, bool interlaced) {
 
 TEST(Png, DataBehindTheLastRowIsRefusedWithoutReadingItAll) {
   constexpr std::size_t kBomb = 40U << 20U;
-  EXPECT_TRUE(decode_png(bytes_of(png_with_extra(0, false)), "whole.png").ok());
-  EXPECT_TRUE(decode_png(bytes_of(png_with_extra(0, true)), "whole.png").ok());
-  EXPECT_FALSE(decode_png(bytes_of(png_with_extra(10, false)), "extra.png").ok());
+  EXPECT_TRUE(images::decode_png(bytes_of(png_with_extra(0, false)), "whole.png").ok());
+  EXPECT_TRUE(images::decode_png(bytes_of(png_with_extra(0, true)), "whole.png").ok());
+  EXPECT_FALSE(images::decode_png(bytes_of(png_with_extra(10, false)), "extra.png").ok());
   for (const bool interlaced : {false, true}) {
-    const auto read = decode_png(bytes_of(png_with_extra(kBomb, interlaced)), "bomb.png");
+    const auto read = images::decode_png(bytes_of(png_with_extra(kBomb, interlaced)), "bomb.png");
     ASSERT_FALSE(read.ok());
     // libpng's own words, after it has read all, are "Too much image data".
     EXPECT_NE(read.error().what.find("more data than its rows"), std::string::npos) << to_string(read.error());
@@ -171,7 +172,7 @@ TEST(Tiff, ThousandsOfChannelsAreRefusedBeforeAnythingIsAllocated) {
     little_endian(value, 4);
   }
   little_endian(0, 4);
-  const auto read = decode_tiff(bytes_of(tiff), "channels.tiff");
+  const auto read = images::decode_tiff(bytes_of(tiff), "channels.tiff");
   ASSERT_FALSE(read.ok());
   EXPECT_NE(read.error().what.find("60000 channels"), std::string::npos) << to_string(read.error());
 }

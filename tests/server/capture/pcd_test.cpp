@@ -6,7 +6,7 @@
 #include <cstring>
 #include <random>
 
-#include "proto/models/lzf.h"
+#include "support/models/lzf.h"
 #include "where.h"
 
 namespace telepalp::server {

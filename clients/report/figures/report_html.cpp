@@ -1,0 +1,161 @@
+#include "clients/report/figures/report_html.h"
+
+#include <cmath>
+
+#include "clients/report/figures/compensation_figures.h"
+#include "clients/report/figures/html.h"
+#include "clients/report/figures/motion_figures.h"
+#include "clients/report/figures/timing_figures.h"
+#include "clients/report/summary/phases.h"
+#include "support/plot/number.h"
+#include "support/plot/svg.h"
+
+namespace telepalp::report {
+namespace {
+
+using plot::escaped;
+using plot::number;
+using plot::readable;
+
+std::string stacked(const std::vector<plot::Chart>& charts) {
+  std::string out;
+  for (const plot::Chart& chart : charts) out += plot::to_svg(chart);
+  return out;
+}
+
+std::string in_pairs(const std::vector<plot::Chart>& charts) {
+  std::string out = "<div class=\"pair\">\n";
+  for (const plot::Chart& chart : charts) out += "<div>" + plot::to_svg(chart) + "</div>\n";
+  return out + "</div>\n";
+}
+
+std::string check_card(const Check& check) {
+  const Standing standing = check.standing();
+  const char* const look = standing == Standing::Misses ? " misses" : standing == Standing::Holds ? "" : " unknown";
+  const std::string budget =
+      std::string(check.at_most ? "at most " : "at least ") + readable(check.budget) + " " + check.unit;
+  const std::string value =
+      standing == Standing::NotMeasured ? "not measured" : readable(check.value) + " " + check.unit;
+  return "<div class=\"check" + std::string(look) + "\"><div class=\"name\">" + escaped(check.name) +
+         "</div><div class=\"value\">" + escaped(value) + "</div><div class=\"budget\">" +
+         (standing == Standing::Misses  ? "✗ asked: "
+          : standing == Standing::Holds ? "✓ asked: "
+                                        : "asked: ") +
+         escaped(budget) + "</div></div>\n";
+}
+
+std::string first_screen(const Session& session, const Summary& summary, const Verdict& verdict) {
+  std::string out = "<h1>telepalp: report of a run</h1>\n<p class=\"from\">" + escaped(session.name) +
+                    (session.origin.empty() ? "" : " · " + escaped(session.origin)) + " · " +
+                    number(summary.seconds, 1) + " s · " + std::to_string(session.messages) + " messages</p>\n";
+  const char* const look = verdict.good ? "" : summary.ticks > 0 ? " look" : " none";
+  out += "<div class=\"verdict" + std::string(look) + "\"><div class=\"headline\">" + escaped(verdict.headline) +
+         "</div><p>" + escaped(verdict.account) + "</p>\n";
+  if (summary.damaged_messages > 0)
+    out += "<p>" + std::to_string(summary.damaged_messages) + " messages were damaged and are left out.</p>\n";
+  out += "<div class=\"checks\">\n";
+  for (const Check& check : verdict.checks) out += check_card(check);
+  return out + "</div></div>\n";
+}
+
+std::string view_section(const Session& session, const std::string& view_png) {
+  if (view_png.empty()) return "";
+  if (session.states.empty())
+    return section("The patient", "What the camera saw. No station took part in this session.",
+                   "<img alt=\"the patient\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
+  return section(
+      "The augmented view at the deepest touch",
+      "What the camera saw, with the doctor's hand displaced to the proxy on the skin and reddened with depth.",
+      "<img alt=\"augmented view\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
+}
+
+std::string states_section(const Summary& summary) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < kPhases.size(); ++i)
+    rows.push_back(
+        {std::string(kPhases[i].words), std::string(kPhases[i].mark), std::to_string(summary.dwells[i].entries),
+         number(summary.dwells[i].seconds, 3),
+         summary.seconds > 0.0 ? number(100.0 * summary.dwells[i].seconds / summary.seconds, 1) + " %" : "–"});
+  return section("States", "How often the controller entered each state and how long it stayed.",
+                 table({"state", "s_f", "entries", "seconds", "of the session"}, rows));
+}
+
+std::string motion_sections(const Session& session) {
+  if (session.ticks.size() == 0) return "";
+  std::string out = section("Position by state",
+                            "Out of the body the end-effector follows the hand on a plane above it; in the body it is "
+                            "pushed. There should be no jump where the state changes.",
+                            stacked({position_by_state(session)}));
+  out += section("Force against indentation",
+                 "In contact, counted from the first point touched. The way in and the way out enclose the energy that "
+                 "was lost: a loop that turns the other way would be energy given to the hand.",
+                 in_pairs(force_against_indentation(session)));
+  const auto cylinder = around_the_cylinder(session);
+  out += cylinder.empty() ? section("The cylinder under the skin", "Its states were not visited in this run.", "")
+                          : section("The cylinder under the skin",
+                                    "Where the end-effector went in the cylinder's states, and the force.",
+                                    in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
+  return out + section("The whole run",
+                       "State, height and force on one time axis. Out of the body the force moves the free "
+                       "end-effector; the hand feels none.",
+                       stacked(timeline(session)));
+}
+
+std::string timing_sections(const Session& session, const Summary& summary) {
+  std::string out;
+  if (session.ticks.size() > 0)
+    out += section("The 2 kHz loop",
+                   "How long ticks took and how late they began. Right of the line a tick no longer fits its period.",
+                   in_pairs(tick_times(session)));
+  std::string way;
+  if (!session.surfaces.empty()) way += plot::to_svg(latency_by_stage(summary));
+  if (!session.states.empty()) way += plot::to_svg(surface_age(session));
+  way += plot::to_svg(frame_rate(session));
+  out += section("From the camera to the hand",
+                 "Latency by stage, the age of what was touched, and how steadily frames came.", way);
+  if (const std::vector<plot::Chart> done = compensation(session); !done.empty())
+    out += section("What is done about delay",
+                   "Hand and surface are carried forward to now by their own motion; a newer surface is let in slowly. "
+                   "Where the uncertainty outgrows what is carried, the hand feels a guess.",
+                   stacked(done));
+  if (summary.bill.empty()) return out;
+  std::vector<std::vector<std::string>> rows;
+  for (const msg::EffectCost& cost : summary.bill)
+    rows.push_back({cost.name(), readable(cost.mean_us()), readable(cost.max_us()),
+                    readable(100.0 * cost.mean_us() / (session.ticks.period_ns * 1e-3)) + " %"});
+  return out + section("The bill of effects", "What each effect of the scene costs in every tick of 500 µs.",
+                       table({"effect", "mean [µs]", "max [µs]", "of the period"}, rows));
+}
+
+std::string events_section(const Session& session) {
+  constexpr std::size_t kMost = 60;
+  std::vector<std::vector<std::string>> rows;
+  for (const msg::StationEvent& event : session.events) {
+    if (rows.size() == kMost) break;
+    const double at =
+        static_cast<double>(static_cast<std::int64_t>(event.stamp_ns()) - session.first_ns.value_or(0)) * 1e-9;
+    const std::string text =
+        event.kind() == msg::EVENT_KIND_PHASE && event.text().empty()
+            ? std::string(words_for(event.from()).words) + " → " + std::string(words_for(event.to()).words)
+            : event.text();
+    rows.push_back({number(at, 3) + " s", text});
+  }
+  if (rows.empty()) return "";
+  const std::string more = session.events.size() > kMost ? "The first " + std::to_string(kMost) + " of " +
+                                                               std::to_string(session.events.size()) + " events."
+                                                         : "What the station told, in order.";
+  return section("Events", more, table({"time", "what"}, rows));
+}
+
+}  // namespace
+
+std::string report_html(const Session& session, const Summary& summary, const Verdict& verdict,
+                        const std::string& view_png) {
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>telepalp: " +
+         escaped(session.name) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n" +
+         first_screen(session, summary, verdict) + view_section(session, view_png) + motion_sections(session) +
+         states_section(summary) + timing_sections(session, summary) + events_section(session) + "</body></html>\n";
+}
+
+}  // namespace telepalp::report

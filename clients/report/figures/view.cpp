@@ -1,0 +1,75 @@
+#include "clients/report/figures/view.h"
+
+#include <cmath>
+
+#include "clients/report/summary/phases.h"
+#include "support/plot/number.h"
+
+namespace telepalp::report {
+namespace {
+
+Eigen::Vector3d vector(const msg::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+bool in_front_of_camera(const msg::Vec3& at) { return std::isfinite(at.z()) && at.z() > 0.0; }
+
+/// The station cannot be drawn before it knows where its hand is in the camera's frame.
+bool is_drawable(const msg::StationState& state) {
+  return state.has_device_camera() && in_front_of_camera(state.device_camera());
+}
+
+const msg::StationState* state_at(const Session& session, std::int64_t at_ns) {
+  const msg::StationState* best = nullptr;
+  const auto distance = [&](const msg::StationState& state) {
+    return std::abs(static_cast<std::int64_t>(state.stamp_ns()) - at_ns);
+  };
+  for (const msg::StationState& state : session.states)
+    if (is_drawable(state) && (best == nullptr || distance(state) < distance(*best))) best = &state;
+  return best;
+}
+
+ar::Touch touch_of(const msg::StationState& state) {
+  const Point<DepthCamera> device{vector(state.device_camera())};
+  // Out of the body there may be no proxy: the hand is drawn where the device is, and the proxy with it.
+  const Point<DepthCamera> proxy =
+      in_front_of_camera(state.proxy_camera()) ? Point<DepthCamera>{vector(state.proxy_camera())} : device;
+  const Point<DepthCamera> hand = in_front_of_camera(state.displayed_hand_camera())
+                                      ? Point<DepthCamera>{vector(state.displayed_hand_camera())}
+                                      : proxy;
+  return {hand, proxy, device, {vector(state.force_camera_n())}, state.indentation_m(), state.in_body()};
+}
+
+std::vector<ar::PanelLine> figures_of(const Session& session, const msg::StationState& state) {
+  const double since_start_s =
+      static_cast<double>(static_cast<std::int64_t>(state.stamp_ns()) - session.first_ns.value_or(0)) * 1e-9;
+  std::vector<ar::PanelLine> lines{{"state", std::string(words_for(state.phase()).words)},
+                                   {"force", plot::number(vector(state.force_n()).norm(), 2) + " N"},
+                                   {"indentation", plot::number(1e3 * state.indentation_m(), 1) + " mm"}};
+  if (state.surface_captured_ns() > 0)
+    lines.push_back(
+        {"surface age",
+         plot::number(
+             static_cast<double>(static_cast<std::int64_t>(state.stamp_ns() - state.surface_captured_ns())) * 1e-6, 0) +
+             " ms"});
+  lines.push_back({"time", plot::number(since_start_s, 2) + " s"});
+  return lines;
+}
+
+}  // namespace
+
+std::int64_t telling_moment_ns(const Session& session) {
+  const msg::StationState* telling = nullptr;
+  for (const msg::StationState& state : session.states)
+    if (is_drawable(state) && (telling == nullptr || !(state.indentation_m() < telling->indentation_m())))
+      telling = &state;
+  if (telling != nullptr) return static_cast<std::int64_t>(telling->stamp_ns());
+  return session.first_ns.value_or(0) + (session.last_ns.value_or(0) - session.first_ns.value_or(0)) / 2;
+}
+
+ColorImage draw_view(const Session& session, const RgbdFrame& frame, std::int64_t at_ns) {
+  const msg::StationState* state = state_at(session, at_ns);
+  if (state == nullptr)
+    return ar::draw({.frame = frame, .touch = std::nullopt, .figures = {{"no station in this session", ""}}});
+  return ar::draw({.frame = frame, .touch = touch_of(*state), .figures = figures_of(session, *state)});
+}
+
+}  // namespace telepalp::report

@@ -1,0 +1,134 @@
+#include "clients/report/session/session.h"
+
+#include <algorithm>
+#include <span>
+
+#include "codec/depth.h"
+#include "foxglove/CompressedImage.pb.h"
+#include "proto/wire/topics.h"
+
+namespace telepalp::report {
+namespace {
+
+template <class Column, class Values>
+void extend(Column& column, const Values& values) {
+  column.insert(column.end(), values.begin(), values.end());
+}
+
+/// A batch whose columns differ in length is damaged: its ticks could not be told apart.
+bool add_ticks(Ticks& ticks, const msg::StationTicks& batch) {
+  const int size = batch.late_ns_size();
+  const int lengths[] = {
+      batch.work_us_size(), batch.phase_size(),    batch.hand_x_size(),        batch.hand_y_size(),
+      batch.hand_z_size(),  batch.device_x_size(), batch.device_y_size(),      batch.device_z_size(),
+      batch.proxy_x_size(), batch.proxy_y_size(),  batch.proxy_z_size(),       batch.force_x_size(),
+      batch.force_y_size(), batch.force_z_size(),  batch.indentation_m_size(), batch.distance_m_size()};
+  if (std::any_of(std::begin(lengths), std::end(lengths), [&](int length) { return length != size; })) return false;
+  ticks.period_ns = batch.period_ns() > 0 ? batch.period_ns() : ticks.period_ns;
+  for (int i = 0; i < size; ++i) {
+    ticks.at_ns.push_back(static_cast<std::int64_t>(batch.first_tick_ns()) + std::int64_t{i} * ticks.period_ns);
+    ticks.late_us.push_back(static_cast<float>(batch.late_ns(i)) * 1e-3F);
+    ticks.phase.push_back(batch.phase(i));
+  }
+  extend(ticks.work_us, batch.work_us());
+  extend(ticks.hand[0], batch.hand_x());
+  extend(ticks.hand[1], batch.hand_y());
+  extend(ticks.hand[2], batch.hand_z());
+  extend(ticks.device[0], batch.device_x());
+  extend(ticks.device[1], batch.device_y());
+  extend(ticks.device[2], batch.device_z());
+  extend(ticks.proxy[0], batch.proxy_x());
+  extend(ticks.proxy[1], batch.proxy_y());
+  extend(ticks.proxy[2], batch.proxy_z());
+  extend(ticks.force[0], batch.force_x());
+  extend(ticks.force[1], batch.force_y());
+  extend(ticks.force[2], batch.force_z());
+  extend(ticks.indentation_m, batch.indentation_m());
+  extend(ticks.distance_m, batch.distance_m());
+  return true;
+}
+
+/// Reads the payload as `Proto` and hands it to `take`, whose answer says whether it made sense.
+template <class Proto, class Take>
+bool read(const wire::Message& message, Take take) {
+  Proto proto;
+  return proto.ParseFromString(*message.payload) && take(proto);
+}
+
+template <class Proto>
+bool keep_all(const wire::Message& message, std::vector<Proto>& list) {
+  return read<Proto>(message, [&](Proto& proto) {
+    list.push_back(std::move(proto));
+    return true;
+  });
+}
+
+template <class Proto>
+bool keep_last(const wire::Message& message, std::optional<Proto>& last) {
+  return read<Proto>(message, [&](Proto& proto) {
+    last = std::move(proto);
+    return true;
+  });
+}
+
+bool add_readable(Session& session, const wire::Message& message) {
+  const std::string_view topic = message.topic.name;
+  if (topic == wire::kStationTicks.name)
+    return read<msg::StationTicks>(message, [&](const auto& batch) { return add_ticks(session.ticks, batch); });
+  if (topic == wire::kStationState.name) return keep_all(message, session.states);
+  if (topic == wire::kStationSurface.name) return keep_all(message, session.surfaces);
+  if (topic == wire::kStationCompensation.name) return keep_all(message, session.compensations);
+  if (topic == wire::kStationEvents.name) return keep_all(message, session.events);
+  if (topic == wire::kStationStats.name) return keep_last(message, session.station_stats);
+  if (topic == wire::kServerStats.name) return keep_last(message, session.server_stats);
+  if (topic == wire::kCameraStatus.name) return keep_last(message, session.capture);
+  if (topic == wire::kCameraInfo.name)
+    return read<foxglove::CameraCalibration>(message, [&](const auto& calibration) {
+      session.calibrations[calibration.frame_id()] = calibration;
+      return true;
+    });
+  if (topic == wire::kCameraDepth.name)
+    return read<msg::DepthImage>(message, [&](const auto& image) {
+      const bool is_key = codec::is_key_frame(std::as_bytes(std::span(image.data())));
+      const std::int64_t logged_ns = to_nanoseconds(message.published);
+      session.depth = wire::less_exact(session.depth, wire::depth_fidelity(image));
+      session.depth_captured_ns.push_back(static_cast<std::int64_t>(image.captured_ns()));
+      session.depth_key_ns.push_back(is_key || session.depth_key_ns.empty() ? logged_ns : session.depth_key_ns.back());
+      return true;
+    });
+  if (topic == wire::kCameraColor.name)
+    return read<foxglove::CompressedImage>(message, [&](const auto& image) {
+      session.color_captured_ns.push_back(image.timestamp().seconds() * 1'000'000'000 + image.timestamp().nanos());
+      return true;
+    });
+  return true;
+}
+
+}  // namespace
+
+void add(Session& session, const wire::Message& message) {
+  const std::int64_t at = to_nanoseconds(message.published);
+  session.first_ns = std::min(session.first_ns.value_or(at), at);
+  session.last_ns = std::max(session.last_ns.value_or(at), at);
+  ++session.messages;
+  if (!add_readable(session, message)) ++session.damaged;
+}
+
+double seconds(const Session& session) noexcept {
+  return session.first_ns ? to_seconds(Nanoseconds(*session.last_ns - *session.first_ns)) : 0.0;
+}
+
+std::optional<Intrinsics> intrinsics(const foxglove::CameraCalibration& calibration) {
+  if (calibration.k_size() != 9 || calibration.width() > static_cast<unsigned>(kMaxImageSide) ||
+      calibration.height() > static_cast<unsigned>(kMaxImageSide))
+    return std::nullopt;
+  const Intrinsics camera{static_cast<int>(calibration.width()),
+                          static_cast<int>(calibration.height()),
+                          calibration.k(0),
+                          calibration.k(4),
+                          calibration.k(2),
+                          calibration.k(5)};
+  return is_well_formed(camera) ? std::optional(camera) : std::nullopt;
+}
+
+}  // namespace telepalp::report

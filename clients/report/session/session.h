@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foxglove/CameraCalibration.pb.h"
+#include "messages/camera.pb.h"
+#include "messages/station.pb.h"
+#include "proto/wire/depth_loss.h"
+#include "proto/wire/message.h"
+#include "proto/words/rgbd_frame.h"
+
+namespace telepalp::report {
+
+/// One quantity of every tick, by axis of the haptic base's frame H.
+using Axes = std::array<std::vector<float>, 3>;
+
+/// Every recorded tick of the 2 kHz loop; all columns have one length.
+struct Ticks {
+  std::vector<std::int64_t> at_ns;  ///< session time of the tick's deadline
+  std::vector<float> work_us;
+  std::vector<float> late_us;
+  std::vector<msg::Phase> phase;
+  Axes hand, device, proxy;  ///< [m]
+  Axes force;                ///< [N]
+  std::vector<float> indentation_m;
+  std::vector<float> distance_m;
+  std::uint32_t period_ns = 500'000;
+
+  [[nodiscard]] std::size_t size() const noexcept { return at_ns.size(); }
+};
+
+/// What a session file tells, as values. Pictures are not kept: a long session would not fit into memory.
+struct Session {
+  std::string name;    ///< of the file, without folders
+  std::string origin;  ///< what was recorded, as the file says; empty when it does not
+  Ticks ticks;
+  std::vector<msg::StationState> states;
+  std::vector<msg::SurfaceReport> surfaces;
+  std::vector<msg::StationCompensation> compensations;
+  std::vector<msg::StationEvent> events;
+  std::optional<msg::StationStats> station_stats;                   ///< the last
+  std::optional<msg::ServerStats> server_stats;                     ///< the last
+  std::optional<msg::CaptureStatus> capture;                        ///< the last
+  std::map<std::string, foxglove::CameraCalibration> calibrations;  ///< the last by frame
+  std::vector<std::int64_t> depth_captured_ns;
+  std::vector<std::int64_t> depth_key_ns;  ///< of each of these: when the newest frame that stands alone was logged
+  std::vector<std::int64_t> color_captured_ns;
+  wire::DepthFidelity depth;             ///< of the depth images; the least exact
+  std::optional<std::int64_t> first_ns;  ///< of any message
+  std::optional<std::int64_t> last_ns;
+  std::uint64_t messages = 0;
+  std::uint64_t damaged = 0;  ///< messages that could not be read as what their topic says
+};
+
+/// Adds one message to the session. One that cannot be read is counted as damaged.
+void add(Session& session, const wire::Message& message);
+
+/// Length of the session [s]; 0 when empty.
+[[nodiscard]] double seconds(const Session& session) noexcept;
+
+/// Intrinsics of the calibration, nullopt unless it is a 3 x 3 matrix of a usable camera.
+[[nodiscard]] std::optional<Intrinsics> intrinsics(const foxglove::CameraCalibration& calibration);
+
+}  // namespace telepalp::report

@@ -1,0 +1,133 @@
+#include "clients/report/session/session_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "codec/color.h"
+#include "codec/depth_stream.h"
+#include "foxglove/CompressedImage.pb.h"
+#include "proto/wire/mcap/reader.h"
+#include "proto/wire/topics.h"
+
+namespace telepalp::report {
+namespace {
+
+/// A frame is logged within this time of its capture: bounds how much of a long file is read again for one picture.
+constexpr Nanoseconds kReach = std::chrono::seconds(2);
+
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+/// Where in `times` the one nearest to `at` is.
+std::optional<std::size_t> nearest(const std::vector<std::int64_t>& times, std::int64_t at) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (!best || std::abs(times[i] - at) < std::abs(times[*best] - at)) best = i;
+  return best;
+}
+
+std::optional<std::int64_t> nearest_time(const std::vector<std::int64_t>& times, std::int64_t at) {
+  const auto found = nearest(times, at);
+  if (!found) return std::nullopt;
+  return times[*found];
+}
+
+std::int64_t captured_ns(const foxglove::CompressedImage& image) {
+  return image.timestamp().seconds() * 1'000'000'000 + image.timestamp().nanos();
+}
+
+/// Calibration of the frame called `name`; else the only one there is.
+std::optional<Intrinsics> camera_named(const Session& session, const std::string& name) {
+  const auto found = session.calibrations.find(name);
+  if (found != session.calibrations.end()) return intrinsics(found->second);
+  if (session.calibrations.size() == 1) return intrinsics(session.calibrations.begin()->second);
+  return std::nullopt;
+}
+
+/// The model for a depth image of this size. A calibration of another size is scaled: pixel centres are whole numbers.
+Intrinsics fitted(Intrinsics camera, int width, int height) {
+  const double across = static_cast<double>(width) / camera.width, down = static_cast<double>(height) / camera.height;
+  return {width,
+          height,
+          camera.fx * across,
+          camera.fy * down,
+          (camera.cx + 0.5) * across - 0.5,
+          (camera.cy + 0.5) * down - 0.5};
+}
+
+void take_depth(RgbdFrame& frame, msg::DepthImage& image, std::int64_t wanted_ns, codec::DepthReader& reader) {
+  if (static_cast<std::int64_t>(image.captured_ns()) != wanted_ns) return reader.skip(std::move(*image.mutable_data()));
+  Result<codec::DecodedDepth> depth = reader.read(bytes_of(image.data()));
+  if (!depth) return;
+  frame.captured = session_time(wanted_ns);
+  frame.sequence = image.sequence();
+  frame.depth = std::move(depth->image);
+}
+
+void take_color(RgbdFrame& frame, const foxglove::CompressedImage& image, std::optional<std::int64_t> wanted_ns) {
+  if (captured_ns(image) != wanted_ns || image.format() != "jpeg") return;
+  Result<ColorImage> color = codec::decode_color(bytes_of(image.data()));
+  if (color) frame.color = std::move(color).value();
+}
+
+}  // namespace
+
+Result<Session> read_session(const std::filesystem::path& file) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  Session session;
+  session.name = file.filename().string();
+  if (const auto info = reader->session()) session.origin = info->source;
+  for (;;) {
+    Result<std::optional<wire::Message>> message = reader->next();
+    if (!message) return message.error();
+    if (!message.value()) break;
+    add(session, **message);
+  }
+  if (session.messages == 0)
+    return Error{.what = "holds no message of telepalp",
+                 .where = file.string(),
+                 .fix = "record again while the server runs: telepalp-record --help"};
+  return session;
+}
+
+Result<std::optional<RgbdFrame>> read_frame(const std::filesystem::path& file, const Session& session,
+                                            std::int64_t at_ns) {
+  const auto nearest_depth = nearest(session.depth_captured_ns, at_ns);
+  const auto camera = camera_named(session, "camera_depth");
+  if (!nearest_depth || !camera) return std::optional<RgbdFrame>();
+  const std::int64_t depth_ns = session.depth_captured_ns[*nearest_depth];
+  const std::int64_t key_ns = session.depth_key_ns[*nearest_depth];
+  const auto color_ns = nearest_time(session.color_captured_ns, depth_ns);
+
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  reader->select({.topics = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraColor.name)},
+                  .from = std::min(session_time(depth_ns) - kReach, session_time(key_ns)),
+                  .until = session_time(depth_ns) + kReach});
+  codec::DepthReader depth_reader;
+  RgbdFrame frame;
+  for (;;) {
+    Result<std::optional<wire::Message>> message = reader->next();
+    if (!message) return message.error();
+    if (!message.value()) break;
+    const std::string& payload = *(**message).payload;
+    msg::DepthImage depth;
+    foxglove::CompressedImage color;
+    if ((**message).topic.name == wire::kCameraDepth.name) {
+      if (depth.ParseFromString(payload)) take_depth(frame, depth, depth_ns, depth_reader);
+    } else if (color.ParseFromString(payload)) {
+      take_color(frame, color, color_ns);
+    }
+  }
+  if (frame.depth.samples.empty()) return std::optional<RgbdFrame>();
+  frame.camera.depth = fitted(*camera, frame.depth.width, frame.depth.height);
+  const auto color_camera = camera_named(session, "camera_color");
+  frame.camera.color = frame.color.rgb.empty()
+                           ? frame.camera.depth
+                           : fitted(color_camera.value_or(*camera), frame.color.width, frame.color.height);
+  frame.camera.color_registered = !session.capture || session.capture->color_registered();
+  return std::optional(std::move(frame));
+}
+
+}  // namespace telepalp::report

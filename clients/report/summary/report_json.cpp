@@ -1,0 +1,133 @@
+#include "clients/report/summary/report_json.h"
+
+#include "clients/report/summary/json.h"
+#include "clients/report/summary/phases.h"
+
+namespace telepalp::report {
+namespace {
+
+void add_quantiles(Json& json, std::string_view key, const Quantiles& values, bool tail) {
+  json.begin_object(key);
+  json.add("p50", values.p50);
+  json.add("p99", values.p99);
+  if (tail) {
+    json.add("p999", values.p999);
+    json.add("max", values.most);
+  }
+  json.end_object();
+}
+
+void add_latencies(Json& json, const Summary& summary) {
+  json.begin_object("latency_ms");
+  add_quantiles(json, "capture_to_encoded", summary.capture_to_encoded_ms, false);
+  add_quantiles(json, "encoded_to_received", summary.encoded_to_received_ms, false);
+  add_quantiles(json, "received_to_decoded", summary.received_to_decoded_ms, false);
+  add_quantiles(json, "decoded_to_touchable", summary.decoded_to_touchable_ms, false);
+  add_quantiles(json, "capture_to_touchable", summary.capture_to_touchable_ms, false);
+  json.end_object();
+  add_quantiles(json, "surface_age_ms", summary.surface_age_ms, false);
+  add_quantiles(json, "surface_carried_mm", summary.surface_carried_mm, false);
+  add_quantiles(json, "hand_carried_mm", summary.hand_carried_mm, false);
+}
+
+void add_states(Json& json, const Summary& summary) {
+  json.begin_object("states");
+  for (std::size_t i = 0; i < kPhases.size(); ++i) {
+    json.begin_object(kPhases[i].key);
+    json.add("entries", summary.dwells[i].entries);
+    json.add("seconds", summary.dwells[i].seconds);
+    json.end_object();
+  }
+  json.end_object();
+}
+
+void add_bill(Json& json, const Summary& summary) {
+  json.begin_list("bill");
+  for (const msg::EffectCost& cost : summary.bill) {
+    json.begin_object();
+    json.add("name", cost.name());
+    json.add("mean_us", cost.mean_us());
+    json.add("max_us", cost.max_us());
+    json.end_object();
+  }
+  json.end_list();
+}
+
+void add_verdict(Json& json, const Verdict& verdict) {
+  json.begin_object("verdict");
+  json.add("good", verdict.good);
+  json.add("headline", verdict.headline);
+  json.begin_list("checks");
+  for (const Check& check : verdict.checks) {
+    json.begin_object();
+    json.add("name", check.name);
+    json.add("value", check.value);
+    json.add(check.at_most ? "at_most" : "at_least", check.budget);
+    json.add("unit", check.unit);
+    if (check.standing() == Standing::NotMeasured)
+      json.add_null("holds");
+    else
+      json.add("holds", check.standing() == Standing::Holds);
+    json.end_object();
+  }
+  json.end_list();
+  json.end_object();
+}
+
+}  // namespace
+
+std::string report_json(const Session& session, const Summary& summary, const Verdict& verdict) {
+  Json json;
+  json.begin_object();
+  json.add("session", session.name);
+  json.add("source", session.origin);
+  json.add("seconds", summary.seconds);
+  json.add("ticks", summary.ticks);
+  add_quantiles(json, "tick_us", summary.tick_us, true);
+  add_quantiles(json, "lateness_us", summary.lateness_us, true);
+  json.add("deadlines_missed", summary.deadlines_missed);
+  json.add("telemetry_dropped", summary.telemetry_dropped);
+  if (summary.realtime)
+    json.add("realtime", *summary.realtime);
+  else
+    json.add_null("realtime");
+  json.begin_object("frames");
+  json.add("sent", summary.frames_sent);
+  json.add("received", summary.frames_received);
+  json.add("dropped", summary.frames_dropped);
+  json.end_object();
+  json.add("depth_mode", summary.depth.mode);
+  if (summary.depth.within) {
+    json.begin_object("depth_bound_mm");
+    json.add("least", 1e3 * summary.depth.within->least_m());
+    json.add("per_m2", 1e3 * summary.depth.within->per_m());
+    json.end_object();
+  } else {
+    json.add_null("depth_bound_mm");
+  }
+  json.begin_object("rates_per_s");
+  json.add("camera_depth", summary.camera_depth_per_s);
+  json.add("camera_color", summary.camera_color_per_s);
+  json.add("ticks", summary.ticks_per_s);
+  json.add("station_state", summary.states_per_s);
+  json.end_object();
+  add_latencies(json, summary);
+  add_states(json, summary);
+  json.add("touches", summary.touches);
+  json.add("contact_s", summary.contact_s);
+  json.begin_object("force_N");
+  json.add("max", summary.force_max_N);
+  json.add("max_in_contact", summary.force_in_contact_max_N);
+  json.end_object();
+  json.begin_object("indentation_mm");
+  json.add("max", summary.indentation_max_mm);
+  json.end_object();
+  json.add("non_finite", summary.non_finite);
+  json.add("damaged_messages", summary.damaged_messages);
+  add_bill(json, summary);
+  add_verdict(json, verdict);
+  json.end_object();
+  return std::move(json).finish();
+}
+
+}  // namespace telepalp::report

@@ -1,0 +1,191 @@
+#include "clients/report/summary/summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clients/report/summary/phases.h"
+#include "proto/wire/topics.h"
+
+namespace telepalp::report {
+namespace {
+
+double mean_rate(std::size_t events, std::int64_t first_ns, std::int64_t last_ns) {
+  return events < 2 || last_ns <= first_ns
+             ? kUnknown
+             : static_cast<double>(events - 1) / to_seconds(Nanoseconds(last_ns - first_ns));
+}
+
+double mean_rate(std::vector<std::int64_t> at_ns) {
+  if (at_ns.empty()) return kUnknown;
+  const auto [first, last] = std::minmax_element(at_ns.begin(), at_ns.end());
+  return mean_rate(at_ns.size(), *first, *last);
+}
+
+double ms_between(std::uint64_t from_ns, std::uint64_t to_ns) {
+  if (from_ns == 0 || to_ns == 0) return kUnknown;  // 0: this stage was not stamped
+  return static_cast<double>(static_cast<std::int64_t>(to_ns - from_ns)) * 1e-6;
+}
+
+template <class Proto, class Take>
+Quantiles over(const std::vector<Proto>& messages, Take take) {
+  std::vector<double> values;
+  values.reserve(messages.size());
+  for (const Proto& message : messages) values.push_back(take(message));
+  return quantiles(std::move(values));
+}
+
+void add_latencies(Summary& summary, const Session& session) {
+  using Surface = msg::SurfaceReport;
+  const auto& all = session.surfaces;
+  summary.capture_to_encoded_ms =
+      over(all, [](const Surface& s) { return ms_between(s.captured_ns(), s.encoded_ns()); });
+  summary.encoded_to_received_ms =
+      over(all, [](const Surface& s) { return ms_between(s.encoded_ns(), s.received_ns()); });
+  summary.received_to_decoded_ms =
+      over(all, [](const Surface& s) { return ms_between(s.received_ns(), s.decoded_ns()); });
+  summary.decoded_to_touchable_ms =
+      over(all, [](const Surface& s) { return ms_between(s.decoded_ns(), s.touchable_ns()); });
+  summary.capture_to_touchable_ms =
+      over(all, [](const Surface& s) { return ms_between(s.captured_ns(), s.touchable_ns()); });
+  std::vector<double> ages;
+  for (const msg::StationState& state : session.states)
+    ages.push_back(ms_between(state.surface_captured_ns(), state.stamp_ns()));
+  summary.surface_age_ms = quantiles(std::move(ages));
+}
+
+void add_compensation(Summary& summary, const Session& session) {
+  using Told = msg::StationCompensation;
+  const auto& all = session.compensations;
+  summary.surface_carried_mm = over(all, [](const Told& t) { return std::abs(t.surface_carried_m()) * 1e3; });
+  summary.hand_carried_mm = over(all, [](const Told& t) { return t.hand_carried_m() * 1e3; });
+}
+
+std::size_t index_of(msg::Phase phase) { return static_cast<std::size_t>(&words_for(phase) - kPhases.data()); }
+
+/// Dwell times from the ticks themselves; a gap in the recording counts as nothing.
+void add_dwells(Summary& summary, const Ticks& ticks) {
+  const double period_s = ticks.period_ns * 1e-9;
+  bool contact_before = false;
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const std::size_t phase = index_of(ticks.phase[i]);
+    Dwell& dwell = summary.dwells[phase];
+    if (i == 0 || ticks.phase[i] != ticks.phase[i - 1]) ++dwell.entries;
+    dwell.seconds += period_s;
+    if (kPhases[phase].contact) summary.contact_s += period_s;
+    if (kPhases[phase].contact && !contact_before) ++summary.touches;
+    contact_before = kPhases[phase].contact;
+  }
+}
+
+void add_dwells(Summary& summary, const msg::StationStats& stats) {
+  for (const msg::PhaseDwell& dwell : stats.phases())
+    summary.dwells[index_of(dwell.phase())] = {dwell.entries(), dwell.seconds()};
+  summary.contact_s = stats.contact_s();
+}
+
+std::uint64_t count_non_finite(const Ticks& ticks) {
+  std::uint64_t count = 0;
+  const auto add = [&](const std::vector<float>& column) {
+    count += static_cast<std::uint64_t>(
+        std::count_if(column.begin(), column.end(), [](float value) { return !std::isfinite(value); }));
+  };
+  for (const Axes* axes : {&ticks.hand, &ticks.device, &ticks.proxy, &ticks.force})
+    for (const std::vector<float>& column : *axes) add(column);
+  add(ticks.indentation_m);
+  add(ticks.distance_m);
+  return count;
+}
+
+/// Ticks that ended after the next one was due: what the station counts as missed, for a session without its totals.
+std::uint64_t count_overruns(const Ticks& ticks) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+    if (ticks.late_us[i] + ticks.work_us[i] > static_cast<float>(ticks.period_ns) * 1e-3F) ++count;
+  return count;
+}
+
+double greatest(const std::vector<double>& values) { return quantiles(values).most; }
+
+void add_ticks(Summary& summary, const Ticks& ticks) {
+  summary.ticks = ticks.size();
+  summary.tick_us = quantiles({ticks.work_us.begin(), ticks.work_us.end()});
+  summary.lateness_us = quantiles({ticks.late_us.begin(), ticks.late_us.end()});
+  summary.ticks_per_s = mean_rate(ticks.at_ns);
+  std::vector<double> force_N = force_norm_N(ticks);
+  summary.force_max_N = greatest(force_N);
+  for (std::size_t i = 0; i < force_N.size(); ++i)
+    if (!words_for(ticks.phase[i]).contact) force_N[i] = kUnknown;
+  summary.force_in_contact_max_N = greatest(force_N);
+  summary.indentation_max_mm = 1e3 * greatest({ticks.indentation_m.begin(), ticks.indentation_m.end()});
+  summary.non_finite = count_non_finite(ticks);
+  summary.deadlines_missed = count_overruns(ticks);
+  add_dwells(summary, ticks);
+}
+
+/// What the ticks cannot tell, and everything when the session holds no ticks.
+void add_stats(Summary& summary, const Session& session) {
+  if (!session.station_stats) return;
+  const msg::StationStats& stats = *session.station_stats;
+  summary.deadlines_missed = stats.deadlines_missed();
+  summary.telemetry_dropped = stats.telemetry_dropped();
+  summary.frames_received = stats.frames_received();
+  summary.realtime = stats.realtime();
+  summary.bill.assign(stats.bill().begin(), stats.bill().end());
+  if (session.ticks.size() > 0) return;
+  summary.ticks = stats.ticks();
+  summary.tick_us = {stats.tick_us_p50(), stats.tick_us_p99(), stats.tick_us_p999(), kUnknown, stats.ticks()};
+  summary.force_max_N = stats.force_max_n();
+  add_dwells(summary, stats);
+}
+
+wire::DepthFidelity depth_of(const Session& session) {
+  wire::DepthFidelity touched;
+  for (const msg::SurfaceReport& surface : session.surfaces)
+    touched = wire::less_exact(touched, wire::depth_fidelity(surface));
+  return touched.mode.empty() && !touched.moved ? session.depth : touched;
+}
+
+void add_frames(Summary& summary, const Session& session) {
+  if (!session.server_stats) return;
+  const auto take = [&](const msg::ServerStats::PerTopic& topic) {
+    if (topic.topic() != wire::kCameraDepth.name) return;
+    summary.frames_sent = topic.sent();
+    summary.frames_dropped = topic.dropped();
+  };
+  for (const auto& topic : session.server_stats->topics()) take(topic);
+  for (const auto& subscriber : session.server_stats->subscribers())
+    if (subscriber.name().find("station") != std::string::npos)
+      for (const auto& topic : subscriber.topics()) take(topic);
+}
+
+}  // namespace
+
+std::vector<double> force_norm_N(const Ticks& ticks) {
+  std::vector<double> norms;
+  norms.reserve(ticks.size());
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+    norms.push_back(std::hypot(double{ticks.force[0][i]}, double{ticks.force[1][i]}, double{ticks.force[2][i]}));
+  return norms;
+}
+
+Summary summarise(const Session& session) {
+  Summary summary;
+  summary.seconds = seconds(session);
+  summary.dwells.resize(kPhases.size());
+  summary.damaged_messages = session.damaged;
+  summary.camera_depth_per_s = mean_rate(session.depth_captured_ns);
+  summary.camera_color_per_s = mean_rate(session.color_captured_ns);
+  if (session.ticks.size() > 0) add_ticks(summary, session.ticks);
+  std::vector<std::int64_t> state_times;
+  for (const msg::StationState& state : session.states)
+    state_times.push_back(static_cast<std::int64_t>(state.stamp_ns()));
+  summary.states_per_s = mean_rate(state_times);
+  add_latencies(summary, session);
+  add_compensation(summary, session);
+  add_stats(summary, session);
+  add_frames(summary, session);
+  summary.depth = depth_of(session);
+  return summary;
+}
+
+}  // namespace telepalp::report

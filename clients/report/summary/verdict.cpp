@@ -1,0 +1,105 @@
+#include "clients/report/summary/verdict.h"
+
+#include <cmath>
+
+#include "clients/report/summary/phases.h"
+#include "support/plot/number.h"
+
+namespace telepalp::report {
+namespace {
+
+using plot::number;
+using plot::readable;
+
+double known(const std::optional<std::uint64_t>& count) { return count ? static_cast<double>(*count) : kUnknown; }
+
+double percent(double part, double whole) { return whole > 0.0 ? 100.0 * part / whole : kUnknown; }
+
+/// What is touched is to be what the camera measured.
+Check depth_check(const Summary& s) {
+  const wire::DepthFidelity& depth = s.depth;
+  const bool told = s.ticks > 0 && (depth.moved || !depth.mode.empty());
+  const std::string meaning =
+      "the depth that was touched is " + wire::in_words(depth) + ": for the eye, and not what the camera measured";
+  if (depth.moved && !depth.within)
+    return {"depth moved, untold how far", told ? 1.0 : kUnknown, 0.0, "", true, meaning};
+  const double off_mm = depth.within ? wire::at_1_m_mm(*depth.within) : 0.0;
+  return {"depth off, at 1 m", told ? off_mm : kUnknown, 0.0, "mm", true, meaning};
+}
+
+/// Budgets: the force limit and rates are S1's (§II.A, §II.D); a frame is to be touchable before the next one comes
+/// (33 ms at 30 Hz) and, but for one in a hundred, within the 100 ms in which breathing moves the skin by less than
+/// 1 mm; a handful of late ticks on a machine without real-time rights is not felt: one in a thousand.
+std::vector<Check> checks_of(const Summary& s) {
+  const double faulted = s.ticks > 0 ? static_cast<double>(s.dwells.back().entries) : kUnknown;
+  return {
+      {"largest force", s.force_max_N, 10.0, "N", true, "the device was asked for more than its peak force"},
+      {"not a number", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
+       "a computation broke down"},
+      {"faults", faulted, 0.0, "", true, "the station let go and stayed so"},
+      {"control rate", s.ticks_per_s, 1990.0, "Hz", false, "the loop ran slower than its 2 kHz"},
+      {"missed deadlines, of ticks", percent(known(s.deadlines_missed), static_cast<double>(s.ticks)), 0.1, "%", true,
+       "the force was late more often than one tick in a thousand"},
+      {"tick time, p99.9", s.tick_us.p999, 500.0, "µs", true, "a tick took longer than its period"},
+      {"camera to hand, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
+       "frames became touchable after the next one had come"},
+      {"camera to hand, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true, "the surface was old at times"},
+      {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, "the surface was renewed too seldom"},
+      {"frames lost", percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped)), 5.0, "%", true,
+       "the link or the station did not keep up"},
+      depth_check(s),
+  };
+}
+
+std::string account_of(const Summary& s) {
+  std::string text;
+  if (s.ticks == 0)
+    return "The session lasts " + number(s.seconds, 1) + " s and holds no word of the station." +
+           (s.depth.moved ? " Its depth is " + wire::in_words(s.depth) + "." : "");
+  if (s.touches == 0 && !(s.contact_s > 0.0)) {
+    text = "In " + number(s.seconds, 1) + " s the doctor's hand did not touch the patient.";
+  } else {
+    text = "In " + number(s.seconds, 1) + " s the doctor touched the patient" +
+           (s.touches > 0 ? (s.touches == 1 ? " once" : " " + std::to_string(s.touches) + " times") : "") + ", for " +
+           number(s.contact_s, 1) + " s in all, pressed in as deep as " + readable(s.indentation_max_mm) + " mm" +
+           (std::isfinite(s.force_in_contact_max_N) ? " and felt up to " + readable(s.force_in_contact_max_N) + " N."
+                                                    : ".");
+  }
+  if (std::isfinite(s.surface_age_ms.p50))
+    text += " The surface under the hand was typically " + readable(s.surface_age_ms.p50) + " ms old.";
+  if (s.deadlines_missed)
+    text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) + " came too late.";
+  if (s.realtime && !*s.realtime) text += " The station ran without real-time rights.";
+  return text;
+}
+
+std::string headline_of(const std::vector<Check>& checks, bool judged) {
+  std::string missed;
+  int misses = 0;
+  for (const Check& check : checks)
+    if (check.standing() == Standing::Misses) {
+      missed += (misses++ > 0 ? "; " : "") + check.meaning;
+    }
+  if (misses > 0) return "Look at this run: " + missed + ".";
+  return judged ? "The run was good: every figure keeps its budget." : "Nothing to judge: no station in this session.";
+}
+
+}  // namespace
+
+Standing Check::standing() const noexcept {
+  if (!std::isfinite(value)) return Standing::NotMeasured;
+  return (at_most ? value <= budget : value >= budget) ? Standing::Holds : Standing::Misses;
+}
+
+Verdict judge(const Summary& summary) {
+  Verdict verdict;
+  verdict.checks = checks_of(summary);
+  const bool judged = summary.ticks > 0;
+  verdict.good = judged;
+  for (const Check& check : verdict.checks) verdict.good = verdict.good && check.standing() != Standing::Misses;
+  verdict.headline = headline_of(verdict.checks, judged);
+  verdict.account = account_of(summary);
+  return verdict;
+}
+
+}  // namespace telepalp::report

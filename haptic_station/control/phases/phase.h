@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace telepalp::control {
+
+/// The phases of S1 Fig. 4 and the two of a station that has let go. Numbered as telepalp.msg.Phase.
+enum class Phase : std::uint8_t {
+  InBody = 1,         ///< force control: the hand feels the skin (S1's s_f = 0)
+  BodyToPlane = 2,    ///< a gentle lift carries the end-effector away from the body (1)
+  OutBody = 3,        ///< position control on the plane above the body, following the free hand (2)
+  PlaneToBody = 4,    ///< neither force nor position: waits to be pushed towards the body (3)
+  ObjectLateral = 5,  ///< in the body, pressing an inner object's side (-1)
+  AroundObject = 6,   ///< in the body, beside an inner object (-2)
+  ObjectUpper = 7,    ///< in the body, pressing an inner object's upper face (-3)
+  Released = 8,       ///< let go: no force until every input is valid
+  Faulted = 9,        ///< let go, latched until an operator re-arms
+};
+
+enum class Event : std::uint8_t {
+  FromBody,     ///< S1: i_b is false and d_s < d_thr
+  FarFromBody,  ///< i_b is false and the surface is beyond d_thr, or gone
+  ToPlane,      ///< S1: the height of the plane is reached
+  UnderPlane,   ///< S1: the hand has pushed the end-effector below the plane
+  HandRose,     ///< the hand left the waiting end-effector and is above the plane
+  IntoBody,     ///< i_b is true
+  NearObject,   ///< within an inner object's margin
+  AwayFromObject,
+  TouchUpper,    ///< pressing an inner object, its upper face nearest
+  TouchLateral,  ///< pressing an inner object, its side nearest
+  InputStale,    ///< tracker or surface older than its limit
+  InputsBack,
+  Fault,  ///< device silent, or a number that is not finite
+  Rearm,  ///< by an operator
+};
+
+/// Why the station must not give force.
+enum class FaultCause : std::uint8_t {
+  None,
+  DeviceSilent,  ///< older than its age limit
+  NotFinite,     ///< a number of an input or of the force is none
+};
+
+struct Row {
+  Phase from;
+  Event on;
+  Phase to;
+  bool waits_for_dwell;  ///< S1's "at least 0.3 s in each state"
+};
+
+inline constexpr std::size_t kPhaseCount = 9;
+inline constexpr std::size_t kEventCount = 14;
+[[nodiscard]] std::span<const Row> transitions() noexcept;
+
+/// The row for this pair; nullptr: the pair changes nothing.
+[[nodiscard]] const Row* transition(Phase phase, Event event) noexcept;
+
+/// In body or one of the three phases at an inner object.
+[[nodiscard]] constexpr bool is_inside(Phase phase) noexcept {
+  return phase == Phase::InBody || phase == Phase::ObjectLateral || phase == Phase::AroundObject ||
+         phase == Phase::ObjectUpper;
+}
+[[nodiscard]] constexpr bool has_let_go(Phase phase) noexcept {
+  return phase == Phase::Released || phase == Phase::Faulted;
+}
+
+/// S1's names, for people.
+[[nodiscard]] const char* name(Phase phase) noexcept;
+[[nodiscard]] const char* name(Event event) noexcept;
+[[nodiscard]] const char* name(FaultCause cause) noexcept;
+
+/// The number s_f that S1's figures plot; 4 and 5 for Released and Faulted, which S1 does not have.
+[[nodiscard]] int plotted_number(Phase phase) noexcept;
+
+}  // namespace telepalp::control

@@ -1,0 +1,41 @@
+#include "haptic_station/control/safety/force_limiter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace telepalp::control {
+namespace {
+
+/// `vector` shortened to `length` if it is longer. Scaled by its largest component first, so that a huge vector
+/// does not overflow to infinity; and to a hair less, so that rounding never ends above it.
+Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double length) noexcept {
+  const double largest = vector.cwiseAbs().maxCoeff();
+  if (largest <= 0.0) return vector;
+  const Eigen::Vector3d scaled = vector / largest;
+  const double norm = scaled.norm();
+  const double most = length * (1.0 - 1e-14);
+  return norm * largest <= most ? vector : Eigen::Vector3d(scaled * (most / norm));
+}
+
+}  // namespace
+
+double ForceLimiter::bound_N() const noexcept {
+  constexpr double kTaper = 0.3;  // share of the heat range over which the bound comes down
+  const double full_N2 = limits_.continuous_N * limits_.continuous_N;
+  const double left = std::clamp((full_N2 - heat_N2_) / (kTaper * full_N2), 0.0, 1.0);
+  return limits_.continuous_N + (limits_.peak_N - limits_.continuous_N) * left;
+}
+
+Force<HapticBase> ForceLimiter::limit(const Force<HapticBase>& wanted, double dt_s) noexcept {
+  const double dt = std::isfinite(dt_s) ? std::clamp(dt_s, 0.0, 0.01) : 0.0;
+  const bool finite = wanted.N.allFinite();
+  if (!finite) faulted_ = true;
+  const Eigen::Vector3d target = faulted_ ? Eigen::Vector3d::Zero().eval() : shortened(wanted.N, bound_N());
+  const Eigen::Vector3d change = shortened(target - given_.N, limits_.slew_N_per_s * dt);
+  given_.N += change;
+  limited_ = !finite || (given_.N - wanted.N).squaredNorm() > 1e-18;
+  heat_N2_ += (given_.N.squaredNorm() - heat_N2_) * (1.0 - std::exp(-dt / limits_.thermal_time_s));
+  return given_;
+}
+
+}  // namespace telepalp::control

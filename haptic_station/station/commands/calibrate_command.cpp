@@ -1,0 +1,80 @@
+#include "haptic_station/station/commands/calibrate_command.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+
+#include "haptic_station/calibration/calibration_file.h"
+#include "haptic_station/station/commands/calibrate_methods.h"
+#include "haptic_station/station/rigs/rig_choice.h"
+
+namespace telepalp::station {
+namespace {
+
+program::Usage usage() {
+  return {
+      .program = "telepalp-station calibrate",
+      .purpose =
+          "measures where tracker, camera and haptic device stand to one another: 'points' from pairs of "
+          "points in a file, 'offset' from the hand resting on the end-effector, 'probe' from poses of a hand on a "
+          "probe in a file",
+      .positional = "points|offset|probe",
+      .options = {{"out", "FILE", "the calibration; what else is in it stays", "site.calibration.textproto"},
+                  {"pairs", "FILE", "points: CSV, header place,to_x_m,to_y_m,to_z_m,from_x_m,from_y_m,from_z_m"},
+                  {"from", "tracker|camera", "points: the frame of the from columns; to is the haptic device's",
+                   "tracker"},
+                  {"device", kDeviceWords, "offset: the haptic device", "haply"},
+                  {"tracker", "leap[:URL]", "offset: the hand tracker", "leap"},
+                  {"seconds", "S", "offset: how long the hand rests", "3"},
+                  {"poses", "FILE", "probe: CSV, as docs/cli.md tells"},
+                  {"hand-at", "X,Y,Z,RX,RY,RZ", "probe: how the hand lies on it, in metres and radians",
+                   "0,0,0,0,0,0"}},
+      .example = "telepalp-station calibrate points --pairs pairs.csv --from camera --out site.calibration.textproto"};
+}
+
+struct Method {
+  std::string_view name;
+  Result<Measured> (*measure)(const program::Arguments&);
+};
+constexpr std::array kMethods{Method{"points", from_points}, Method{"offset", from_offset},
+                              Method{"probe", from_probe}};
+
+Result<void> keep(const Measured& measured, const std::filesystem::path& file) {
+  msg::Calibration calibration;
+  if (std::filesystem::exists(file)) {
+    Result<msg::Calibration> before = calibration::read_calibration(file);
+    if (!before) return before.error();
+    calibration = std::move(before).value();
+  }
+  *(measured.of_camera ? calibration.mutable_haptic_from_camera() : calibration.mutable_haptic_from_tracker()) =
+      measured.transform;
+  return calibration::write_calibration(file, calibration);
+}
+
+}  // namespace
+
+int calibrate_command(int argc, const char* const* argv) {
+  const auto read = program::read_arguments(usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  if (!*read) return program::kDone;
+  const program::Arguments& arguments = **read;
+  const std::string how = arguments.positional().size() == 1 ? arguments.positional().front() : "";
+  const auto method = std::ranges::find(kMethods, how, &Method::name);
+  if (method == kMethods.end())
+    return program::fail({.what = "'" + how + "' is none of points, offset and probe",
+                          .where = "telepalp-station calibrate",
+                          .fix = "telepalp-station calibrate --help"},
+                         program::kAskedWrongly);
+  const Result<Measured> measured = method->measure(arguments);
+  if (!measured) return program::fail(measured.error());
+  if (const Result<void> kept = keep(*measured, arguments.text("out")); !kept) return program::fail(kept.error());
+  const msg::MeasuredTransform& m = measured->transform;
+  std::printf("haptic_from_%s from %u measurements: residual %.2f +- %.2f mm, at most %.2f mm; kept in %s\n",
+              measured->of_camera ? "camera" : "tracker", m.measurements(), m.residual_mean_m() * 1e3,
+              m.residual_deviation_m() * 1e3, m.residual_largest_m() * 1e3, arguments.text("out").c_str());
+  return program::kDone;
+}
+
+}  // namespace telepalp::station

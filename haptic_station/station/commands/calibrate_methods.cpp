@@ -1,0 +1,92 @@
+#include "haptic_station/station/commands/calibrate_methods.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <numbers>
+#include <thread>
+
+#include "haptic_station/calibration/calibration_file.h"
+#include "haptic_station/calibration/offset_procedure.h"
+#include "haptic_station/calibration/pair_file.h"
+#include "haptic_station/calibration/pose_file.h"
+#include "haptic_station/station/rigs/rig_choice.h"
+
+namespace telepalp::station {
+namespace {
+
+/// A touch at each hand that the tracker sees while the device answers.
+std::vector<calibration::Touch> take_touches(ports::Device& device, tracking::LeapTracker& tracker, double seconds) {
+  constexpr double kSilent_s = 0.05;
+  std::vector<calibration::Touch> touches;
+  const auto until = std::chrono::steady_clock::now() + from_seconds(seconds);
+  while (std::chrono::steady_clock::now() < until) {
+    device.apply({}, {}, 0.001);  // no force; devices that answer each command go on telling where they are
+    const ports::DeviceReading reading = device.read();
+    if (const auto palm = tracker.palm(); palm && reading.age_s < kSilent_s) touches.push_back({*palm, reading.at});
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return touches;
+}
+
+}  // namespace
+
+Result<Measured> from_points(const program::Arguments& arguments) {
+  const std::string from = arguments.text("from");
+  if (from != "tracker" && from != "camera")
+    return Error{.what = "'" + from + "' is neither tracker nor camera", .where = "--from", .fix = "give one of them"};
+  if (!arguments.has("pairs"))
+    return Error{.what = "no pairs", .where = "calibrate points", .fix = "name a CSV file by --pairs"};
+  const auto pairs = calibration::read_point_pairs(arguments.text("pairs"));
+  if (!pairs) return pairs.error();
+  const Result<calibration::Registration> fit = calibration::register_points(*pairs);
+  if (!fit) return fit.error();
+  std::printf("worst is pair %zu\n", fit->residuals.worst() + 1);
+  return Measured{
+      calibration::measured(fit->to_from_from, fit->residuals, "points", std::chrono::system_clock::now(), fit->rank),
+      from == "camera"};
+}
+
+Result<Measured> from_offset(const program::Arguments& arguments) {
+  const Result<double> seconds = arguments.number("seconds", 0.2, 60.0);
+  if (!seconds) return seconds.error();
+  const Result<RigChoice> choice = read_rig_choice(arguments.text("device"), arguments.text("tracker"));
+  if (!choice) return choice.error();
+  const auto* leap = std::get_if<Leap>(&choice->tracker);
+  if (std::holds_alternative<Simulated>(choice->device) || leap == nullptr)
+    return Error{.what = "only a real device under a real tracker can be calibrated",
+                 .where = "calibrate offset",
+                 .fix = "give --device haply or udp:HOST:PORT, and --tracker leap"};
+  Result<std::unique_ptr<ports::Device>> device = connect_device(choice->device, {});
+  if (!device) return device.error();
+  Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {});
+  if (!tracker) return tracker.error();
+  std::fprintf(stderr, "rest the hand on the end-effector, where the skin is to be met\n");
+  const Result<calibration::OffsetCalibration> fit =
+      calibration::calibrate_offset(take_touches(**device, **tracker, *seconds));
+  if (!fit) return fit.error();
+  return Measured{
+      calibration::measured(fit->haptic_from_tracker.iso, fit->residuals, "offset", std::chrono::system_clock::now()),
+      false};
+}
+
+Result<Measured> from_probe(const program::Arguments& arguments) {
+  if (!arguments.has("poses"))
+    return Error{.what = "no poses", .where = "calibrate probe", .fix = "name a CSV file by --poses"};
+  const auto probe_from_hand = calibration::parse_pose(arguments.text("hand-at"));
+  if (!probe_from_hand)
+    return Error{.what = "'" + arguments.text("hand-at") + "' is no pose",
+                 .where = "--hand-at",
+                 .fix = "give x,y,z,rx,ry,rz: metres, and a rotation vector in radians"};
+  const auto poses = calibration::read_hand_on_probe(arguments.text("poses"));
+  if (!poses) return poses.error();
+  const auto fit = calibration::calibrate_hand_on_probe(*poses, *probe_from_hand);
+  if (!fit) return fit.error();
+  const double widest_rad = *std::max_element(fit->angles_rad.begin(), fit->angles_rad.end());
+  std::printf("the poses' turns agree to %.2f degrees\n", widest_rad * 180.0 / std::numbers::pi);
+  return Measured{calibration::measured(fit->haptic_from_tracker, fit->residuals, "hand on probe",
+                                        std::chrono::system_clock::now()),
+                  false};
+}
+
+}  // namespace telepalp::station

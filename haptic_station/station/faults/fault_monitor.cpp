@@ -1,0 +1,96 @@
+#include "haptic_station/station/faults/fault_monitor.h"
+
+#include <chrono>
+#include <utility>
+
+#include "haptic_station/control/phases/phase.h"
+#include "haptic_station/station/faults/flight_recorder.h"
+#include "support/program/log.h"
+
+namespace telepalp::station {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kRearmTakes = 20ms;  // some ticks, and their telling
+
+void say(const std::string& text) { program::log("telepalp-station", text); }
+
+}  // namespace
+
+FaultMonitor::FaultMonitor(boost::asio::io_context& io, TelemetryPublisher& telemetry, std::filesystem::path control,
+                           std::filesystem::path state_folder, std::string scene, Handlers handlers)
+    : telemetry_(telemetry),
+      control_(std::move(control)),
+      state_folder_(std::move(state_folder)),
+      scene_(std::move(scene)),
+      handlers_(std::move(handlers)),
+      socket_(io,
+              [this](const std::string& command, const ControlSocket::Reply& reply) { on_command(command, reply); }),
+      rearm_timer_(io) {}
+
+Result<void> FaultMonitor::listen() {
+  if (control_.empty()) return {};
+  return socket_.listen(control_);
+}
+
+void FaultMonitor::add(const TickSample& sample) noexcept {
+  watch_.add(sample);
+  last_ = sample;
+  has_ticked_ = true;
+}
+
+void FaultMonitor::look(bool ending) {
+  if (const std::optional<TickSample> fault = watch_.begun()) {
+    const std::string cause = control::name(static_cast<control::FaultCause>(fault->fault));
+    say("fault: " + cause + ": let go, until an operator re-arms. fix: remove the cause, then " + how_to_rearm());
+    telemetry_.tell_event(handlers_.now(), msg::EVENT_KIND_FAULT, cause);
+  }
+  if (auto ticks = watch_.due(ending)) {
+    flight_recorder_ =
+        std::async(std::launch::async, [folder = state_folder_, ticks = std::move(*ticks), scene = scene_] {
+          const auto cause = static_cast<control::FaultCause>(ticks.back().fault);
+          return write_flight_record(folder, ticks, control::name(cause), scene);
+        });
+  }
+  if (flight_recorder_.valid() && (ending || flight_recorder_.wait_for(0s) == std::future_status::ready)) {
+    const Result<std::filesystem::path> written = flight_recorder_.get();
+    say(written ? "flight recorder: " + written->string() + ". read it by telepalp-report"
+                : "no flight recording: " + to_string(written.error()));
+  }
+}
+
+void FaultMonitor::stop() {
+  stopped_ = true;
+  rearm_timer_.cancel();
+  socket_.stop();
+}
+
+bool FaultMonitor::is_faulted() const { return has_ticked_ && last_.phase == msg::PHASE_FAULTED; }
+
+std::string FaultMonitor::how_to_rearm() const {
+  return control_.empty() ? "start this station again" : "telepalp-station rearm --control " + control_.string();
+}
+
+void FaultMonitor::on_command(const std::string& command, const ControlSocket::Reply& reply) {
+  if (command == "rearm") return rearm(reply);
+  reply("'" + command + "' is not understood. fix: rearm");
+}
+
+void FaultMonitor::rearm(const ControlSocket::Reply& reply) {
+  if (!is_faulted()) return reply("there is no fault to re-arm from");
+  handlers_.rearm();
+  rearm_timer_.expires_after(kRearmTakes);
+  rearm_timer_.async_wait([this, reply](const boost::system::error_code& error) {
+    if (error || stopped_) return;
+    telemetry_.drain(handlers_.now());
+    if (!is_faulted()) {
+      say("re-armed by the operator");
+      return reply("re-armed: the station touches again");
+    }
+    const auto stands = static_cast<control::FaultCause>(last_.fault_stands);
+    reply(std::string("not re-armed: ") + control::name(stands) + ". fix: remove the cause, then try again");
+  });
+}
+
+}  // namespace telepalp::station

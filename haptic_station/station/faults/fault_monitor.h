@@ -1,0 +1,60 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <string>
+
+#include "haptic_station/station/faults/control_socket.h"
+#include "haptic_station/station/faults/flight_recorder.h"
+#include "haptic_station/station/telemetry/telemetry_publisher.h"
+#include "proto/words/result.h"
+
+namespace telepalp::station {
+
+/// Detects faults among the ticks, announces them, writes the flight recorder to disk, and re-arms on an operator's
+/// command once the cause is gone. Owner: network thread.
+class FaultMonitor {
+ public:
+  struct Handlers {
+    std::function<SessionTime()> now;
+    std::function<void()> rearm;  ///< asks the haptic thread to, which then tells by its ticks
+  };
+
+  /// `control`: path of the socket for operators' commands; empty: no socket. `state_folder`: for flight recordings.
+  FaultMonitor(boost::asio::io_context& io, TelemetryPublisher& telemetry, std::filesystem::path control,
+               std::filesystem::path state_folder, std::string scene, Handlers handlers);
+
+  [[nodiscard]] Result<void> listen();
+
+  /// Takes every tick, in order.
+  void add(const TickSample& sample) noexcept;
+
+  /// Announces a new fault. Writes the flight recorder to disk once the release has been recorded, or when `ending`.
+  void look(bool ending);
+
+  void stop();
+
+ private:
+  void on_command(const std::string& command, const ControlSocket::Reply& reply);
+  void rearm(const ControlSocket::Reply& reply);
+  [[nodiscard]] bool is_faulted() const;
+  [[nodiscard]] std::string how_to_rearm() const;
+
+  TelemetryPublisher& telemetry_;
+  std::filesystem::path control_;
+  std::filesystem::path state_folder_;
+  std::string scene_;
+  Handlers handlers_;
+  FaultWatch watch_;
+  TickSample last_;
+  bool has_ticked_ = false;
+  ControlSocket socket_;
+  boost::asio::steady_timer rearm_timer_;
+  std::future<Result<std::filesystem::path>> flight_recorder_;  // being written
+  bool stopped_ = false;                                        // a timer that has fired cannot be cancelled
+};
+
+}  // namespace telepalp::station

@@ -1,0 +1,125 @@
+#include "haptic_station/station/faults/flight_recorder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+
+#include "haptic_station/station/telemetry/telemetry.h"
+#include "haptic_station/station/threads/haptic_thread.h"
+#include "proto/wire/mcap/writer.h"
+#include "proto/words/demand.h"
+#include "support/program/version.h"
+#include "support/program/whole_file.h"
+
+namespace telepalp::station {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kPeriod_ns = std::chrono::nanoseconds(kTickPeriod).count();
+constexpr std::size_t kTicksPerState = 20;  // 100 Hz
+
+/// In one second there is at most one fault, for re-arming takes an operator.
+std::string name_of_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[40];
+  std::strftime(text, sizeof text, "fault-%Y%m%dT%H%M%SZ.mcap", &utc);
+  return text;
+}
+
+msg::StationEvent fault_event(const TickSample& at, const std::string& fault) {
+  msg::StationEvent event;
+  event.set_stamp_ns(static_cast<std::uint64_t>(at.stamp_ns));
+  event.set_surface_captured_ns(static_cast<std::uint64_t>(at.surface_captured_ns));
+  event.set_kind(msg::EVENT_KIND_FAULT);
+  event.set_text(fault);
+  return event;
+}
+
+/// One tenth of a second: its ticks, its states, and what happened in it. `phase` goes from batch to batch.
+Result<void> write_batch(wire::McapWriter& file, const std::vector<TickSample>& batch, std::uint8_t& phase,
+                         const std::string& fault) {
+  const auto put = [&](const wire::Topic& topic, const TickSample& at, const auto& message) {
+    return file.write(wire::make_message(topic, session_time(at.stamp_ns), message));
+  };
+  if (auto done = put(wire::kStationTicks, batch.front(), ticks_message(batch, kPeriod_ns)); !done) return done;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const TickSample& sample = batch[i];
+    if (i % kTicksPerState == 0)
+      if (auto done = put(wire::kStationState, sample, state_message(sample)); !done) return done;
+    if (sample.phase == phase) continue;
+    if (auto done = put(wire::kStationEvents, sample, phase_event(sample, phase)); !done) return done;
+    phase = sample.phase;
+    if (phase != msg::PHASE_FAULTED) continue;
+    if (auto done = put(wire::kStationEvents, sample, fault_event(sample, fault)); !done) return done;
+  }
+  return {};
+}
+
+}  // namespace
+
+void FlightRecorder::add(const TickSample& sample) noexcept {
+  ticks_[next_] = sample;
+  next_ = (next_ + 1) % ticks_.size();
+  if (next_ == 0) full_ = true;
+}
+
+std::vector<TickSample> FlightRecorder::ticks() const {
+  std::vector<TickSample> out;
+  out.reserve(full_ ? ticks_.size() : next_);
+  const auto middle = ticks_.begin() + static_cast<std::ptrdiff_t>(next_);
+  if (full_) out.insert(out.end(), middle, ticks_.end());
+  out.insert(out.end(), ticks_.begin(), middle);
+  return out;
+}
+
+void FaultWatch::add(const TickSample& sample) noexcept {
+  flight_recorder_.add(sample);
+  newest_tick_ = sample.tick;
+  const bool faulted = sample.phase == msg::PHASE_FAULTED;
+  if (faulted && !faulted_) {
+    begun_ = sample;
+    fault_tick_ = sample.tick;
+  }
+  faulted_ = faulted;
+}
+
+std::optional<std::vector<TickSample>> FaultWatch::due(bool ending) {
+  if (!fault_tick_ || (!ending && newest_tick_ < *fault_tick_ + kTicksAfter)) return std::nullopt;
+  fault_tick_.reset();
+  return flight_recorder_.ticks();
+}
+
+Result<fs::path> write_flight_record(const fs::path& folder, const std::vector<TickSample>& samples,
+                                     const std::string& fault, const std::string& scene) {
+  demand(!samples.empty(), "a flight recording holds at least one tick");
+  if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made)
+    return Error{
+        .what = made.error().what, .where = made.error().where, .fix = "name one that can be written by --state-dir"};
+  Result<wire::McapWriter> file =
+      wire::McapWriter::open(folder / name_of_now(), {"telepalp-station", program::version(), program::commit(),
+                                                      "flight recorder: the last seconds before a fault", scene});
+  if (!file) return file.error();
+  constexpr std::size_t kBatch = 200;
+  std::uint8_t phase = samples.front().phase;
+  for (std::size_t from = 0; from < samples.size(); from += kBatch) {
+    const auto first = samples.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto count = static_cast<std::ptrdiff_t>(std::min(kBatch, samples.size() - from));
+    if (auto done = write_batch(*file, {first, first + count}, phase, fault); !done) return done.error();
+  }
+  if (auto closed = file->close(); !closed) return closed.error();
+  return file->name();
+}
+
+fs::path default_state_folder() {
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')
+    return fs::path(state) / "telepalp";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
+    return fs::path(home) / ".local/state/telepalp";
+  return "telepalp-state";
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,39 @@
+#include "haptic_station/station/faults/rearm_command.h"
+
+#include <cstdio>
+
+#include "haptic_station/station/faults/control_socket.h"
+#include "support/program/log.h"
+#include "support/program/options.h"
+
+namespace telepalp::station {
+namespace {
+
+program::Usage usage() {
+  return {.program = "telepalp-station rearm",
+          .purpose = "lets a station that has let go at a fault touch again, once the cause of the fault is gone",
+          .positional = "",
+          .options = {{"control", "PATH", "the station's control socket; left out: of the one that runs here"}},
+          .example = "telepalp-station rearm"};
+}
+
+Result<std::string> ask(const program::Arguments& arguments) {
+  if (arguments.has("control")) return ask_station(arguments.text("control"), "rearm");
+  const Result<std::filesystem::path> path = find_control_socket();
+  return path ? ask_station(*path, "rearm") : path.error();
+}
+
+}  // namespace
+
+int rearm_command(int argc, const char* const* argv) {
+  const auto read = program::read_arguments(usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  if (!*read) return program::kDone;
+  const Result<std::string> answer = ask(**read);
+  if (!answer) return program::fail(answer.error());
+  const bool done = answer->starts_with("re-armed");
+  std::fprintf(done ? stdout : stderr, "%s%s\n", done ? "" : "error: ", program::escaped(*answer).c_str());
+  return done ? program::kDone : program::kFailed;
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,64 @@
+#include "haptic_station/station/rigs/placement.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace telepalp::station {
+namespace {
+
+constexpr int kSmallestHalf_px = 4;
+
+/// The measured samples of the centred window of half side `half`.
+std::vector<std::uint16_t> measured(const DepthImage& depth, int half) {
+  std::vector<std::uint16_t> samples;
+  for (int row = depth.height / 2 - half; row < depth.height / 2 + half; ++row)
+    for (int column = depth.width / 2 - half; column < depth.width / 2 + half; ++column)
+      if (const std::uint16_t sample = depth.at(column, row); sample != 0) samples.push_back(sample);
+  return samples;
+}
+
+}  // namespace
+
+std::optional<Point<DepthCamera>> point_under_center(const DepthImage& depth, const Intrinsics& camera) {
+  const int largest = std::min(depth.width, depth.height) / 2;
+  for (int half = std::min(kSmallestHalf_px, largest); half > 0 && half <= largest; half *= 2) {
+    std::vector<std::uint16_t> samples = measured(depth, half);
+    if (samples.size() < 2 * static_cast<std::size_t>(half) * static_cast<std::size_t>(half)) continue;
+    const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
+    std::nth_element(samples.begin(), middle, samples.end());
+    const double z_m = *middle * depth.unit_m;
+    const int column = depth.width / 2;
+    const int row = depth.height / 2;
+    return Point<DepthCamera>{{(column - camera.cx) / camera.fx * z_m, (row - camera.cy) / camera.fy * z_m, z_m}};
+  }
+  return std::nullopt;
+}
+
+Transform<HapticBase, DepthCamera> centered_on(const Transform<HapticBase, DepthCamera>& haptic_from_camera,
+                                               const Point<DepthCamera>& skin) noexcept {
+  Transform<HapticBase, DepthCamera> centered = haptic_from_camera;
+  centered.iso.translation() -= (haptic_from_camera * skin).m;
+  return centered;
+}
+
+std::optional<Transform<HapticBase, DepthCamera>> placed(const scenes::Scene& scene, const DepthImage& depth,
+                                                         const Intrinsics& camera) {
+  if (!scene.center_on_surface) return scene.haptic_from_camera;
+  const std::optional<Point<DepthCamera>> skin = point_under_center(depth, camera);
+  if (!skin) return std::nullopt;
+  return centered_on(scene.haptic_from_camera, *skin);
+}
+
+std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration) {
+  if (calibration.k_size() != 9 || calibration.width() > kMaxImageSide || calibration.height() > kMaxImageSide)
+    return std::nullopt;
+  const Intrinsics intrinsics{.width = static_cast<int>(calibration.width()),
+                              .height = static_cast<int>(calibration.height()),
+                              .fx = calibration.k(0),
+                              .fy = calibration.k(4),
+                              .cx = calibration.k(2),
+                              .cy = calibration.k(5)};
+  return is_well_formed(intrinsics) ? std::optional(intrinsics) : std::nullopt;
+}
+
+}  // namespace telepalp::station

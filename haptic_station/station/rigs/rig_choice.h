@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "haptic_station/device/protocol/haply_device.h"
+#include "haptic_station/device/protocol/udp_socket_device.h"
+#include "haptic_station/device/protocol/websocket_line.h"
+#include "haptic_station/ports/rig.h"
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/tracking/protocol/browser_hand.h"
+#include "haptic_station/tracking/protocol/leap_tracker.h"
+#include "support/program/address.h"
+
+namespace telepalp::station {
+
+struct Simulated {};
+struct Haply {
+  device::WebSocketUrl url;
+  Point<device::haply::InverseBase> origin = device::middle_of_inverse3();
+};
+struct Leap {
+  device::WebSocketUrl url;
+};
+struct Held {};     ///< the hand is where the device is
+struct Browser {};  ///< the hand is held in a viewer
+
+using DeviceChoice = std::variant<Simulated, Haply, program::Address>;
+using TrackerChoice = std::variant<Simulated, Held, Leap, Browser>;
+
+struct RigChoice {
+  DeviceChoice device;
+  TrackerChoice tracker;
+  [[nodiscard]] bool is_simulated() const noexcept {
+    return std::holds_alternative<Simulated>(device) && std::holds_alternative<Simulated>(tracker);
+  }
+};
+
+/// What `--device` and `--tracker` can say, for help texts.
+inline constexpr const char* kDeviceWords = "simulated|haply[:URL]|udp:HOST:PORT";
+inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser";
+
+[[nodiscard]] Result<DeviceChoice> read_device_choice(const std::string& text);
+[[nodiscard]] Result<TrackerChoice> read_tracker_choice(const std::string& text);
+
+/// Both, and whether they can work together: a simulated tracker sees only the simulated hand.
+[[nodiscard]] Result<RigChoice> read_rig_choice(const std::string& device, const std::string& tracker);
+
+/// How long a device or tracker may take to answer at the start.
+inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
+
+/// Connected, or why not.
+[[nodiscard]] Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice,
+                                                                    const scenes::Scene& scene);
+[[nodiscard]] Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice,
+                                                                          const scenes::Scene& scene);
+
+/// A rig whose parts have answered. Without one, the station makes the rig that is simulated as a whole.
+struct ConnectedRig {
+  std::unique_ptr<ports::Rig> rig;
+  tracking::BrowserHand* browser = nullptr;  ///< the rig's tracker, when that is what it is: told of /viewer/hand
+};
+
+/// The rig that was chosen, connected; or which part of it does not answer and what to do about it.
+[[nodiscard]] Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& scene);
+
+}  // namespace telepalp::station

@@ -1,0 +1,26 @@
+#include "haptic_station/station/rigs/scene_rig.h"
+
+#include "haptic_station/loop/simulated_rig.h"
+
+namespace telepalp::station {
+namespace {
+
+constexpr double kRestHeight_m = 0.10;  // above the skin, where the hand begins
+
+SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
+  const Point<HapticBase> skin;  // under the middle of the image, or where the scene says: H's origin
+  if (trace) return tracking::RecordedIntention(*trace, scene.haptic_from_tracker, skin, scene.trace_deepest_m);
+  return device::ScriptedIntention(device::waypoints(scene.trial), skin);
+}
+
+}  // namespace
+
+std::unique_ptr<ports::Rig> rig_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
+  return std::make_unique<SimulatedRig>(SimulatedRig::Settings{.device = scene.simulated_device,
+                                                               .hand = scene.simulated_hand,
+                                                               .tracker = {},
+                                                               .rest = {{0.0, kRestHeight_m, 0.0}}},
+                                        person_of(scene, trace));
+}
+
+}  // namespace telepalp::station

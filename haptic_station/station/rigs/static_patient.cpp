@@ -1,0 +1,118 @@
+#include "haptic_station/station/rigs/static_patient.h"
+
+#include <algorithm>
+
+#include "haptic_station/surface/cloud/static_model.h"
+#include "support/models/text_cursor.h"
+
+namespace telepalp::station {
+namespace {
+
+using Eigen::Vector3d;
+using models::TextCursor;
+
+constexpr std::string_view kModel = "model:";
+constexpr double kBesideAxis_m = 0.015;
+
+Vector3d vector_of(const msg::Xyz& xyz) { return {xyz.x(), xyz.y(), xyz.z()}; }
+
+Eigen::Isometry3d transform_of(const msg::RigidTransform& message) {
+  const Vector3d turn = vector_of(message.rotation_vector_rad());
+  Eigen::Isometry3d iso = Eigen::Isometry3d::Identity();
+  if (turn.norm() > 0.0) iso.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  iso.translation() = vector_of(message.translation_m());
+  return iso;
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The highest point (H's y is up) near the vertical through the middle of `points`; none there: the highest of all.
+Vector3d skin_on_top(const std::vector<Vector3d>& points) {
+  std::vector<double> across;
+  std::vector<double> along;
+  for (const Vector3d& at : points) {
+    across.push_back(at.x());
+    along.push_back(at.z());
+  }
+  const double x = median_of(std::move(across));
+  const double z = median_of(std::move(along));
+  const auto higher = [&](const Vector3d& a, const Vector3d& b) {
+    const bool a_near = std::hypot(a.x() - x, a.z() - z) < kBesideAxis_m;
+    const bool b_near = std::hypot(b.x() - x, b.z() - z) < kBesideAxis_m;
+    return a_near != b_near ? b_near : a.y() < b.y();
+  };
+  return *std::max_element(points.begin(), points.end(), higher);
+}
+
+}  // namespace
+
+Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std::filesystem::path& folder) {
+  const msg::PatientSurface::StaticModel& asked = scene.message.patient_surface().static_model();
+  const std::filesystem::path file = folder / asked.file();
+  const Result<models::PointModel> read = models::read_point_model(file);
+  if (!read) return read.error();
+  surface::StaticModelSettings settings;
+  if (asked.has_unit_m()) settings.unit_m = asked.unit_m();
+  if (asked.has_samples()) settings.samples = asked.samples();
+  settings.flip_normals = asked.flip_normals();
+  if (!(settings.unit_m > 0.0) || settings.samples < 100 || settings.samples > 1'000'000)
+    return Error{.what = "patient_surface.static_model: unit_m is above 0, samples is 100 to 1000000",
+                 .where = scene.name,
+                 .fix = "correct the scene"};
+  Result<surface::StaticModel> made = surface::make_static_model(*read, settings);
+  if (!made) {
+    Error error = made.error();
+    error.where = file.string();
+    return error;
+  }
+  StaticPatient patient{made->snapshot, {}, made->remarks};
+  patient.haptic_from_model.iso = transform_of(asked.haptic_from_model());
+  if (!patient.haptic_from_model.iso.matrix().allFinite())
+    return Error{.what = "patient_surface.static_model.haptic_from_model is not finite",
+                 .where = scene.name,
+                 .fix = "correct the scene"};
+  if (!scene.center_on_surface) return patient;
+  std::vector<Vector3d> points;
+  for (const surface::CloudPoint& point : made->snapshot->cloud())
+    points.push_back(patient.haptic_from_model.iso * (made->snapshot->shape().origin_m + point.at_m.cast<double>()));
+  patient.haptic_from_model.iso.pretranslate(-skin_on_top(points));
+  return patient;
+}
+
+Result<void> ask_for_surface(const std::string& word, scenes::Scene& scene) {
+  if (word.empty()) return {};
+  if (!word.starts_with(kModel)) {
+    scene.message.mutable_surface()->set_name(word);
+    return {};
+  }
+  msg::PatientSurface::StaticModel* model = scene.message.mutable_patient_surface()->mutable_static_model();
+  std::string_view rest = std::string_view(word).substr(kModel.size());
+  const auto take = [&rest] {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const std::string_view part = rest.substr(0, comma);
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+    return part;
+  };
+  model->set_file(std::filesystem::absolute(take()).string());
+  while (!rest.empty()) {
+    const std::string_view part = take();
+    const std::string_view value = part.substr(std::min(part.find('=') + 1, part.size()));
+    const auto metres = TextCursor::number<double>(value);
+    const auto count = TextCursor::number<std::uint32_t>(value);
+    if (part.starts_with("unit_m=") && metres)
+      model->set_unit_m(*metres);
+    else if (part.starts_with("samples=") && count)
+      model->set_samples(*count);
+    else
+      return Error{.what = "'" + std::string(part) + "' is not understood",
+                   .where = "--surface",
+                   .fix = "model:FILE,unit_m=0.001,samples=16000"};
+  }
+  return {};
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,159 @@
+#include "haptic_station/station/telemetry/telemetry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptic_station/control/phases/phase.h"
+#include "proto/words/demand.h"
+
+namespace telepalp::station {
+namespace {
+
+using Triple = std::array<float, 3>;
+
+void set(msg::Vec3& out, const Triple& in) {
+  out.set_x(in[0]);
+  out.set_y(in[1]);
+  out.set_z(in[2]);
+}
+
+double norm(const Triple& v) noexcept { return std::hypot(double{v[0]}, double{v[1]}, double{v[2]}); }
+
+msg::Phase phase_of(const TickSample& sample) noexcept { return static_cast<msg::Phase>(sample.phase); }
+
+/// S1's contact: the states in which the skin or what lies under it gives force.
+bool is_contact(std::uint8_t phase) noexcept {
+  switch (static_cast<msg::Phase>(phase)) {
+    case msg::PHASE_IN_BODY:
+    case msg::PHASE_CYLINDER_LATERAL:
+    case msg::PHASE_AROUND_CYLINDER:
+    case msg::PHASE_CYLINDER_UPPER:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+msg::StationState state_message(const TickSample& sample) {
+  msg::StationState state;
+  state.set_stamp_ns(static_cast<std::uint64_t>(sample.stamp_ns));
+  state.set_surface_captured_ns(static_cast<std::uint64_t>(sample.surface_captured_ns));
+  state.set_hand_sampled_ns(static_cast<std::uint64_t>(sample.hand_sampled_ns));
+  state.set_phase(phase_of(sample));
+  set(*state.mutable_hand(), sample.hand);
+  set(*state.mutable_device(), sample.device);
+  set(*state.mutable_proxy(), sample.proxy);
+  set(*state.mutable_normal(), sample.normal);
+  set(*state.mutable_force_n(), sample.force);
+  set(*state.mutable_displayed_hand_camera(), sample.displayed_hand_camera);
+  set(*state.mutable_proxy_camera(), sample.proxy_camera);
+  set(*state.mutable_normal_camera(), sample.normal_camera);
+  set(*state.mutable_device_camera(), sample.device_camera);
+  set(*state.mutable_force_camera_n(), sample.force_camera);
+  state.set_distance_m(sample.distance_m);
+  state.set_indentation_m(sample.indentation_m);
+  state.set_in_body(sample.in_body);
+  state.set_surface_stale(sample.surface_stale);
+  state.set_limited(sample.limited);
+  state.set_passivity_j(sample.passivity_J);
+  return state;
+}
+
+msg::StationCompensation compensation_message(const Compensation& compensation) {
+  msg::StationCompensation out;
+  out.set_stamp_ns(static_cast<std::uint64_t>(compensation.stamp_ns));
+  out.set_surface_captured_ns(static_cast<std::uint64_t>(compensation.surface_captured_ns));
+  out.set_hand_age_s(compensation.hand_age_s);
+  out.set_hand_carried_m(compensation.hand_carried_m);
+  out.set_hand_sigma_m(compensation.hand_sigma_m);
+  out.set_surface_age_s(compensation.surface_age_s);
+  out.set_surface_carried_m(compensation.surface_carried_m);
+  out.set_surface_sigma_m(compensation.surface_sigma_m);
+  out.set_slewed_m(compensation.slewed_m);
+  out.set_support(compensation.support);
+  out.set_shown_offset_m(compensation.shown_offset_m);
+  out.set_damping_n(compensation.damping_N);
+  return out;
+}
+
+msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from) {
+  const char* before = from == 0 ? "start" : control::name(static_cast<control::Phase>(from));
+  msg::StationEvent event;
+  event.set_stamp_ns(static_cast<std::uint64_t>(sample.stamp_ns));
+  event.set_surface_captured_ns(static_cast<std::uint64_t>(sample.surface_captured_ns));
+  event.set_kind(msg::EVENT_KIND_PHASE);
+  event.set_from(static_cast<msg::Phase>(from));
+  event.set_to(phase_of(sample));
+  event.set_text(std::string(before) + " to " + control::name(static_cast<control::Phase>(sample.phase)));
+  return event;
+}
+
+msg::StationTicks ticks_message(const std::vector<TickSample>& samples, std::uint32_t period_ns) {
+  demand(!samples.empty(), "a batch holds at least one tick");
+  msg::StationTicks ticks;
+  ticks.set_first_tick_ns(static_cast<std::uint64_t>(samples.front().stamp_ns));
+  ticks.set_first_tick(samples.front().tick);
+  ticks.set_period_ns(period_ns);
+  ticks.set_surface_captured_ns(static_cast<std::uint64_t>(samples.front().surface_captured_ns));
+  for (const TickSample& sample : samples) {
+    ticks.add_late_ns(sample.late_ns);
+    ticks.add_work_us(sample.work_us);
+    ticks.add_phase(phase_of(sample));
+    ticks.add_hand_x(sample.hand[0]);
+    ticks.add_hand_y(sample.hand[1]);
+    ticks.add_hand_z(sample.hand[2]);
+    ticks.add_device_x(sample.device[0]);
+    ticks.add_device_y(sample.device[1]);
+    ticks.add_device_z(sample.device[2]);
+    ticks.add_proxy_x(sample.proxy[0]);
+    ticks.add_proxy_y(sample.proxy[1]);
+    ticks.add_proxy_z(sample.proxy[2]);
+    ticks.add_force_x(sample.force[0]);
+    ticks.add_force_y(sample.force[1]);
+    ticks.add_force_z(sample.force[2]);
+    ticks.add_indentation_m(sample.indentation_m);
+    ticks.add_distance_m(sample.distance_m);
+    ticks.add_device_age_s(sample.device_age_s);
+    ticks.add_hand_age_s(sample.hand_age_s);
+    ticks.add_surface_age_s(sample.surface_age_s);
+  }
+  return ticks;
+}
+
+RunTotals::Change RunTotals::add(const TickSample& sample) {
+  const Change change{.phase_changed = ticks_ == 0 || sample.phase != phase_, .from = phase_};
+  phase_ = sample.phase;
+  Dwell& dwell = dwell_[sample.phase];
+  if (change.phase_changed) ++dwell.entries;
+  ++dwell.ticks;
+  ++ticks_;
+  if (is_contact(sample.phase)) ++contact_ticks_;
+  work_.add(static_cast<std::uint64_t>(std::max(0.0F, sample.work_us) * 1000.0F));
+  force_max_N_ = std::max(force_max_N_, norm(sample.force));
+  return change;
+}
+
+msg::StationStats RunTotals::message() const {
+  msg::StationStats stats;
+  stats.set_ticks(ticks_);
+  stats.set_deadlines_missed(missed_);
+  stats.set_tick_us_p50(work_.quantile_ns(0.5) * 1e-3);
+  stats.set_tick_us_p99(work_.quantile_ns(0.99) * 1e-3);
+  stats.set_tick_us_p999(work_.quantile_ns(0.999) * 1e-3);
+  stats.set_frames_received(frames_received_);
+  stats.set_frames_dropped(frames_dropped_);
+  stats.set_telemetry_dropped(telemetry_dropped_);
+  for (const auto& [phase, dwell] : dwell_) {
+    msg::PhaseDwell& row = *stats.add_phases();
+    row.set_phase(static_cast<msg::Phase>(phase));
+    row.set_entries(dwell.entries);
+    row.set_seconds(static_cast<double>(dwell.ticks) * period_s_);
+  }
+  stats.set_contact_s(static_cast<double>(contact_ticks_) * period_s_);
+  stats.set_force_max_n(force_max_N_);
+  return stats;
+}
+
+}  // namespace telepalp::station

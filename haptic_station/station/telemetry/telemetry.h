@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "haptic_station/loop/compensation.h"
+#include "haptic_station/loop/tick_sample.h"
+#include "haptic_station/station/telemetry/histogram.h"
+#include "messages/station.pb.h"
+
+namespace telepalp::station {
+
+/// One tick as the message of /station/state.
+[[nodiscard]] msg::StationState state_message(const TickSample& sample);
+
+/// What is done about delay, as the message of /station/compensation.
+[[nodiscard]] msg::StationCompensation compensation_message(const Compensation& compensation);
+
+/// A change of phase at this tick, as the message of /station/events; `from` 0: the first phase of all.
+[[nodiscard]] msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from);
+
+/// Consecutive ticks as one message of /station/ticks. `samples` is not empty.
+[[nodiscard]] msg::StationTicks ticks_message(const std::vector<TickSample>& samples, std::uint32_t period_ns);
+
+/// The totals of a run, one tick at a time. Pure; owner: the network thread.
+class RunTotals {
+ public:
+  explicit RunTotals(std::uint32_t period_ns) noexcept : period_s_(period_ns * 1e-9) {}
+
+  /// What changed with this tick, for an event: the phase before, when it is another one now.
+  struct Change {
+    bool phase_changed = false;
+    std::uint8_t from = 0;
+  };
+  Change add(const TickSample& sample);
+  void set_missed(std::uint64_t deadlines) noexcept { missed_ = deadlines; }
+  void frame_received() noexcept { ++frames_received_; }
+  void set_frames_dropped(std::uint64_t frames) noexcept { frames_dropped_ = frames; }
+  void set_telemetry_dropped(std::uint64_t ticks) noexcept { telemetry_dropped_ = ticks; }
+
+  /// The message of /station/stats, but for the bill and the stamp.
+  [[nodiscard]] msg::StationStats message() const;
+
+ private:
+  struct Dwell {
+    std::uint64_t entries = 0;
+    std::uint64_t ticks = 0;
+  };
+  double period_s_;
+  DurationHistogram work_;
+  std::map<std::uint8_t, Dwell> dwell_;
+  std::uint64_t ticks_ = 0;
+  std::uint64_t missed_ = 0;
+  std::uint64_t contact_ticks_ = 0;
+  std::uint64_t frames_received_ = 0;
+  std::uint64_t frames_dropped_ = 0;
+  std::uint64_t telemetry_dropped_ = 0;
+  double force_max_N_ = 0.0;
+  std::uint8_t phase_ = 0;
+};
+
+}  // namespace telepalp::station

@@ -1,0 +1,60 @@
+#include "haptic_station/station/telemetry/telemetry_publisher.h"
+
+namespace telepalp::station {
+namespace {
+
+constexpr std::uint32_t kPeriod_ns = std::chrono::nanoseconds(kTickPeriod).count();
+// A batch is at most a tenth of a second, so that a viewer that plots ticks stays prompt after a pause of ours.
+constexpr std::size_t kMostInBatch = 200;
+
+std::uint64_t stamp(SessionTime at) noexcept { return static_cast<std::uint64_t>(to_nanoseconds(at)); }
+
+}  // namespace
+
+TelemetryPublisher::TelemetryPublisher(TickRing& ticks, Publish publish, OnTick on_tick)
+    : ticks_(ticks), publish_(std::move(publish)), on_tick_(std::move(on_tick)), totals_(kPeriod_ns) {
+  batch_.reserve(kMostInBatch);
+}
+
+void TelemetryPublisher::drain(SessionTime now) {
+  for (bool more = true; more;) {
+    batch_.clear();
+    TickSample sample;
+    while (batch_.size() < kMostInBatch && (more = ticks_.try_pop(sample))) {
+      const RunTotals::Change change = totals_.add(sample);
+      on_tick_(sample);
+      if (change.phase_changed)
+        publish_(
+            wire::make_message(wire::kStationEvents, session_time(sample.stamp_ns), phase_event(sample, change.from)));
+      batch_.push_back(sample);
+    }
+    if (batch_.empty()) return;
+    last_ = batch_.back();
+    has_ticked_ = true;
+    publish_(wire::make_message(wire::kStationTicks, now, ticks_message(batch_, kPeriod_ns)));
+    publish_(wire::make_message(wire::kStationState, now, state_message(last_)));
+  }
+}
+
+void TelemetryPublisher::tell_event(SessionTime now, msg::EventKind kind, const std::string& text) {
+  msg::StationEvent event;
+  event.set_stamp_ns(stamp(now));
+  event.set_surface_captured_ns(static_cast<std::uint64_t>(last_.surface_captured_ns));
+  event.set_kind(kind);
+  event.set_text(text);
+  publish_(wire::make_message(wire::kStationEvents, now, event));
+}
+
+void TelemetryPublisher::tell_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped,
+                                     bool realtime, const std::vector<msg::EffectCost>& bill) {
+  totals_.set_missed(counts.deadlines_missed.load(std::memory_order_relaxed));
+  totals_.set_frames_dropped(frames_dropped);
+  totals_.set_telemetry_dropped(counts.ticks_untold.load(std::memory_order_relaxed));
+  msg::StationStats stats = totals_.message();
+  stats.set_stamp_ns(stamp(now));
+  stats.set_realtime(realtime);
+  for (const msg::EffectCost& cost : bill) *stats.add_bill() = cost;
+  publish_(wire::make_message(wire::kStationStats, now, stats));
+}
+
+}  // namespace telepalp::station

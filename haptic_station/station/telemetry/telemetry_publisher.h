@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "haptic_station/station/telemetry/telemetry.h"
+#include "haptic_station/station/threads/haptic_thread.h"
+#include "proto/wire/message.h"
+
+namespace telepalp::station {
+
+/// Empties the ring of ticks into messages: all ticks in batches, a state at 100 Hz, an event at each change of phase,
+/// and the totals. Owner: network thread.
+class TelemetryPublisher {
+ public:
+  using Publish = std::function<void(wire::Message)>;
+  using OnTick = std::function<void(const TickSample&)>;  ///< called with every tick, in order
+
+  TelemetryPublisher(TickRing& ticks, Publish publish, OnTick on_tick);
+
+  /// Tells of all ticks that wait. Call it about 100 times a second.
+  void drain(SessionTime now);
+
+  /// Tells of the totals so far.
+  void tell_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped, bool realtime,
+                   const std::vector<msg::EffectCost>& bill);
+
+  /// Something else happened.
+  void tell_event(SessionTime now, msg::EventKind kind, const std::string& text);
+
+  void frame_received() noexcept { totals_.frame_received(); }
+  [[nodiscard]] const TickSample& last() const noexcept { return last_; }
+  [[nodiscard]] bool has_ticked() const noexcept { return has_ticked_; }
+
+ private:
+  TickRing& ticks_;
+  Publish publish_;
+  OnTick on_tick_;
+  RunTotals totals_;
+  std::vector<TickSample> batch_;
+  TickSample last_;
+  bool has_ticked_ = false;
+};
+
+}  // namespace telepalp::station

@@ -1,0 +1,57 @@
+#include "haptic_station/station/threads/collision_thread.h"
+
+#include <memory>
+#include <utility>
+
+#include "haptic_station/loop/plane_snapshot.h"
+#include "haptic_station/station/threads/tick_timer.h"
+
+namespace telepalp::station {
+namespace {
+
+constexpr std::chrono::milliseconds kPeriod{10};  // S1 II.C: 100 Hz
+
+std::shared_ptr<PlaneSnapshot> plane_of(const surface::TouchSample& touch, const surface::SurfaceSnapshot& seen) {
+  auto plane = touch.valid ? std::make_shared<PlaneSnapshot>(touch.foot.m, touch.normal, touch.support)
+                           : std::make_shared<PlaneSnapshot>();
+  plane->captured = seen.captured;
+  plane->sequence = seen.sequence;
+  plane->points = seen.points;
+  plane->index_name = seen.index_name;
+  plane->motion.ages = seen.motion.ages;
+  return plane;
+}
+
+}  // namespace
+
+CollisionThread::CollisionThread(LatestValue<TouchableSurface>& from_surface, LatestValue<Point<HapticBase>>& device,
+                                 LatestValue<TouchableSurface>& to_haptic, std::function<SessionTime()> now)
+    : from_surface_(from_surface), device_(device), to_haptic_(to_haptic), now_(std::move(now)), thread_([this] {
+        run();
+      }) {}
+
+CollisionThread::~CollisionThread() {
+  running_ = false;
+  thread_.join();
+}
+
+void CollisionThread::run() {
+  TickTimer timer(TickTimer::Clock::now() + kPeriod, kPeriod);
+  while (running_) {
+    (void)timer.wait();
+    detect();
+  }
+}
+
+void CollisionThread::detect() {
+  const SessionTime now = now_();
+  if (from_surface_.take()) touch_.adopt(*from_surface_.current().snapshot, now);
+  (void)device_.take();
+  const TouchableSurface& seen = from_surface_.current();
+  if (!seen.snapshot) return;
+  const Point<DepthCamera> device = seen.haptic_from_camera.inverse() * device_.current();
+  const surface::TouchSample touch = touch_.step(device, now, std::chrono::duration<double>(kPeriod).count());
+  to_haptic_.put({plane_of(touch, *seen.snapshot), seen.haptic_from_camera});
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <thread>
+
+#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/surface/touch/touch.h"
+#include "proto/words/latest_value.h"
+
+namespace telepalp::station {
+
+/// S1's collision detection, at S1's rate: 100 times a second it finds the proxy on a surface that is too slow, or that
+/// allocates too much, for the haptic thread, and hands the tangent plane there on. Stands between the surface thread
+/// and the haptic thread, and only where the scene's surface setting asks for it.
+class CollisionThread {
+ public:
+  CollisionThread(LatestValue<TouchableSurface>& from_surface, LatestValue<Point<HapticBase>>& device,
+                  LatestValue<TouchableSurface>& to_haptic, std::function<SessionTime()> now);
+  ~CollisionThread();
+  CollisionThread(const CollisionThread&) = delete;
+  CollisionThread& operator=(const CollisionThread&) = delete;
+
+ private:
+  void run();
+  void detect();
+
+  LatestValue<TouchableSurface>& from_surface_;  // written by: surface thread
+  LatestValue<Point<HapticBase>>& device_;       // written by: haptic thread
+  LatestValue<TouchableSurface>& to_haptic_;     // read by: haptic thread
+  std::function<SessionTime()> now_;
+  surface::Touch touch_;
+  std::atomic<bool> running_{true};
+  std::thread thread_;
+};
+
+}  // namespace telepalp::station

@@ -1,0 +1,90 @@
+#include "haptic_station/station/threads/haptic_thread.h"
+
+#include <algorithm>
+#include <future>
+
+#include "haptic_station/station/threads/tick_timer.h"
+
+namespace telepalp::station {
+namespace {
+
+using Clock = TickTimer::Clock;
+
+constexpr double kTick_s = std::chrono::duration<double>(kTickPeriod).count();
+constexpr std::uint64_t kTicksPerBill = 2000;
+constexpr std::uint64_t kTicksPerCompensation = 20;  // 100 Hz
+constexpr int kTicksOfGreeting = 2000;
+constexpr double kGreeted_s = 0.02;  // heard so lately, it will be heard at the first tick too
+// A thread that was away for longer does not make the simulated world catch up in one burst.
+constexpr std::uint64_t kMostStepsToCatchUp = 20;
+
+}  // namespace
+
+Result<bool> HapticThread::start(Realtime realtime) {
+  std::promise<Result<bool>> entered;
+  std::future<Result<bool>> granted = entered.get_future();
+  running_ = true;
+  thread_ = std::thread([this, realtime, entered = std::move(entered)]() mutable {
+    Result<bool> result = enter_realtime(realtime);
+    const bool go = result.ok();
+    entered.set_value(std::move(result));
+    if (go) run();
+  });
+  Result<bool> result = granted.get();
+  if (!result) stop();
+  return result;
+}
+
+void HapticThread::stop() {
+  running_ = false;
+  if (thread_.joinable()) thread_.join();
+}
+
+/// A device that answers commands alone has been silent while the station waited for a surface. That is no fault.
+void HapticThread::greet_device(TickTimer& timer) noexcept {
+  for (int ticks = 0; ticks < kTicksOfGreeting && running_.load(std::memory_order_relaxed); ++ticks) {
+    if (rig_.read().age_s <= kGreeted_s) return;
+    rig_.apply({}, {}, kTick_s);
+    (void)timer.wait();
+  }
+}
+
+void HapticThread::run() noexcept {
+  TickTimer timer(Clock::now() + kTickPeriod, kTickPeriod);
+  greet_device(timer);
+  while (running_.load(std::memory_order_relaxed)) {
+    const TickTimer::Tick due = timer.wait();
+    if (due.missed > 0) counts_.deadlines_missed.fetch_add(due.missed, std::memory_order_relaxed);
+    tick(due);
+  }
+}
+
+void HapticThread::tick(const TickTimer::Tick& due) noexcept {
+  const Clock::time_point began = Clock::now();
+  const SessionTime now{due.deadline.time_since_epoch() +
+                        Nanoseconds{clock_offset_ns_.load(std::memory_order_relaxed)}};
+  const double dt_s = kTick_s * static_cast<double>(1 + std::min(due.missed, kMostStepsToCatchUp));
+
+  if (surfaces_.take()) loop_.adopt(surfaces_.current(), now);
+  if (const std::optional<ports::HandSample> sample = rig_.hand(now)) loop_.hand_sampled(sample->at, sample->hand);
+  if (rearm_.load(std::memory_order_relaxed) && rearm_.exchange(false, std::memory_order_relaxed)) loop_.rearm();
+  const ports::DeviceReading reading = rig_.read();
+  device_.put(reading.at);
+  HapticLoop::Act act = loop_.tick(reading, now, dt_s);
+  const Clock::time_point decided = Clock::now();
+  rig_.apply(act.force, act.contact, dt_s);
+
+  act.told.tick = tick_++;
+  act.told.stamp_ns = to_nanoseconds(now);
+  act.told.late_ns = static_cast<std::uint32_t>(due.late.count());
+  act.told.work_us = std::chrono::duration<float, std::micro>(decided - began).count();
+  if (tick_ % kTicksPerCompensation == 0) {
+    Compensation compensation = loop_.compensation();
+    compensation.stamp_ns = act.told.stamp_ns;
+    compensation_.put(compensation);
+  }
+  if (tick_ % kTicksPerBill == 0) bill_.put(bill_of(loop_.controller().effects()));
+  if (!ticks_.try_push(act.told)) counts_.ticks_untold.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,126 @@
+#include "haptic_station/station/threads/surface_worker.h"
+
+#include <algorithm>
+#include <boost/asio/post.hpp>
+
+namespace telepalp::station {
+namespace {
+
+// A hand at 2 m/s goes 0.13 m in two frame times; the rest is the support of the implicit function around it.
+constexpr double kReach_m = 0.16;
+
+// Half a second of frames; what comes while so many wait is lost.
+constexpr int kMostWaiting = 16;
+
+Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
+  return {.what = "the image is " + std::to_string(depth.width) + " x " + std::to_string(depth.height) +
+                  " pixels, its camera model is for " + std::to_string(camera.width) + " x " +
+                  std::to_string(camera.height),
+          .where = "/camera/depth",
+          .fix = "correct camera.textproto at the server"};
+}
+
+std::optional<surface::Reach> reach_of(const SurfaceWorker::Work& work) {
+  if (!work.device) return std::nullopt;
+  return surface::Reach{.centre = *work.device, .radius_m = kReach_m};
+}
+
+}  // namespace
+
+SurfaceWorker::SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
+                             LatestValue<TouchableSurface>& to_haptic)
+    : choice_(settings),
+      builder_(settings),
+      placement_(std::move(placement)),
+      handlers_(std::move(handlers)),
+      to_haptic_(to_haptic),
+      stay_(boost::asio::make_work_guard(io_)),
+      thread_([this] { io_.run(); }) {}
+
+SurfaceWorker::~SurfaceWorker() {
+  io_.stop();
+  thread_.join();
+}
+
+void SurfaceWorker::offer(Work work) {
+  ++offered_;
+  if (waiting_ >= kMostWaiting) return;
+  ++waiting_;
+  boost::asio::post(io_, [this, work = std::move(work)] { work_off(work); });
+}
+
+void SurfaceWorker::work_off(const Work& work) {
+  const bool is_newest = --waiting_ == 0;
+  msg::DepthImage message;
+  if (!message.ParseFromString(*work.depth.payload))
+    return handlers_.on_bad_frame(
+        {.what = "not a DepthImage", .where = "/camera/depth", .fix = "check that both ends match"});
+  if (!is_newest) return reader_.skip(std::move(*message.mutable_data()));
+  const Result<codec::DecodedDepth> depth = read(message);
+  if (!depth) {
+    if (!key_request_.failed(handlers_.now())) return;  // said and asked a moment ago
+    handlers_.on_bad_frame(depth.error());
+    return handlers_.want_key(work.depth);
+  }
+  key_request_.succeeded();
+  const Result<msg::SurfaceReport> report = build(work, message, *depth);
+  if (!report) return handlers_.on_bad_frame(report.error());
+  built_.fetch_add(1, std::memory_order_relaxed);
+  handlers_.on_report(*report);
+}
+
+Result<codec::DecodedDepth> SurfaceWorker::read(const msg::DepthImage& message) {
+  Result<codec::DecodedDepth> depth = reader_.read(std::as_bytes(std::span(message.data())));
+  if (!depth) return depth;
+  if (depth->image.width != static_cast<int>(message.width()) ||
+      depth->image.height != static_cast<int>(message.height()))
+    return Error{.what = "the image's size is not the one that its message declares",
+                 .where = "/camera/depth " + std::to_string(message.sequence()),
+                 .fix = "check that both ends were built from the same version"};
+  return depth;
+}
+
+Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::DepthImage& message,
+                                                const codec::DecodedDepth& decoded_depth) {
+  const DepthImage& depth = decoded_depth.image;
+  if (depth.width != work.camera.width || depth.height != work.camera.height) return other_camera(depth, work.camera);
+  const SessionTime decoded = handlers_.now();
+  if (!haptic_from_camera_) haptic_from_camera_ = placement_(depth, work.camera);
+  if (!haptic_from_camera_)
+    return Error{.what = "nothing is measured around the image's centre, where the patient should be",
+                 .where = "/camera/depth " + std::to_string(message.sequence()),
+                 .fix = "aim the camera at the patient"};
+  const SessionTime captured = session_time(static_cast<std::int64_t>(message.captured_ns()));
+  const SessionTime begun = handlers_.now();
+  const auto snapshot = builder_.add(depth, work.camera, captured, reach_of(work));
+  if (!snapshot)
+    return Error{.what = "the image is not newer than the last one, or not well formed",
+                 .where = "/camera/depth " + std::to_string(message.sequence()),
+                 .fix = "check the camera's time stamps"};
+  to_haptic_.put({snapshot, *haptic_from_camera_});
+  msg::SurfaceReport report;
+  report.set_captured_ns(message.captured_ns());
+  report.set_encoded_ns(message.encoded_ns());
+  report.set_received_ns(static_cast<std::uint64_t>(to_nanoseconds(work.received)));
+  report.set_decoded_ns(static_cast<std::uint64_t>(to_nanoseconds(decoded)));
+  report.set_touchable_ns(static_cast<std::uint64_t>(to_nanoseconds(handlers_.now())));
+  report.set_sequence(message.sequence());
+  report.set_points(snapshot->points);
+  report.set_index(snapshot->index_name);
+  report.set_depth_mode(std::string(codec::name(decoded_depth.mode)));
+  if (message.has_bound()) *report.mutable_depth_bound() = message.bound();
+  judge(report, captured, to_seconds(handlers_.now() - begun));
+  return report;
+}
+
+/// Tells by which setting the snapshot was made and what it cost, and picks the next one's.
+void SurfaceWorker::judge(msg::SurfaceReport& report, SessionTime captured, double cost_s) {
+  report.set_setting(choice_.now().name);
+  report.set_build_ms(1e3 * cost_s);
+  constexpr double kLongest_s = 0.1;  // between frames: a gap buys nobody time
+  const double frame_s = std::min(kLongest_s, to_seconds(captured - last_captured_));
+  last_captured_ = captured;
+  if (choice_.add(cost_s, frame_s)) builder_.use(choice_.now());
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "codec/depth_stream.h"
+#include "codec/key_frame_request.h"
+#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/surface/build/setting_choice.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "messages/camera.pb.h"
+#include "messages/station.pb.h"
+#include "proto/wire/message.h"
+#include "proto/wire/session_clock.h"
+#include "proto/words/latest_value.h"
+#include "proto/words/result.h"
+#include "proto/words/rgbd_frame.h"
+
+namespace telepalp::station {
+
+/// The surface thread: newest depth message in, newest touchable surface out. A message that is overtaken while an
+/// older one is being built is dropped and counted, but decoded where a newer one depends on it; the 2 kHz thread is
+/// never waited for. While depth cannot be decoded, for want of the frame before, the last surface stays.
+class SurfaceWorker {
+ public:
+  /// Where the patient lies before the device; asked with each image until it is known.
+  using Placement =
+      std::function<std::optional<Transform<HapticBase, DepthCamera>>(const DepthImage&, const Intrinsics&)>;
+  struct Handlers {
+    std::function<SessionTime()> now;                          ///< session clock; called on the surface thread
+    std::function<void(const msg::SurfaceReport&)> on_report;  ///< called on the surface thread
+    std::function<void(const Error&)> on_bad_frame;            ///< called on the surface thread
+    /// The stream cannot be read on from here without a key frame. Called on the surface thread.
+    std::function<void(const wire::Message& unreadable)> want_key;
+  };
+
+  SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
+                LatestValue<TouchableSurface>& to_haptic);
+  ~SurfaceWorker();
+  SurfaceWorker(const SurfaceWorker&) = delete;
+  SurfaceWorker& operator=(const SurfaceWorker&) = delete;
+
+  /// A depth message with the camera's model and where the device is. Network thread only.
+  struct Work {
+    wire::Message depth;
+    Intrinsics camera;
+    SessionTime received;
+    std::optional<Point<DepthCamera>> device;  ///< the hand can reach only around it
+  };
+  void offer(Work work);
+
+  [[nodiscard]] std::uint64_t dropped() const noexcept { return offered_ - built_.load(std::memory_order_relaxed); }
+
+ private:
+  void work_off(const Work& work);
+  Result<codec::DecodedDepth> read(const msg::DepthImage& message);
+  Result<msg::SurfaceReport> build(const Work& work, const msg::DepthImage& message,
+                                   const codec::DecodedDepth& decoded_depth);
+  void judge(msg::SurfaceReport& report, SessionTime captured, double cost_s);
+
+  codec::DepthReader reader_;           // owner: surface thread
+  codec::KeyFrameRequest key_request_;  // owner: surface thread
+  surface::SettingChoice choice_;       // owner: surface thread
+  surface::SurfaceBuilder builder_;     // owner: surface thread
+  SessionTime last_captured_{};         // owner: surface thread
+  Placement placement_;
+  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
+  Handlers handlers_;
+  LatestValue<TouchableSurface>& to_haptic_;
+  std::atomic<int> waiting_{0};  // offered, and not yet taken by the surface thread
+  std::uint64_t offered_ = 0;    // owner: network thread
+  std::atomic<std::uint64_t> built_{0};
+  boost::asio::io_context io_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> stay_;
+  std::thread thread_;
+};
+
+}  // namespace telepalp::station

@@ -1,0 +1,119 @@
+#include "haptic_station/surface/build/surface_builder.h"
+
+#include <cmath>
+
+#include "haptic_station/surface/cloud/cloud_snapshot.h"
+#include "haptic_station/surface/grid/grid_snapshot.h"
+#include "haptic_station/surface/paper/paper_surface.h"
+#include "haptic_station/surface/temporal/temporal_filter.h"
+
+namespace telepalp::surface {
+namespace {
+
+/// Points in reach with normals from their nearest sixteen.
+std::vector<CloudPoint> points_in_reach(const DepthField& depth, const Intrinsics& camera,
+                                        const std::optional<Reach>& reach) {
+  const PixelBox box = box_in_reach(camera, reach, 8);
+  std::vector<Eigen::Vector3f> points;
+  const IndexedPoints all = to_points(depth, camera);
+  for (int row = box.top; row < box.bottom; ++row)
+    for (int column = box.left; column < box.right; ++column) points.push_back(all.at_m[depth.index(column, row)]);
+  return with_normals(points, 16, Eigen::Vector3f::Zero());
+}
+
+/// A snapshot of any method, of one depth field. `label` sets what all share.
+template <class Label>
+std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, const Intrinsics& camera,
+                                                     const std::optional<Reach>& reach, const SurfaceSettings& settings,
+                                                     const MotionField* motion, const Label& label) {
+  if (settings.method == Method::Paper) {
+    auto snapshot = std::make_shared<PaperSurface>(to_points(depth, camera), settings);
+    label(*snapshot);
+    return snapshot;
+  }
+  if (settings.method == Method::Cloud) {
+    CloudShape shape;
+    shape.support_m = settings.radius_m;
+    if (settings.support == Support::KthNeighbor) shape.neighbors = static_cast<std::size_t>(settings.neighbors);
+    auto snapshot = std::make_shared<CloudSnapshot>(points_in_reach(depth, camera, reach), shape, settings.index);
+    snapshot->motion.ages = true;
+    label(*snapshot);
+    return snapshot;
+  }
+  auto snapshot = std::make_shared<GridSnapshot>(depth, camera, reach, settings);
+  if (motion != nullptr && settings.predict) snapshot->carry_forward(*motion);
+  label(*snapshot);
+  return snapshot;
+}
+
+constexpr double kForgetAfter_s = 2.0;  // without a frame
+
+bool same_view(const Intrinsics& a, const Intrinsics& b) noexcept {
+  return a.width == b.width && a.height == b.height && a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy;
+}
+
+}  // namespace
+
+struct SurfaceBuilder::State {
+  SurfaceSettings settings;
+  BuilderCounts counts;
+  std::optional<SessionTime> last;
+  std::uint64_t sequence = 0;
+  std::optional<TemporalFilter> filter;
+  Intrinsics camera;  // that the filter has seen through
+};
+
+SurfaceBuilder::SurfaceBuilder(SurfaceSettings settings) : state_(std::make_unique<State>()) {
+  state_->settings = std::move(settings);
+}
+SurfaceBuilder::~SurfaceBuilder() = default;
+SurfaceBuilder::SurfaceBuilder(SurfaceBuilder&&) noexcept = default;
+SurfaceBuilder& SurfaceBuilder::operator=(SurfaceBuilder&&) noexcept = default;
+
+const BuilderCounts& SurfaceBuilder::counts() const noexcept { return state_->counts; }
+const SurfaceSettings& SurfaceBuilder::settings() const noexcept { return state_->settings; }
+
+void SurfaceBuilder::use(const SurfaceSettings& settings) { state_->settings = settings; }
+
+void SurfaceBuilder::restart() {
+  state_->last.reset();
+  state_->filter.reset();
+}
+
+std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& depth, const Intrinsics& camera,
+                                                           SessionTime captured, const std::optional<Reach>& reach) {
+  State& state = *state_;
+  if (!is_well_formed(depth) || !is_well_formed(camera) || camera.width != depth.width ||
+      camera.height != depth.height) {
+    ++state.counts.malformed;
+    return nullptr;
+  }
+  if (state.last && captured <= *state.last) {
+    ++state.counts.not_newer;
+    return nullptr;
+  }
+  const double dt_s = state.last ? to_seconds(captured - *state.last) : 0.0;
+  state.last = captured;
+  ++state.counts.built;
+  DepthField field = to_depth_field(depth);
+  fill_pinholes(field, state.settings.break_m);
+  if (state.settings.temporal) {
+    if (!state.filter || dt_s > kForgetAfter_s || !same_view(camera, state.camera))
+      state.filter.emplace(camera.width, camera.height, state.settings);
+    state.camera = camera;
+  }
+  const DepthField& shown = state.filter ? state.filter->add(field, dt_s) : field;
+  const MotionField* motion = state.filter ? &state.filter->motion() : nullptr;
+  return make_snapshot(shown, camera, reach, state.settings, motion, [&](SurfaceSnapshot& snapshot) {
+    snapshot.captured = captured;
+    snapshot.sequence = ++state.sequence;
+  });
+}
+
+std::shared_ptr<const SurfaceSnapshot> build_snapshot(const DepthImage& depth, const Intrinsics& camera,
+                                                      SessionTime captured, const std::optional<Reach>& reach,
+                                                      const SurfaceSettings& settings) {
+  return SurfaceBuilder(settings).add(depth, camera, captured, reach);
+}
+
+}  // namespace telepalp::surface

@@ -1,0 +1,72 @@
+#include "haptic_station/surface/cloud/cloud_snapshot.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace telepalp::surface {
+namespace {
+
+constexpr float kAnywhere_m = 1e6F;
+
+IndexedPoints positions(const std::vector<CloudPoint>& points) {
+  IndexedPoints out;
+  out.at_m.reserve(points.size());
+  for (const CloudPoint& point : points) out.at_m.push_back(point.at_m);
+  return out;
+}
+
+}  // namespace
+
+double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& index) {
+  std::vector<float> squared;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / 500);
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    std::array<Neighbor, 7> found;  // itself and six
+    const std::size_t count = index.within(points[i].at_m, kAnywhere_m, found);
+    float farthest = 0.0F;
+    for (std::size_t k = 0; k < count; ++k) farthest = std::max(farthest, found[k].squared_m2);
+    if (count == found.size()) squared.push_back(farthest);
+  }
+  if (squared.empty()) return 0.0;
+  std::nth_element(squared.begin(), squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2), squared.end());
+  return std::sqrt(static_cast<double>(squared[squared.size() / 2]) / 6.0) * std::sqrt(3.14159265);
+}
+
+CloudSnapshot::CloudSnapshot(std::vector<CloudPoint> cloud, const CloudShape& shape, Index index)
+    : storage_(std::move(cloud)), owned_index_(make_index(index, positions(storage_))) {
+  shape_ = shape;
+  if (!(shape_.support_m > 0.0)) shape_.support_m = 3.0 * std::max(1e-6, spacing_m(storage_, *owned_index_));
+  points_ = storage_;
+  index_ = owned_index_.get();
+  points = static_cast<std::uint32_t>(storage_.size());
+  index_name = index_->name();
+  motion.ages = false;
+}
+
+std::vector<CloudPoint> with_normals(const std::vector<Eigen::Vector3f>& points, int neighbors,
+                                     const Eigen::Vector3f& viewpoint) {
+  const auto index = make_nanoflann_index({.at_m = points, .width = 0});
+  std::vector<Neighbor> found(static_cast<std::size_t>(std::clamp(neighbors, 3, 256)));
+  std::vector<CloudPoint> out;
+  for (const Eigen::Vector3f& at : points) {
+    if (!at.allFinite()) continue;
+    const std::size_t count = index->within(at, kAnywhere_m, found);
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector3d from = (points[found[i].index] - at).cast<double>();
+      mean += from / static_cast<double>(count);
+      square += from * from.transpose() / static_cast<double>(count);
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(square - mean * mean.transpose());
+    if (!(solver.eigenvalues()[1] > 1e-4 * solver.eigenvalues()[2])) continue;
+    const Eigen::Vector3f normal = solver.eigenvectors().col(0).cast<float>().normalized();
+    out.push_back({at, normal.dot(viewpoint - at) < 0.0F ? Eigen::Vector3f(-normal) : normal});
+  }
+  return out;
+}
+
+}  // namespace telepalp::surface

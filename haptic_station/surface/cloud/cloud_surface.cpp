@@ -1,0 +1,111 @@
+#include "haptic_station/surface/cloud/cloud_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "haptic_station/surface/snapshot/soft_object_weight.h"
+
+namespace telepalp::surface {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t kMostNeighbors = 256;
+
+/// Weight by which side a point's normal faces: whole from 60 degrees of agreement on, none from a right angle on.
+double side_weight(const Vector3d& normal, const Vector3d& facing) noexcept {
+  if (facing.isZero()) return 1.0;
+  const double t = std::clamp(2.0 * normal.dot(facing), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+struct Sums {
+  double weight = 0.0;
+  double plane = 0.0;
+  Vector3d normal = Vector3d::Zero();
+  Vector3d offset = Vector3d::Zero();
+  Vector3d weight_by = Vector3d::Zero();
+  Vector3d plane_by = Vector3d::Zero();
+  Eigen::Matrix3d normal_by = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d offset_by = Eigen::Matrix3d::Zero();
+};
+
+void add(Sums& sums, const Vector3d& offset, const Vector3d& normal, double side, double per_r2) noexcept {
+  const Weight fade = soft_object_weight(offset.squaredNorm() * per_r2);
+  const double w = side * fade.value;
+  if (w <= 0.0) return;
+  const Vector3d by = (2.0 * per_r2 * side * fade.slope) * offset;
+  const double plane = normal.dot(offset);
+  sums.weight += w;
+  sums.plane += w * plane;
+  sums.normal += w * normal;
+  sums.offset += w * offset;
+  sums.weight_by += by;
+  sums.plane_by += plane * by;
+  sums.normal_by += normal * by.transpose();
+  sums.offset_by += offset * by.transpose();
+}
+
+/// Weight sums below this are the far rim of a single point's support: there f is there, but fading out.
+double support_of(double weight) noexcept {
+  constexpr double kLeast = 0.02;
+  constexpr double kWhole = 0.30;
+  const double t = std::clamp((weight - kLeast) / (kWhole - kLeast), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+FieldSample sample_of(const Sums& sums) noexcept {
+  FieldSample out;
+  out.support = support_of(sums.weight);
+  const double length = sums.normal.norm();
+  if (out.support <= 0.0 || length < 1e-3 * sums.weight) return {};
+  const Vector3d n = sums.normal / length;
+  out.valid = true;
+  out.normal = n;
+  out.f_m = 0.5 * (sums.plane + n.dot(sums.offset)) / sums.weight;
+  const Vector3d turn = (sums.offset - n.dot(sums.offset) * n) / length;
+  const Vector3d rise = sums.normal + sums.weight * n + sums.plane_by + sums.offset_by.transpose() * n +
+                        sums.normal_by.transpose() * turn - 2.0 * out.f_m * sums.weight_by;
+  out.gradient = 0.5 * rise / sums.weight;
+  return out;
+}
+
+}  // namespace
+
+FieldSample CloudSurface::evaluate(const Vector3d& query, const Vector3d& facing,
+                                   const MotionBasis& /*a model stands still*/) const noexcept {
+  if (index_ == nullptr || !query.allFinite()) return {};
+  const Vector3d local = query - shape_.origin_m;
+  std::array<Neighbor, kMostNeighbors> found;
+  const std::size_t most = shape_.neighbors > 0 ? std::min(shape_.neighbors, kMostNeighbors) : kMostNeighbors;
+  const std::size_t count =
+      index_->within(local.cast<float>(), static_cast<float>(shape_.support_m), {found.data(), most});
+  double support2 = shape_.support_m * shape_.support_m;
+  if (count == most) {  // the k-th neighbour's weight is zero, so leaving k + 1 out is no jump
+    support2 = 0.0;
+    for (std::size_t i = 0; i < count; ++i) support2 = std::max(support2, static_cast<double>(found[i].squared_m2));
+  }
+  if (support2 <= 0.0) return {};
+  Sums sums;
+  for (std::size_t i = 0; i < count; ++i) {
+    const CloudPoint& point = points_[found[i].index];
+    const Vector3d normal = point.normal.cast<double>();
+    add(sums, local - point.at_m.cast<double>(), normal, side_weight(normal, facing), 1.0 / support2);
+  }
+  return sample_of(sums);
+}
+
+std::optional<Seed> CloudSurface::seed(const Vector3d& query) const noexcept {
+  if (index_ == nullptr || !query.allFinite()) return std::nullopt;
+  const Vector3d local = query - shape_.origin_m;
+  std::array<Neighbor, 1> nearest;
+  if (index_->within(local.cast<float>(), static_cast<float>(shape_.seed_radius_m), nearest) == 0) return std::nullopt;
+  const CloudPoint& point = points_[nearest[0].index];
+  const Vector3d at = point.at_m.cast<double>();
+  return Seed{shape_.origin_m + at, point.normal.cast<double>().dot(local - at) >= 0.0};
+}
+
+double CloudSurface::stride_m(const Vector3d& /*query*/) const noexcept { return 0.4 * shape_.support_m; }
+
+}  // namespace telepalp::surface

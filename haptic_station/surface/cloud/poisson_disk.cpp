@@ -1,0 +1,97 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <random>
+
+#include "haptic_station/surface/cloud/static_model.h"
+
+namespace telepalp::surface {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr std::size_t kOversampling = 4;
+
+double area_of(const models::PointModel& model, const std::array<std::uint32_t, 3>& corners) {
+  const Vector3f& a = model.points[corners[0]];
+  return 0.5 * static_cast<double>((model.points[corners[1]] - a).cross(model.points[corners[2]] - a).norm());
+}
+
+CloudPoint point_on(const models::PointModel& model, const std::array<std::uint32_t, 3>& corners, float u, float v) {
+  const float w = 1.0F - u - v;
+  const Vector3f& a = model.points[corners[0]];
+  const Vector3f& b = model.points[corners[1]];
+  const Vector3f& c = model.points[corners[2]];
+  const Vector3f face = (b - a).cross(c - a).normalized();
+  if (model.normals.empty()) return {w * a + u * b + v * c, face};
+  const Vector3f mixed = w * model.normals[corners[0]] + u * model.normals[corners[1]] + v * model.normals[corners[2]];
+  return {w * a + u * b + v * c, mixed.norm() > 1e-6F ? mixed.normalized() : face};
+}
+
+std::vector<CloudPoint> random_points(const models::PointModel& model, std::size_t count, std::uint64_t seed) {
+  std::vector<double> areas;
+  for (const auto& triangle : model.triangles) {
+    const double area = area_of(model, triangle);
+    areas.push_back(std::isfinite(area) ? area : 0.0);
+  }
+  std::vector<CloudPoint> points;
+  if (std::none_of(areas.begin(), areas.end(), [](double area) { return area > 0.0; })) return points;
+  std::mt19937_64 random(seed);
+  std::discrete_distribution<std::size_t> pick(areas.begin(), areas.end());
+  std::uniform_real_distribution<float> share(0.0F, 1.0F);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float root = std::sqrt(share(random));
+    const float u = root * share(random);
+    points.push_back(point_on(model, model.triangles[pick(random)], u, 1.0F - root));
+  }
+  return points;
+}
+
+/// How crowded a neighbour at a distance makes a point. Source: Yuksel 2015, eq. (3), alpha = 8.
+double crowding(double distance, double reach) { return std::pow(1.0 - std::min(1.0, distance / reach), 8.0); }
+
+}  // namespace
+
+std::vector<CloudPoint> poisson_disk_samples(const models::PointModel& model, std::size_t count, std::uint64_t seed) {
+  const std::vector<CloudPoint> many = random_points(model, kOversampling * count, seed);
+  if (many.size() <= count) return many;
+  double area = 0.0;
+  for (const auto& triangle : model.triangles) area += area_of(model, triangle);
+  const double reach = 2.0 * std::sqrt(area / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));
+  IndexedPoints positions;
+  for (const CloudPoint& point : many) positions.at_m.push_back(point.at_m);
+  const auto index = make_nanoflann_index(positions);
+
+  std::vector<double> crowd(many.size(), 0.0);
+  std::vector<std::vector<Neighbor>> near(many.size());
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    near[i].resize(64);
+    near[i].resize(index->within(many[i].at_m, static_cast<float>(reach), near[i]));
+    for (const Neighbor& neighbor : near[i])
+      if (neighbor.index != i) crowd[i] += crowding(std::sqrt(static_cast<double>(neighbor.squared_m2)), reach);
+  }
+  std::priority_queue<std::pair<double, std::size_t>> crowded;  // entries go stale: an outdated one is put back
+  for (std::size_t i = 0; i < many.size(); ++i) crowded.emplace(crowd[i], i);
+  std::vector<bool> gone(many.size(), false);
+  for (std::size_t left = many.size(); left > count;) {
+    const auto [then, i] = crowded.top();
+    crowded.pop();
+    if (then > crowd[i] + 1e-12) {
+      crowded.emplace(crowd[i], i);
+      continue;
+    }
+    gone[i] = true;
+    --left;
+    for (const Neighbor& neighbor : near[i])
+      if (!gone[neighbor.index])
+        crowd[neighbor.index] -= crowding(std::sqrt(static_cast<double>(neighbor.squared_m2)), reach);
+  }
+  std::vector<CloudPoint> kept;
+  kept.reserve(count);
+  for (std::size_t i = 0; i < many.size(); ++i)
+    if (!gone[i]) kept.push_back(many[i]);
+  return kept;
+}
+
+}  // namespace telepalp::surface

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "haptic_station/surface/depth/depth_field.h"
+#include "haptic_station/surface/grid/grid_surface.h"
+#include "haptic_station/surface/snapshot/surface_settings.h"
+#include "haptic_station/surface/temporal/motion_field.h"
+
+namespace telepalp::surface {
+
+/// A grid surface that owns its nodes.
+class GridSnapshot final : public GridSurface {
+ public:
+  GridSnapshot(const DepthField& depth, const Intrinsics& camera, const std::optional<Reach>& reach,
+               const SurfaceSettings& settings);
+  GridSnapshot(const GridSnapshot&) = delete;
+  GridSnapshot& operator=(const GridSnapshot&) = delete;
+  ~GridSnapshot() = default;
+
+  /// For the builder, before the snapshot is shared: gives each node the motion seen at its pixel, along its normal.
+  void carry_forward(const MotionField& field);
+
+ private:
+  std::vector<GridNode> storage_;
+};
+
+}  // namespace telepalp::surface

@@ -1,0 +1,180 @@
+#include "haptic_station/surface/grid/window_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace telepalp::surface {
+namespace {
+
+using Bits = std::uint32_t;
+
+struct Pixel {
+  int column = 0;
+  int row = 0;
+};
+
+bool measured(const InverseDepthView& view, Pixel at) noexcept {
+  return at.column >= 0 && at.row >= 0 && at.column < view.width && at.row < view.height &&
+         (view.measured.from(at.column, at.row) & 1U) != 0;
+}
+
+std::optional<Pixel> nearest_measured(const InverseDepthView& view, Pixel centre, int most) noexcept {
+  for (int ring = 0; ring <= most; ++ring)
+    for (int dv = -ring; dv <= ring; ++dv)
+      for (int du = -ring; du <= ring; ++du) {
+        const Pixel at{centre.column + du, centre.row + dv};
+        if (std::max(std::abs(du), std::abs(dv)) == ring && measured(view, at)) return at;
+      }
+  return std::nullopt;
+}
+
+/// One row of a window, bit k for its pixel k: what was measured, and what is linked to the right and below.
+struct WindowRow {
+  Bits measured = 0;
+  Bits right = 0;
+  Bits below = 0;
+};
+
+/// The part of the window that lies in the image.
+struct Clip {
+  int from = 0;
+  int to = 0;
+};
+
+Clip clip_of(const InverseDepthView& view, int left, int side) noexcept {
+  return {std::max(0, -left), std::min(side, view.width - left)};
+}
+
+using WindowRows = std::array<WindowRow, kMostSide>;
+
+void read_rows(const InverseDepthView& view, Pixel corner, int side, WindowRows& rows) noexcept {
+  const Bits inside = ~Bits{0} >> (32 - side);
+  for (int l = 0; l < side; ++l) {
+    WindowRow& out = rows[static_cast<std::size_t>(l)];
+    const int row = corner.row + l;
+    out = row < 0 || row >= view.height
+              ? WindowRow{}
+              : WindowRow{view.measured.from(corner.column, row) & inside,
+                          view.right.from(corner.column, row) & (inside >> 1), view.below.from(corner.column, row)};
+  }
+}
+
+/// All pixels of a row that links to the right (bit k: from k to k + 1) join to those in `reached`.
+Bits along_row(Bits reached, Bits right) noexcept {
+  Bits up = right << 1;  // bit k: may be reached from k - 1
+  Bits down = right;     // bit k: may be reached from k + 1
+  for (int step = 1; step < kMostSide; step *= 2) {
+    reached |= (up & (reached << step)) | (down & (reached >> step));
+    up &= up << step;
+    down &= down >> step;
+  }
+  return reached;
+}
+
+/// The window's pixels reached from `start` over unbroken links: sweeps down and up until nothing is added.
+void connect(const WindowRows& rows, int side, Pixel start, std::array<Bits, kMostSide>& reached) noexcept {
+  reached.fill(0);
+  const auto first = static_cast<std::size_t>(start.row);
+  reached[first] = along_row(Bits{1} << start.column, rows[first].right);
+  const auto grow = [&](int l, Bits from) {
+    const auto at = static_cast<std::size_t>(l);
+    if ((from & ~reached[at]) == 0) return false;
+    const Bits grown = along_row(reached[at] | (from & rows[at].measured), rows[at].right);
+    const bool changed = grown != reached[at];
+    reached[at] = grown;
+    return changed;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int l = 1; l < side; ++l)
+      changed |= grow(l, reached[static_cast<std::size_t>(l) - 1] & rows[static_cast<std::size_t>(l) - 1].below);
+    for (int l = side - 2; l >= 0; --l)
+      changed |= grow(l, reached[static_cast<std::size_t>(l) + 1] & rows[static_cast<std::size_t>(l)].below);
+  }
+}
+
+/// The normal equations of 1, u, v, u², uv, v², lengths in radii.
+struct Equations {
+  Eigen::Matrix<double, 6, 6> normal;
+  Eigen::Matrix<double, 6, 1> right;
+};
+
+Equations equations_of(const MaskedColumns& sums, const AxisWeights& axis, Clip clip) {
+  std::array<std::array<double, 5>, 5> moment{};  // [power of u][power of v]
+  std::array<std::array<double, 3>, 3> value{};
+  const double scale = 1.0 / axis.radius;
+  for (int k = clip.from; k < clip.to; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const int distance = k - axis.radius;
+    double u = static_cast<double>(axis.by_distance[static_cast<std::size_t>(std::abs(distance))]);
+    for (std::size_t a = 0; a < 5; ++a, u *= distance * scale) {
+      for (std::size_t b = 0; a + b < 5; ++b) moment[a][b] += u * static_cast<double>(sums.weight[b][at]);
+      for (std::size_t b = 0; a + b < 3; ++b) value[a][b] += u * static_cast<double>(sums.value[b][at]);
+    }
+  }
+  constexpr std::array<std::array<std::size_t, 2>, 6> kPowers = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+  const std::array<double, 5> by_power = {1.0, scale, scale * scale, scale * scale * scale,
+                                          scale * scale * scale * scale};
+  Equations out;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto [a, b] = kPowers[i];
+    out.right[static_cast<Eigen::Index>(i)] = value[a][b] * by_power[b];
+    for (std::size_t j = 0; j < 6; ++j) {
+      const auto [c, d] = kPowers[j];
+      out.normal(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = moment[a + c][b + d] * by_power[b + d];
+    }
+  }
+  return out;
+}
+
+/// Weighted least squares in N terms, taken from the 6-term normal equations' leading block.
+template <int N>
+std::optional<InverseDepthPlane> solve(const Equations& equations) {
+  const Eigen::LDLT<Eigen::Matrix<double, N, N>> factors(equations.normal.topLeftCorner<N, N>());
+  const auto pivots = factors.vectorD();
+  if (!(pivots.minCoeff() > 1e-9 * pivots.maxCoeff())) return std::nullopt;
+  const Eigen::Matrix<double, N, 1> x = factors.solve(equations.right.head<N>());
+  return InverseDepthPlane{x[0], x[1], x[2]};
+}
+
+constexpr double kWholeEnoughForQuadratic = 0.8;
+constexpr double kLeastShare = 0.25;
+constexpr double kLeastShareOverHole = 0.5;
+
+}  // namespace
+
+BitRows::BitRows(int width, int height)
+    : stride_(static_cast<std::size_t>((width + 63) / 64) + 2), words_(stride_ * static_cast<std::size_t>(height), 0) {}
+
+std::optional<WindowFit> fit_window(const InverseDepthView& view, int column, int row, const AxisWeights& axis,
+                                    int bridge_px) {
+  const std::optional<Pixel> start = nearest_measured(view, {column, row}, std::min(bridge_px, axis.radius));
+  if (!start) return std::nullopt;
+  const int side = 2 * axis.radius + 1;
+  const Pixel corner{column - axis.radius, row - axis.radius};
+  const Clip clip = clip_of(view, corner.column, side);
+  WindowRows rows;
+  read_rows(view, corner, side, rows);
+  std::array<Bits, kMostSide> reached;
+  connect(rows, side, {start->column - corner.column, start->row - corner.row}, reached);
+  MaskedColumns sums;
+  const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(corner.row) * view.width + corner.column;
+  sum_masked_columns(view.per_m.data(), first, view.width, reached.data(), axis, clip.from, clip.to, sums);
+  const Equations equations = equations_of(sums, axis, clip);
+  WindowFit fit{.plane = {}, .share = equations.normal(0, 0) / (axis.m0 * axis.m0)};
+  const bool over_hole = start->column != column || start->row != row;
+  if (fit.share < (over_hole ? kLeastShareOverHole : kLeastShare)) return std::nullopt;
+  std::optional<InverseDepthPlane> plane;
+  if (fit.share >= kWholeEnoughForQuadratic) plane = solve<6>(equations);
+  if (!plane) plane = solve<3>(equations);
+  if (!plane || !(plane->at + static_cast<double>(view.reference_per_m) > 0.0)) return std::nullopt;
+  const double scale = 1.0 / axis.radius;
+  fit.plane = {plane->at, plane->across * scale, plane->down * scale};
+  return fit;
+}
+
+}  // namespace telepalp::surface

@@ -1,0 +1,43 @@
+#include <algorithm>
+#include <cmath>
+
+#include "haptic_station/surface/snapshot/surface_snapshot.h"
+
+namespace telepalp::surface {
+namespace {
+
+struct Progress {
+  double s = 0.0;
+  double rate = 0.0;
+};
+
+/// Age as the model lives it: true at first, then slowing to a stop, C1. A surface nobody has seen for long must not be
+/// carried on by a model that nobody has checked.
+Progress lived(double age_s, double freeze_from_s) noexcept {
+  if (age_s < 0.0) return {};
+  if (age_s <= freeze_from_s) return {age_s, 1.0};
+  const double late = std::min(age_s - freeze_from_s, freeze_from_s);
+  return {freeze_from_s + late - late * late / (2.0 * freeze_from_s), 1.0 - late / freeze_from_s};
+}
+
+}  // namespace
+
+MotionBasis motion_basis(const MotionModel& model, double age_s) noexcept {
+  if (!model.moves) return {};
+  const Progress age = lived(age_s, model.freeze_from_s);
+  const double w = model.breathing_rad_per_s;
+  const double fade = std::exp(-age.s / model.linear_fade_s);
+  const double c1 = std::cos(w * age.s);
+  const double s1 = std::sin(w * age.s);
+  const double c2 = c1 * c1 - s1 * s1;
+  const double s2 = 2.0 * s1 * c1;
+  const auto terms = [](double a, double b, double c, double d, double e) {
+    return MotionTerms{static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d),
+                       static_cast<float>(e)};
+  };
+  return {
+      terms(model.linear_fade_s * (1.0 - fade), c1 - 1.0, s1, c2 - 1.0, s2),
+      terms(age.rate * fade, -age.rate * w * s1, age.rate * w * c1, -age.rate * 2.0 * w * s2, age.rate * 2.0 * w * c2)};
+}
+
+}  // namespace telepalp::surface

@@ -1,0 +1,157 @@
+#include "haptic_station/surface/temporal/motion_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace telepalp::surface {
+namespace {
+
+// A critically damped g-h filter (Brookner 1998, 1.2.6) remembers about 1/(1 - theta) frames. Short memory where the
+// innovations lean to one side, since there the motion changes; long where they are chance, since a cell's noise would
+// move all its pixels together and no average of theirs would take it out.
+constexpr double kQuickTheta = 0.60;
+constexpr double kCalmTheta = 0.90;
+constexpr double kLeanGain = 0.3;
+constexpr double kCalmUpTo = 3.5;  // sigmas of the lean
+constexpr double kQuickFrom = 9.0;
+constexpr double kEnergyMemory_s = 4.0;
+constexpr double kLeastCount = 12.0;  // pixels, before a cell's mean says anything
+constexpr double kVelocityFade_s = 1.0;
+constexpr double kRoughnessLeak = 0.1;  // of a frame
+
+/// How clearly a running mean leans to one side: 0 by chance, 1 without doubt.
+double leaning(double lean_m, double sigma_m) noexcept {
+  const double chance_m = sigma_m * std::sqrt(kLeanGain / (2.0 - kLeanGain)) + 1e-6;
+  return std::clamp((std::abs(lean_m) / chance_m - kCalmUpTo) / (kQuickFrom - kCalmUpTo), 0.0, 1.0);
+}
+
+}  // namespace
+
+MotionField::MotionField(int width_px, int height_px, bool breathing)
+    : lattice_(lattice_of(width_px, height_px)),
+      breathing_wanted_(breathing),
+      cells_(lattice_.size()),
+      means_(lattice_.size()),
+      moving_(lattice_.size()),
+      displacement_(lattice_.size(), 0.0F),
+      observed_(lattice_.size(), 0.0F),
+      weight_(lattice_.size(), 0.0F),
+      change_(lattice_.size(), 0.0F),
+      moved_(lattice_.size(), 0.0F),
+      expected_(lattice_.size(), 0.0F),
+      terms_(lattice_.size()) {}
+
+void MotionField::predict(double dt_s) {
+  MotionModel ahead = model();
+  ahead.linear_fade_s = 1e3;  // between frames a velocity holds; it is beyond them that it is believed less and less
+  const MotionBasis basis = motion_basis(ahead, dt_s);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    float change = 0.0F;
+    float rate = 0.0F;
+    for (std::size_t k = 0; k < basis.value.size(); ++k) {
+      change += terms_[i][k] * basis.value[k];
+      rate += terms_[i][k] * basis.rate[k];
+    }
+    cells_[i].velocity_m_per_s = static_cast<double>(rate);
+    displacement_[i] += change;
+    change_[i] = change;
+  }
+}
+
+/// Where the innovations lean to one side. A body moves as one and chance does not, so neighbourhoods are looked at;
+/// and gains that change from cell to cell would make a smooth motion rough.
+void MotionField::update_moving(const std::vector<CellInnovation>& seen) {
+  const std::vector<CellMean> wide = wide_means(lattice_, means_);
+  for (std::size_t at = 0; at < cells_.size(); ++at) {
+    const double narrower = std::sqrt(seen[at].count / std::max(wide[at].count, 1.0));
+    double& lean_m = cells_[at].lean_m;
+    lean_m += kLeanGain * (wide[at].mean - lean_m);
+    moving_[at] = {leaning(lean_m, narrower * seen[at].sigma_m), seen[at].count};
+  }
+  moving_ = wide_means(lattice_, moving_);
+}
+
+/// A young cell takes what it sees at once; its gains settle as it ages.
+void MotionField::correct_cell(std::size_t at, double innovation_m, double dt_s) noexcept {
+  Cell& cell = cells_[at];
+  cell.frames += 1.0;
+  const double theta = kCalmTheta + moving_[at].mean * (kQuickTheta - kCalmTheta);
+  const double position_gain = std::max(1.0 - theta * theta, 1.0 / cell.frames);
+  const double velocity_gain = cell.frames < 3.0 ? 0.0 : (1.0 - theta) * (1.0 - theta);
+  const auto correction = static_cast<float>(position_gain * innovation_m);
+  displacement_[at] += correction;
+  moved_[at] = change_[at] + correction;
+  expected_[at] = change_[at] + static_cast<float>(innovation_m);
+  cell.velocity_m_per_s += velocity_gain * innovation_m / dt_s;
+  const double speed2 = cell.velocity_m_per_s * cell.velocity_m_per_s;
+  cell.energy += dt_s / kEnergyMemory_s * (speed2 - cell.energy);
+}
+
+/// Displacement as measured, smoothed as a whole. With the coefficients' own sum and the smoothed innovation on top,
+/// what smoothing takes away would come from the breathing model alone, and it would be fitted to its own echo.
+void MotionField::update_observed() {
+  const std::vector<float> modelled = means_of(lattice_, displacement_);
+  for (std::size_t at = 0; at < means_.size(); ++at) means_[at].mean += static_cast<double>(modelled[at]);
+  observed_ = smooth_coefficients(lattice_, means_);
+}
+
+/// What smoothing takes out of the innovations is out of the filter's sight: velocities forget it.
+void MotionField::smooth_velocities() {
+  std::vector<float> velocity(cells_.size());
+  std::transform(cells_.begin(), cells_.end(), velocity.begin(),
+                 [](const Cell& cell) { return static_cast<float>(cell.velocity_m_per_s); });
+  const std::vector<float> means = means_of(lattice_, velocity);
+  std::vector<CellMean> whole(means.size());
+  std::transform(means.begin(), means.end(), whole.begin(), [](float mean) {
+    return CellMean{static_cast<double>(mean), CellLattice::kCell_px * CellLattice::kCell_px};
+  });
+  const std::vector<float> smooth = smooth_coefficients(lattice_, whole);
+  for (std::size_t at = 0; at < cells_.size(); ++at)
+    cells_[at].velocity_m_per_s += kRoughnessLeak * (static_cast<double>(smooth[at]) - cells_[at].velocity_m_per_s);
+}
+
+void MotionField::correct(const std::vector<CellInnovation>& seen, double dt_s) {
+  frame_s_ = dt_s;
+  std::transform(seen.begin(), seen.end(), means_.begin(), [](const CellInnovation& cell) {
+    return CellMean{cell.mean_m, cell.count};
+  });
+  const std::vector<float> innovation = smooth_coefficients(lattice_, means_);
+  update_moving(seen);
+  update_observed();
+  double moving = 1e-18;
+  double missed = 0.0;
+  for (std::size_t at = 0; at < cells_.size(); ++at) {
+    const auto innovation_m = static_cast<double>(innovation[at]);
+    correct_cell(at, innovation_m, dt_s);
+    const double energy = seen[at].count < kLeastCount ? 0.0 : cells_[at].energy;
+    weight_[at] = static_cast<float>(1e12 * energy * energy);  // squared: noise must not outvote the belly
+    moving += static_cast<double>(weight_[at]);
+    missed += static_cast<double>(weight_[at]) * std::abs(innovation_m);
+  }
+  smooth_velocities();
+  miss_m_ += 0.1 * (missed / moving - miss_m_);
+  if (breathing_wanted_) breathing_.add(observed_, weight_, dt_s);
+  update_terms();
+}
+
+void MotionField::update_terms() {
+  const double share = believed();
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    MotionTerms terms{};
+    if (share > 0.0) terms = breathing_.motion_of(i);
+    for (float& term : terms) term *= static_cast<float>(share);
+    terms[0] = static_cast<float>((1.0 - share) * cells_[i].velocity_m_per_s);
+    terms_[i] = terms;
+  }
+}
+
+MotionModel MotionField::model() const noexcept {
+  MotionModel model;
+  model.moves = true;
+  model.breathing_rad_per_s = believed() > 0.0 ? breathing_.rad_per_s() : 0.0;
+  model.linear_fade_s = kVelocityFade_s;
+  model.spread_m_per_s = 0.5 * miss_m_ / frame_s_;
+  return model;
+}
+
+}  // namespace telepalp::surface

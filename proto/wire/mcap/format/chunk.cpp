@@ -1,0 +1,48 @@
+#include "proto/wire/mcap/format/chunk.h"
+
+#include "proto/wire/mcap/format/byte_cursor.h"
+#include "proto/wire/mcap/format/compression.h"
+#include "proto/wire/mcap/format/record_walk.h"
+
+namespace telepalp::wire::mcap {
+namespace {
+
+Error what(std::string text) { return {.what = std::move(text), .where = {}, .fix = {}}; }
+
+}  // namespace
+
+Result<std::string> unpack(const ChunkRecord& chunk) {
+  if (chunk.uncompressed_size > kMaxChunkBytes)
+    return what("declares " + std::to_string(chunk.uncompressed_size) + " bytes unpacked; the limit is 64 MiB");
+  std::string records;
+  if (chunk.compression.empty()) {
+    if (chunk.records.size() != chunk.uncompressed_size) return what("its size is not the declared one");
+    records = chunk.records;
+  } else if (chunk.compression == "zstd") {
+    std::optional<std::string> unpacked = zstd_decompress(chunk.records, chunk.uncompressed_size);
+    if (!unpacked) return what("its zstd data is damaged");
+    records = *std::move(unpacked);
+  } else {
+    return Error{.what = "is compressed with " + std::string(chunk.compression.substr(0, 32)) + ", which is not read",
+                 .where = {},
+                 .fix = "write the file again with zstd or without compression"};
+  }
+  if (chunk.uncompressed_crc != 0 && chunk.uncompressed_crc != crc32(records))
+    return what("its CRC does not match its data");
+  return records;
+}
+
+Result<std::optional<ChunkWalk::Entry>> ChunkWalk::next() {
+  if (rest_.empty()) return std::optional<Entry>{};
+  ByteCursor from(rest_);
+  const auto opcode = static_cast<Opcode>(from.u8());
+  const std::string_view content = from.raw(from.u64());
+  if (!from.ok()) return what("a record reaches past its end");
+  const bool allowed = opcode == Opcode::Schema || opcode == Opcode::Channel || opcode == Opcode::Message ||
+                       opcode > Opcode::DataEnd;  // unknown to us: skipped, as the specification asks
+  if (!allowed) return what("holds a record of a kind that may not stand in a chunk");
+  rest_ = from.rest();
+  return std::optional<Entry>{{opcode, content}};
+}
+
+}  // namespace telepalp::wire::mcap

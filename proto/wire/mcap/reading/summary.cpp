@@ -1,0 +1,110 @@
+#include "proto/wire/mcap/reading/summary.h"
+
+#include <algorithm>
+
+#include "proto/wire/mcap/format/byte_cursor.h"
+#include "proto/wire/mcap/format/compression.h"
+
+namespace telepalp::wire::mcap {
+namespace {
+
+constexpr std::uint64_t kFooterContentBytes = 20;
+constexpr std::uint64_t kTailBytes = kRecordHeadBytes + kFooterContentBytes + kMagic.size();
+
+struct Footing {
+  Footer footer;
+  std::uint64_t offset;  // of the footer's head
+};
+
+Result<Footing> read_footer(ByteSource& source) {
+  const Error no_summary = damaged(source, "truncated: it has no summary at its end");
+  if (source.size() < kMagic.size() + kTailBytes) return no_summary;
+  const std::uint64_t offset = source.size() - kTailBytes;
+  std::string tail;
+  if (!source.read(offset, kTailBytes, tail)) return damaged(source, "cannot be read");
+  if (!tail.ends_with(kMagic)) return no_summary;
+  ByteCursor from(tail);
+  if (from.u8() != static_cast<std::uint8_t>(Opcode::Footer) || from.u64() != kFooterContentBytes) return no_summary;
+  const auto footer = parse<Footer>(from.rest());
+  if (!footer || footer->summary_start == 0) return no_summary;
+  if (footer->summary_start < kMagic.size() || footer->summary_start > offset)
+    return damaged(source, "its summary is said to lie outside of the file");
+  return Footing{*footer, offset};
+}
+
+bool lies_within(std::uint64_t offset, std::uint64_t length, std::uint64_t end) {
+  return offset >= kMagic.size() && offset <= end && length <= end - offset;
+}
+
+/// Adds one summary record; false if it lies.
+bool take(Summary& summary, Opcode opcode, std::string_view content, std::uint64_t data_end) {
+  switch (opcode) {
+    case Opcode::Schema: {
+      auto schema = parse<Schema>(content);
+      return schema && summary.channels.add(*std::move(schema));
+    }
+    case Opcode::Channel: {
+      auto channel = parse<Channel>(content);
+      return channel && summary.channels.add(*std::move(channel));
+    }
+    case Opcode::Statistics: {
+      auto statistics = parse<Statistics>(content);
+      if (statistics) summary.statistics = *std::move(statistics);
+      return statistics.has_value();
+    }
+    case Opcode::ChunkIndex: {
+      auto index = parse<ChunkIndex>(content);
+      if (!index || !lies_within(index->chunk_start_offset, index->chunk_length, data_end)) return false;
+      if (index->chunk_length < kRecordHeadBytes || index->message_start_time > index->message_end_time) return false;
+      summary.chunks.push_back(*std::move(index));
+      return true;
+    }
+    case Opcode::AttachmentIndex: {
+      auto index = parse<AttachmentIndex>(content);
+      if (!index || !lies_within(index->offset, index->length, data_end)) return false;
+      summary.attachments.push_back(*std::move(index));
+      return true;
+    }
+    case Opcode::MetadataIndex: {
+      auto index = parse<MetadataIndex>(content);
+      if (!index || !lies_within(index->offset, index->length, data_end)) return false;
+      summary.metadata.push_back(*std::move(index));
+      return true;
+    }
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+Result<Summary> read_summary(ByteSource& source) {
+  if (const Result<void> magic = check_magic(source); !magic) return magic.error();
+  const Result<Footing> footing = read_footer(source);
+  if (!footing) return footing.error();
+  const std::uint64_t start = footing->footer.summary_start;
+  const std::uint64_t length = footing->offset - start;
+  if (length > kMaxChunkBytes)
+    return refused(source, "its summary is larger than 64 MiB", "split the recording into shorter files");
+
+  std::string bytes;  // the summary, and of the footer what its CRC covers
+  const std::uint64_t covered = length + kRecordHeadBytes + kFooterContentBytes - sizeof(std::uint32_t);
+  if (!source.read(start, covered, bytes)) return damaged(source, "cannot be read");
+  if (footing->footer.summary_crc != 0 && footing->footer.summary_crc != crc32(bytes))
+    return damaged(source, "the CRC of its summary does not match");
+
+  Summary summary;
+  ByteCursor from(std::string_view(bytes).substr(0, length));
+  while (from.ok() && !from.at_end()) {
+    const auto opcode = static_cast<Opcode>(from.u8());
+    const std::string_view content = from.raw(from.u64());
+    if (!from.ok() || !take(summary, opcode, content, start)) return damaged(source, "its summary is damaged");
+  }
+  if (summary.chunks.empty() && summary.statistics.message_count > 0)
+    return damaged(source, "its messages are not in chunks, so they have no index");
+  std::sort(summary.chunks.begin(), summary.chunks.end(),
+            [](const ChunkIndex& a, const ChunkIndex& b) { return a.chunk_start_offset < b.chunk_start_offset; });
+  return summary;
+}
+
+}  // namespace telepalp::wire::mcap

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proto/wire/mcap/format/byte_source.h"
+#include "proto/wire/mcap/format/record_walk.h"
+#include "proto/wire/mcap/format/stored_message.h"
+
+namespace telepalp::wire::mcap {
+
+/// What the end of a complete file says of the rest. Every offset has been checked to lie in the data section.
+struct Summary {
+  ChannelTable channels;
+  Statistics statistics;
+  std::vector<ChunkIndex> chunks;  ///< in file order
+  std::vector<AttachmentIndex> attachments;
+  std::vector<MetadataIndex> metadata;
+};
+
+/// Finds, checks (CRC, bounds) and reads the summary. A file without one, or with messages that no chunk index
+/// reaches, is an error that says so.
+[[nodiscard]] Result<Summary> read_summary(ByteSource& source);
+
+}  // namespace telepalp::wire::mcap

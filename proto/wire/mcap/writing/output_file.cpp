@@ -1,0 +1,106 @@
+#include "proto/wire/mcap/writing/output_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+namespace telepalp::wire::mcap {
+namespace {
+
+std::filesystem::path partial(const std::filesystem::path& name) { return name.string() + ".partial"; }
+
+std::filesystem::path folder_of(const std::filesystem::path& name) {
+  return name.has_parent_path() ? name.parent_path() : std::filesystem::path(".");
+}
+
+void sync_folder(const std::filesystem::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  (void)::fsync(descriptor);  // best effort: not every file system can
+  ::close(descriptor);
+}
+
+}  // namespace
+
+int rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return -1;
+  return ::rename(from.c_str(), to.c_str());
+}
+
+std::filesystem::path OutputFile::partial_name() const { return partial(name_); }
+
+Result<OutputFile> OutputFile::create(const std::filesystem::path& name) {
+  std::error_code code;
+  if (std::filesystem::exists(name, code))
+    return Error{.what = "exists already", .where = name.string(), .fix = "choose another name, or move it away"};
+  const int descriptor = ::open(partial(name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0640);
+  if (descriptor >= 0) {
+    (void)::flock(descriptor, LOCK_EX | LOCK_NB);  // best effort: not every file system can
+    return OutputFile(name, descriptor);
+  }
+  if (errno == EEXIST)
+    return Error{.what = "exists already: a recording that was cut off, or one that is running",
+                 .where = partial(name).string(),
+                 .fix = "telepalp-record --repair " + partial(name).string() + ", then choose another name"};
+  return Error{.what = std::string("cannot be created: ") + std::strerror(errno),
+               .where = name.string(),
+               .fix = "check that the folder exists and may be written"};
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : name_(std::move(other.name_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Error OutputFile::failure(int code) const {
+  const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
+  const std::string folder = folder_of(name_).string();
+  return {.what = std::string("cannot be written: ") + std::strerror(code) + "; what was written before is safe",
+          .where = partial(name_).string(),
+          .fix = full ? "free space in " + folder + ", or record to another disk" : "check the disk under " + folder};
+}
+
+Result<void> OutputFile::append(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return failure(errno);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+void OutputFile::cut(std::uint64_t size) noexcept {
+  // If even this fails, the half-written record stays at the end, where every reader expects damage.
+  if (::ftruncate(descriptor_, static_cast<off_t>(size)) == 0) (void)::lseek(descriptor_, 0, SEEK_END);
+}
+
+void OutputFile::discard() noexcept {
+  if (descriptor_ < 0) return;
+  ::close(std::exchange(descriptor_, -1));
+  (void)::unlink((name_.string() + ".partial").c_str());
+}
+
+Result<void> OutputFile::publish() {
+  const bool synced = ::fsync(descriptor_) == 0;
+  const int sync_error = errno;
+  const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
+  if (!synced) return failure(sync_error);
+  if (!closed) return failure(errno);
+  if (rename_without_replacing(partial(name_), name_) != 0)
+    return Error{.what = std::string("is complete but cannot be renamed to its final name: ") + std::strerror(errno),
+                 .where = partial(name_).string(),
+                 .fix = "rename it by hand to a name that is free"};
+  sync_folder(folder_of(name_));
+  return {};
+}
+
+}  // namespace telepalp::wire::mcap

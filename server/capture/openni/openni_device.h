@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "proto/wire/session_clock.h"
+#include "server/capture/openni/camera_device.h"
+
+namespace telepalp::server {
+
+/// A live camera through OpenNI2: depth, colour when there is one, registered when the driver can. `uri` empty: any
+/// connected camera.
+[[nodiscard]] std::unique_ptr<CameraDevice> make_openni_device(std::string uri, wire::SessionClock clock);
+
+}  // namespace telepalp::server

@@ -1,0 +1,23 @@
+#include <filesystem>
+#include <thread>
+
+#include "server/capture/openni/openni_device.h"
+#include "server/capture/openni/reconnecting_source.h"
+#include "server/capture/sources.h"
+
+namespace telepalp::server {
+
+Result<std::unique_ptr<CaptureSource>> open_camera(const std::string& uri, const SourceOptions& options) {
+  // OpenNI2 would play a file by its own player, which a damaged file crashes.
+  std::error_code code;
+  if (std::filesystem::exists(uri, code) && !std::filesystem::is_character_file(uri, code))
+    return Error{.what = "is a file, not a camera", .where = uri, .fix = "give --source oni:" + uri};
+  std::unique_ptr<CameraDevice> device = make_openni_device(uri, options.clock);
+  if (const Result<void> opened = device->open(); !opened) return opened.error();
+  const wire::SessionClock clock = options.clock;
+  return std::unique_ptr<CaptureSource>{std::make_unique<ReconnectingSource>(
+      std::move(device), SourceTime{.now = [clock] { return clock.now(); },
+                                    .sleep = [](Nanoseconds span) { std::this_thread::sleep_for(span); }})};
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,94 @@
+#include "server/capture/pacing/recorded_source.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace telepalp::server {
+namespace {
+
+constexpr Nanoseconds kBetweenRounds{33'333'333};    // from a recording's last frame to its first again
+constexpr Nanoseconds kTooLate{50'000'000};          // a frame nobody fetched for so long is dropped, as a camera would
+constexpr Nanoseconds kLongestPause{2'000'000'000};  // a longer pause in a recording is cut to this
+
+class RecordedSource final : public CaptureSource {
+ public:
+  RecordedSource(std::unique_ptr<RecordedFrames> frames, std::string description, const SourceOptions& options)
+      : frames_(std::move(frames)), description_(std::move(description)), options_(options) {}
+
+  std::optional<RgbdFrame> next(Nanoseconds patience) override {
+    const SessionTime until = options_.clock.now() + patience;
+    for (;;) {
+      const std::optional<SessionTime> then = frames_->peek();
+      if (!then && !start_over()) {
+        std::this_thread::sleep_until(options_.clock.steady(until));
+        return std::nullopt;
+      }
+      if (!then) continue;
+      const SessionTime due = due_of(*then);
+      if (options_.paced) {
+        std::this_thread::sleep_until(options_.clock.steady(std::min(due, until)));
+        if (due > until) return std::nullopt;
+      }
+      moved_to(*then, due);
+      if (options_.paced && options_.clock.now() - due > kTooLate) {
+        frames_->skip();
+        if (options_.clock.now() > until) return std::nullopt;
+        continue;
+      }
+      std::optional<RgbdFrame> frame = frames_->take();
+      if (!frame) continue;
+      state_ = CaptureState::Live;
+      frame->captured = due;
+      frame->sequence = played_++;
+      return frame;
+    }
+  }
+  CaptureState state() const override { return state_; }
+  std::string detail() const override {
+    const std::string complaint = frames_->complaint();
+    return description_ + (complaint.empty() ? "" : "; " + complaint);
+  }
+  std::string complaint() const override { return frames_->complaint(); }
+
+ private:
+  /// False at the end of a recording that is not to be played again, or in which no frame could be decoded.
+  bool start_over() {
+    if (state_ == CaptureState::Ended) return false;
+    if (!options_.loop || played_ == played_before_round_) {
+      state_ = CaptureState::Ended;
+      return false;
+    }
+    played_before_round_ = played_;
+    frames_->rewind();
+    last_then_.reset();
+    return true;
+  }
+  [[nodiscard]] SessionTime due_of(SessionTime then) const {
+    if (!last_due_) return options_.clock.now();
+    if (!last_then_) return *last_due_ + kBetweenRounds;
+    return *last_due_ + std::clamp(then - *last_then_, Nanoseconds{1}, kLongestPause);
+  }
+  void moved_to(SessionTime then, SessionTime due) {
+    last_then_ = then;
+    last_due_ = due;
+  }
+
+  std::unique_ptr<RecordedFrames> frames_;
+  std::string description_;
+  SourceOptions options_;
+  CaptureState state_ = CaptureState::Waiting;
+  std::optional<SessionTime> last_then_;  // of the frame before, in the recording and now
+  std::optional<SessionTime> last_due_;
+  std::uint64_t played_ = 0;
+  std::uint64_t played_before_round_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<CaptureSource> play_recorded(std::unique_ptr<RecordedFrames> frames, std::string description,
+                                             const SourceOptions& options) {
+  return std::make_unique<RecordedSource>(std::move(frames), std::move(description), options);
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,138 @@
+#include "server/capture/session/session_frames.h"
+
+#include <utility>
+
+#include "codec/color.h"
+#include "proto/wire/depth_loss.h"
+#include "proto/wire/topics.h"
+
+namespace telepalp::server {
+namespace {
+
+constexpr std::string_view kRegisteredFrameId = "camera_depth";
+
+std::int64_t captured_ns(const msg::DepthImage& depth) { return static_cast<std::int64_t>(depth.captured_ns()); }
+std::int64_t captured_ns(const foxglove::CompressedImage& color) {
+  return color.timestamp().seconds() * 1'000'000'000 + color.timestamp().nanos();
+}
+
+std::span<const std::byte> bytes_of(const std::string& data) { return std::as_bytes(std::span{data}); }
+
+std::optional<Intrinsics> pinhole_of(const foxglove::CameraCalibration& calibration) {
+  if (calibration.k_size() != 9 || calibration.width() > kMaxImageSide || calibration.height() > kMaxImageSide)
+    return std::nullopt;
+  const Intrinsics pinhole{static_cast<int>(calibration.width()),
+                           static_cast<int>(calibration.height()),
+                           calibration.k(0),
+                           calibration.k(4),
+                           calibration.k(2),
+                           calibration.k(5)};
+  return is_well_formed(pinhole) ? std::optional{pinhole} : std::nullopt;
+}
+
+}  // namespace
+
+Result<SessionFrames> SessionFrames::open(const std::filesystem::path& file) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  SessionFrames frames{std::move(*reader)};
+  if (frames.peek()) return frames;
+  return Error{.what = "holds no depth images with a camera model",
+               .where = file.string(),
+               .fix = "give a session in which /camera/depth and /camera/info were recorded"};
+}
+
+void SessionFrames::rewind() {
+  reader_.select({.topics = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraColor.name),
+                             std::string(wire::kCameraInfo.name)}});
+  color_.reset();
+  gathering_.reset();
+  next_.reset();
+}
+
+std::optional<SessionTime> SessionFrames::peek() {
+  if (!next_) read_on();
+  if (!next_) return std::nullopt;
+  return session_time(captured_ns(next_->depth));
+}
+
+void SessionFrames::read_on() {
+  while (!next_) {
+    Result<std::optional<wire::Message>> message = reader_.next();
+    if (!message) {
+      ++damaged_;
+      continue;  // the reader goes on behind the chunk it could not read
+    }
+    if (!*message) {
+      next_ = std::exchange(gathering_, std::nullopt);
+      return;
+    }
+    note(**message);
+  }
+}
+
+void SessionFrames::note(const wire::Message& message) {
+  if (message.topic.name == wire::kCameraInfo.name) {
+    foxglove::CameraCalibration calibration;
+    if (!calibration.ParseFromString(*message.payload)) ++damaged_;
+    if (const auto pinhole = pinhole_of(calibration)) pinhole_ = pinhole;
+  } else if (message.topic.name == wire::kCameraColor.name) {
+    foxglove::CompressedImage color;
+    if (!color.ParseFromString(*message.payload)) {
+      ++damaged_;
+      return;
+    }
+    if (gathering_ && captured_ns(color) == captured_ns(gathering_->depth)) {
+      gathering_->color = std::move(color);
+      next_ = std::exchange(gathering_, std::nullopt);
+    } else {
+      color_ = std::move(color);
+    }
+  } else {
+    Encoded encoded;
+    if (!encoded.depth.ParseFromString(*message.payload)) {
+      ++damaged_;
+      return;
+    }
+    next_ = std::exchange(gathering_, std::nullopt);
+    if (!pinhole_) return depth_.skip(std::move(*encoded.depth.mutable_data()));
+    encoded.pinhole = *pinhole_;
+    if (color_ && captured_ns(*color_) == captured_ns(encoded.depth))
+      encoded.color = std::exchange(color_, std::nullopt);
+    gathering_ = std::move(encoded);
+  }
+}
+
+void SessionFrames::skip() {
+  Encoded passed = std::move(*std::exchange(next_, std::nullopt));
+  depth_.skip(std::move(*passed.depth.mutable_data()));
+}
+
+std::optional<RgbdFrame> SessionFrames::take() {
+  const Encoded encoded = std::move(*std::exchange(next_, std::nullopt));
+  Result<codec::DecodedDepth> depth = depth_.read(bytes_of(encoded.depth.data()));
+  if (!depth) {
+    ++damaged_;
+    return std::nullopt;
+  }
+  RgbdFrame frame;
+  frame.captured = session_time(captured_ns(encoded.depth));
+  frame.camera = {.depth = encoded.pinhole, .color = encoded.pinhole, .color_registered = true};
+  frame.depth = std::move(depth->image);
+  frame.loss = wire::loss_of(wire::depth_fidelity(encoded.depth));
+  if (encoded.color) {
+    frame.camera.color_registered = encoded.color->frame_id() == kRegisteredFrameId;
+    Result<ColorImage> color = codec::decode_color(bytes_of(encoded.color->data()));
+    if (color) frame.color = std::move(*color);
+    if (!color) ++damaged_;
+  }
+  if (is_well_formed(frame)) return frame;
+  ++damaged_;
+  return std::nullopt;
+}
+
+std::string SessionFrames::complaint() const {
+  return damaged_ == 0 ? "" : std::to_string(damaged_) + " damaged parts passed over";
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,15 @@
+#include <utility>
+
+#include "server/capture/pacing/recorded_source.h"
+#include "server/capture/session/session_frames.h"
+#include "server/capture/sources.h"
+
+namespace telepalp::server {
+
+Result<std::unique_ptr<CaptureSource>> open_session(const std::string& file, const SourceOptions& options) {
+  Result<SessionFrames> frames = SessionFrames::open(file);
+  if (!frames) return frames.error();
+  return play_recorded(std::make_unique<SessionFrames>(std::move(*frames)), "recorded session " + file, options);
+}
+
+}  // namespace telepalp::server

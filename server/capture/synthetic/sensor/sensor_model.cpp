@@ -1,0 +1,98 @@
+#include "server/capture/synthetic/sensor/sensor_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/capture/synthetic/sensor/holes.h"
+#include "server/capture/synthetic/sensor/pixel_noise.h"
+
+namespace telepalp::server {
+namespace {
+
+constexpr double kLevelSpacing_per_m = 0.00285;  // dz = 2.85 mm z^2, z in metres, as measured on Kinect v1 frames
+constexpr std::size_t kLevels = 1024;
+constexpr float kAxialNoise_m = 0.0012F;
+constexpr float kAxialNoiseGrowth_per_m = 0.0019F;
+
+/// sigma = base + growth (z - 0.4 m)^2 covers all three kinds of noise.
+struct Sigma {
+  float base_m;
+  float growth_per_m;
+};
+Sigma sigma_of(const SyntheticSettings& settings) {
+  switch (settings.noise) {
+    case DepthNoise::None:
+      return {0.0F, 0.0F};
+    case DepthNoise::Gaussian:
+      return {static_cast<float>(settings.gaussian_sigma_m), 0.0F};
+    case DepthNoise::Kinect:
+      return {kAxialNoise_m, kAxialNoiseGrowth_per_m};
+  }
+  return {0.0F, 0.0F};
+}
+
+std::uint16_t sample_of(double depth_m, double unit_m) {
+  const double steps = std::round(depth_m / unit_m);
+  return steps >= 1.0 && steps <= 65535.0 ? static_cast<std::uint16_t>(steps) : std::uint16_t{0};
+}
+
+struct PixelLoop {
+  const float* rest_depth_m;
+  const float* lift_share;
+  const float* gaussian;
+  float lift_m;
+  Sigma sigma;
+  PixelNoise noise;
+
+  [[nodiscard]] float depth_m(std::size_t i, std::uint32_t bits) const noexcept {
+    const float z = rest_depth_m[i] - lift_m * lift_share[i];
+    const float far = z - 0.4F;
+    return z + (sigma.base_m + sigma.growth_per_m * far * far) * gaussian[bits & (GaussianTable{}.size() - 1)];
+  }
+};
+
+}  // namespace
+
+SensorModel::SensorModel(const RestShape& rest, const SyntheticSettings& settings) : settings_(settings) {
+  const Intrinsics& camera = rest.camera;
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 0; u < camera.width; ++u) {
+      const bool body = rest.meets_body(u, v);
+      rest_depth_m_.push_back(static_cast<float>(body ? rest.body_depth_m.at(u, v).value : rest.table_depth_m));
+      lift_share_.push_back(body ? static_cast<float>(rest.lift_share(u, v).value) : 0.0F);
+    }
+  hole_of_256_ = settings.holes ? hole_map(rest_depth_m_, camera) : std::vector<std::uint8_t>(rest_depth_m_.size(), 0);
+  level_sample_.resize(kLevels, 0);
+  for (std::size_t level = 1; level < kLevels; ++level)
+    level_sample_[level] = sample_of(1.0 / (kLevelSpacing_per_m * static_cast<double>(level)), settings.depth_unit_m);
+}
+
+void SensorModel::measure(double lift_m, std::int64_t instant, std::vector<std::uint16_t>& out) const {
+  out.resize(rest_depth_m_.size());
+  const PixelLoop loop{rest_depth_m_.data(),       lift_share_.data(),  gaussian_table().data(),
+                       static_cast<float>(lift_m), sigma_of(settings_), PixelNoise{settings_.seed, instant}};
+  constexpr auto kPerLevel = static_cast<float>(1.0 / kLevelSpacing_per_m);
+  const auto per_unit = static_cast<float>(1.0 / settings_.depth_unit_m);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const std::uint32_t bits = loop.noise.bits(static_cast<std::uint32_t>(i));
+    const float z = loop.depth_m(i, bits);
+    const float steps = settings_.disparity_steps ? kPerLevel / z : z * per_unit;
+    const auto step = static_cast<std::uint32_t>(std::clamp(steps + 0.5F, 0.0F, 65535.0F));
+    const std::uint16_t sample = settings_.disparity_steps ? level_sample_[std::min<std::size_t>(step, kLevels - 1)]
+                                                           : static_cast<std::uint16_t>(step);
+    out[i] = (bits >> 24U) < hole_of_256_[i] || hole_of_256_[i] == 255 ? std::uint16_t{0} : sample;
+  }
+}
+
+void add_color_noise(std::vector<std::uint8_t>& rgb, std::int64_t instant, std::uint64_t seed) {
+  const PixelNoise noise{seed ^ 0xC01055ULL, instant};
+  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+    const std::uint32_t bits = noise.bits(static_cast<std::uint32_t>(i));
+    // The sum of two uniform two-bit numbers: -3 to 3, most often 0.
+    const int by = static_cast<int>((bits >> 8U) & 3U) + static_cast<int>((bits >> 16U) & 3U) - 3;
+    for (std::size_t channel = i; channel < i + 3; ++channel)
+      rgb[channel] = static_cast<std::uint8_t>(std::clamp(rgb[channel] + by, 0, 255));
+  }
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,105 @@
+#include "server/capture/synthetic/source/synthetic_spec.h"
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+namespace telepalp::server {
+namespace {
+
+constexpr double kMm = 0.001;
+
+std::optional<double> number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+bool set_switch(std::string_view text, bool& target) {
+  if (text != "on" && text != "off") return false;
+  target = text == "on";
+  return true;
+}
+
+/// Sets `target` when `text` is a number of `unit` within the bounds, given in `unit`.
+bool set_number(std::string_view text, double least, double most, double unit, double& target) {
+  const std::optional<double> value = number(text);
+  if (!value || !(*value >= least && *value <= most)) return false;
+  target = *value * unit;
+  return true;
+}
+
+bool set_noise(std::string_view text, SyntheticSettings& settings) {
+  if (text == "none" || text == "kinect") {
+    settings.noise = text == "none" ? DepthNoise::None : DepthNoise::Kinect;
+    return true;
+  }
+  settings.noise = DepthNoise::Gaussian;
+  return set_number(text, 0.0, 100.0, kMm, settings.gaussian_sigma_m);
+}
+
+bool set_seed(std::string_view text, std::uint64_t& seed) {
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  return code == std::errc{} && end == text.data() + text.size();
+}
+
+struct Key {
+  std::string_view name;
+  std::string_view values;
+  bool (*set)(std::string_view value, SyntheticSettings& settings);
+};
+
+constexpr Key kKeys[] = {
+    {"amplitude_mm", "0 to 50",
+     [](std::string_view v, SyntheticSettings& s) { return set_number(v, 0.0, 50.0, kMm, s.amplitude_m); }},
+    {"rate_hz", "0 to 2",
+     [](std::string_view v, SyntheticSettings& s) { return set_number(v, 0.0, 2.0, 1.0, s.rate_hz); }},
+    {"seed", "a whole number", [](std::string_view v, SyntheticSettings& s) { return set_seed(v, s.seed); }},
+    {"noise", "none, kinect, or a sigma of 0 to 100 mm", set_noise},
+    {"steps", "on or off", [](std::string_view v, SyntheticSettings& s) { return set_switch(v, s.disparity_steps); }},
+    {"holes", "on or off", [](std::string_view v, SyntheticSettings& s) { return set_switch(v, s.holes); }},
+    {"unit_mm", "0.05 to 10, for one step of a depth sample",
+     [](std::string_view v, SyntheticSettings& s) { return set_number(v, 0.05, 10.0, kMm, s.depth_unit_m); }},
+};
+
+std::string all_keys() {
+  std::string text;
+  for (const Key& key : kKeys)
+    text += (text.empty() ? "" : "; ") + std::string(key.name) + " (" + std::string(key.values) + ")";
+  return text;
+}
+
+Result<void> apply(std::string_view pair, SyntheticSettings& settings) {
+  const std::string where = "--source synthetic: " + std::string(pair);
+  const std::size_t equals = pair.find('=');
+  const std::string_view name = pair.substr(0, equals);
+  for (const Key& key : kKeys) {
+    if (key.name != name) continue;
+    if (equals != std::string_view::npos && key.set(pair.substr(equals + 1), settings)) return {};
+    return Error{.what = std::string(key.name) + " takes another value",
+                 .where = where,
+                 .fix = "give " + std::string(key.name) + "=VALUE, " + std::string(key.values)};
+  }
+  return Error{.what = "'" + std::string(name) + "' is not a setting", .where = where, .fix = "give " + all_keys()};
+}
+
+}  // namespace
+
+Result<SyntheticSpec> parse_synthetic_spec(const std::string& text) {
+  SyntheticSpec spec;
+  std::string_view rest = text;
+  for (bool first = true; !rest.empty(); first = false) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view word = rest.substr(0, comma);
+    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
+    if (first && word.find('=') == std::string_view::npos) {
+      if (!word.empty()) spec.model = word;
+    } else if (const Result<void> applied = apply(word, spec.settings); !applied) {
+      return applied.error();
+    }
+  }
+  return spec;
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,42 @@
+#include "server/gateway/viewer_commands.h"
+
+#include "proto/wire/viewer_hand.h"
+
+namespace telepalp::server {
+namespace {
+
+constexpr std::size_t kMaxChannels = 8;
+constexpr std::chrono::milliseconds kShortestPeriod{2};
+
+Error refused(std::string what) {
+  return {.what = std::move(what),
+          .where = "client's message",
+          .fix = "publish telepalp.msg.ViewerHand on /viewer/hand, as protobuf"};
+}
+
+}  // namespace
+
+Result<void> ViewerCommands::advertise(const foxglove::Request::Channel& channel) {
+  if (channel.topic != wire::kViewerHand.name)
+    return refused("viewers may not publish '" + channel.topic.substr(0, 64) + "'");
+  if (channel.encoding != "protobuf") return refused("encoding '" + channel.encoding.substr(0, 64) + "' is not taken");
+  if (channels_.size() >= kMaxChannels && !channels_.contains(channel.id)) return refused("too many channels");
+  channels_.insert(channel.id);
+  return {};
+}
+
+Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes, std::uint64_t viewer,
+                                                          SessionTime now) {
+  const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
+  if (!data) return refused("no data of the Foxglove protocol");
+  if (!channels_.contains(data->channel))
+    return refused("channel " + std::to_string(data->channel) + " was not advertised");
+  std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(data->payload);
+  if (!hand) return refused("no hand within 10 m of the camera");
+  if (last_ && now >= *last_ && now - *last_ < kShortestPeriod) return std::optional<wire::Message>();
+  last_ = now;
+  hand->set_viewer(viewer);
+  return std::optional(wire::make_message(wire::kViewerHand, now, *hand));
+}
+
+}  // namespace telepalp::server

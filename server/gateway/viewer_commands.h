@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "proto/wire/message.h"
+#include "proto/words/result.h"
+#include "proto/words/time.h"
+#include "server/gateway/foxglove_protocol.h"
+
+namespace telepalp::server {
+
+/// What one viewer may say here: where it holds its hand (/viewer/hand), and nothing else. Default deny. Pure; owner:
+/// the server's network thread.
+class ViewerCommands {
+ public:
+  /// Error: another topic than /viewer/hand, another encoding, or too many channels.
+  [[nodiscard]] Result<void> advertise(const foxglove::Request::Channel& channel);
+  void unadvertise(std::uint32_t channel) { channels_.erase(channel); }
+
+  /// The message that the viewer's binary message becomes, stamped and signed with `viewer`; nullopt when it comes
+  /// within 2 ms of the last one: a hand moves no faster. Error: no such channel, or no hand.
+  [[nodiscard]] Result<std::optional<wire::Message>> hear(std::string_view bytes, std::uint64_t viewer,
+                                                          SessionTime now);
+
+ private:
+  std::set<std::uint32_t> channels_;
+  std::optional<SessionTime> last_;
+};
+
+}  // namespace telepalp::server

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "support/models/point_model.h"
+
+namespace telepalp::models {
+
+/// What the readers of PLY and OBJ files share.
+[[nodiscard]] inline Error bad_mesh(const std::string& name, const std::string& what) {
+  return {.what = what, .where = name, .fix = "export the model anew, as ascii or binary_little_endian PLY, or OBJ"};
+}
+
+/// A polygon as triangles from its first corner.
+inline void add_fan(const std::vector<std::uint32_t>& corners, PointModel& model) {
+  for (std::size_t k = 2; k < corners.size(); ++k) model.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+}
+
+/// The model, unless a face names a vertex that is not there, or there are too many.
+[[nodiscard]] inline Result<PointModel> checked_mesh(PointModel model, const std::string& name) {
+  for (const auto& triangle : model.triangles)
+    for (const std::uint32_t corner : triangle)
+      if (corner >= model.points.size())
+        return bad_mesh(name, "has a face that names vertex " + std::to_string(corner) + " of " +
+                                  std::to_string(model.points.size()));
+  if (model.points.size() > kMostModelPoints) return bad_mesh(name, "has more than 20 million points");
+  return model;
+}
+
+}  // namespace telepalp::models

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "support/plot/scale.h"
+
+namespace telepalp::plot {
+
+/// A place on the drawing [px]; y grows downwards.
+struct Pixel {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+enum class Anchor { Start, Middle, End };
+
+/// Text with what XML reserves escaped, and without control characters.
+[[nodiscard]] std::string escaped(std::string_view text);
+
+/// SVG text that grows element by element. Coordinates are written with two decimals: a hundredth of a pixel.
+class Svg {
+ public:
+  Svg(double width, double height, std::string_view title);
+
+  void line(Pixel from, Pixel to, std::string_view color, double width, std::string_view dashes = {});
+  /// A curve through the points; one that is not finite breaks it.
+  void path(const std::vector<Pixel>& points, std::string_view color, double width, std::string_view dashes = {});
+  void polygon(const std::vector<Pixel>& points, std::string_view fill, double opacity);
+  void rect(Pixel corner, Pixel opposite, std::string_view fill, double opacity = 1.0);
+  void disc(Pixel centre, double radius, std::string_view fill);
+  void text(Pixel at, std::string_view words, Anchor anchor, double size, std::string_view color, bool bold = false,
+            bool upright = true);
+
+  [[nodiscard]] std::string finish() &&;
+
+ private:
+  std::string out_;
+};
+
+}  // namespace telepalp::plot

@@ -1,0 +1,130 @@
+#include "support/program/options.h"
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <charconv>
+#include <cstdio>
+
+#include "support/program/log.h"
+
+namespace telepalp::program {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr const char* kPositional = "(positional)";
+
+po::options_description describe(const Usage& usage) {
+  po::options_description description;
+  description.add_options()("help", "print this and leave");
+  description.add_options()(kPositional, po::value<std::vector<std::string>>(), "");
+  for (const Option& option : usage.options) {
+    const std::string name{option.name};
+    if (option.argument.empty())
+      description.add_options()(name.c_str(), std::string(option.help).c_str());
+    else
+      description.add_options()(name.c_str(), po::value<std::string>(), std::string(option.help).c_str());
+  }
+  return description;
+}
+
+Error asked_wrongly(const Usage& usage, std::string what) {
+  return {.what = std::move(what),
+          .where = std::string(usage.program),
+          .fix = "see " + std::string(usage.program) + " --help"};
+}
+
+template <class T>
+Result<T> parse_bounded(std::string_view option, const std::string& text, T least, T most) {
+  T value{};
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc{} || end != text.data() + text.size() || !(value >= least) || !(value <= most)) {
+    std::string what = "'" + text + "' is not a number from ";
+    char bounds[80];
+    if constexpr (std::is_floating_point_v<T>)
+      std::snprintf(bounds, sizeof bounds, "%g to %g", least, most);
+    else
+      std::snprintf(bounds, sizeof bounds, "%lld to %lld", static_cast<long long>(least), static_cast<long long>(most));
+    return Error{.what = what + bounds, .where = "--" + std::string(option), .fix = "give a number in that range"};
+  }
+  return value;
+}
+
+}  // namespace
+
+bool Arguments::has(std::string_view flag) const {
+  return std::any_of(given_.begin(), given_.end(), [&](const Given& given) { return given.name == flag; });
+}
+
+std::string Arguments::text(std::string_view option) const {
+  for (const Given& given : given_)
+    if (given.name == option) return given.value;
+  return {};
+}
+
+Result<double> Arguments::number(std::string_view option, double least, double most) const {
+  return parse_bounded<double>(option, text(option), least, most);
+}
+
+Result<std::int64_t> Arguments::whole(std::string_view option, std::int64_t least, std::int64_t most) const {
+  return parse_bounded<std::int64_t>(option, text(option), least, most);
+}
+
+std::string help_text(const Usage& usage) {
+  std::string text = std::string(usage.program) + ": " + std::string(usage.purpose) +
+                     "\n\nusage: " + std::string(usage.program) + (usage.options.empty() ? "" : " [options]");
+  if (!usage.positional.empty()) text += " " + std::string(usage.positional);
+  text += "\n\n";
+  std::size_t column = 10;
+  for (const Option& option : usage.options) column = std::max(column, option.name.size() + option.argument.size() + 5);
+  const auto row = [&](std::string left, std::string_view right) {
+    left.resize(std::max(column + 2, left.size() + 2), ' ');
+    text += "  " + left + std::string(right) + "\n";
+  };
+  for (const Option& option : usage.options) {
+    std::string help{option.help};
+    if (!option.initial.empty()) help += " [" + std::string(option.initial) + "]";
+    row("--" + std::string(option.name) + (option.argument.empty() ? "" : " " + std::string(option.argument)), help);
+  }
+  row("--help", "print this and leave");
+  return text + "\nexample: " + std::string(usage.example) + "\n";
+}
+
+Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv) try {
+  const po::options_description description = describe(usage);
+  // Long options only, written out in full: a guessed prefix of a safety setting is not what was asked.
+  using namespace po::command_line_style;
+  const int style = allow_long | long_allow_next | long_allow_adjacent;
+  const po::parsed_options parsed = po::command_line_parser(argc, argv)
+                                        .options(description)
+                                        .positional(po::positional_options_description().add(kPositional, -1))
+                                        .style(style)
+                                        .run();
+  Arguments arguments;
+  for (const po::option& option : parsed.options) {
+    if (option.string_key == "help") {
+      std::fputs(help_text(usage).c_str(), stdout);
+      return std::optional<Arguments>{};
+    }
+    if (option.string_key == kPositional) {
+      arguments.positional_.insert(arguments.positional_.end(), option.value.begin(), option.value.end());
+      continue;
+    }
+    arguments.given_.push_back({option.string_key, option.value.empty() ? "" : option.value.front()});
+  }
+  if (!arguments.positional_.empty() && usage.positional.empty())
+    return asked_wrongly(usage, "'" + arguments.positional_.front() + "' is not an option");
+  for (const Option& option : usage.options)
+    if (!option.initial.empty() && !arguments.has(option.name))
+      arguments.given_.push_back({std::string(option.name), std::string(option.initial)});
+  return std::optional<Arguments>{std::move(arguments)};
+} catch (const po::error& error) {
+  return asked_wrongly(usage, error.what());
+}
+
+int fail(const Error& error, int code) {
+  std::fprintf(stderr, "error: %s\n", escaped(to_string(error)).c_str());
+  return code;
+}
+
+}  // namespace telepalp::program

@@ -1,0 +1,110 @@
+#include "support/program/text_format.h"
+
+#include <google/protobuf/io/tokenizer.h>
+#include <google/protobuf/text_format.h>
+
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace telepalp::program {
+namespace {
+
+constexpr std::uintmax_t kMaxTextBytes = 1 << 20;
+
+/// Keeps the first complaint: the later ones are mostly its echoes.
+class FirstError : public google::protobuf::io::ErrorCollector {
+ public:
+  void AddError(int line, google::protobuf::io::ColumnNumber column, const std::string& message) override {
+    if (!message_.empty()) return;
+    line_ = line + 1;
+    column_ = column + 1;
+    message_ = message;
+    while (message_.ends_with('.')) message_.pop_back();  // what follows is ". fix:"
+  }
+  [[nodiscard]] Error error(const std::string& name) const {
+    return {.what = message_.empty() ? "not a text-format file" : message_,
+            .where = name + ":" + std::to_string(line_) + ":" + std::to_string(column_),
+            .fix = "correct that line; names carry their unit, as in radius_m"};
+  }
+
+ private:
+  int line_ = 1;
+  int column_ = 1;
+  std::string message_;
+};
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+using ParseInfoTree = google::protobuf::TextFormat::ParseInfoTree;
+
+/// The value of a number that is set once; nullopt for every other field.
+std::optional<double> number_of(const Message& message, const FieldDescriptor& field) {
+  if (field.is_repeated()) return std::nullopt;
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return message.GetReflection()->GetDouble(message, &field);
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return message.GetReflection()->GetUInt32(message, &field);
+    default:
+      return std::nullopt;
+  }
+}
+
+void collect(const Message& message, ParseInfoTree& tree, std::vector<NumberPlaces::Place>& places) {
+  std::vector<const FieldDescriptor*> fields;
+  message.GetReflection()->ListFields(message, &fields);
+  for (const FieldDescriptor* field : fields) {
+    if (const std::optional<double> number = number_of(message, *field)) {
+      const auto at = tree.GetLocation(field, -1);
+      places.push_back({field->name(), *number, at.line + 1, at.column + 1});
+    }
+    if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) continue;
+    const int count = field->is_repeated() ? message.GetReflection()->FieldSize(message, field) : 1;
+    for (int index = 0; index < count; ++index) {
+      const Message& nested = field->is_repeated() ? message.GetReflection()->GetRepeatedMessage(message, field, index)
+                                                   : message.GetReflection()->GetMessage(message, field);
+      ParseInfoTree* below = tree.GetTreeForNested(field, field->is_repeated() ? index : -1);
+      if (below != nullptr) collect(nested, *below, places);
+    }
+  }
+}
+
+}  // namespace
+
+std::string NumberPlaces::where(const std::string& file, std::string_view field, double value) const {
+  const std::string_view last = field.substr(field.rfind('.') + 1);
+  for (const Place& place : places_)
+    if (place.field == last && (place.value == value || (std::isnan(place.value) && std::isnan(value))))
+      return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+  return file;
+}
+
+Result<NumberPlaces> parse_text_format(const std::string& text, const std::string& name,
+                                       google::protobuf::Message& message) {
+  FirstError first_error;
+  ParseInfoTree tree;
+  google::protobuf::TextFormat::Parser parser;
+  parser.RecordErrorsTo(&first_error);
+  parser.WriteLocationsTo(&tree);
+  if (!parser.ParseFromString(text, &message)) return first_error.error(name);
+  std::vector<NumberPlaces::Place> places;
+  collect(message, tree, places);
+  return NumberPlaces(std::move(places));
+}
+
+Result<NumberPlaces> read_text_format(const std::filesystem::path& file, google::protobuf::Message& message) {
+  std::error_code code;
+  const std::uintmax_t size = std::filesystem::file_size(file, code);
+  if (code) return Error{.what = "cannot be read: " + code.message(), .where = file.string(), .fix = "check the path"};
+  if (size > kMaxTextBytes)
+    return Error{.what = "larger than 1 MiB", .where = file.string(), .fix = "give a text-format file"};
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) return Error{.what = "cannot be read", .where = file.string(), .fix = "check its permissions"};
+  return parse_text_format(text.str(), file.string(), message);
+}
+
+}  // namespace telepalp::program

@@ -1,0 +1,47 @@
+#include <cstdio>
+#include <vector>
+
+#include "tools/codec_tool/commands.h"
+#include "tools/codec_tool/depth_difference.h"
+#include "tools/codec_tool/depth_files.h"
+
+namespace telepalp::server {
+Result<void> compare_recordings(const std::filesystem::path& first, const std::filesystem::path& second, double unit_m,
+                                const std::optional<codec::DepthBound>& bound) {
+  std::vector<std::string> frames;  // compressed: ten minutes of them as they are would not fit into memory
+  const Result<void> read = for_each_depth(first, unit_m, [&](const NamedDepth& named) -> Result<void> {
+    frames.push_back(codec::encode_depth(named.depth, codec::DepthMode::Fast));
+    return {};
+  });
+  if (!read) return read;
+  std::size_t at = 0;
+  DepthDifference difference(bound);
+  const Result<void> done = for_each_depth(second, unit_m, [&](const NamedDepth& named) -> Result<void> {
+    const std::string where = second.string() + " frame " + std::to_string(at);
+    if (at == frames.size())
+      return Error{.what = "has more frames than the first", .where = where, .fix = "give two inputs of one recording"};
+    const Result<DepthImage> other = codec::decode_depth(std::as_bytes(std::span(frames[at++])));
+    if (!other) return other.error();
+    if (other->width != named.depth.width || other->height != named.depth.height)
+      return Error{.what = "is of another size", .where = where, .fix = "give two inputs of one recording"};
+    difference.add(*other, named.depth);
+    return {};
+  });
+  if (!done) return done;
+  if (at != frames.size())
+    return Error{.what = "has " + std::to_string(at) + " frames, the first " + std::to_string(frames.size()),
+                 .where = second.string(),
+                 .fix = "give two inputs of one recording"};
+  std::printf("%zu frames: max error %.3f mm, RMS %.3f mm, %zu validity flips\n", at, difference.worst_mm(),
+              difference.rms_mm(), difference.flips());
+  if (!bound) return {};
+  if (difference.beyond() > 0)
+    return Error{.what = std::to_string(difference.beyond()) + " pixels are beyond the bound, the first in " +
+                         difference.first_beyond(),
+                 .where = second.string(),
+                 .fix = "allow more, or encode it again with this bound"};
+  std::printf("bound held by every pixel\n");
+  return {};
+}
+
+}  // namespace telepalp::server

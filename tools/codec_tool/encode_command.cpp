@@ -1,0 +1,61 @@
+#include <cstdio>
+
+#include "proto/wire/mcap/writer.h"
+#include "server/pipeline/camera_messages.h"
+#include "tools/codec_tool/commands.h"
+#include "tools/codec_tool/depth_files.h"
+#include "tools/codec_tool/progress.h"
+#include "tools/codec_tool/totals.h"
+
+namespace telepalp::server {
+namespace {
+
+constexpr Nanoseconds kAssumedPeriod{33'333'333};  // of images that do not say when they were taken
+
+SessionTime captured_of(const NamedDepth& named, std::size_t number) {
+  if (named.captured != SessionTime{}) return named.captured;
+  return SessionTime{kAssumedPeriod * static_cast<std::int64_t>(number)};
+}
+
+/// A recording that a camera's program did not finish still gives the frames that it holds.
+void say_what_is_missing(const Error& damage) { std::fprintf(stderr, "note: %s\n", to_string(damage).c_str()); }
+
+}  // namespace
+
+Result<void> encode_recording(const std::filesystem::path& input, const std::filesystem::path& output,
+                              const codec::DepthStreamSettings& settings, double unit_m) {
+  Result<wire::McapWriter> writer = wire::McapWriter::open(
+      output, {.program = "telepalp-codec", .version = {}, .commit = {}, .source = input.string(), .scene = {}});
+  if (!writer) return writer.error();
+  codec::DepthEncoder encoder(settings);
+  Progress progress(count_depth_files(input));
+  Totals totals;
+  Result<void> done = for_each_depth(
+      input, unit_m,
+      [&](NamedDepth named) -> Result<void> {
+        const SessionTime captured = captured_of(named, totals.frames);
+        codec::EncodedDepth encoded = encoder.encode(named.depth);
+        const RgbdFrame frame{.captured = captured,
+                              .sequence = totals.frames + 1,
+                              .camera = {},
+                              .depth = std::move(named.depth),
+                              .color = {},
+                              .loss = named.loss};
+        const msg::DepthImage image = depth_message(frame, std::move(encoded));
+        totals.add(static_cast<double>(frame.depth.samples.size()), image.data().size());
+        progress.step();
+        return writer->write(wire::make_message(wire::kCameraDepth, captured, image));
+      },
+      input.extension() == ".oni" ? say_what_is_missing : std::function<void(const Error&)>{});
+  if (done && totals.frames == 0)
+    done = Error{.what = "holds no depth image", .where = input.string(), .fix = "give 16-bit images"};
+  if (!done) {
+    writer->discard();
+    return done;
+  }
+  done = writer->close();
+  if (done) totals.print();
+  return done;
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,84 @@
+// telepalp-codec: compresses depth recordings, gives them back, and says what that cost.
+
+#include "server/pipeline/depth_options.h"
+#include "support/program/options.h"
+#include "tools/codec_tool/commands.h"
+
+namespace {
+
+using namespace telepalp;
+
+constexpr std::string_view kProgram = "telepalp-codec";
+
+program::Usage usage() {
+  return {
+      .program = kProgram,
+      .purpose = "compresses depth recordings (encode), gives them back (decode), describes (info), compares",
+      .positional = "encode IN OUT.mcap | decode IN.mcap OUT_DIR | info IN.mcap | compare A B",
+      .options = {{"mode", "MODE", "fast, intra, temporal (all without loss) or bounded", "temporal"},
+                  {"key-every", "N", "frames from key frame to key frame, temporal and bounded", "30"},
+                  {"unit-mm", "MM", "one step of a sample, where images do not say", "1"},
+                  {"bound", "LEAST,PER_M2",
+                   "z m may be off by max(LEAST, PER_M2 z²) mm: for bounded [1,2.85]; compare fails beyond it"},
+                  {"to", "KIND", "decode: png or pgm, 16 bits a sample", "png"}},
+      .example = "telepalp-codec encode recording.oni depth.mcap && telepalp-codec compare recording.oni depth.mcap"};
+}
+
+struct Asked {
+  std::vector<std::string> words;  ///< the command and its files
+  codec::DepthStreamSettings settings;
+  std::optional<codec::DepthBound> bound_to_keep;  ///< by the second of two that are compared
+  double unit_m = 0.001;
+  std::string to;
+};
+
+Result<Asked> read_asked(const program::Arguments& arguments) {
+  Asked asked{.words = arguments.positional(), .settings = {}, .bound_to_keep = {}, .to = arguments.text("to")};
+  const std::string command = asked.words.empty() ? "" : asked.words.front();
+  if (command != "encode" && command != "decode" && command != "info" && command != "compare")
+    return Error{.what = "'" + command + "' is nothing this program does",
+                 .where = std::string(kProgram),
+                 .fix = "telepalp-codec --help"};
+  const std::size_t wanted = command == "info" ? 2 : 3;
+  if (asked.words.size() != wanted)
+    return Error{.what = command + " takes " + std::to_string(wanted - 1) + " files",
+                 .where = std::string(kProgram),
+                 .fix = "telepalp-codec --help"};
+  if (command == "compare" && arguments.has("bound")) {
+    const Result<codec::DepthBound> bound = server::read_depth_bound(arguments.text("bound"), "bound");
+    if (!bound) return bound.error();
+    asked.bound_to_keep = *bound;
+  } else {
+    const Result<codec::DepthStreamSettings> settings =
+        server::read_depth_settings(arguments, {.mode = "mode", .bound = "bound"});
+    if (!settings) return settings.error();
+    asked.settings = *settings;
+  }
+  const Result<double> unit_mm = arguments.number("unit-mm", 1e-4, 1000.0);
+  if (!unit_mm) return unit_mm.error();
+  asked.unit_m = *unit_mm / 1000.0;
+  if (asked.to != "png" && asked.to != "pgm")
+    return Error{.what = "'" + asked.to + "' is neither png nor pgm", .where = "--to", .fix = "say png or pgm"};
+  return asked;
+}
+
+Result<void> run(const Asked& asked) {
+  const std::string& command = asked.words[0];
+  if (command == "info") return server::describe_recording(asked.words[1]);
+  if (command == "decode") return server::decode_recording(asked.words[1], asked.words[2], asked.to);
+  if (command == "compare")
+    return server::compare_recordings(asked.words[1], asked.words[2], asked.unit_m, asked.bound_to_keep);
+  return server::encode_recording(asked.words[1], asked.words[2], asked.settings, asked.unit_m);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  if (!*read) return program::kDone;
+  const Result<Asked> asked = read_asked(**read);
+  if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
+  const Result<void> done = run(*asked);
+  return done ? program::kDone : program::fail(done.error());
+}
