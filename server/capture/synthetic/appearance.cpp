@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "server/capture/synthetic/sensor/pixel_noise.h"
-#include "server/capture/synthetic/smooth.h"
+#include "server/capture/synthetic/shape/smooth.h"
 #include "server/capture/synthetic/true_surface.h"
 
 namespace telepalp::server {

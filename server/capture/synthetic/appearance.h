@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "server/capture/synthetic/rest_shape.h"
+#include "server/capture/synthetic/shape/rest_shape.h"
 
 namespace telepalp::server {
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "server/capture/synthetic/sensor/sensor_model.h"
-#include "server/capture/synthetic/settings.h"
+#include "server/capture/synthetic/shape/settings.h"
 #include "server/capture/synthetic/true_surface.h"
 
 namespace telepalp::server {

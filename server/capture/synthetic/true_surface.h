@@ -5,7 +5,7 @@
 
 #include "proto/words/frames.h"
 #include "server/capture/synthetic/breathing.h"
-#include "server/capture/synthetic/rest_shape.h"
+#include "server/capture/synthetic/shape/rest_shape.h"
 
 namespace telepalp::server {
 

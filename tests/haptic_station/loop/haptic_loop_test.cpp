@@ -10,7 +10,7 @@
 #include "haptic_station/station/rigs/placement.h"
 #include "haptic_station/surface/build/surface_builder.h"
 #include "proto/words/latest_value.h"
-#include "server/capture/synthetic/mesh.h"
+#include "server/capture/synthetic/shape/mesh.h"
 #include "server/capture/synthetic/synthetic_patient.h"
 #include "tests/support/no_heap_scope.h"
 #include "where.h"

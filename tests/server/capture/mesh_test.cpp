@@ -3,7 +3,7 @@
 #include <cstring>
 #include <random>
 
-#include "server/capture/synthetic/mesh.h"
+#include "server/capture/synthetic/shape/mesh.h"
 
 namespace telepalp::server {
 namespace {

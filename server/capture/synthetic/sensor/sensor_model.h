@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "server/capture/synthetic/rest_shape.h"
-#include "server/capture/synthetic/settings.h"
+#include "server/capture/synthetic/shape/rest_shape.h"
+#include "server/capture/synthetic/shape/settings.h"
 
 namespace telepalp::server {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "proto/words/result.h"
-#include "server/capture/synthetic/settings.h"
+#include "server/capture/synthetic/shape/settings.h"
 
 namespace telepalp::server {
 

@@ -1,11 +1,11 @@
-#include "server/capture/synthetic/rest_shape.h"
+#include "server/capture/synthetic/shape/rest_shape.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "server/capture/synthetic/rasterise.h"
-#include "server/capture/synthetic/smooth.h"
+#include "server/capture/synthetic/shape/rasterise.h"
+#include "server/capture/synthetic/shape/smooth.h"
 
 namespace telepalp::server {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
-#include "server/capture/synthetic/image_field.h"
-#include "server/capture/synthetic/mesh.h"
+#include "server/capture/synthetic/shape/image_field.h"
+#include "server/capture/synthetic/shape/mesh.h"
 
 namespace telepalp::server {
 

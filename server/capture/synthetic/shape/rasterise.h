@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "proto/words/rgbd_frame.h"
-#include "server/capture/synthetic/mesh.h"
+#include "server/capture/synthetic/shape/mesh.h"
 
 namespace telepalp::server {
 

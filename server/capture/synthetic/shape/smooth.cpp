@@ -1,4 +1,4 @@
-#include "server/capture/synthetic/smooth.h"
+#include "server/capture/synthetic/shape/smooth.h"
 
 #include <algorithm>
 #include <cmath>

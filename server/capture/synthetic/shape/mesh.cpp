@@ -1,4 +1,4 @@
-#include "server/capture/synthetic/mesh.h"
+#include "server/capture/synthetic/shape/mesh.h"
 
 #include <Eigen/Geometry>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "server/capture/synthetic/image_field.h"
+#include "server/capture/synthetic/shape/image_field.h"
 
 #include <algorithm>
 #include <array>

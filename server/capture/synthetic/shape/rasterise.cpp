@@ -1,4 +1,4 @@
-#include "server/capture/synthetic/rasterise.h"
+#include "server/capture/synthetic/shape/rasterise.h"
 
 #include <algorithm>
 #include <cmath>
