@@ -103,7 +103,7 @@ void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
                                   [this](const wire::Message& unreadable) {
                                     boost::asio::post(io_, [this, unreadable] { link_.want_key(unreadable); });
                                   }},
-      in_tick_ ? surfaces_ : slow_surfaces_);
+      in_tick_ ? surfaces_ : slow_surfaces_, device_to_surface_);
 }
 
 Result<void> Station::run() {
@@ -175,12 +175,7 @@ void Station::on_camera_info(const wire::Message& message) {
 void Station::on_depth(const wire::Message& message) {
   telemetry_.frame_received();
   if (!camera_) return;  // its model comes within the second
-  std::optional<Point<DepthCamera>> device;
-  if (telemetry_.has_ticked()) {
-    const std::array<float, 3>& at = telemetry_.last().device_camera;
-    device = Point<DepthCamera>{{at[0], at[1], at[2]}};
-  }
-  worker_->offer({.depth = message, .camera = *camera_, .received = now(), .device = device});
+  worker_->offer({.depth = message, .camera = *camera_, .received = now()});
 }
 
 void Station::on_viewer_hand(const wire::Message& message) {
@@ -224,7 +219,7 @@ void Station::touch_model() {
 
 void Station::start_haptic_thread() {
   if (!rig_) rig_ = rig_of(scene_, trace_);
-  haptic_.emplace(loop_, *rig_, surfaces_, ticks_);
+  haptic_.emplace(loop_, *rig_, surfaces_, ticks_, device_to_surface_);
   haptic_->set_clock_offset(link_.clock().offset());
   if (!in_tick_) collision_.emplace(slow_surfaces_, haptic_->device(), surfaces_, [this] { return now(); });
   const Result<bool> granted = haptic_->start(options_.realtime);

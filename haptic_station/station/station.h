@@ -86,6 +86,7 @@ class Station {
   const bool in_tick_;                                      // the surface is quick enough to be asked in the tick
   LatestValue<TouchableSurface> slow_surfaces_;             // surface thread to collision thread, where there is one
   LatestValue<TouchableSurface> surfaces_;                  // surface or collision thread to haptic thread
+  LatestValue<Point<HapticBase>> device_to_surface_;        // haptic thread to surface thread
   TickRing ticks_;                                          // haptic thread to network thread
   HapticLoop loop_;                                         // owner: haptic thread, once it runs
   std::unique_ptr<ports::Rig> rig_;                         // owner: haptic thread, once it runs

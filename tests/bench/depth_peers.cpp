@@ -63,8 +63,8 @@ std::string encode_png_6(const DepthImage& depth) {
 
 DepthPeer png_peer() {
   return {.name = "PNG-6", .encode = encode_png_6, .decode = [](const std::string& packet, DepthImage& depth) {
-            Result<server::AnyImage> image = server::decode_png(std::as_bytes(std::span(packet)), "png");
-            auto* const gray = image ? std::get_if<server::GrayImage16>(&*image) : nullptr;
+            Result<images::AnyImage> image = images::decode_png(std::as_bytes(std::span(packet)), "png");
+            auto* const gray = image ? std::get_if<images::GrayImage16>(&*image) : nullptr;
             if (gray != nullptr) depth.samples = std::move(gray->samples);
             return gray != nullptr;
           }};

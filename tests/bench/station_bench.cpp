@@ -51,7 +51,7 @@ class Station {
              device::ScriptedIntention(device::waypoints(device::Trial::IndentSeveralPoints), {})) {}
 
   Result<void> turn(Jitter& jitter) {
-    station::HapticThread thread(loop_, rig_, surfaces_, *ticks_);
+    station::HapticThread thread(loop_, rig_, surfaces_, *ticks_, device_to_surface_);
     tell_surface();
     const Result<bool> started = thread.start(station::Realtime::Prefer);
     if (!started) return started.error();
@@ -87,6 +87,7 @@ class Station {
   station::HapticLoop loop_;
   station::SimulatedRig rig_;
   LatestValue<station::TouchableSurface> surfaces_;
+  LatestValue<Point<HapticBase>> device_to_surface_;
   std::unique_ptr<station::TickRing> ticks_ = std::make_unique<station::TickRing>();
 };
 

@@ -81,7 +81,7 @@ Result<void> visit_session(const fs::path& file, const Visit& visit, const PassO
     }
     const SessionTime captured{Nanoseconds{static_cast<std::int64_t>(image.captured_ns())}};
     if (Result<void> done =
-            visit({std::to_string(number), captured, *std::move(depth), wire::loss_of(wire::depth_told(image))});
+            visit({std::to_string(number), captured, *std::move(depth), wire::loss_of(wire::depth_fidelity(image))});
         !done)
       return done;
   }

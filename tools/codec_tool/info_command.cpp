@@ -9,7 +9,7 @@ namespace telepalp::server {
 namespace {
 
 void print_line(std::size_t number, const codec::DepthPacketInfo& packet, std::size_t bytes,
-                const wire::DepthTold& told) {
+                const wire::DepthFidelity& told) {
   const std::string place = packet.since_key == 0 ? "key" : "key+" + std::to_string(packet.since_key);
   std::printf("%6zu  %-8s %-10s %d x %d  unit %g mm  %d slices  %s  %zu B  ratio %.2f%s\n", number,
               std::string(codec::name(packet.mode)).c_str(), std::string(packet.coding).c_str(), packet.width,
@@ -36,7 +36,7 @@ Result<void> describe_recording(const std::filesystem::path& input) {
                    .fix = "record it again"};
     const Result<codec::DepthPacketInfo> packet = codec::inspect_depth(std::as_bytes(std::span(image.data())));
     if (!packet) return packet.error();
-    print_line(totals.frames, *packet, image.data().size(), wire::depth_told(image));
+    print_line(totals.frames, *packet, image.data().size(), wire::depth_fidelity(image));
     totals.add(1.0 * packet->width * packet->height, image.data().size());
   }
   if (totals.frames == 0) return Error{.what = "holds no depth", .where = input.string(), .fix = "give a session file"};

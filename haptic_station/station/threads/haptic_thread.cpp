@@ -70,6 +70,7 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
   if (rearm_.load(std::memory_order_relaxed) && rearm_.exchange(false, std::memory_order_relaxed)) loop_.rearm();
   const ports::DeviceReading reading = rig_.read();
   device_.put(reading.at);
+  device_to_surface_.put(reading.at);
   HapticLoop::Act act = loop_.tick(reading, now, dt_s);
   const Clock::time_point decided = Clock::now();
   rig_.apply(act.force, act.contact, dt_s);

@@ -29,8 +29,10 @@ struct HapticCounts {
 /// the timer and the rig.
 class HapticThread {
  public:
-  HapticThread(HapticLoop& loop, ports::Rig& rig, LatestValue<TouchableSurface>& surfaces, TickRing& ticks)
-      : loop_(loop), rig_(rig), surfaces_(surfaces), ticks_(ticks) {}
+  /// `device_to_surface`: gets the device's position at every tick, for the surface thread.
+  HapticThread(HapticLoop& loop, ports::Rig& rig, LatestValue<TouchableSurface>& surfaces, TickRing& ticks,
+               LatestValue<Point<HapticBase>>& device_to_surface)
+      : loop_(loop), rig_(rig), surfaces_(surfaces), ticks_(ticks), device_to_surface_(device_to_surface) {}
   ~HapticThread() { stop(); }
   HapticThread(const HapticThread&) = delete;
   HapticThread& operator=(const HapticThread&) = delete;
@@ -58,10 +60,11 @@ class HapticThread {
   void greet_device(TickTimer& timer) noexcept;
   void tick(const TickTimer::Tick& due) noexcept;
 
-  HapticLoop& loop_;                         // owner: haptic thread
-  ports::Rig& rig_;                          // owner: haptic thread
-  LatestValue<TouchableSurface>& surfaces_;  // written by: surface thread
-  TickRing& ticks_;                          // read by: network thread
+  HapticLoop& loop_;                                   // owner: haptic thread
+  ports::Rig& rig_;                                    // owner: haptic thread
+  LatestValue<TouchableSurface>& surfaces_;            // written by: surface thread
+  TickRing& ticks_;                                    // read by: network thread
+  LatestValue<Point<HapticBase>>& device_to_surface_;  // read by: surface thread
   HapticCounts counts_;
   LatestValue<Point<HapticBase>> device_;   // read by: collision thread
   LatestValue<Compensation> compensation_;  // read by: network thread

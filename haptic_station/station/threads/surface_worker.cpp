@@ -20,20 +20,16 @@ Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
           .fix = "correct camera.textproto at the server"};
 }
 
-std::optional<surface::Reach> reach_of(const SurfaceWorker::Work& work) {
-  if (!work.device) return std::nullopt;
-  return surface::Reach{.centre = *work.device, .radius_m = kReach_m};
-}
-
 }  // namespace
 
 SurfaceWorker::SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
-                             LatestValue<TouchableSurface>& to_haptic)
+                             LatestValue<TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device)
     : choice_(settings),
       builder_(settings),
       placement_(std::move(placement)),
       handlers_(std::move(handlers)),
       to_haptic_(to_haptic),
+      device_(device),
       stay_(boost::asio::make_work_guard(io_)),
       thread_([this] { io_.run(); }) {}
 
@@ -80,6 +76,13 @@ Result<codec::DecodedDepth> SurfaceWorker::read(const msg::DepthImage& message) 
   return depth;
 }
 
+/// What the hand can reach before the next frame, around the device; nullopt, everything, before its first tick.
+std::optional<surface::Reach> SurfaceWorker::reach() {
+  device_known_ |= device_.take();
+  if (!device_known_) return std::nullopt;
+  return surface::Reach{.centre = haptic_from_camera_->inverse() * device_.current(), .radius_m = kReach_m};
+}
+
 Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::DepthImage& message,
                                                 const codec::DecodedDepth& decoded_depth) {
   const DepthImage& depth = decoded_depth.image;
@@ -92,7 +95,7 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
                  .fix = "aim the camera at the patient"};
   const SessionTime captured = session_time(static_cast<std::int64_t>(message.captured_ns()));
   const SessionTime begun = handlers_.now();
-  const auto snapshot = builder_.add(depth, work.camera, captured, reach_of(work));
+  const auto snapshot = builder_.add(depth, work.camera, captured, reach());
   if (!snapshot)
     return Error{.what = "the image is not newer than the last one, or not well formed",
                  .where = "/camera/depth " + std::to_string(message.sequence()),

@@ -39,17 +39,16 @@ class SurfaceWorker {
   };
 
   SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
-                LatestValue<TouchableSurface>& to_haptic);
+                LatestValue<TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device);
   ~SurfaceWorker();
   SurfaceWorker(const SurfaceWorker&) = delete;
   SurfaceWorker& operator=(const SurfaceWorker&) = delete;
 
-  /// A depth message with the camera's model and where the device is. Network thread only.
+  /// A depth message with the camera's model. Network thread only.
   struct Work {
     wire::Message depth;
     Intrinsics camera;
     SessionTime received;
-    std::optional<Point<DepthCamera>> device;  ///< the hand can reach only around it
   };
   void offer(Work work);
 
@@ -60,6 +59,7 @@ class SurfaceWorker {
   Result<codec::DecodedDepth> read(const msg::DepthImage& message);
   Result<msg::SurfaceReport> build(const Work& work, const msg::DepthImage& message,
                                    const codec::DecodedDepth& decoded_depth);
+  [[nodiscard]] std::optional<surface::Reach> reach();
   void judge(msg::SurfaceReport& report, SessionTime captured, double cost_s);
 
   codec::DepthReader reader_;           // owner: surface thread
@@ -71,8 +71,10 @@ class SurfaceWorker {
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
   Handlers handlers_;
   LatestValue<TouchableSurface>& to_haptic_;
-  std::atomic<int> waiting_{0};  // offered, and not yet taken by the surface thread
-  std::uint64_t offered_ = 0;    // owner: network thread
+  LatestValue<Point<HapticBase>>& device_;  // written by: haptic thread
+  bool device_known_ = false;               // owner: surface thread
+  std::atomic<int> waiting_{0};             // offered, and not yet taken by the surface thread
+  std::uint64_t offered_ = 0;               // owner: network thread
   std::atomic<std::uint64_t> built_{0};
   boost::asio::io_context io_{1};
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> stay_;

@@ -42,7 +42,7 @@ wire::Message message_of(int number, std::string packet) {
 class Bench {
  public:
   void offer(const wire::Message& message) {
-    worker_.offer({.depth = message, .camera = kCamera, .received = message.published, .device = std::nullopt});
+    worker_.offer({.depth = message, .camera = kCamera, .received = message.published});
   }
   /// Waits until `count` frames were answered, by a report or an error.
   bool answered(std::size_t count) {
@@ -66,6 +66,7 @@ class Bench {
     return wanted_;
   }
   LatestValue<TouchableSurface> surfaces;
+  LatestValue<Point<HapticBase>> device;
 
  private:
   template <class Value>
@@ -88,7 +89,8 @@ class Bench {
                          .on_report = [this](const msg::SurfaceReport& report) { keep(reports_, report); },
                          .on_bad_frame = [this](const Error& error) { keep(errors_, error); },
                          .want_key = [this](const wire::Message& message) { keep(wanted_, message.published); }},
-                        surfaces};
+                        surfaces,
+                        device};
 };
 
 std::vector<wire::Message> stream_of(codec::DepthMode mode, int frames, int key_every) {
