@@ -1,5 +1,5 @@
 # How every target of telepalp is made. A target may include only what it links: there is one include root (the
-# repository), so the direction of dependencies is also checked by tests/architecture_test.cmake.
+# repository), so the direction of dependencies is also checked by tests/architecture/architecture_test.cpp.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)

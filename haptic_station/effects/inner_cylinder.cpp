@@ -14,8 +14,8 @@ struct Depths {
 
 double smallest(const Depths& d) noexcept { return std::min({d.top_m, d.bottom_m, d.lateral_m}); }
 
-/// s = (a^-p + b^-p + c^-p)^(-1/p) and its derivatives by a, b, c; all depths positive. With p = 8 it is 0.2 % below
-/// the least depth when the next is 1.5 times as large.
+/// s = (a^-p + b^-p + c^-p)^(-1/p) and its derivatives by a, b, c; all depths positive. With p = 8 it is 0.5 % below
+/// the least depth when the second is 1.5 times as large and the third much larger.
 struct SmoothDepth {
   double s_m;
   Depths by;

@@ -47,7 +47,7 @@ struct SurfaceSettings {
   Support support = Support::FixedRadius;
 };
 
-/// fast, fast-still (no time filter), fine, paper, paper-nanoflann, paper-organized …; an unknown name lists them.
+/// The setting called `name`. The error for an unknown name lists all names.
 [[nodiscard]] Result<SurfaceSettings> surface_settings(std::string_view name);
 [[nodiscard]] std::vector<SurfaceSettings> all_surface_settings();
 

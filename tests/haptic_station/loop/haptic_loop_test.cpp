@@ -105,7 +105,7 @@ TEST(HapticLoop, TouchesABreathingPatientThroughANoisyCameraWithoutAHeap) {
   EXPECT_GT(outcome.out_body, 1000);
   EXPECT_LE(outcome.largest_force_N, 10.0);
   EXPECT_GT(outcome.largest_force_N, 0.3);
-  // The limiter lets 0.2 N a tick through; a live surface must stay far from leaning on it.
+  // The limiter passes 1 N a tick (2000 N/s); a live surface must stay far below that.
   EXPECT_LE(outcome.largest_step_N, 0.1);
 }
 
