@@ -62,12 +62,17 @@ function(telepalp_library name)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
 endfunction()
 
-# telepalp_program(NAME SOURCES main.cpp … LINKS targets …)
+# telepalp_program(NAME SOURCES main.cpp … LINKS targets …): a program. Users' programs, which are those outside of
+# tests/, are installed.
 function(telepalp_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  set_property(GLOBAL APPEND PROPERTY TELEPALP_PROGRAMS ${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags)
+  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/tests/")
+    return()
+  endif()
+  set_property(GLOBAL APPEND PROPERTY TELEPALP_PROGRAMS ${name})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
 # telepalp_test(NAME [SERIAL] SOURCES a_test.cpp … LINKS targets … [NEEDS fixtures …]): one GoogleTest binary, one ctest

@@ -1,6 +1,8 @@
 #include "support/program/shipped.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <string>
 
 namespace telepalp::program {
 namespace {
@@ -10,8 +12,16 @@ namespace fs = std::filesystem;
 std::optional<fs::path> below(const fs::path& folder, const fs::path& relative) {
   std::error_code code;
   fs::path file = folder / relative;
-  if (!fs::exists(file, code)) return std::nullopt;
+  if (folder.empty() || !fs::exists(file, code)) return std::nullopt;
   return file;
+}
+
+/// The repository that a build directory was configured from; empty when `folder` is no build directory.
+fs::path source_of_build(const fs::path& folder) {
+  std::ifstream note(folder / "telepalp_source.txt");
+  std::string path;
+  std::getline(note, path);
+  return path;
 }
 
 }  // namespace
@@ -21,7 +31,8 @@ std::optional<fs::path> shipped_file(const fs::path& relative) {
   std::error_code code;
   fs::path folder = fs::read_symlink("/proc/self/exe", code).parent_path();
   while (folder.has_relative_path()) {
-    if (std::optional<fs::path> file = below(folder, relative)) return file;
+    for (const fs::path& place : {folder / "share/telepalp", folder, source_of_build(folder)})
+      if (std::optional<fs::path> file = below(place, relative)) return file;
     folder = folder.parent_path();
   }
   return std::nullopt;
