@@ -34,7 +34,7 @@ for command in "${commands[@]}"; do
   ran=$((ran + 1))
   say "$command"
   case $command in
-    deploy/test*) ran=$((ran - 1)) ;;
+    deploy/test* | deploy/package*) ran=$((ran - 1)) ;;  # this is run by the one; Installation tests what the other packs
     *openni2*)
       if timeout 30 bash -c "$placed --headless --seconds 2 --out $work/camera" >"$work/log" 2>&1; then
         say "a camera is there"
