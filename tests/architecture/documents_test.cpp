@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "where.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kFoldersWithDocuments{"proto", "support",        "codec", "server", "clients",
+                                                     "tools", "haptic_station", "docs",  "tests",  "deploy"};
+
+fs::path root() { return TELEPALP_SOURCE_DIR; }
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool is_document(const fs::path& file) {
+  return file.extension() == ".md" && file.string().find("node_modules") == std::string::npos;
+}
+
+std::vector<fs::path> documents() {
+  std::vector<fs::path> found{root() / "README.md", root() / "CONTRIBUTING.md"};
+  for (const std::string& folder : kFoldersWithDocuments)
+    for (const auto& entry : fs::recursive_directory_iterator(root() / folder))
+      if (entry.is_regular_file() && is_document(entry.path())) found.push_back(entry.path());
+  return found;
+}
+
+/// What `pattern`'s first group matches in `text`.
+std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
+    found.push_back((*match)[1]);
+  return found;
+}
+
+bool starts_in_a_folder_of_ours(const std::string& path) {
+  return std::any_of(kFoldersWithDocuments.begin(), kFoldersWithDocuments.end(),
+                     [&](const std::string& folder) { return path.starts_with(folder + "/"); });
+}
+
+TEST(Documents, NameOnlyFilesThatExist) {
+  const std::regex link(R"(\]\(([^)#:]+)(?:#[^)]*)?\))");
+  const std::regex path(R"(`([A-Za-z0-9_./-]+)`)");
+  std::size_t checked = 0;
+  for (const fs::path& document : documents()) {
+    const std::string text = text_of(document);
+    for (const std::string& target : matches(text, link)) {
+      EXPECT_TRUE(fs::exists(document.parent_path() / target)) << document << " links to " << target;
+      ++checked;
+    }
+    for (const std::string& named : matches(text, path)) {
+      if (!starts_in_a_folder_of_ours(named)) continue;
+      EXPECT_TRUE(fs::exists(root() / named)) << document << " names " << named;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 100U);
+}
+
+/// docs/architecture.md lists each room's doors, relative to the room.
+TEST(Documents, TheArchitecturePageNamesEachDoor) {
+  const std::string page = text_of(root() / "docs/architecture.md");
+  std::ifstream doors(TELEPALP_BINARY_DIR "/where/doors.txt");
+  std::size_t checked = 0;
+  for (std::string room, door; doors >> room >> door;) {
+    if (room == "room" || room == "why") continue;
+    const bool of_an_inner_room = door.starts_with("proto/wire/mcap/") && room == "proto/wire";
+    if (of_an_inner_room) continue;
+    EXPECT_NE(page.find("`" + door.substr(room.size() + 1) + "`"), std::string::npos)
+        << "docs/architecture.md does not name the door " << door;
+    ++checked;
+  }
+  EXPECT_GT(checked, 50U);
+}
+
+}  // namespace
