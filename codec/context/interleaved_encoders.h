@@ -3,7 +3,7 @@
 #include "codec/context/kernel.h"
 #include "codec/simd/lane_vector.h"
 
-// Four range encoders in lockstep, their state in SIMD registers. Internal linkage: see range_coder.h.
+// LaneVector range coders at work as one. Internal linkage for the same reason as in range_coder.h.
 
 namespace telepalp::codec {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using LaneShares [[gnu::vector_size(16)]] = uint32_t;
 using LaneWide [[gnu::vector_size(32)]] = uint64_t;
 
-/// The cumulative frequencies on both sides of a symbol: the lower one in the low half, the upper one in the high half.
+/// A symbol's two places in its model, the upper one in the upper half.
 inline uint32_t cumulative_range(const Model& model, uint32_t symbol) {
   uint32_t places = 0;
   memcpy(&places, model.cdf + symbol, sizeof places);
@@ -21,27 +21,27 @@ inline uint32_t cumulative_range(const Model& model, uint32_t symbol) {
   return places;
 }
 
-/// Leading zero bits of four nonzero 16-bit numbers, read off the exponents of their float conversions.
+/// Zero bits in front of each of four numbers of 16 bits that are not 0: as their exponents tell.
 inline LaneShares leading_zeros16(LaneShares numbers) {
   using Floats [[gnu::vector_size(16)]] = float;
   const auto floats = __builtin_convertvector(reinterpret_cast<LaneVector>(numbers), Floats);
   return 15 + 127 - (reinterpret_cast<LaneShares>(floats) >> 23);
 }
 
-/// Encodes the size and sign of a step beyond kLargestStep, after the symbol kFarther.
+/// A step too far for a symbol of its own, behind the symbol that says so.
 [[gnu::noinline]] void encode_far(RangeEncoder& coder, Model& model, int step) {
   const int size = step < 0 ? -step : step;
   encode_number(coder, model, static_cast<uint32_t>(size - kLargestStep - 1));
   coder.encode_bits(step < 0 ? 1 : 0, 1);
 }
 
-/// The four encoders and their models for far steps, addressed lane by lane.
+/// Where four coders are addressed one by one.
 struct LaneEncoders {
   RangeEncoder* coders[kLanes];
   Model* far_models[kLanes];
 };
 
-/// The state of four encoders in three registers. The arithmetic is RangeEncoder's, so the bytes are the same.
+/// What four coders carry from symbol to symbol, in three registers: the same arithmetic, hence the same bytes.
 struct InterleavedEncoders {
   LaneShares range;
   LaneShares pending;
@@ -63,8 +63,7 @@ struct InterleavedEncoders {
     }
   }
 
-  /// Encodes one symbol per lane, given by its cumulative_range(). True: some encoder must output a word before the
-  /// next symbol.
+  /// One symbol each, by cumulative_range() it. Whether some coder has a word to put before the next.
   bool encode(LaneShares places) {
     const LaneShares twice = range + range;
     const LaneShares skipped = (twice * (places & 0xffff)) >> 16;
@@ -77,7 +76,7 @@ struct InterleavedEncoders {
   }
 };
 
-// Both return the advanced encoder state by value, so that it stays in registers.
+// Both give what they were given, gone on: so that it need not be in memory but for their sake.
 
 [[gnu::noinline]] InterleavedEncoders with_words_put(const InterleavedEncoders& together,
                                                      const LaneEncoders& encoders) {
@@ -89,7 +88,7 @@ struct InterleavedEncoders {
   return after;
 }
 
-/// Encodes, lane by lane, the steps beyond kLargestStep.
+/// Encodes those of four steps that are too far for a symbol of their own.
 [[gnu::noinline]] InterleavedEncoders with_far_steps(const InterleavedEncoders& together, const LaneEncoders& encoders,
                                                      LaneVector steps) {
   together.store(encoders);
@@ -101,7 +100,7 @@ struct InterleavedEncoders {
   return after;
 }
 
-/// True when one of four symbols is kFarther, which ends at the model's total frequency.
+/// Whether some of four symbols is kFarther, the last there is.
 inline bool any_farther(LaneShares places) {
   return any(reinterpret_cast<LaneVector>(places >> 16) == int{kModelTotal});
 }

@@ -8,17 +8,16 @@
 
 namespace telepalp::codec {
 
-/// A packet's body and its format.
+/// A packet's body, and how it is written.
 struct Body {
   Coding coding = Coding::Stored;
   std::string bytes;
 };
 
-/// Codes as tokens, or by plain zstd when there are too many levels for tokens, or stores raw samples when that is
-/// smaller.
+/// The shortest of tokens, plain zstd (when there are more levels than tokens may have) and samples as they are.
 [[nodiscard]] Body encode_fast(const DepthImage& depth);
 
-/// Stores the raw samples.
+/// The samples as they are, which always works.
 [[nodiscard]] Body stored(const DepthImage& depth);
 
 /// Fills `samples` from a body of Coding::Stored, Zstd or Tokens. False when it is damaged.

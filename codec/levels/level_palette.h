@@ -10,32 +10,30 @@
 
 namespace telepalp::codec {
 
-/// The distinct depths of a frame, ascending. `levels[0]` is 0, "not measured". A pixel's rank is its index in this
-/// list. A Kinect-class frame has a few hundred levels, and neighbouring ranks are neighbouring disparities at any
-/// distance.
+/// The distinct depths of a frame, ascending; a pixel is then its rank in this list. `levels[0]` is 0, "not measured".
+/// A Kinect-class frame has a few hundred: neighbouring ranks are neighbouring disparities, whatever the distance.
 struct LevelPalette {
   std::vector<std::uint16_t> levels{0};
 
   [[nodiscard]] std::size_t size() const noexcept { return levels.size(); }
 };
 
-/// The rank of each of the 65 536 possible samples. Entries of samples outside the palette have no meaning.
+/// Rank of each of the 65 536 possible samples; only those in the palette mean anything.
 using RankOfLevel = std::vector<std::uint16_t>;
 
 [[nodiscard]] LevelPalette palette_of(std::span<const std::uint16_t> samples);
 [[nodiscard]] RankOfLevel ranks_of(const LevelPalette& palette);
 
-/// The rank of the nearest level, for any sample; the lower level of two equally near. Only sample 0 has rank 0.
+/// The same for any sample: the rank of the level nearest to it, the lower of two as near; 0 only for 0.
 [[nodiscard]] RankOfLevel nearest_ranks_of(const LevelPalette& palette);
 
-/// Looks up the rank of each sample.
+/// `samples` by such a table.
 [[nodiscard]] std::vector<std::uint16_t> ranks_by(const RankOfLevel& rank_of, std::span<const std::uint16_t> samples);
 
-/// Writes the count, then the differences between levels minus one. Why differences: an unordered palette cannot be
-/// expressed.
+/// Writes the count, then each step to the next level less one. Why steps: an order that is wrong cannot be written.
 void append_palette(std::string& bytes, const LevelPalette& palette);
 
-/// nullopt: the bytes end too soon, or a level exceeds 65 535.
+/// nullopt when the bytes end too soon, or a level passes 65 535.
 [[nodiscard]] std::optional<LevelPalette> read_palette(ByteReader& reader);
 
 }  // namespace telepalp::codec

@@ -3,13 +3,16 @@
 namespace telepalp::effects {
 
 void Skin::begin(const EffectInput& in) noexcept {
-  first_contact_ = in.contact.proxy;
+  // Where the surface has only half come back, the proxy lies between it and the device: the anchor belongs on it.
+  const bool faded = in.contact.support < 1.0;
+  first_contact_.m = faded ? in.device.m - in.contact.distance_m * in.contact.normal.v : in.contact.proxy.m;
   first_normal_ = in.contact.normal;
   rise_m_ = 0.0;
 }
 
-// The proxy's own height would not do: under a deep hand the nearest skin slides along the body's curvature, and the
-// anchor would ride up and down with it while the patient lies still.
+// The speed under the hand would not do: a belly rises in its middle, and a hand that rubs in step with the breath
+// would pump the anchor out of the skin. Nor would the proxy's height: under a deep hand the nearest skin slides along
+// the body's curvature while the patient lies still.
 Vector<HapticBase> Skin::carried_at(const EffectInput& in) const noexcept {
   switch (settings_.anchor) {
     case SkinAnchor::Fixed:
@@ -17,6 +20,7 @@ Vector<HapticBase> Skin::carried_at(const EffectInput& in) const noexcept {
     case SkinAnchor::Sliding:
       return {in.contact.surface_speed_m_per_s * in.contact.normal.v};
     case SkinAnchor::FollowsSurface:
+      if (in.contact.anchor_seen) return {in.contact.anchor_velocity.v.dot(first_normal_.v) * first_normal_.v};
       return {in.contact.surface_speed_m_per_s * in.contact.normal.v.dot(first_normal_.v) * first_normal_.v};
   }
   return {};
@@ -29,6 +33,7 @@ Force<HapticBase> Skin::step(const EffectInput& in, double dt_s) noexcept {
   Eigen::Vector3d d = in.device.m - (slides ? in.contact.proxy.m : first_contact_.m + rise_m_ * first_normal_.v);
   const double outwards_m = d.dot(normal);
   if (outwards_m > 0.0) d -= outwards_m * normal;
+  if (!slides) d *= in.contact.support;  // the proxy has faded by it already
   indentation_ = {d};
   return {skin_force_N(settings_.law, d)};
 }

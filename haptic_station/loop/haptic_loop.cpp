@@ -37,6 +37,11 @@ ports::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) 
           .in_body = touch.in_body,
           .valid = touch.valid,
           .surface_speed_m_per_s = touch.surface_velocity_m_per_s,
+          .support = touch.support,
+          .measured_above_m = touch.newest_above_m,
+          .measured_speed_m_per_s = touch.newest_velocity_m_per_s,
+          .anchor_seen = touch.in_body,
+          .anchor_velocity = haptic_from_camera_ * Vector<DepthCamera>{touch.anchor_velocity_m_per_s},
           .age_s = has_surface_ ? touch.age_s : std::numeric_limits<double>::infinity()};
 }
 

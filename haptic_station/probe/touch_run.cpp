@@ -31,7 +31,7 @@ void append_row(std::string& out, const Felt& felt) {
 std::vector<Felt> touch_along(const surface::SurfaceSnapshot& snapshot, const std::vector<Waypoint>& trajectory,
                               double stiffness_N_per_m) {
   surface::TouchSettings settings;
-  settings.slewed_start = false;  // offline, a start in the body is an answer, not a danger
+  settings.gentle_start = false;  // offline, a start in the body is an answer, not a danger
   surface::Touch touch(settings);
   touch.adopt(snapshot, SessionTime{});
   std::vector<Felt> all;

@@ -9,31 +9,31 @@
 
 namespace telepalp::wire {
 
-/// What a message states about its depth: the codec's mode, and how far depth may be off the measurement.
+/// What a message tells of its depth: how it was compressed, and how far that took it from what the camera measured.
 struct DepthFidelity {
-  std::string mode;                         ///< of the codec; empty: not stated
-  bool moved = false;                       ///< true: depth may differ from the measurement
-  std::optional<DepthErrorBound> within{};  ///< nullopt although moved: the amount is not stated
+  std::string mode;                         ///< of the codec; empty: not told
+  bool moved = false;                       ///< whether depth may be other than measured
+  std::optional<msg::DepthBound> within{};  ///< nullopt though moved: nobody tells by how much
 };
 
-/// Reads the statement. A bound that is negative, not finite, or beyond one metre counts as not stated; `moved` stays
-/// true.
+/// A bound that is negative, not finite, or beyond a metre is as good as none; that depth was moved is believed all the
+/// same.
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::DepthImage& image);
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::SurfaceReport& report);
 
-/// The bound of depth that is about to be compressed again. nullopt: depth is as measured.
-[[nodiscard]] std::optional<DepthErrorBound> loss_of(const DepthFidelity& fidelity) noexcept;
+/// The same for whoever compresses such depth again; nullopt: it is as measured.
+[[nodiscard]] std::optional<DepthLoss> loss_of(const DepthFidelity& told) noexcept;
 
-/// The one with the larger error bound; the newer one when both are equal. An unknown bound is larger than any other.
+/// The one of which less may be expected; of two alike the newer one.
 [[nodiscard]] DepthFidelity less_exact(const DepthFidelity& older, const DepthFidelity& newer);
 
 /// For people: "as measured", "off by up to 2.85 mm at 1 m".
-[[nodiscard]] std::string how_far(const DepthFidelity& fidelity);
+[[nodiscard]] std::string how_far(const DepthFidelity& told);
 
-/// The same after the mode: "bounded, off by up to 2.85 mm at 1 m".
-[[nodiscard]] std::string in_words(const DepthFidelity& fidelity);
+/// With the mode before it: "bounded, off by up to 2.85 mm at 1 m".
+[[nodiscard]] std::string in_words(const DepthFidelity& told);
 
-/// The bound's error at a depth of 1 m [mm].
-[[nodiscard]] double at_1_m_mm(const DepthErrorBound& bound) noexcept;
+/// The furthest that depth at 1 m may be off [mm].
+[[nodiscard]] double at_1_m_mm(const msg::DepthBound& bound) noexcept;
 
 }  // namespace telepalp::wire

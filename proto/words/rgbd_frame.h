@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -41,8 +40,6 @@ struct Intrinsics {
   double fy = 0.0;
   double cx = 0.0;
   double cy = 0.0;
-
-  friend bool operator==(const Intrinsics&, const Intrinsics&) = default;
 };
 
 /// What is needed to place pixels in space.
@@ -52,18 +49,10 @@ struct CameraModel {
   bool color_registered = true;  ///< colour pixel (u, v) sees what depth pixel (u, v) sees
 };
 
-/// The error bound of near-lossless depth: a depth z [m] differs from the measurement by at most
-/// max(least_m, per_m * z²).
-struct DepthErrorBound {
-  double least_m = 0.0;
-  double per_m = 0.0;
-
-  /// Depth that was changed by an amount that nobody stated: an infinite bound.
-  [[nodiscard]] static DepthErrorBound unknown() noexcept {
-    return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  }
-  [[nodiscard]] double at(double z_m) const noexcept { return std::max(least_m, per_m * z_m * z_m); }
-  friend bool operator==(const DepthErrorBound&, const DepthErrorBound&) = default;
+/// How far depth may lie from what was measured: max(least_m, per_m z²) metres at a depth of z. Infinite: nobody knows.
+struct DepthLoss {
+  double least_m = std::numeric_limits<double>::infinity();
+  double per_m = std::numeric_limits<double>::infinity();
 };
 
 /// One instant seen by an RGB-D camera. `captured` is as close to the exposure as the driver lets us.
@@ -73,7 +62,7 @@ struct RgbdFrame {
   CameraModel camera;
   DepthImage depth;
   ColorImage color;
-  std::optional<DepthErrorBound> loss = {};  ///< of depth that was coded near-losslessly before; nullopt: as measured
+  std::optional<DepthLoss> loss = {};  ///< of depth that was compressed with loss before it came here
 };
 
 /// True when the sizes agree with each other, lie within kMaxImageSide, and the intrinsics are finite and positive.

@@ -19,12 +19,12 @@ void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
 
 /// The error bound of depth that may have been near-lossless before, and is coded with the bound `coded` now. The sum
 /// of two such bounds has another form; twice the larger of each term is an upper bound, exact where both are equal.
-std::optional<DepthErrorBound> loss_of(const RgbdFrame& frame, const std::optional<DepthErrorBound>& coded) {
+std::optional<DepthLoss> loss_of(const RgbdFrame& frame, const std::optional<codec::DepthBound>& coded) {
   if (!coded) return frame.loss;
-  const DepthErrorBound& bound = *coded;
-  if (!frame.loss) return bound;
-  return DepthErrorBound{.least_m = 2.0 * std::max(bound.least_m, frame.loss->least_m),
-                         .per_m = 2.0 * std::max(bound.per_m, frame.loss->per_m)};
+  const codec::DepthBound& bound = *coded;
+  if (!frame.loss) return DepthLoss{.least_m = bound.least_m, .per_m = bound.per_m};
+  return DepthLoss{.least_m = 2.0 * std::max(bound.least_m, frame.loss->least_m),
+                   .per_m = 2.0 * std::max(bound.per_m, frame.loss->per_m)};
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encode
   image.set_height(static_cast<std::uint32_t>(frame.depth.height));
   image.set_unit_m(frame.depth.unit_m);
   image.set_format(std::string(codec::name(encoded.mode)));
-  if (const std::optional<DepthErrorBound> loss = loss_of(frame, encoded.bound)) {
+  if (const std::optional<DepthLoss> loss = loss_of(frame, encoded.bound)) {
     image.mutable_bound()->set_least_m(loss->least_m);
     image.mutable_bound()->set_per_m(loss->per_m);
   }

@@ -12,6 +12,10 @@ using namespace std::chrono_literals;
 constexpr Nanoseconds kPatience = 100ms;  // how late a stop or a status may be while no frame comes
 constexpr Nanoseconds kRepeat = 1s;
 
+bool equal(const Intrinsics& a, const Intrinsics& b) noexcept {
+  return a.width == b.width && a.height == b.height && a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy;
+}
+
 }  // namespace
 
 CameraPipeline::CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options,
@@ -58,7 +62,7 @@ void CameraPipeline::publish_depth(const RgbdFrame& frame) {
 
 void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {
   const SessionTime now = clock_.now();
-  if (calibration_ && *calibration_ == frame.camera.depth && now - calibration_at_ < kRepeat) return;
+  if (calibration_ && equal(*calibration_, frame.camera.depth) && now - calibration_at_ < kRepeat) return;
   calibration_ = frame.camera.depth;
   calibration_at_ = now;
   publish(wire::kCameraInfo, now, calibration_message(frame));

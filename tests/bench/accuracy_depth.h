@@ -38,6 +38,6 @@ struct DepthPrice {
 
 /// What `mode` costs. `bound`: of Bounded.
 [[nodiscard]] Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode,
-                                          const DepthErrorBound& bound);
+                                          const codec::DepthBound& bound);
 
 }  // namespace telepalp::bench

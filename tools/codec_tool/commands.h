@@ -26,6 +26,6 @@ namespace telepalp::server {
 /// Says how far the depth images of `second` lie from those of `first`. With a `bound`: an error unless every pixel
 /// keeps it, and what was measured still is, and nothing else.
 [[nodiscard]] Result<void> compare_recordings(const std::filesystem::path& first, const std::filesystem::path& second,
-                                              double unit_m, const std::optional<DepthErrorBound>& bound = {});
+                                              double unit_m, const std::optional<codec::DepthBound>& bound = {});
 
 }  // namespace telepalp::server

@@ -13,7 +13,7 @@ namespace telepalp::server {
 class DepthDifference {
  public:
   /// `bound`: what a pixel may be off, by its original depth; none: nothing is asked.
-  explicit DepthDifference(const std::optional<DepthErrorBound>& bound = {}) : bound_(bound) {}
+  explicit DepthDifference(const std::optional<codec::DepthBound>& bound = {}) : bound_(bound) {}
 
   /// Both are of one size.
   void add(const DepthImage& original, const DepthImage& other);
@@ -31,7 +31,7 @@ class DepthDifference {
  private:
   void hold(const DepthImage& original, const DepthImage& other, std::size_t pixel);
 
-  std::optional<DepthErrorBound> bound_;
+  std::optional<codec::DepthBound> bound_;
   std::size_t frames_ = 0;
   std::size_t measured_ = 0;
   std::size_t flips_ = 0;

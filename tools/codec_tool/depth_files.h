@@ -16,7 +16,7 @@ struct NamedDepth {
   std::string name;  ///< file name, or the number of the frame
   SessionTime captured;
   DepthImage depth;
-  std::optional<DepthErrorBound> loss = {};  ///< that a recording tells of it
+  std::optional<DepthLoss> loss = {};  ///< that a recording tells of it
 };
 
 /// Gives each depth image of `input` to `visit`, in order, until one is refused: a 16-bit PNG, TIFF or binary PGM; a

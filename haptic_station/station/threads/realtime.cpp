@@ -25,9 +25,7 @@ Result<bool> enter_realtime(Realtime wanted) {
   return Error{.what = std::string("no real-time priority or locked memory: ") +
                        std::strerror(scheduling != 0 ? scheduling : locking),
                .where = "telepalp-station",
-               .fix =
-                   "use the package's telepalp-station.service, or sudo setcap cap_sys_nice,cap_ipc_lock=ep "
-                   "telepalp-station, or start with --realtime prefer"};
+               .fix = "sudo setcap cap_sys_nice,cap_ipc_lock=ep telepalp-station, or start with --realtime prefer"};
 }
 
 }  // namespace telepalp::station

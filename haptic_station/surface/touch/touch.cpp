@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace telepalp::surface {
 namespace {
@@ -11,6 +12,11 @@ using Eigen::Vector3d;
 constexpr double kSteepEnough = 0.2;   // |gradient| below which f says nothing about direction (1 on a clean surface)
 constexpr double kSharpCosine = 0.94;  // planes turned by more than 20 degrees in one slide make a crease
 constexpr int kMostHops = 32;
+constexpr double kFootPerDevice = 3.0;      // the foot's way over the device's, on a dome, at most
+constexpr double kFoot_m_per_s = 0.15;      // and under a device at rest
+constexpr double kHeldPlane_m_per_s = 0.1;  // at which a held plane's foot goes below the device: a force, too
+constexpr double kLeastShown = 0.05;        // of a contact, to begin one
+constexpr double kLongestTick_s = 0.01;     // over which the controller counts a speed
 
 double smooth_step(double t) noexcept {
   const double x = std::clamp(t, 0.0, 1.0);
@@ -36,7 +42,7 @@ double better_slide(double slide, const Vector3d& before, const Vector3d& after)
 }  // namespace
 
 FieldSample Touch::field(const Vector3d& at) const noexcept {
-  return slew_.shown(snapshot_->evaluate(at, normal_, basis_), at);
+  return follower_.shown(snapshot_->evaluate(follower_.on_newest(at), normal_, basis_));
 }
 
 void Touch::adopt(const SurfaceSnapshot& snapshot, SessionTime now) noexcept {
@@ -47,16 +53,41 @@ void Touch::adopt(const SurfaceSnapshot& snapshot, SessionTime now) noexcept {
   adopted_ = now_;
   if (!has_foot_) return;
   swapped_ = true;
-  snapshot.prefetch(foot_);
+  snapshot.prefetch(follower_.on_newest(foot_));
 }
 
-/// The displayed surface at the foot. The first look at a new snapshot is also where it begins to be slewed in: a tick
-/// with a swap evaluates no more often than one without.
+/// The displayed surface at the foot. A newer snapshot, or one that is seen again, takes over where the displayed one
+/// is: a tick with a swap evaluates no more often than one without, unless the surface has stepped.
 FieldSample Touch::field_at_foot() noexcept {
-  const FieldSample raw = snapshot_->evaluate(foot_, normal_, basis_);
-  if (swapped_ && at_foot_.valid && raw.valid) slew_.begin(at_foot_, raw, foot_, settings_.slew);
-  swapped_ = false;
-  return slew_.shown(raw, foot_);
+  const bool met_anew = !fresh_foot_ && (swapped_ || !at_foot_.valid);
+  const Vector3d there = follower_.on_newest(foot_);
+  const FieldSample newest = met_anew ? meet(there) : snapshot_->evaluate(there, normal_, basis_);
+  if (newest.valid) newest_velocity_ = newest.velocity_m_per_s;
+  if (newest.valid && fresh_foot_) follower_.follow_at_once(newest.normal, newest.velocity_m_per_s);
+  swapped_ = fresh_foot_ = false;
+  return follower_.shown(newest);
+}
+
+/// The newest surface near `expected`, where the one before had what is displayed at the foot. Beyond the gate between
+/// two surfaces it is looked for along the camera's ray. Under a contact, one that has stepped too far is another one.
+FieldSample Touch::meet(const Vector3d& expected) noexcept {
+  Vector3d there = expected;
+  FieldSample newest = snapshot_->evaluate(there, normal_, basis_);
+  if (!newest.valid) {
+    const std::optional<Seed> seed = snapshot_->seed(expected);
+    if (!seed) return {};
+    there = expected + normal_.dot(seed->at - expected) * normal_;
+    newest = snapshot_->evaluate(there, normal_, basis_);
+    if (!newest.valid) newest = snapshot_->evaluate(there = seed->at, normal_, basis_);
+  }
+  const double steepness = newest.gradient.norm();
+  if (!newest.valid || steepness < kSteepEnough || normal_.isZero()) return newest;
+  there -= newest.f_m / (steepness * steepness) * newest.gradient;
+  const double farthest_m = side_ == Side::Inside ? settings_.other_surface_m : settings_.deepest_start_m;
+  if (std::min((there - expected).norm(), (there - foot_).norm()) > farthest_m) return {};
+  follower_.take_over(foot_, normal_, there, newest.gradient / steepness);
+  newest.f_m = 0.0;
+  return newest;
 }
 
 void Touch::release() noexcept {
@@ -70,34 +101,37 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   now_ = std::max(now_, now);
   if (snapshot_ == nullptr || !device.m.allFinite()) return {};
   const double dt = dt_s > 0.0 ? std::min(dt_s, 0.1) : 0.0;
-  slew_.advance(dt);
+  carry_on(dt);
   basis_ = motion_basis(snapshot_->motion, age_s());
   const Vector3d from = has_device_ ? device_ : device.m;
   const double hops = std::ceil((device.m - from).norm() / settings_.longest_hop_m);
   const int parts = static_cast<int>(std::clamp(hops, 1.0, static_cast<double>(kMostHops)));
+  const bool was_inside = side_ == Side::Inside && at_foot_.valid;
+  const Vector3d foot_before = foot_;
   for (int part = 1; part <= parts; ++part) look(from + (device.m - from) * (static_cast<double>(part) / parts));
+  if (was_inside && side_ == Side::Inside)  // under a deep device the nearest skin may be far along at once
+    foot_ =
+        foot_before + shortened(foot_ - foot_before, kFootPerDevice * (device.m - from).norm() + kFoot_m_per_s * dt);
   device_ = device.m;
   has_device_ = true;
+  follow_anchor(dt);
   hold(dt, device.m);
   return answer(device.m);
+}
+
+/// The displayed surface moves on, and the foot with it.
+void Touch::carry_on(double dt_s) noexcept {
+  if (!has_foot_ || !at_foot_.valid) return;
+  follower_.advance(foot_, normal_, newest_velocity_, dt_s);
+  foot_ += dt_s * follower_.velocity_m_per_s();
 }
 
 /// One look at the surface from one device position: the foot follows, and the side may change.
 void Touch::look(const Vector3d& device) noexcept {
   if (side_ != Side::Inside) reseed(device);
   if (!has_foot_) return;
-  if (side_ == Side::Inside && !at_foot_.valid) meet_again();
   follow(device);
   if (at_foot_.valid) decide(device);
-}
-
-/// A surface that comes back under a held contact is slewed in from the plane that was held for it.
-void Touch::meet_again() noexcept {
-  const FieldSample fresh = snapshot_->evaluate(foot_, normal_, basis_);
-  if (!fresh.valid) return;
-  FieldSample held;
-  held.gradient = normal_;
-  slew_.begin(held, fresh, foot_, settings_.slew);
 }
 
 /// In free space the foot may be on another part of the surface: an arm held over the bed, the other side of a ridge.
@@ -110,9 +144,9 @@ void Touch::reseed(const Vector3d& device) noexcept {
   if (has_foot_ && at_foot_.valid && (device - seed->at).norm() + kClearlyNearer_m > (device - foot_).norm()) return;
   foot_ = seed->at;
   normal_ = Vector3d::Zero();
-  has_foot_ = true;
-  swapped_ = false;
-  slew_.stop();
+  has_foot_ = fresh_foot_ = true;
+  was_in_front_ = seed->query_in_front;
+  follower_.follow_at_once(normal_, 0.0);
 }
 
 /// The surface at `goal`, which is drawn back towards the foot where it lies beyond what is known.
@@ -163,24 +197,58 @@ void Touch::follow(const Vector3d& device) noexcept {
 }
 
 /// Which side the device is on, once its foot is known. Below the plane but far to its side is beyond the surface's
-/// rim.
+/// rim. A device that is in the body without having gone through the displayed skin meets it gently.
 void Touch::decide(const Vector3d& device) noexcept {
   const double height = height_of(device);
+  const bool was_in_front = std::exchange(was_in_front_, height >= 0.0);
   if (height >= 0.0) {
     side_ = Side::Outside;
-  } else if (side_ == Side::Outside) {
-    if (sideways_of(device) < settings_.off_foot_m) side_ = Side::Inside;
-  } else if (side_ == Side::Unknown && -height <= settings_.deepest_start_m &&
-             sideways_of(device) < settings_.off_foot_m) {
-    side_ = Side::Inside;
-    if (settings_.slewed_start) sink_in_slowly(device);
+    return;
   }
+  if (side_ == Side::Inside || sideways_of(device) >= settings_.off_foot_m) return;
+  if (side_ == Side::Unknown && -height > settings_.deepest_start_m) return;
+  if (at_foot_.support * freshness() < kLeastShown) return;
+  side_ = Side::Inside;
+  if (!was_in_front && settings_.gentle_start) show_at(device);
 }
 
 /// The displayed surface begins at the device and rises to where it belongs: no force out of nothing.
-void Touch::sink_in_slowly(const Vector3d& device) noexcept {
-  slew_.begin(-height_of(device), Vector3d::Zero(), foot_, settings_.slew);
-  follow(device);
+void Touch::show_at(const Vector3d& device) noexcept {
+  const Vector3d there = follower_.on_newest(foot_);
+  follower_.take_over(device, normal_, there, normal_);
+  foot_ = device;
+}
+
+/// The skin where the contact began, along its normal of then: on the newest surface at each step, so that nothing adds
+/// up, and displayed as gently as the skin under the device. Where the surface is not seen there, it goes with the
+/// foot.
+void Touch::follow_anchor(double dt_s) noexcept {
+  anchor_speed_ = 0.0;
+  const bool begins = side_ == Side::Inside && !anchored_;
+  anchored_ = side_ == Side::Inside;
+  if (!anchored_) return;
+  if (begins) {
+    anchor_.begin(foot_, normal_, follower_.velocity_m_per_s().dot(normal_));
+    newest_anchor_ = foot_ + follower_.lag_m().dot(normal_) * normal_;
+  }
+  const Vector3d& along = anchor_.along();
+  double target_m_per_s = newest_velocity_ * normal_.dot(along);
+  FieldSample newest = snapshot_->evaluate(newest_anchor_, along, basis_);
+  if (!newest.valid) {
+    if (const std::optional<Seed> seed = snapshot_->seed(newest_anchor_)) {
+      newest_anchor_ = anchor_.at() + along.dot(seed->at - anchor_.at()) * along;
+      newest = snapshot_->evaluate(newest_anchor_, along, basis_);
+    }
+  }
+  const double slope = newest.gradient.dot(along);
+  const double lag_m = along.dot(newest_anchor_ - anchor_.at()) - newest.f_m / std::max(slope, kSteepEnough);
+  const bool seen = newest.valid && slope > kSteepEnough && std::abs(lag_m) < settings_.deepest_start_m;
+  if (seen) newest_anchor_ = anchor_.at() + lag_m * along;
+  if (seen) target_m_per_s = newest.velocity_m_per_s / slope;
+  const double part_s = std::min(dt_s, kLongestTick_s);
+  const Vector3d before = anchor_.at();
+  anchor_.advance(seen ? lag_m : 0.0, target_m_per_s, part_s);
+  anchor_speed_ = part_s > 0.0 ? along.dot(anchor_.at() - before) / part_s : anchor_.rate_m_per_s();
 }
 
 /// What is shown of the contact follows the support at a bounded rate, and without a surface the last plane is held
@@ -193,12 +261,12 @@ void Touch::hold(double dt_s, const Vector3d& device) noexcept {
   }
   const double most = dt_s / settings_.let_go_over_s;
   held_ = side_ == Side::Inside ? std::clamp(target, held_ - most, held_ + most) : target;
-  if (side_ == Side::Inside && has_foot_ && !at_foot_.valid) foot_ += tangential(device - foot_, normal_);
+  if (side_ == Side::Inside && has_foot_ && !at_foot_.valid)
+    foot_ += shortened(tangential(device - foot_, normal_), kHeldPlane_m_per_s * dt_s);
   if (held_ > 0.0 || target > 0.0) return;
-  if (!at_foot_.valid || side_ == Side::Inside) {
-    has_foot_ = false;
-    if (side_ == Side::Inside) side_ = Side::Outside;
-  }
+  if (at_foot_.valid && side_ != Side::Inside) return;
+  has_foot_ = false;
+  side_ = Side::Unknown;
 }
 
 double Touch::height_of(const Vector3d& device) const noexcept { return normal_.dot(device - foot_); }
@@ -217,10 +285,11 @@ double Touch::freshness() const noexcept {
 
 Displaced Touch::displaced() const noexcept {
   if (snapshot_ == nullptr || !has_foot_) return {};
-  const FieldSample captured = snapshot_->evaluate(foot_, normal_, MotionBasis{});
-  const FieldSample now = snapshot_->evaluate(foot_, normal_, basis_);
+  const Vector3d there = follower_.on_newest(foot_);
+  const FieldSample captured = snapshot_->evaluate(there, normal_, MotionBasis{});
+  const FieldSample now = snapshot_->evaluate(there, normal_, basis_);
   if (!captured.valid || !now.valid) return {};
-  return {.carried_m = captured.f_m - now.f_m, .slewed_m = now.f_m - slew_.shown(now, foot_).f_m};
+  return {.carried_m = captured.f_m - now.f_m, .slewed_m = -follower_.lag_m().dot(normal_)};
 }
 
 TouchSample Touch::answer(const Vector3d& device) const noexcept {
@@ -234,7 +303,10 @@ TouchSample Touch::answer(const Vector3d& device) const noexcept {
   out.foot.m = foot_;
   out.normal = normal_;
   out.distance_m = std::copysign((device - foot_).norm(), height_of(device));
-  out.surface_velocity_m_per_s = at_foot_.velocity_m_per_s;
+  out.surface_velocity_m_per_s = follower_.velocity_m_per_s().dot(normal_);
+  out.newest_above_m = follower_.lag_m().dot(normal_);
+  out.newest_velocity_m_per_s = newest_velocity_;
+  if (anchored_) out.anchor_velocity_m_per_s = anchor_speed_ * anchor_.along();
   out.uncertainty_m = std::hypot(at_foot_.deviation_m, snapshot_->motion.spread_m_per_s * out.age_s);
   out.support = held_;
   if (out.in_body) out.proxy.m = device + held_ * (foot_ - device);

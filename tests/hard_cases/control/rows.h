@@ -16,5 +16,7 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> clock_rows();
 /// What the device can not give.
 [[nodiscard]] std::vector<HardCase> device_rows();
+/// A skin that moves, steps, ends or is not seen, through the live loop.
+[[nodiscard]] std::vector<HardCase> moving_skin_rows();
 
 }  // namespace telepalp::hard_cases

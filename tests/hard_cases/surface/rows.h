@@ -12,6 +12,10 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> image_rows();
 /// Shapes, and ways to come upon them, that leave no one answer.
 [[nodiscard]] std::vector<HardCase> shape_rows();
+/// Contact after gaps, shifts, black frames and foreign hands.
+[[nodiscard]] std::vector<HardCase> return_rows();
+/// How the displayed surface follows the newest.
+[[nodiscard]] std::vector<HardCase> follow_rows();
 /// Frames that are late, early, old, or do not come.
 [[nodiscard]] std::vector<HardCase> time_rows();
 

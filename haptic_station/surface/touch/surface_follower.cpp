@@ -1,0 +1,104 @@
+#include "haptic_station/surface/touch/surface_follower.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace telepalp::surface {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kLongestStep_s = 0.002;                                            // for the integration alone
+constexpr FollowLimits kTurn{.speed_m_per_s = 1.0, .acceleration_m_per_s2 = 30.0};  // radians in place of metres
+constexpr double kSteepest_rad = 0.5;  // of the tilt: beyond, its sine is no longer itself
+
+Vector3d at_most(const Vector3d& v, double length) noexcept {
+  const double norm = v.norm();
+  return norm > length ? Vector3d(v * (length / norm)) : v;
+}
+
+/// Calls `step(part_s)` for parts of `dt_s` that are short enough to integrate.
+template <class Step>
+void in_parts(double dt_s, const Step& step) noexcept {
+  const int parts = static_cast<int>(std::clamp(std::ceil(dt_s / kLongestStep_s), 1.0, 64.0));
+  for (int part = 0; part < parts; ++part) step(dt_s / parts);
+}
+
+}  // namespace
+
+Vector3d next_rate(const Vector3d& rate, const Vector3d& error, const Vector3d& target_rate, const FollowLimits& limits,
+                   double dt_s) noexcept {
+  const double w = limits.bandwidth_rad_per_s;
+  const Vector3d wanted =
+      at_most(target_rate, limits.fastest_surface_m_per_s) + at_most(0.5 * w * error, limits.speed_m_per_s);
+  const double share = -std::expm1(-2.0 * w * dt_s);
+  return rate + at_most(share * (wanted - rate), limits.acceleration_m_per_s2 * dt_s);
+}
+
+// A place x of the displayed surface is q = x + lag + tilt × (x − pivot) of the newest: a rigid motion, to first order
+// in the tilt.
+Vector3d SurfaceFollower::on_newest(const Vector3d& shown) const noexcept {
+  return shown + lag_m_ + tilt_rad_.cross(shown - pivot_);
+}
+
+FieldSample SurfaceFollower::shown(const FieldSample& newest) const noexcept {
+  if (!newest.valid) return newest;
+  FieldSample out = newest;
+  out.gradient -= tilt_rad_.cross(newest.gradient);  // the transpose of dq/dx
+  const double length = out.gradient.norm();
+  if (length > 0.1) out.normal = out.gradient / length;
+  out.velocity_m_per_s = velocity_m_per_s_.dot(out.normal);
+  return out;
+}
+
+void SurfaceFollower::follow_at_once(const Vector3d& normal, double speed_m_per_s) noexcept {
+  lag_m_.setZero();
+  tilt_rad_.setZero();
+  turn_rad_per_s_.setZero();
+  velocity_m_per_s_ = at_most(speed_m_per_s * normal, limits_.fastest_surface_m_per_s);
+}
+
+void SurfaceFollower::take_over(const Vector3d& foot, const Vector3d& normal, const Vector3d& there,
+                                const Vector3d& newest_normal) noexcept {
+  pivot_ = foot;
+  lag_m_ = there - foot;
+  tilt_rad_ = at_most(normal.cross(newest_normal), kSteepest_rad);
+}
+
+/// The same motion, written about another pivot.
+void SurfaceFollower::turn_about(const Vector3d& pivot) noexcept {
+  lag_m_ += tilt_rad_.cross(pivot - pivot_);
+  pivot_ = pivot;
+}
+
+void SurfaceFollower::advance(const Vector3d& foot, const Vector3d& normal, double newest_speed_m_per_s,
+                              double dt_s) noexcept {
+  turn_about(foot);
+  const Vector3d newest = newest_speed_m_per_s * normal;
+  in_parts(dt_s, [&](double part_s) noexcept {
+    velocity_m_per_s_ = next_rate(velocity_m_per_s_, lag_m_, newest, limits_, part_s);
+    lag_m_ += part_s * (newest - velocity_m_per_s_);
+    turn_rad_per_s_ = next_rate(turn_rad_per_s_, tilt_rad_, Vector3d::Zero(), kTurn, part_s);
+    tilt_rad_ -= part_s * turn_rad_per_s_;
+  });
+}
+
+void LineFollower::begin(const Vector3d& at, const Vector3d& along, double rate_m_per_s) noexcept {
+  start_ = at;
+  along_ = along;
+  risen_m_ = 0.0;
+  rate_m_per_s_ = rate_m_per_s;
+}
+
+void LineFollower::advance(double error_m, double target_m_per_s, double dt_s) noexcept {
+  in_parts(dt_s, [&](double part_s) noexcept {
+    const Vector3d rate =
+        next_rate({rate_m_per_s_, 0.0, 0.0}, {error_m, 0.0, 0.0}, {target_m_per_s, 0.0, 0.0}, limits_, part_s);
+    rate_m_per_s_ = rate.x();
+    risen_m_ += part_s * rate_m_per_s_;
+    error_m += part_s * (target_m_per_s - rate_m_per_s_);
+  });
+}
+
+}  // namespace telepalp::surface

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "haptic_station/loop/haptic_loop.h"
+#include "tests/hard_cases/control/felt.h"
+#include "tests/hard_cases/control/loop_scene.h"
+#include "tests/hard_cases/control/people.h"
+
+namespace telepalp::hard_cases {
+
+/// A skin of height y(x, t), seen at an instant: it knows its height and speed everywhere, and where it ends.
+class MovingSkin final : public surface::SurfaceSnapshot {
+ public:
+  struct Shape {
+    double flat_m = 0.0;
+    double per_m = 0.0;  ///< of height over x
+    double flat_m_per_s = 0.0;
+    double turns_per_s = 0.0;  ///< of the speed over x
+    double ends_at_x_m = 1e3;  ///< support falls from 1 to 0 over the last 10 mm
+  };
+  MovingSkin(const Shape& shape, SessionTime when) : shape_(shape) {
+    captured = when;
+    motion.moves = true;
+  }
+  [[nodiscard]] surface::FieldSample evaluate(const Eigen::Vector3d& query, const Eigen::Vector3d&,
+                                              const surface::MotionBasis& basis) const noexcept override {
+    surface::FieldSample sample;
+    const double share = std::clamp((shape_.ends_at_x_m - query.x()) / 0.01, 0.0, 1.0);
+    sample.support = share * share * (3.0 - 2.0 * share);
+    if (sample.support <= 0.0) return {};
+    sample.valid = true;
+    const double risen_s = static_cast<double>(basis.value[0]);
+    const double slope = shape_.per_m + shape_.turns_per_s * risen_s;
+    const double up = 1.0 / std::sqrt(1.0 + slope * slope);
+    sample.f_m = up * (query.y() - shape_.flat_m - shape_.flat_m_per_s * risen_s - slope * query.x());
+    sample.gradient = sample.normal = up * Eigen::Vector3d(-slope, 1.0, 0.0);
+    sample.velocity_m_per_s =
+        up * static_cast<double>(basis.rate[0]) * (shape_.flat_m_per_s + shape_.turns_per_s * query.x());
+    return sample;
+  }
+  [[nodiscard]] std::optional<surface::Seed> seed(const Eigen::Vector3d& query) const noexcept override {
+    if (query.x() > shape_.ends_at_x_m) return std::nullopt;
+    const double height_m = shape_.flat_m + shape_.per_m * query.x();
+    return surface::Seed{{query.x(), height_m, query.z()}, query.y() >= height_m};
+  }
+  [[nodiscard]] double stride_m(const Eigen::Vector3d&) const noexcept override { return 0.05; }
+
+ private:
+  Shape shape_;
+};
+
+/// What is felt of a moving skin through the live loop, by a camera of `frames_hz` that tells the truth at once.
+struct MovingSkinScene {
+  double seconds = 6.0;
+  double frames_hz = 30.0;
+  effects::EffectBank effects = the_skin();
+  Person person = presses_to(0.03);
+  std::function<MovingSkin::Shape(double now_s)> skin;
+  std::function<void(const station::HapticLoop::Act&, double now_s)> watch = [](const auto&, double) {};
+};
+
+inline Felt feel(const MovingSkinScene& scene) {
+  station::HapticLoop loop({}, control::EncounteredController({}, scene.effects));
+  device::SimulatedPair pair({}, {});
+  pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
+  std::shared_ptr<MovingSkin> shown;
+  Felt felt;
+  int frames = 0;
+  for (int tick = 0; tick * LoopScene::kTick_s < scene.seconds; ++tick) {
+    const double now_s = tick * LoopScene::kTick_s;
+    if (now_s * scene.frames_hz >= frames) {
+      ++frames;
+      auto newer = std::make_shared<MovingSkin>(scene.skin(now_s), at_s(now_s));
+      loop.adopt({newer, {}}, at_s(now_s));
+      shown = std::move(newer);  // the one before lives until the next adopt()
+    }
+    if (tick % LoopScene::kTicksPerSample == 0) loop.hand_sampled(at_s(now_s), pair.true_hand());
+    const auto act = loop.tick({.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0}, at_s(now_s),
+                               LoopScene::kTick_s);
+    const device::SimulatedPair before = pair;
+    pair.step(act.force, scene.person({now_s, act.contact, pair.device()}), LoopScene::kTick_s);
+    felt.add(act.control, before, pair, LoopScene::kTick_s);
+    scene.watch(act, now_s);
+  }
+  return felt;
+}
+
+}  // namespace telepalp::hard_cases

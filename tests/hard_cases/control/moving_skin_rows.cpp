@@ -1,0 +1,145 @@
+#include <numbers>
+
+#include "tests/hard_cases/claims.h"
+#include "tests/hard_cases/control/moving_skin.h"
+#include "tests/hard_cases/control/rows.h"
+
+namespace telepalp::hard_cases {
+namespace {
+
+using ::testing::AssertionResult;
+
+constexpr double kTau = 2.0 * std::numbers::pi;
+
+/// The sliding skin, a hand that presses 20 mm deep, and a patient who steps by 10 mm at 3 s.
+AssertionResult step_by_10_mm() {
+  double worst_N = 0.0;
+  double slowest_s = 0.0;
+  for (const double hz : {10.0, 30.0, 100.0, 200.0})
+    for (const double step_m : {0.01, -0.01}) {
+      MovingSkinScene scene;
+      scene.frames_hz = hz;
+      scene.effects = the_skin({.law = effects::linear_law(300.0), .anchor = effects::SkinAnchor::Sliding});
+      scene.skin = [=](double now_s) { return MovingSkin::Shape{.flat_m = now_s < 3.0 ? 0.0 : step_m}; };
+      double last_N = 0.0;
+      double reached_s = 1e9;
+      scene.watch = [&](const station::HapticLoop::Act& act, double now_s) {
+        const double force_N = act.force.N.norm();
+        if (now_s > 2.5) worst_N = std::max(worst_N, std::abs(force_N - last_N));
+        last_N = force_N;
+        if (act.contact.proxy.m.y() / step_m >= 0.9) reached_s = std::min(reached_s, now_s - 3.0);
+      };
+      (void)feel(scene);
+      slowest_s = std::max(slowest_s, reached_s);
+    }
+  return all_of({below_N("step", worst_N, 0.1), below("90 % at 10 to 200 Hz", slowest_s, 0.6, 1.0, "s")});
+}
+
+/// A skin that is hinged at x = 0: it breathes by 10 mm where the contact began, at x = 40 mm, and the hand rubs 20 mm
+/// to either side of there in step with the breath.
+AssertionResult rubbed_in_step_with_the_breath() {
+  MovingSkinScene scene;
+  scene.seconds = 66.0;
+  scene.skin = [](double now_s) {
+    const double phase = kTau * 0.25 * now_s;
+    return MovingSkin::Shape{.per_m = 0.25 * std::sin(phase), .turns_per_s = 0.25 * kTau * 0.25 * std::cos(phase)};
+  };
+  scene.person = [](const device::TrialView& view) {
+    device::Intention aim = presses_to(0.04, 0.04)(view);
+    const double rubs = std::clamp(view.time_s - 4.0, 0.0, 1.0);
+    aim.at.m.x() += rubs * 0.02 * std::cos(kTau * 0.25 * view.time_s);
+    aim.at.m.y() += aim.at.m.x() * 0.25 * std::sin(kTau * 0.25 * view.time_s);  // goes with the skin
+    return aim;
+  };
+  double first_x_m = 0.0;
+  double worst_m = 0.0;
+  bool touched = false;
+  scene.watch = [&](const station::HapticLoop::Act& act, double now_s) {
+    if (!control::is_inside(act.control.phase)) return;
+    if (!std::exchange(touched, true)) first_x_m = act.contact.proxy.m.x();
+    if (now_s < 60.0) return;
+    // The default skin's d begins at its anchor: where it should be, the true skin is, at the first contact's x.
+    const Eigen::Vector3f device(act.told.device.data());
+    const Eigen::Vector3d anchor = device.cast<double>() - act.control.indentation.v;
+    worst_m = std::max(worst_m, std::abs(anchor.y() - anchor.x() * 0.25 * std::sin(kTau * 0.25 * now_s)));
+  };
+  const Felt felt = feel(scene);
+  return all_of({{touched && felt.body_entries == 1, "one contact"},
+                 below("anchor off the skin after 60 s", worst_m, 0.001, 1e3, "mm"),
+                 below_N("step", felt.worst_step_N, 0.05)});
+}
+
+/// The default skin, and a surface that ends where the hand rubs to.
+AssertionResult off_the_rim() {
+  MovingSkinScene scene;
+  scene.seconds = 6.0;
+  scene.skin = [](double) { return MovingSkin::Shape{.ends_at_x_m = 0.02}; };
+  scene.person = [](const device::TrialView& view) {
+    device::Intention aim = presses_to(0.03)(view);
+    aim.at.m.x() += std::clamp(0.02 * (view.time_s - 2.5), 0.0, 0.04);
+    return aim;
+  };
+  double on_it_N = 0.0;
+  double beyond_N = 0.0;
+  scene.watch = [&](const station::HapticLoop::Act& act, double now_s) {
+    const double push_N = act.contact.in_body ? act.force.N.norm() : 0.0;
+    if (now_s > 2.0 && now_s < 2.5) on_it_N = std::max(on_it_N, push_N);
+    if (act.contact.support < 0.5 && act.contact.in_body) beyond_N = std::max(beyond_N, push_N);
+  };
+  const Felt felt = feel(scene);
+  return all_of({above("on it", on_it_N, 0.3, 1.0, "N"),
+                 below("where half is known: share", beyond_N / on_it_N, 0.6, 100.0, "%"),
+                 below_N("step", felt.worst_step_N, 0.1)});
+}
+
+/// Frames stop for 2 s while the hand presses, and the patient lies 20 mm higher when they come back.
+AssertionResult gap_in_contact() {
+  for (const auto anchor : {effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding}) {
+    const effects::SkinLaw law = effects::linear_law(300.0);
+    station::HapticLoop loop({}, control::EncounteredController({}, the_skin({.law = law, .anchor = anchor})));
+    device::SimulatedPair pair({}, {});
+    pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
+    std::shared_ptr<MovingSkin> shown;
+    const Person person = presses_to(0.03);
+    double worst_N = 0.0, felt_s = 1e9, off = 0.0;
+    Eigen::Vector3d last_N = Eigen::Vector3d::Zero();
+    for (int tick = 0; tick < 20000; ++tick) {
+      const double now_s = tick * LoopScene::kTick_s;
+      if (tick % LoopScene::kTicksPerFrame == 0 && (now_s < 3.0 || now_s > 5.0)) {
+        auto newer = std::make_shared<MovingSkin>(MovingSkin::Shape{.flat_m = now_s < 3.0 ? 0.0 : 0.02}, at_s(now_s));
+        loop.adopt({newer, {}}, at_s(now_s));
+        shown = std::move(newer);
+      }
+      if (tick % LoopScene::kTicksPerSample == 0) loop.hand_sampled(at_s(now_s), pair.true_hand());
+      const auto act = loop.tick({.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0}, at_s(now_s),
+                                 LoopScene::kTick_s);
+      if (now_s > 2.5) worst_N = std::max(worst_N, (act.force.N - last_N).norm());
+      last_N = act.force.N;
+      const double law_N = 300.0 * (0.02 - pair.device().m.y());
+      if (now_s > 5.0) felt_s = act.contact.in_body && act.force.N.y() > 0.2 ? std::min(felt_s, now_s) : 1e9;
+      if (now_s > 8.0) off = std::max(off, std::abs(act.force.N.y() / law_N - 1.0));
+      pair.step(act.force, person({now_s, act.contact, pair.device()}), LoopScene::kTick_s);
+    }
+    const AssertionResult got =
+        all_of({below("felt again", felt_s - 5.0, 1.5, 1.0, "s"), below("off the law after 3 s", off, 0.05, 100.0, "%"),
+                below_N("step", worst_N, 0.2)});
+    if (!got || anchor == effects::SkinAnchor::Sliding) return got;
+  }
+  return ::testing::AssertionFailure();
+}
+
+}  // namespace
+
+std::vector<HardCase> moving_skin_rows() {
+  return {
+      {"patient steps by 10 mm under a hand", "a step of speed, times the damping", "0.1 N a tick, 0.6 s, at any rate",
+       step_by_10_mm},
+      {"rubbed in step with the breath", "the skin's speed differs under the hand", "the anchor stays in the skin",
+       rubbed_in_step_with_the_breath},
+      {"default skin rubbed off a rim", "its anchor does not see the rim", "fades with what is known", off_the_rim},
+      {"2 s without frames, then 20 mm up", "the contact ended at depth", "felt in 1.5 s, law in 3 s, both anchors",
+       gap_in_contact},
+  };
+}
+
+}  // namespace telepalp::hard_cases
