@@ -87,7 +87,7 @@ std::vector<float> openness(const RestShape& rest) {
 }  // namespace
 
 ColorImage paint(const RestShape& rest, std::uint64_t seed) {
-  const TrueSurface surface{std::make_shared<const RestShape>(rest), Breath{}};
+  const TrueSurface surface{std::make_shared<const RestShape>(rest), PatientPose{}};
   const PixelNoise noise{seed, 0};
   const Eigen::Vector3d to_light = Eigen::Vector3d{-0.7, -0.75, -1.0}.normalized();
   const std::vector<float> open = openness(rest);

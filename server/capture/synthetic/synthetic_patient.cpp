@@ -46,28 +46,38 @@ Result<SyntheticPatient> SyntheticPatient::make(const TriangleMesh& mesh, const 
 SyntheticPatient::SyntheticPatient(const SyntheticSettings& settings, RestShape rest)
     : settings_(settings),
       rest_(std::make_shared<const RestShape>(std::move(rest))),
-      sensor_(*rest_, settings),
+      sensor_(rest_, settings),
+      motion_(settings.motion, settings.amplitude_m, settings.rate_hz, settings.seed),
       picture_(paint(*rest_, settings.seed)) {}
 
-Breath SyntheticPatient::breath(SessionTime time) const noexcept {
-  return breath_at(time, settings_.amplitude_m, settings_.rate_hz);
-}
-
-RgbdFrame SyntheticPatient::frame_at(SessionTime time, std::uint64_t sequence) const {
+RgbdFrame SyntheticPatient::frame_of(const PatientPose& pose, SessionTime time, std::uint64_t sequence) const {
   RgbdFrame frame;
   frame.captured = time;
   frame.sequence = sequence;
   frame.camera = {.depth = settings_.camera, .color = settings_.camera, .color_registered = true};
-  frame.depth = {.width = settings_.camera.width,
-                 .height = settings_.camera.height,
-                 .unit_m = settings_.depth_unit_m,
-                 .samples = {}};
-  sensor_.measure(breath(time).lift_m, to_nanoseconds(time), frame.depth.samples);
+  frame.depth = depth_of(pose, time);
   frame.color = picture_;
   if (settings_.noise != DepthNoise::None) add_color_noise(frame.color.rgb, to_nanoseconds(time), settings_.seed);
   return frame;
 }
 
-TrueSurface SyntheticPatient::true_surface(SessionTime time) const noexcept { return {rest_, breath(time)}; }
+DepthImage SyntheticPatient::depth_of(const PatientPose& pose, SessionTime time) const {
+  DepthImage depth{.width = settings_.camera.width,
+                   .height = settings_.camera.height,
+                   .unit_m = settings_.depth_unit_m,
+                   .samples = {}};
+  sensor_.measure(pose, to_nanoseconds(time), depth.samples);
+  return depth;
+}
+
+RgbdFrame SyntheticPatient::frame_at(SessionTime time, std::uint64_t sequence) const {
+  return frame_of(pose(time), time, sequence);
+}
+
+PatientPose SyntheticPatient::pose(SessionTime time) const noexcept { return motion_.at(time); }
+
+TrueSurface SyntheticPatient::surface_of(const PatientPose& pose) const noexcept { return {rest_, pose}; }
+
+TrueSurface SyntheticPatient::true_surface(SessionTime time) const noexcept { return {rest_, pose(time)}; }
 
 }  // namespace telepalp::server

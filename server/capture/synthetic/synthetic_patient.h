@@ -4,6 +4,7 @@
 
 #include "server/capture/synthetic/sensor/sensor_model.h"
 #include "server/capture/synthetic/shape/settings.h"
+#include "server/capture/synthetic/motion/patient_motion.h"
 #include "server/capture/synthetic/true_surface.h"
 
 namespace telepalp::server {
@@ -24,11 +25,16 @@ class SyntheticPatient {
   /// What the camera delivers for an exposure at `time`; `captured` is `time`. Colour is registered to depth.
   [[nodiscard]] RgbdFrame frame_at(SessionTime time, std::uint64_t sequence) const;
 
+  /// The same of a pose that the caller gives, for scripted motions; `time` names the frame's noise.
+  [[nodiscard]] RgbdFrame frame_of(const PatientPose& pose, SessionTime time, std::uint64_t sequence) const;
+  [[nodiscard]] DepthImage depth_of(const PatientPose& pose, SessionTime time) const;  ///< without colour
+  [[nodiscard]] TrueSurface surface_of(const PatientPose& pose) const noexcept;
+
   /// The surface that frame_at(time) measured.
   [[nodiscard]] TrueSurface true_surface(SessionTime time) const noexcept;
 
   [[nodiscard]] const SyntheticSettings& settings() const noexcept { return settings_; }
-  [[nodiscard]] Breath breath(SessionTime time) const noexcept;
+  [[nodiscard]] PatientPose pose(SessionTime time) const noexcept;
 
  private:
   SyntheticPatient(const SyntheticSettings& settings, RestShape rest);
@@ -36,6 +42,7 @@ class SyntheticPatient {
   SyntheticSettings settings_;
   std::shared_ptr<const RestShape> rest_;  // shared with every TrueSurface handed out
   SensorModel sensor_;
+  PatientMotion motion_;
   ColorImage picture_;
 };
 

@@ -19,8 +19,8 @@ constexpr int kMaxSteps = 60;
 
 }  // namespace
 
-TrueSurface::TrueSurface(std::shared_ptr<const RestShape> rest, Breath breath) noexcept
-    : rest_(std::move(rest)), breath_(breath) {}
+TrueSurface::TrueSurface(std::shared_ptr<const RestShape> rest, const PatientPose& pose) noexcept
+    : rest_(std::move(rest)), pose_(pose) {}
 
 TrueSurfacePoint TrueSurface::on_layer(double u, double v, bool body) const noexcept {
   const Intrinsics& camera = rest_->camera;
@@ -31,15 +31,27 @@ TrueSurfacePoint TrueSurface::on_layer(double u, double v, bool body) const noex
             .velocity_m_per_s = {},
             .normal_velocity_m_per_s = 0.0,
             .on_body = false};
-  const ImageField::Sample rest = rest_->body_depth_m.at(u, v);
-  const ImageField::Sample share = rest_->lift_share(u, v);
-  const double z = rest.value - breath_.lift_m * share.value;
+  const Eigen::Vector2d still = rest_->at_rest(u, v, pose_.slide_m);
+  const ImageField::Sample rest = rest_->body_depth_m.at(still.x(), still.y());
+  const ImageField::Sample share = rest_->lift_share(still.x(), still.y());
+  const BodyRise rise = body_rise(pose_, rest_->body_coordinates_m(u, v).x());
+  const double lift_m = pose_.breath.lift_m;
+  const double z = rest.value - lift_m * share.value - rise.m;
+  const double du = rest.du - lift_m * share.du;  // of the shape at rest, which slides over the image
+  const double dv = rest.dv - lift_m * share.dv;
+  const double m_per_px = rest_->view_depth_m / camera.fx;
   // P(u, v) = z ray. Its tangents are dz/du ray + z/fx e_x and dz/dv ray + z/fy e_y; their cross product, turned
   // towards the pinhole and divided by z / (fx fy):
-  const double across = (rest.du - breath_.lift_m * share.du) * camera.fx;
-  const double down = (rest.dv - breath_.lift_m * share.dv) * camera.fy;
+  const double z_du = du + rise.per_m * m_per_px;  // the body's coordinate falls with u
+  const double across = z_du * camera.fx;
+  const double down = dv * camera.fy;
   const Eigen::Vector3d normal = Eigen::Vector3d{across, down, -z - across * ray.x() - down * ray.y()}.normalized();
-  const Eigen::Vector3d velocity = -breath_.speed_m_per_s * share.value * ray;
+  // A slide carries the skin over the image by `slide_px`; on a fixed ray, the depth changes by what comes along.
+  const Eigen::Vector2d slide_px = -rest_->pixels_per_m().cwiseProduct(pose_.slide_m_per_s);
+  const double z_dt = -pose_.breath.speed_m_per_s * share.value - rise.per_s - du * slide_px.x() - dv * slide_px.y();
+  const Eigen::Vector3d along_u = z_du * ray + z / camera.fx * Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d along_v = dv * ray + z / camera.fy * Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d velocity = z_dt * ray + along_u * slide_px.x() + along_v * slide_px.y();
   return {.at = {ray * z},
           .normal = {normal},
           .velocity_m_per_s = {velocity},
@@ -47,9 +59,12 @@ TrueSurfacePoint TrueSurface::on_layer(double u, double v, bool body) const noex
           .on_body = true};
 }
 
-TrueSurfacePoint TrueSurface::at_pixel(double u, double v) const noexcept {
-  return on_layer(u, v, rest_->meets_body(u, v));
+bool TrueSurface::meets_body(double u, double v) const noexcept {
+  const Eigen::Vector2d still = rest_->at_rest(u, v, pose_.slide_m);
+  return rest_->meets_body(still.x(), still.y());
 }
+
+TrueSurfacePoint TrueSurface::at_pixel(double u, double v) const noexcept { return on_layer(u, v, meets_body(u, v)); }
 
 TrueSurfacePoint TrueSurface::on_ray_through(const Point<DepthCamera>& point) const noexcept {
   const Pixel pixel = project(rest_->camera, point.m);
@@ -71,7 +86,7 @@ std::optional<TrueSurfacePoint> TrueSurface::at_xy(double x_m, double y_m) const
 
 std::optional<TrueSurfacePoint> TrueSurface::closest_to(const Point<DepthCamera>& point) const noexcept {
   const Pixel first = project(rest_->camera, point.m);
-  const bool body = rest_->meets_body(first.u, first.v);
+  const bool body = meets_body(first.u, first.v);
   TrueSurfacePoint foot = on_layer(first.u, first.v, body);
   for (int step = 0; step < kMaxSteps; ++step) {
     const Eigen::Vector3d from_foot = point.m - foot.at.m;
@@ -81,7 +96,23 @@ std::optional<TrueSurfacePoint> TrueSurface::closest_to(const Point<DepthCamera>
     if (next.z() < 0.1 * rest_->view_depth_m) return std::nullopt;
     const Pixel pixel = project(rest_->camera, next);
     foot = on_layer(pixel.u, pixel.v, body);
-    if (body && !rest_->meets_body(pixel.u, pixel.v)) return std::nullopt;
+    if (body && !meets_body(pixel.u, pixel.v)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<TrueHeight> TrueSurface::height_along(const Point<DepthCamera>& point,
+                                                    const Vector<DepthCamera>& up) const noexcept {
+  double height_m = 0.0;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Eigen::Vector3d at = point.m + height_m * up.v;
+    if (at.z() < 0.1 * rest_->view_depth_m) return std::nullopt;
+    const TrueSurfacePoint hit = on_ray_through({at});
+    const double facing = hit.normal.v.dot(up.v);
+    if (std::abs(facing) < 0.05) return std::nullopt;
+    const double off_m = (hit.at.m - at).dot(hit.normal.v) / facing;
+    if (std::abs(off_m) < 1e-9) return TrueHeight{.m = height_m, .m_per_s = hit.normal_velocity_m_per_s / facing};
+    height_m += off_m;
   }
   return std::nullopt;
 }

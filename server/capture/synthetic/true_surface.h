@@ -6,6 +6,7 @@
 #include "proto/words/frames.h"
 #include "server/capture/synthetic/breathing.h"
 #include "server/capture/synthetic/shape/rest_shape.h"
+#include "server/capture/synthetic/motion/patient_pose.h"
 
 namespace telepalp::server {
 
@@ -13,9 +14,15 @@ namespace telepalp::server {
 struct TrueSurfacePoint {
   Point<DepthCamera> at;
   Vector<DepthCamera> normal;            ///< unit, towards the camera's side: out of the body
-  Vector<DepthCamera> velocity_m_per_s;  ///< of the material: skin moves along its ray of sight
+  Vector<DepthCamera> velocity_m_per_s;  ///< of the material: breath and rise move it along its ray, a slide across
   double normal_velocity_m_per_s = 0.0;  ///< velocity along the normal: positive while the patient breathes in
   bool on_body = false;                  ///< skin; false: the table
+};
+
+/// Where a line meets the true surface, from a given point along the line, and how fast that moves.
+struct TrueHeight {
+  double m = 0.0;
+  double m_per_s = 0.0;
 };
 
 /// What the camera would measure at one instant without noise, steps or holes: the skin, and beside it the table.
@@ -26,7 +33,7 @@ struct TrueSurfacePoint {
 /// point meets.
 class TrueSurface {
  public:
-  TrueSurface(std::shared_ptr<const RestShape> rest, Breath breath) noexcept;
+  TrueSurface(std::shared_ptr<const RestShape> rest, const PatientPose& pose) noexcept;
 
   /// The point on the ray through pixel (u, v), any finite pixel coordinates, pixel centres at whole numbers.
   /// Error: none; this is the surface's definition. At a pixel centre its z is the noise-free depth to float rounding.
@@ -47,14 +54,20 @@ class TrueSurface {
   /// (near silhouettes). Error: within 1e-7 m.
   [[nodiscard]] std::optional<TrueSurfacePoint> closest_to(const Point<DepthCamera>& point) const noexcept;
 
+  /// Height of the surface on the line through `point` along the unit vector `up`: `point + m * up` lies on it.
+  /// nullopt where the search does not settle (near silhouettes, or a line that grazes the skin). Error: within 1e-8 m.
+  [[nodiscard]] std::optional<TrueHeight> height_along(const Point<DepthCamera>& point,
+                                                       const Vector<DepthCamera>& up) const noexcept;
+
   /// Distance from `point` to the nearest surface point [m]: positive outside, negative inside the body.
   [[nodiscard]] std::optional<double> signed_distance_m(const Point<DepthCamera>& point) const noexcept;
 
  private:
+  [[nodiscard]] bool meets_body(double u, double v) const noexcept;
   [[nodiscard]] TrueSurfacePoint on_layer(double u, double v, bool body) const noexcept;
 
   std::shared_ptr<const RestShape> rest_;  // shared: every instant of a patient has the same shape at rest
-  Breath breath_;
+  PatientPose pose_;
 };
 
 }  // namespace telepalp::server

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "server/capture/synthetic/sensor/holes.h"
 #include "server/capture/synthetic/sensor/pixel_noise.h"
@@ -53,7 +54,9 @@ struct PixelLoop {
 
 }  // namespace
 
-SensorModel::SensorModel(const RestShape& rest, const SyntheticSettings& settings) : settings_(settings) {
+SensorModel::SensorModel(std::shared_ptr<const RestShape> rest_shape, const SyntheticSettings& settings)
+    : rest_(std::move(rest_shape)), settings_(settings) {
+  const RestShape& rest = *rest_;
   const Intrinsics& camera = rest.camera;
   for (int v = 0; v < camera.height; ++v)
     for (int u = 0; u < camera.width; ++u) {
@@ -67,10 +70,40 @@ SensorModel::SensorModel(const RestShape& rest, const SyntheticSettings& setting
     level_sample_[level] = sample_of(1.0 / (kLevelSpacing_per_m * static_cast<double>(level)), settings.depth_unit_m);
 }
 
-void SensorModel::measure(double lift_m, std::int64_t instant, std::vector<std::uint16_t>& out) const {
+SensorModel::Moved SensorModel::moved_to(const PatientPose& pose) const {
+  const RestShape& rest = *rest_;
+  const int width = rest.camera.width;
+  Moved moved{rest_depth_m_, lift_share_, hole_of_256_};
+  for (std::size_t i = 0; i < rest_depth_m_.size(); ++i) {
+    const auto u = static_cast<double>(i % static_cast<std::size_t>(width));
+    const auto v = static_cast<double>(i / static_cast<std::size_t>(width));
+    bool body = lift_share_[i] != 0.0F || rest.meets_body(u, v);
+    if (pose.slides()) {
+      const Eigen::Vector2d still = rest.at_rest(u, v, pose.slide_m);
+      body = rest.meets_body(still.x(), still.y());
+      moved.depth_m[i] =
+          static_cast<float>(body ? rest.body_depth_m.at(still.x(), still.y()).value : rest.table_depth_m);
+      moved.lift_share[i] = body ? static_cast<float>(rest.lift_share(still.x(), still.y()).value) : 0.0F;
+      const auto from_u = static_cast<std::size_t>(std::clamp(still.x() + 0.5, 0.0, width - 1.0));
+      const auto from_v = static_cast<std::size_t>(std::clamp(still.y() + 0.5, 0.0, rest.camera.height - 1.0));
+      moved.hole_of_256[i] = hole_of_256_[from_v * static_cast<std::size_t>(width) + from_u];
+    }
+    if (body) moved.depth_m[i] -= static_cast<float>(body_rise(pose, rest.body_coordinates_m(u, v).x()).m);
+  }
+  return moved;
+}
+
+void SensorModel::measure(const PatientPose& pose, std::int64_t instant, std::vector<std::uint16_t>& out) const {
   out.resize(rest_depth_m_.size());
-  const PixelLoop loop{rest_depth_m_.data(),       lift_share_.data(),  gaussian_table().data(),
-                       static_cast<float>(lift_m), sigma_of(settings_), PixelNoise{settings_.seed, instant}};
+  const bool lies_at_rest = !pose.slides() && !pose.rises();
+  const Moved moved = lies_at_rest ? Moved{} : moved_to(pose);
+  const std::vector<std::uint8_t>& hole_of_256 = lies_at_rest ? hole_of_256_ : moved.hole_of_256;
+  const PixelLoop loop{(lies_at_rest ? rest_depth_m_ : moved.depth_m).data(),
+                       (lies_at_rest ? lift_share_ : moved.lift_share).data(),
+                       gaussian_table().data(),
+                       static_cast<float>(pose.breath.lift_m),
+                       sigma_of(settings_),
+                       PixelNoise{settings_.seed, instant}};
   constexpr auto kPerLevel = static_cast<float>(1.0 / kLevelSpacing_per_m);
   const auto per_unit = static_cast<float>(1.0 / settings_.depth_unit_m);
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -80,7 +113,7 @@ void SensorModel::measure(double lift_m, std::int64_t instant, std::vector<std::
     const auto step = static_cast<std::uint32_t>(std::clamp(steps + 0.5F, 0.0F, 65535.0F));
     const std::uint16_t sample = settings_.disparity_steps ? level_sample_[std::min<std::size_t>(step, kLevels - 1)]
                                                            : static_cast<std::uint16_t>(step);
-    out[i] = (bits >> 24U) < hole_of_256_[i] || hole_of_256_[i] == 255 ? std::uint16_t{0} : sample;
+    out[i] = (bits >> 24U) < hole_of_256[i] || hole_of_256[i] == 255 ? std::uint16_t{0} : sample;
   }
 }
 

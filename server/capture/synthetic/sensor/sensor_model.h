@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "server/capture/synthetic/shape/rest_shape.h"
 #include "server/capture/synthetic/shape/settings.h"
+#include "server/capture/synthetic/motion/patient_pose.h"
 
 namespace telepalp::server {
 
@@ -12,13 +14,23 @@ namespace telepalp::server {
 /// is measured is one comparison.
 class SensorModel {
  public:
-  SensorModel(const RestShape& rest, const SyntheticSettings& settings);
+  /// `rest` is shared with the patient's TrueSurface: both see the same immutable shape.
+  SensorModel(std::shared_ptr<const RestShape> rest, const SyntheticSettings& settings);
 
-  /// The depth samples seen when the belly stands `lift_m` above full exhale. `instant` names the frame: the same
-  /// instant and seed give the same noise. `out` has one value a pixel; 0 is "not measured".
-  void measure(double lift_m, std::int64_t instant, std::vector<std::uint16_t>& out) const;
+  /// The depth samples seen of a patient in `pose`. `instant` names the frame: the same instant and seed give the same
+  /// noise. `out` has one value a pixel; 0 is "not measured".
+  void measure(const PatientPose& pose, std::int64_t instant, std::vector<std::uint16_t>& out) const;
 
  private:
+  /// What measure() reads at each pixel, where the body has slid or risen.
+  struct Moved {
+    std::vector<float> depth_m;  ///< without the breath
+    std::vector<float> lift_share;
+    std::vector<std::uint8_t> hole_of_256;
+  };
+  [[nodiscard]] Moved moved_to(const PatientPose& pose) const;
+
+  std::shared_ptr<const RestShape> rest_;
   SyntheticSettings settings_;
   std::vector<float> rest_depth_m_;
   std::vector<float> lift_share_;

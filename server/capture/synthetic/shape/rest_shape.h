@@ -27,6 +27,16 @@ struct RestShape {
 
   /// Where the ray through pixel (u, v) lies at the belly's depth [m]: towards the patient's head and right side.
   [[nodiscard]] Eigen::Vector2d body_coordinates_m(double u, double v) const noexcept;
+
+  /// Pixels by which the image moves when the body slides by a metre, towards smaller u and v.
+  [[nodiscard]] Eigen::Vector2d pixels_per_m() const noexcept {
+    return {camera.fx / view_depth_m, camera.fy / view_depth_m};
+  }
+
+  /// The pixel at which the skin that pixel (u, v) sees lay before the body slid by `slide_m`.
+  [[nodiscard]] Eigen::Vector2d at_rest(double u, double v, const Eigen::Vector2d& slide_m) const noexcept {
+    return Eigen::Vector2d{u, v} + pixels_per_m().cwiseProduct(slide_m);
+  }
 };
 
 /// Lays the patient of `mesh` (metres, y towards the head, +z front) on a table under the camera, head at the image's

@@ -44,6 +44,12 @@ bool set_seed(std::string_view text, std::uint64_t& seed) {
   return code == std::errc{} && end == text.data() + text.size();
 }
 
+bool set_motion(std::string_view text, SyntheticSettings& settings) {
+  const std::optional<Motion> motion = motion_named(text);
+  if (motion) settings.motion = *motion;
+  return motion.has_value();
+}
+
 struct Key {
   std::string_view name;
   std::string_view values;
@@ -51,6 +57,7 @@ struct Key {
 };
 
 constexpr Key kKeys[] = {
+    {"motion", "regular, irregular, cough, hold, speech, shift, drift or sit-up", set_motion},
     {"amplitude_mm", "0 to 50",
      [](std::string_view v, SyntheticSettings& s) { return set_number(v, 0.0, 50.0, kMm, s.amplitude_m); }},
     {"rate_hz", "0 to 2",

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <algorithm>
+
+namespace telepalp::server {
+
+/// A value with its rate of change.
+struct Changing {
+  double value = 0.0;
+  double rate = 0.0;
+};
+
+/// 0 before `t` = 0, 1 after `t` = 1, twice continuously differentiable; the rate is per unit of `t`.
+[[nodiscard]] inline Changing smooth_step(double t) noexcept {
+  const double x = std::clamp(t, 0.0, 1.0);
+  return {.value = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x), .rate = 30.0 * x * x * (1.0 - x) * (1.0 - x)};
+}
+
+}  // namespace telepalp::server
