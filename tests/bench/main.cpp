@@ -5,6 +5,7 @@
 #include "tests/bench/benches.h"
 #include "tests/bench/control_bench.h"
 #include "tests/bench/depth_bench.h"
+#include "tests/bench/hand/hand_bench.h"
 #include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
 #include "tests/bench/station_bench.h"
@@ -24,6 +25,8 @@ constexpr std::array kBenches{
     bench::Bench{"passivity", "energy and force error of the touch behind bad links, 1000 seeded runs",
                  bench::run_passivity},
     bench::Bench{"depth", "ratio and time of each depth mode, beside what else compresses depth", bench::run_depth},
+    bench::Bench{"hand", "the hand's truth: moving patients and bad links, against the true skin, in virtual time",
+                 bench::run_hand},
     bench::Bench{"pipeline", "a frame's way from the camera to the hand, and the 2 kHz loop's time",
                  bench::run_pipeline},
     bench::Bench{"station", "the 2 kHz thread's jitter beside an idle one's, and calibration under S3's noise",
@@ -43,6 +46,8 @@ program::Usage usage() {
                       {"part", "NAME", "accuracy: surface, prediction, organ, z-width or depth alone"},
                       {"write", "DIR", "also write the page of a benchmark that has one: accuracy.md in docs"},
                       {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
+                      {"row", "PATTERN", "hand: the studies whose name contains PATTERN alone"},
+                      {"seeds", "N", "hand: runs where a study draws", "200"},
                       {"seconds", "S", "how long, where a benchmark takes time", "10"}},
           .example = "telepalp-bench pipeline --json"};
 }

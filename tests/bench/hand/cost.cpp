@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "tests/bench/distribution.h"
+#include "tests/bench/hand/run.h"
+#include "tests/bench/hand/studies.h"
+
+// What a tick and a snapshot cost, beside a fixed piece of arithmetic in the same run: the ratio is the code's, not the
+// machine's.
+
+namespace telepalp::bench::hand {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// As measured before the surface learned to see its side; what is asked is at most a tenth more.
+constexpr double kTickRatio = 10.0;
+constexpr double kSnapshotRatio = 1000.0;
+
+double us_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+/// A chain of 2000 dependent multiplications and additions.
+double fixed_work() {
+  volatile double seed = 1.0;
+  double x = seed;
+  for (int i = 0; i < 2000; ++i) x = x * 0.999999 + 1e-9;
+  return x;
+}
+
+std::vector<Row> measure(const Options&) {
+  const auto patient = torso();
+  const auto pose = [&](double t) { return patient->pose(at_time(t)); };
+  const auto placed = haptic_from_camera(*patient, spots()[0]);
+  surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
+  station::HapticLoop loop({},
+                           control::EncounteredController({}, with_skin(effects::SkinAnchor::FollowsSurface).effects));
+  Distribution tick_us;
+  Distribution snapshot_us;
+  Distribution work_us;
+  std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
+  double sink = 0.0;
+  for (int i = 0; i < 40'000; ++i) {
+    const double t = i * kTick_s;
+    const Point<HapticBase> device{{0.01 * std::sin(3.0 * t), 0.04 - 0.05 * eased((t - 1.0) / 1.0), 0.0}};
+    if (i % 67 == 0) {
+      const DepthImage depth = patient->depth_of(pose(t), at_time(t));
+      const auto start = Clock::now();
+      snapshot =
+          builder.add(depth, patient->settings().camera, at_time(t), surface::Reach{placed.inverse() * device, 0.16});
+      snapshot_us.add(us_since(start));
+      loop.adopt({snapshot, placed}, at_time(t));
+    }
+    if (i % 20 == 0) loop.hand_sampled(at_time(t), device);
+    const auto start = Clock::now();
+    sink += loop.tick({.at = device, .velocity = {}, .age_s = 0.0}, at_time(t), kTick_s).force.N.y();
+    tick_us.add(us_since(start));
+    const auto work = Clock::now();
+    sink += fixed_work();
+    work_us.add(us_since(work));
+  }
+  const double unit_us = std::isfinite(sink) ? work_us.p50() : NAN;
+  return {measured("cost: fixed work, median", unit_us, "us"),
+          at_most("cost: tick p99.9 to the fixed work", tick_us.quantile(0.999) / unit_us, "", 1.1 * kTickRatio),
+          at_most("cost: snapshot median to the fixed work", snapshot_us.p50() / unit_us, "", 1.1 * kSnapshotRatio)};
+}
+
+}  // namespace
+
+std::vector<Study> cost() { return {{"cost", measure}}; }
+
+}  // namespace telepalp::bench::hand

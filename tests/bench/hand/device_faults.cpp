@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tests/bench/hand/run.h"
+#include "tests/bench/hand/studies.h"
+
+// What the devices say is wrong for a moment while a hand presses: one position of the encoder, or half a second of the
+// tracker.
+
+namespace telepalp::bench::hand {
+namespace {
+
+constexpr double kFault_s = 4.0;
+constexpr double kAfter_s = 1.5;
+
+/// A false position for one tick, and the velocity that a device with a low-pass at 150 Hz then reports.
+class Glitch {
+ public:
+  explicit Glitch(double height_m) : height_m_(height_m) {}
+  void operator()(double time_s, station::DeviceReading& reading) {
+    constexpr double kShare = 0.32;  // of a new difference in the reported velocity
+    const auto since = std::llround((time_s - kFault_s) / kTick_s);
+    velocity_ *= 1.0 - kShare;
+    if (since == 0) velocity_ += kShare * height_m_ / kTick_s;
+    if (since == 1) velocity_ -= kShare * height_m_ / kTick_s;
+    if (since == 0) reading.at.m.y() += height_m_;
+    reading.velocity.v.y() += velocity_;
+  }
+
+ private:
+  double height_m_;
+  double velocity_ = 0.0;
+};
+
+struct Outcome {
+  double step_N = 0.0;
+  double excess_J = 0.0;
+  double fell_m = 0.0;
+  bool touched = false;  ///< at the fault
+};
+
+Outcome play(effects::SkinAnchor anchor, double glitch_m, bool tracker_silent) {
+  const auto patient = torso();
+  Feed feed({.patient = patient, .pose = [](double) { return server::PatientPose{}; }, .link = {}, .builder = {}});
+  StationSettings settings = with_skin(anchor);
+  if (glitch_m != 0.0) settings.spoil = Glitch(glitch_m);
+  if (tracker_silent) settings.tracker_silent = [](double t) { return t >= kFault_s && t < kFault_s + 0.5; };
+  BenchStation station(settings, haptic_from_camera(*patient, spots()[0]),
+                       std::make_unique<ArmHand>(300.0, [](double t) {
+                         return device::Intention{{{0.0, 0.04 - 0.06 * eased((t - 1.0) / 1.0), 0.0}}, {}};
+                       }));
+  Outcome outcome;
+  Eigen::Vector3d before_N = Eigen::Vector3d::Zero();
+  double law_before_N = 0.0;
+  double height_m = 0.0;
+  run(feed, station, kFault_s + kAfter_s, [&](const Tick& tick) {
+    if (tick.time_s < kFault_s - 0.5 * kTick_s) {
+      outcome.touched = tick.displayed;
+      height_m = tick.device_m.y();
+    } else {
+      if (tick.time_s < kFault_s + 0.1) outcome.step_N = std::max(outcome.step_N, (tick.force_N - before_N).norm());
+      outcome.excess_J += (before_N.dot(tick.normal) - law_before_N) * tick.moved_m.dot(tick.normal);
+      outcome.fell_m = std::max(outcome.fell_m, std::abs(tick.device_m.y() - height_m));
+    }
+    before_N = tick.force_N;
+    law_before_N = tick.law_N();
+  });
+  return outcome;
+}
+
+constexpr std::array kAnchors{effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding};
+
+std::vector<Row> measure_glitch(const Options& options) {
+  constexpr std::array kGlitches_m{0.0003, -0.0003, 0.001, -0.001, 0.002, -0.002};
+  std::array<Outcome, kAnchors.size() * kGlitches_m.size()> all;
+  std::array<double, kAnchors.size()> without_J{};
+  for (std::size_t i = 0; i < kAnchors.size(); ++i) without_J[i] = play(kAnchors[i], 0.0, false).excess_J;
+  for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    all[at] = play(kAnchors[at % kAnchors.size()], kGlitches_m[at / kAnchors.size()], false);
+  });
+  double step_N = 0.0;
+  double work_J = 0.0;
+  bool touched = true;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    touched = touched && all[i].touched;
+    step_N = std::max(step_N, all[i].step_N);
+    work_J = std::max(work_J, std::abs(all[i].excess_J - without_J[i % kAnchors.size()]));
+  }
+  return {at_most("glitch: one encoder tick to 2 mm off, force step", touched ? step_N : NAN, "N", 0.1),
+          at_most("glitch: one encoder tick to 2 mm off, work", touched ? 1e3 * work_J : NAN, "mJ", 1.0)};
+}
+
+std::vector<Row> measure_silence(const Options& options) {
+  std::array<Outcome, kAnchors.size()> all;
+  for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
+    all[static_cast<std::size_t>(i)] = play(kAnchors[static_cast<std::size_t>(i)], 0.0, true);
+  });
+  const double fell_m = std::max(all[0].fell_m, all[1].fell_m);
+  return {at_most("tracker silent: 0.5 s in contact, the hand moves",
+                  all[0].touched && all[1].touched ? 1e3 * fell_m : NAN, "mm", 3.0)};
+}
+
+}  // namespace
+
+std::vector<Study> device_faults() { return {{"glitch", measure_glitch}, {"tracker silent", measure_silence}}; }
+
+}  // namespace telepalp::bench::hand

@@ -1,0 +1,45 @@
+#include "tests/bench/hand/feed.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace telepalp::bench::hand {
+
+Feed::Feed(Settings settings)
+    : settings_(std::move(settings)), builder_(settings_.builder), random_(settings_.link.seed) {}
+
+bool Feed::lost() noexcept {
+  constexpr double kBurst_frames = 4.0;
+  const double begins = settings_.link.loss / (kBurst_frames * std::max(1e-9, 1.0 - settings_.link.loss));
+  in_burst_ = in_burst_ ? random_.uniform() > 1.0 / kBurst_frames : random_.uniform() < begins;
+  return in_burst_;
+}
+
+void Feed::capture(double time_s) {
+  const Link& link = settings_.link;
+  const double jitter_s = std::min(link.jitter_s, link.one_way_s);
+  const double arrives_s = time_s + link.one_way_s + random_.uniform(-jitter_s, jitter_s);
+  if (lost()) return;
+  Frame frame{time_s, arrives_s, settings_.patient->depth_of(settings_.pose(time_s), at_time(time_s))};
+  if (!settings_.damage(time_s, frame.depth)) return;
+  const auto later = std::upper_bound(on_the_way_.begin(), on_the_way_.end(), arrives_s,
+                                      [](double at_s, const Frame& other) { return at_s < other.arrives_s; });
+  on_the_way_.insert(later, std::move(frame));
+}
+
+std::shared_ptr<const surface::SurfaceSnapshot> Feed::step(double time_s, const Point<DepthCamera>& device) {
+  constexpr double kReach_m = 0.16;  // as the station's surface thread asks for
+  for (; static_cast<double>(frames_) / settings_.frame_hz <= time_s + 1e-9; ++frames_)
+    capture(static_cast<double>(frames_) / settings_.frame_hz);
+  std::shared_ptr<const surface::SurfaceSnapshot> newest;
+  while (!on_the_way_.empty() && on_the_way_.front().arrives_s <= time_s) {
+    const Frame& frame = on_the_way_.front();
+    if (auto snapshot = builder_.add(frame.depth, settings_.patient->settings().camera, at_time(frame.captured_s),
+                                     surface::Reach{device, kReach_m}))
+      newest = std::move(snapshot);
+    on_the_way_.pop_front();
+  }
+  return newest;
+}
+
+}  // namespace telepalp::bench::hand

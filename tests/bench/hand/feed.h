@@ -1,0 +1,68 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "haptic_station/device/random.h"
+#include "haptic_station/surface/surface_builder.h"
+#include "server/capture/synthetic/synthetic_patient.h"
+
+namespace telepalp::bench::hand {
+
+/// What the network does to the frames; lost frames come in bursts of four on average (Gilbert and Elliott).
+struct Link {
+  double one_way_s = 0.05;
+  double jitter_s = 0.03;  ///< uniform, either way; never more than the delay itself
+  double loss = 0.1;
+  std::uint64_t seed = 1;
+};
+
+using PoseScript = std::function<server::PatientPose(double time_s)>;
+
+/// Damages a frame on its way; false: the frame is lost.
+using Damage = std::function<bool(double captured_s, DepthImage& depth)>;
+
+/// The camera on the patient, the link, and the product's builder behind it. Frames are built in the order in which
+/// they arrive; stations that share the feed may each add a delay of their own.
+class Feed {
+ public:
+  struct Settings {
+    std::shared_ptr<const server::SyntheticPatient> patient;
+    PoseScript pose;
+    Damage damage = [](double, DepthImage&) { return true; };
+    Link link;
+    surface::SurfaceSettings builder;
+    double frame_hz = 30.0;
+  };
+  explicit Feed(Settings settings);
+
+  /// A snapshot that became touchable since the last call; call once a tick. `device`: around which the hand can reach.
+  [[nodiscard]] std::shared_ptr<const surface::SurfaceSnapshot> step(double time_s, const Point<DepthCamera>& device);
+
+  [[nodiscard]] server::TrueSurface truth(double time_s) const {
+    return settings_.patient->surface_of(settings_.pose(time_s));
+  }
+  [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
+
+ private:
+  struct Frame {
+    double captured_s;
+    double arrives_s;
+    DepthImage depth;
+  };
+  void capture(double time_s);
+  [[nodiscard]] bool lost() noexcept;
+
+  Settings settings_;
+  surface::SurfaceBuilder builder_;
+  device::Random random_;
+  std::deque<Frame> on_the_way_;  ///< by arrival
+  std::int64_t frames_ = 0;
+  bool in_burst_ = false;
+};
+
+[[nodiscard]] inline SessionTime at_time(double seconds) { return session_time(0) + from_seconds(seconds); }
+
+}  // namespace telepalp::bench::hand

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tests/bench/hand/force_step.h"
+#include "tests/bench/hand/run.h"
+#include "tests/bench/hand/studies.h"
+
+// A hand is held in the skin of a patient who moves. How far is the force from the true skin's, by delay, and beside
+// builders that hold the last surface or carry it by its velocity alone?
+
+namespace telepalp::bench::hand {
+namespace {
+
+constexpr double kFrom_s = 14.0;  // a breath is known by then
+constexpr double kUntil_s = 54.0;
+constexpr double kDepth_m = 0.003;  // below the skin at full exhale
+constexpr double kJitter_s = 0.03;
+constexpr std::array kDelays_s{0.05, 0.1, 0.2};
+constexpr std::array kReach_N{0.09, 0.10, 0.14};
+constexpr double kRegularReach_N = 0.065;
+
+/// By delay; the worse of both anchors.
+struct Errors {
+  std::array<double, kDelays_s.size()> rmse_N{};
+  double step_N = 0.0;
+};
+
+surface::SurfaceSettings builder(bool predict, bool breathing) {
+  surface::SurfaceSettings settings;
+  settings.predict = predict;
+  settings.breathing = breathing;
+  return settings;
+}
+
+/// The skin's height in H above the spot, without the breath: the hand rides on a patient who shifts or sits up.
+double ridden_m(const server::SyntheticPatient& patient, server::PatientPose pose,
+                const Transform<HapticBase, DepthCamera>& placed) {
+  if (!pose.slides() && !pose.rises()) return 0.0;
+  pose.breath = {};
+  const Transform<DepthCamera, HapticBase> camera_from_haptic = placed.inverse();
+  const auto height = patient.surface_of(pose).height_along(
+      camera_from_haptic * Point<HapticBase>{}, camera_from_haptic * Vector<HapticBase>{Eigen::Vector3d::UnitY()});
+  return height ? height->m : 0.0;
+}
+
+struct Scene {
+  std::shared_ptr<const server::SyntheticPatient> patient;
+  PoseScript pose;
+  Spot spot;
+  Link link{.one_way_s = kJitter_s, .jitter_s = kJitter_s, .loss = 0.1, .seed = 5};
+  bool delayed = true;  ///< false: no delay beyond the link's
+};
+
+Errors play(const Scene& scene, const surface::SurfaceSettings& builder_settings) {
+  Feed feed({.patient = scene.patient, .pose = scene.pose, .link = scene.link, .builder = builder_settings});
+  const auto placed = haptic_from_camera(*scene.patient, scene.spot);
+  const auto path = [&](double t, const control::ControlOutput&) {
+    const double height_m = 0.06 - (0.06 + kDepth_m) * eased((t - 1.0) / 1.5);
+    return Point<HapticBase>{{0.0, height_m + ridden_m(*scene.patient, scene.pose(t), placed), 0.0}};
+  };
+  struct Judged {
+    BenchStation station;
+    std::size_t delay;
+    double square = 0.0;
+    ForceSteps steps{};
+  };
+  std::vector<Judged> all;
+  for (const auto anchor : {effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding})
+    for (std::size_t delay = 0; delay < kDelays_s.size(); ++delay) {
+      StationSettings settings = with_skin(anchor);
+      settings.extra_delay_s = scene.delayed ? kDelays_s[delay] - kJitter_s : 0.0;
+      all.push_back({BenchStation(settings, placed, std::make_unique<RigidHand>(path)), delay});
+    }
+  const auto ticks = static_cast<std::int64_t>(kUntil_s / kTick_s);
+  std::int64_t judged = 0;
+  for (std::int64_t i = 0; i < ticks; ++i) {
+    const double t = static_cast<double>(i) * kTick_s;
+    const auto snapshot = feed.step(t, all.front().station.device_camera());
+    const server::TrueSurface truth = feed.truth(t);
+    const bool counts = t >= kFrom_s;
+    judged += counts ? 1 : 0;
+    for (Judged& one : all) {
+      one.station.receive(snapshot, t);
+      const Tick tick = one.station.step(t, truth);
+      if (!counts) continue;
+      one.steps.add(tick);
+      const double off_N = tick.pushed_N() - tick.law_N();  // without contact: all of the law's force
+      one.square += off_N * off_N;
+    }
+  }
+  Errors errors;
+  for (const Judged& one : all) {
+    double& worst = errors.rmse_N[one.delay];
+    worst = std::max(worst, std::sqrt(one.square / static_cast<double>(judged)));
+    errors.step_N = std::max(errors.step_N, one.steps.worst_N());
+  }
+  return errors;
+}
+
+Scene scene_of(server::Motion motion, std::size_t spot) {
+  const auto patient = torso(Sensor::Kinect, motion);
+  const double begins_s = 300.0 + 97.0 * static_cast<double>(spot);
+  return {.patient = patient,
+          .pose = [patient, begins_s](double t) { return patient->pose(at_time(begins_s + t)); },
+          .spot = spots()[spot]};
+}
+
+std::vector<Row> measure(const std::string& name, server::Motion motion, const Options& options) {
+  constexpr int kBuilders = 3;  // the default, hold-last, velocity-only
+  const auto spot_count = static_cast<int>(spots().size());
+  std::vector<Errors> all(static_cast<std::size_t>(kBuilders * spot_count));
+  for_each_parallel(kBuilders * spot_count, options, [&](int i) {
+    const surface::SurfaceSettings settings[kBuilders] = {builder(true, true), builder(false, false),
+                                                          builder(true, false)};
+    all[static_cast<std::size_t>(i)] =
+        play(scene_of(motion, static_cast<std::size_t>(i % spot_count)), settings[i / spot_count]);
+  });
+  double worst_ratio = 0.0;
+  double step_N = 0.0;
+  Errors worst;
+  for (std::size_t spot = 0; spot < spots().size(); ++spot)
+    for (std::size_t delay = 0; delay < kDelays_s.size(); ++delay) {
+      const Errors& shipped = all[spot];
+      const double better =
+          std::min(all[spot + spots().size()].rmse_N[delay], all[spot + 2 * spots().size()].rmse_N[delay]);
+      worst_ratio = std::max(worst_ratio, shipped.rmse_N[delay] / better);
+      worst.rmse_N[delay] = std::max(worst.rmse_N[delay], shipped.rmse_N[delay]);
+      step_N = std::max(step_N, shipped.step_N);
+    }
+  const bool asked = motion == server::Motion::Irregular || motion == server::Motion::Hold ||
+                     motion == server::Motion::Drift || motion == server::Motion::Regular;
+  std::vector<Row> rows;
+  for (std::size_t delay = 0; delay < kDelays_s.size(); ++delay) {
+    const std::string row =
+        name + ": force RMSE at " + std::to_string(std::lround(1e3 * kDelays_s[delay])) + " ms, worst spot and anchor";
+    const double reach_N = motion == server::Motion::Regular ? kRegularReach_N : kReach_N[delay];
+    rows.push_back(asked ? at_most(row, worst.rmse_N[delay], "N", reach_N) : measured(row, worst.rmse_N[delay], "N"));
+  }
+  rows.push_back(
+      at_most(name + ": to the better of hold-last and velocity-only, worst delay and spot", worst_ratio, "", 1.05));
+  const bool breathes_only = motion != server::Motion::Shift && motion != server::Motion::SitUp;
+  rows.push_back(at_most(name + ": force step a tick, worst", step_N, "N", breathes_only ? 0.05 : 0.1));
+  return rows;
+}
+
+/// What no predictor can take away: the sensor's own error, while the patient lies still, and without any delay.
+std::vector<Row> measure_floor(const Options& options) {
+  const auto still = [](double) { return server::PatientPose{}; };
+  const Link no_link{.one_way_s = 0.0, .jitter_s = 0.0, .loss = 0.0, .seed = 5};
+  const auto regular = [](Sensor sensor) {
+    const auto patient = torso(sensor);
+    return [patient](double t) { return patient->pose(at_time(t)); };
+  };
+  const auto worst = [&](const std::function<Scene(std::size_t)>& scene) {
+    std::array<double, 3> rmse_N{};
+    for_each_parallel(3, options, [&](int i) {
+      const Errors errors = play(scene(static_cast<std::size_t>(i)), {});
+      rmse_N[static_cast<std::size_t>(i)] = *std::max_element(errors.rmse_N.begin(), errors.rmse_N.end());
+    });
+    return *std::max_element(rmse_N.begin(), rmse_N.end());
+  };
+  return {measured("floor: still patient, no delay: the sensor's steps alone", worst([&](std::size_t i) {
+                     return Scene{torso(), still, spots()[i], no_link, false};
+                   }),
+                   "N"),
+          measured("floor: regular breathing, no delay", worst([&](std::size_t i) {
+                     return Scene{torso(), regular(Sensor::Kinect), spots()[i], no_link, false};
+                   }),
+                   "N"),
+          measured("floor: regular breathing, to 200 ms, a sensor without steps", worst([&](std::size_t i) {
+                     return Scene{torso(Sensor::KinectSmooth), regular(Sensor::KinectSmooth), spots()[i]};
+                   }),
+                   "N")};
+}
+
+}  // namespace
+
+std::vector<Study> force_error() {
+  std::vector<Study> studies;
+  for (const server::Motion motion : server::all_motions()) {
+    const std::string name = "rmse/" + std::string(server::name(motion));
+    studies.push_back({name, [name, motion](const Options& options) { return measure(name, motion, options); }});
+  }
+  studies.push_back({"floor", measure_floor});
+  return studies;
+}
+
+}  // namespace telepalp::bench::hand

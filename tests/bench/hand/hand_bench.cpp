@@ -1,0 +1,62 @@
+#include "tests/bench/hand/hand_bench.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "tests/bench/hand/studies.h"
+
+namespace telepalp::bench {
+namespace {
+
+using hand::Options;
+using hand::Study;
+
+void say_progress(const std::string& study, int done, int of) {
+  std::fprintf(stderr, "\r\033[K%s %d/%d%s", study.c_str(), done, of, done == of ? "\r\033[K" : "");
+  std::fflush(stderr);
+}
+
+std::string names_of(const std::vector<Study>& studies) {
+  std::string names;
+  for (const Study& study : studies) names += (names.empty() ? "" : ", ") + study.name;
+  return names;
+}
+
+}  // namespace
+
+namespace hand {
+
+std::vector<Study> all_studies() {
+  std::vector<Study> all;
+  for (const auto& group : {skin_felt_again(), step_response(), excess_work(), anchor_drift(), re_entry(),
+                            force_error(), inner_objects(), device_faults(), hand_prediction(), cost()})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
+}
+
+}  // namespace hand
+
+Result<Report> run_hand(const program::Arguments& arguments) {
+  const Result<double> seeds = arguments.number("seeds", 1.0, 100'000.0);
+  if (!seeds) return seeds.error();
+  const std::string wanted = arguments.has("row") ? arguments.text("row") : "";
+  Report report{.bench = "hand", .rows = {}, .notes = {}};
+  const std::vector<Study> studies = hand::all_studies();
+  for (const Study& study : studies) {
+    if (study.name.find(wanted) == std::string::npos) continue;
+    Options options{.seeds = static_cast<int>(*seeds)};
+    if (isatty(STDERR_FILENO) != 0) options.progress = [&](int done, int of) { say_progress(study.name, done, of); };
+    for (Row& row : study.measure(options)) report.rows.push_back(std::move(row));
+  }
+  if (report.rows.empty())
+    return Error{.what = "no study's name contains '" + wanted + "'",
+                 .where = "telepalp-bench hand --row",
+                 .fix = "give a part of one of: " + names_of(studies)};
+  report.notes = {"virtual time, 2 kHz, 30 Hz; torso at 0.8 m, 500 N/m; noise of a Kinect with disparity steps",
+                  "link: RTT as drawn or named, 10 % loss in bursts of four, jitter of 30 ms; both skin anchors",
+                  "the law's force is that of the true skin; a place without contact counts with all of it"};
+  return report;
+}
+
+}  // namespace telepalp::bench

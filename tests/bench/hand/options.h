@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace telepalp::bench::hand {
+
+/// What every study is run with.
+struct Options {
+  int seeds = 200;
+  std::function<void(int done, int of)> progress = [](int, int) {};  ///< called by any thread, one at a time
+};
+
+/// Calls `run(i)` for i in [0, count) on all processors, each i once, in no fixed order. What `run` writes for one i
+/// must not be read or written for another.
+void for_each_parallel(int count, const Options& options, const std::function<void(int)>& run);
+
+}  // namespace telepalp::bench::hand

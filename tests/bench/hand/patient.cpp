@@ -1,0 +1,52 @@
+#include "tests/bench/hand/patient.h"
+
+#include <map>
+#include <mutex>
+#include <tuple>
+
+#include "proto/program/shipped.h"
+
+namespace telepalp::bench::hand {
+namespace {
+
+constexpr Spot kSpots[] = {{"belly", -40.0, 20.0}, {"flank", -30.0, 75.0}, {"chest", 75.0, -10.0}};
+
+/// Aborts where the torso is missing: it is part of the source tree that the bench is built from.
+std::shared_ptr<const server::SyntheticPatient> make(Sensor sensor, server::Motion motion, std::uint64_t seed) {
+  const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
+  const Result<server::TriangleMesh> mesh = server::read_mesh(file.value());
+  server::SyntheticSettings settings;
+  settings.camera = {.width = 320, .height = 240, .fx = 525.0, .fy = 525.0, .cx = 159.5, .cy = 119.5};
+  settings.motion = motion;
+  settings.seed = seed;
+  if (sensor == Sensor::KinectSmooth) {
+    settings.disparity_steps = false;
+    settings.depth_unit_m = 0.0001;
+  }
+  return std::make_shared<const server::SyntheticPatient>(*server::SyntheticPatient::make(*mesh, settings));
+}
+
+}  // namespace
+
+std::shared_ptr<const server::SyntheticPatient> torso(Sensor sensor, server::Motion motion, std::uint64_t seed) {
+  static std::mutex mutex;
+  static std::map<std::tuple<Sensor, server::Motion, std::uint64_t>, std::shared_ptr<const server::SyntheticPatient>>
+      made;
+  const std::lock_guard lock(mutex);
+  auto& patient = made[{sensor, motion, seed}];
+  if (!patient) patient = make(sensor, motion, seed);
+  return patient;
+}
+
+std::span<const Spot> spots() noexcept { return kSpots; }
+
+Transform<HapticBase, DepthCamera> haptic_from_camera(const server::SyntheticPatient& patient, const Spot& spot) {
+  const Intrinsics& camera = patient.settings().camera;
+  const Eigen::Vector3d skin = patient.surface_of({}).at_pixel(camera.cx + spot.u, camera.cy + spot.v).at.m;
+  Transform<HapticBase, DepthCamera> placed;
+  placed.iso.linear() << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
+  placed.iso.translation() = -placed.iso.linear() * skin;
+  return placed;
+}
+
+}  // namespace telepalp::bench::hand

@@ -1,0 +1,76 @@
+#include "tests/bench/hand/run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace telepalp::bench::hand {
+namespace {
+
+control::EncounteredController controller_of(const StationSettings& settings) {
+  return {settings.control, settings.effects};
+}
+
+}  // namespace
+
+StationSettings with_skin(effects::SkinAnchor anchor, double stiffness_N_per_m) {
+  StationSettings settings;
+  (void)settings.effects.add(effects::Skin({.law = effects::linear_law(stiffness_N_per_m), .anchor = anchor}));
+  return settings;
+}
+
+BenchStation::BenchStation(const StationSettings& settings,
+                           const Transform<HapticBase, DepthCamera>& haptic_from_camera, std::unique_ptr<Person> person)
+    : settings_(settings),
+      haptic_from_camera_(haptic_from_camera),
+      camera_from_haptic_(haptic_from_camera.inverse()),
+      person_(std::move(person)),
+      loop_(settings.loop, controller_of(settings)),
+      tracker_({}, settings.seed),
+      before_m_(person_->device().m) {}
+
+void BenchStation::receive(std::shared_ptr<const surface::SurfaceSnapshot> snapshot, double time_s) {
+  if (snapshot) arriving_.push_back({time_s + settings_.extra_delay_s, std::move(snapshot)});
+}
+
+Tick BenchStation::step(double time_s, const server::TrueSurface& truth) {
+  const SessionTime now = at_time(time_s);
+  for (; !arriving_.empty() && arriving_.front().at_s <= time_s; arriving_.pop_front()) {
+    loop_.adopt({arriving_.front().snapshot, haptic_from_camera_}, now);
+    touched_ = arriving_.front().snapshot;
+  }
+  if (const auto sample = tracker_.sample(time_s, person_->hand()); sample && !settings_.tracker_silent(time_s))
+    loop_.hand_sampled(now, *sample);
+  station::DeviceReading reading = person_->read();
+  settings_.spoil(time_s, reading);
+  Tick tick{.time_s = time_s, .device_m = person_->device().m};
+  tick.moved_m = tick.device_m - before_m_;
+  before_m_ = tick.device_m;
+  const station::HapticLoop::Act act = loop_.tick(reading, now, kTick_s);
+  tick.force_N = act.force.N;
+  tick.control = act.control;
+  tick.displayed = act.contact.valid && act.contact.in_body &&
+                   (control::is_inside(act.control.phase) || act.control.phase == control::Phase::BodyToPlane);
+  if (const auto foot = truth.closest_to(device_camera())) {
+    tick.true_known = foot->on_body;
+    tick.normal = (haptic_from_camera_ * foot->normal).v;
+    tick.true_depth_m = tick.normal.dot((haptic_from_camera_ * foot->at).m - tick.device_m);
+  }
+  person_->apply(act, time_s, kTick_s);
+  return tick;
+}
+
+void run(Feed& feed, BenchStation& station, double seconds, const std::function<void(const Tick&)>& judge) {
+  const auto ticks = static_cast<std::int64_t>(std::llround(seconds / kTick_s));
+  for (std::int64_t i = 0; i < ticks; ++i) {
+    const double time_s = static_cast<double>(i) * kTick_s;
+    station.receive(feed.step(time_s, station.device_camera()), time_s);
+    judge(station.step(time_s, feed.truth(time_s)));
+  }
+}
+
+double eased(double x) noexcept {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+}  // namespace telepalp::bench::hand

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "tests/bench/hand/feed.h"
+#include "tests/bench/hand/patient.h"
+#include "tests/bench/hand/person.h"
+
+namespace telepalp::bench::hand {
+
+inline constexpr double kTick_s = 0.0005;
+inline constexpr double kSkin_N_per_m = 500.0;
+
+/// The product's loop with a linear skin, and what may go wrong beside the surface.
+struct StationSettings {
+  effects::EffectBank effects;
+  control::ControlSettings control;
+  station::HapticLoop::Settings loop;
+  double extra_delay_s = 0.0;  ///< of the snapshots, beyond the feed's link
+  std::uint64_t seed = 1;
+  std::function<bool(double time_s)> tracker_silent = [](double) { return false; };
+  std::function<void(double time_s, station::DeviceReading&)> spoil = [](double, station::DeviceReading&) {};
+};
+[[nodiscard]] StationSettings with_skin(effects::SkinAnchor anchor, double stiffness_N_per_m = kSkin_N_per_m);
+
+/// One tick, against the true skin of the same instant. All vectors in H.
+struct Tick {
+  double time_s = 0.0;
+  Eigen::Vector3d device_m = Eigen::Vector3d::Zero();  ///< true place of the device at the tick's beginning
+  Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();   ///< since the tick before
+  Eigen::Vector3d force_N = Eigen::Vector3d::Zero();   ///< given for the next tick
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitY();   ///< of the true skin
+  double true_depth_m = 0.0;                           ///< of the device below the true skin; negative: outside
+  bool true_known = false;                             ///< false: the device is far from the true skin
+  bool displayed = false;                              ///< the controller shows the skin
+  control::ControlOutput control = {};
+
+  [[nodiscard]] double pushed_N() const noexcept { return force_N.dot(normal); }
+  /// What the true skin would push with, up to the device's peak.
+  [[nodiscard]] double law_N(double stiffness_N_per_m = kSkin_N_per_m) const noexcept {
+    return true_known && true_depth_m > 0.0 ? std::min(10.0, stiffness_N_per_m * true_depth_m) : 0.0;
+  }
+};
+
+/// One haptic loop with a person at it, fed by a feed that it may share with others.
+class BenchStation {
+ public:
+  BenchStation(const StationSettings& settings, const Transform<HapticBase, DepthCamera>& haptic_from_camera,
+               std::unique_ptr<Person> person);
+
+  void receive(std::shared_ptr<const surface::SurfaceSnapshot> snapshot, double time_s);
+  /// `truth` of this instant.
+  [[nodiscard]] Tick step(double time_s, const server::TrueSurface& truth);
+  [[nodiscard]] Point<DepthCamera> device_camera() const { return camera_from_haptic_ * person_->device(); }
+  [[nodiscard]] const station::HapticLoop& loop() const noexcept { return loop_; }
+
+ private:
+  struct Arriving {
+    double at_s;
+    std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
+  };
+  StationSettings settings_;
+  Transform<HapticBase, DepthCamera> haptic_from_camera_;
+  Transform<DepthCamera, HapticBase> camera_from_haptic_;
+  std::unique_ptr<Person> person_;
+  station::HapticLoop loop_;
+  device::SimulatedTracker tracker_;
+  std::deque<Arriving> arriving_;
+  std::shared_ptr<const surface::SurfaceSnapshot> touched_;
+  Eigen::Vector3d before_m_;
+};
+
+/// Runs `station` on `feed` for `seconds` and calls `judge` after each tick.
+void run(Feed& feed, BenchStation& station, double seconds, const std::function<void(const Tick&)>& judge);
+
+/// Smooth from 0 to 1 while `x` goes from 0 to 1.
+[[nodiscard]] double eased(double x) noexcept;
+
+}  // namespace telepalp::bench::hand

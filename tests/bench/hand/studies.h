@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/bench/hand/options.h"
+#include "tests/bench/report.h"
+
+namespace telepalp::bench::hand {
+
+/// One experiment and the rows that it fills. `--row PATTERN` picks studies whose name contains PATTERN; the name is
+/// the beginning of each of its rows' names.
+struct Study {
+  std::string name;
+  std::function<std::vector<Row>(const Options& options)> measure;
+};
+
+[[nodiscard]] std::vector<Study> skin_felt_again();
+[[nodiscard]] std::vector<Study> step_response();
+[[nodiscard]] std::vector<Study> excess_work();
+[[nodiscard]] std::vector<Study> anchor_drift();
+[[nodiscard]] std::vector<Study> re_entry();
+[[nodiscard]] std::vector<Study> force_error();
+[[nodiscard]] std::vector<Study> inner_objects();
+[[nodiscard]] std::vector<Study> device_faults();
+[[nodiscard]] std::vector<Study> hand_prediction();
+[[nodiscard]] std::vector<Study> cost();
+
+/// All of them, in the order of the report.
+[[nodiscard]] std::vector<Study> all_studies();
+
+}  // namespace telepalp::bench::hand
