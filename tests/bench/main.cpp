@@ -44,9 +44,10 @@ program::Usage usage() {
                       {"input", "FILE|DIR", "what to run on, where a benchmark takes one"},
                       {"held-out", "SET,SET…", "depth: frames never trained on, for the mean ratio"},
                       {"part", "NAME", "accuracy: surface, prediction, organ, z-width or depth alone"},
-                      {"write", "DIR", "also write the page of a benchmark that has one: accuracy.md in docs"},
+                      {"write", "DIR", "also write a benchmark's file: accuracy.md, or hand's reached.tsv"},
                       {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
                       {"row", "PATTERN", "hand: the studies whose name contains PATTERN alone"},
+                      {"reached", "FILE", "hand: a missed row passes while no worse than in FILE"},
                       {"seeds", "N", "hand: runs where a study draws", "200"},
                       {"seconds", "S", "how long, where a benchmark takes time", "10"}},
           .example = "telepalp-bench pipeline --json"};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
@@ -40,15 +41,18 @@ struct Outcome {
   bool touched = false;  ///< at the fault
 };
 
-Outcome play(effects::SkinAnchor anchor, double glitch_m, bool tracker_silent) {
+/// `eases_m`: the hand presses and eases by so much, so that a drag that stays on it does work.
+Outcome play(effects::SkinAnchor anchor, double glitch_m, bool tracker_silent, double eases_m) {
   const auto patient = torso();
   Feed feed({.patient = patient, .pose = [](double) { return server::PatientPose{}; }, .link = {}, .builder = {}});
   StationSettings settings = with_skin(anchor);
   if (glitch_m != 0.0) settings.spoil = Glitch(glitch_m);
   if (tracker_silent) settings.tracker_silent = [](double t) { return t >= kFault_s && t < kFault_s + 0.5; };
   BenchStation station(settings, haptic_from_camera(*patient, spots()[0]),
-                       std::make_unique<ArmHand>(300.0, [](double t) {
-                         return device::Intention{{{0.0, 0.04 - 0.06 * eased((t - 1.0) / 1.0), 0.0}}, {}};
+                       std::make_unique<ArmHand>(300.0, [=](double t) {
+                         const double down_m = 0.04 - 0.065 * eased((t - 1.0) / 1.0);
+                         const double swing_m = eases_m * std::sin(2.0 * std::numbers::pi * std::max(0.0, t - 2.0));
+                         return device::Intention{{{0.0, down_m + swing_m, 0.0}}, {}};
                        }));
   Outcome outcome;
   Eigen::Vector3d before_N = Eigen::Vector3d::Zero();
@@ -72,13 +76,14 @@ Outcome play(effects::SkinAnchor anchor, double glitch_m, bool tracker_silent) {
 constexpr std::array kAnchors{effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding};
 
 std::vector<Row> measure_glitch(const Options& options) {
+  constexpr double kEases_m = 0.006;
   constexpr std::array kGlitches_m{0.0003, -0.0003, 0.001, -0.001, 0.002, -0.002};
   std::array<Outcome, kAnchors.size() * kGlitches_m.size()> all;
   std::array<double, kAnchors.size()> without_J{};
-  for (std::size_t i = 0; i < kAnchors.size(); ++i) without_J[i] = play(kAnchors[i], 0.0, false).excess_J;
+  for (std::size_t i = 0; i < kAnchors.size(); ++i) without_J[i] = play(kAnchors[i], 0.0, false, kEases_m).excess_J;
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    all[at] = play(kAnchors[at % kAnchors.size()], kGlitches_m[at / kAnchors.size()], false);
+    all[at] = play(kAnchors[at % kAnchors.size()], kGlitches_m[at / kAnchors.size()], false, kEases_m);
   });
   double step_N = 0.0;
   double work_J = 0.0;
@@ -95,7 +100,7 @@ std::vector<Row> measure_glitch(const Options& options) {
 std::vector<Row> measure_silence(const Options& options) {
   std::array<Outcome, kAnchors.size()> all;
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
-    all[static_cast<std::size_t>(i)] = play(kAnchors[static_cast<std::size_t>(i)], 0.0, true);
+    all[static_cast<std::size_t>(i)] = play(kAnchors[static_cast<std::size_t>(i)], 0.0, true, 0.0);
   });
   const double fell_m = std::max(all[0].fell_m, all[1].fell_m);
   return {at_most("tracker silent: 0.5 s in contact, the hand moves",

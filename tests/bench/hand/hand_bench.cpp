@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "tests/bench/hand/reached.h"
 #include "tests/bench/hand/studies.h"
 
 namespace telepalp::bench {
@@ -53,6 +54,14 @@ Result<Report> run_hand(const program::Arguments& arguments) {
     return Error{.what = "no study's name contains '" + wanted + "'",
                  .where = "telepalp-bench hand --row",
                  .fix = "give a part of one of: " + names_of(studies)};
+  if (arguments.has("write"))
+    if (const auto written = hand::write_reached(report, arguments.text("write") + "/reached.tsv"); !written)
+      return written.error();
+  if (arguments.has("reached")) {
+    const Result<hand::Reached> reached = hand::read_reached(arguments.text("reached"));
+    if (!reached) return reached.error();
+    hand::accept_reached(*reached, report);
+  }
   report.notes = {"virtual time, 2 kHz, 30 Hz; torso at 0.8 m, 500 N/m; noise of a Kinect with disparity steps",
                   "link: RTT as drawn or named, 10 % loss in bursts of four, jitter of 30 ms; both skin anchors",
                   "the law's force is that of the true skin; a place without contact counts with all of it"};

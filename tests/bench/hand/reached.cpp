@@ -1,0 +1,53 @@
+#include "tests/bench/hand/reached.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+namespace telepalp::bench::hand {
+namespace {
+
+constexpr double kShare = 0.1;
+
+}  // namespace
+
+Result<Reached> read_reached(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) return Error{.what = "cannot be read", .where = file.string(), .fix = "name the file of reached figures"};
+  Reached reached;
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    const std::size_t tab = line.find('\t');
+    double value = 0.0;
+    const auto [end, code] = std::from_chars(line.data(), line.data() + std::min(tab, line.size()), value);
+    if (tab == std::string::npos || code != std::errc{} || end != line.data() + tab)
+      return Error{.what = "is not VALUE, tab, NAME",
+                   .where = file.string() + ", line " + std::to_string(number),
+                   .fix = "write it anew: telepalp-bench hand --write DIR"};
+    reached[line.substr(tab + 1)] = value;
+  }
+  return reached;
+}
+
+Result<void> write_reached(const Report& report, const std::filesystem::path& file) {
+  std::ofstream stream(file);
+  stream.precision(4);
+  for (const Row& row : report.rows)
+    if (!row.holds() && std::isfinite(row.value)) stream << row.value << '\t' << row.name << '\n';
+  stream.close();
+  if (stream) return {};
+  return Error{.what = "cannot be written", .where = file.string(), .fix = "check the folder and the space left"};
+}
+
+void accept_reached(const Reached& reached, Report& report) {
+  for (Row& row : report.rows) {
+    const auto found = reached.find(row.name);
+    if (row.holds() || found == reached.end()) continue;
+    const double slack = kShare * std::abs(found->second);
+    row.reach = row.bound == Bound::AtMost ? found->second + slack : found->second - slack;
+    row.name += " (as reached)";
+  }
+}
+
+}  // namespace telepalp::bench::hand
