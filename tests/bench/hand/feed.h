@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "haptic_station/device/random.h"
-#include "haptic_station/surface/surface_builder.h"
+#include "haptic_station/surface/build/surface_builder.h"
 #include "server/capture/synthetic/synthetic_patient.h"
 
 namespace telepalp::bench::hand {

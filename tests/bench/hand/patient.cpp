@@ -4,7 +4,7 @@
 #include <mutex>
 #include <tuple>
 
-#include "proto/program/shipped.h"
+#include "support/program/shipped.h"
 
 namespace telepalp::bench::hand {
 namespace {

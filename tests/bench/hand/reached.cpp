@@ -13,7 +13,8 @@ constexpr double kShare = 0.1;
 
 Result<Reached> read_reached(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) return Error{.what = "cannot be read", .where = file.string(), .fix = "name the file of reached figures"};
+  if (!stream)
+    return Error{.what = "cannot be read", .where = file.string(), .fix = "name the file of reached figures"};
   Reached reached;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {

@@ -1,12 +1,12 @@
-#include "server/capture/synthetic/patient_motion.h"
+#include "server/capture/synthetic/motion/patient_motion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "proto/program/shipped.h"
+#include "server/capture/synthetic/source/synthetic_spec.h"
 #include "server/capture/synthetic/synthetic_patient.h"
-#include "server/capture/synthetic_spec.h"
+#include "support/program/shipped.h"
 
 namespace telepalp::server {
 namespace {

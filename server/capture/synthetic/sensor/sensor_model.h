@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "server/capture/synthetic/motion/patient_pose.h"
 #include "server/capture/synthetic/shape/rest_shape.h"
 #include "server/capture/synthetic/shape/settings.h"
-#include "server/capture/synthetic/motion/patient_pose.h"
 
 namespace telepalp::server {
 

@@ -2,8 +2,8 @@
 
 #include "server/capture/pacing/frame_pacer.h"
 #include "server/capture/sources.h"
-#include "server/capture/synthetic/synthetic_patient.h"
 #include "server/capture/synthetic/source/synthetic_spec.h"
+#include "server/capture/synthetic/synthetic_patient.h"
 #include "support/program/shipped.h"
 
 namespace telepalp::server {
