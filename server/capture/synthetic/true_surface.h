@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "proto/words/frames.h"
-#include "server/capture/synthetic/breathing.h"
-#include "server/capture/synthetic/shape/rest_shape.h"
+#include "server/capture/synthetic/motion/breathing.h"
 #include "server/capture/synthetic/motion/patient_pose.h"
+#include "server/capture/synthetic/shape/rest_shape.h"
 
 namespace telepalp::server {
 

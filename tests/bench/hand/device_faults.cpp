@@ -19,7 +19,7 @@ constexpr double kAfter_s = 1.5;
 class Glitch {
  public:
   explicit Glitch(double height_m) : height_m_(height_m) {}
-  void operator()(double time_s, station::DeviceReading& reading) {
+  void operator()(double time_s, ports::DeviceReading& reading) {
     constexpr double kShare = 0.32;  // of a new difference in the reported velocity
     const auto since = std::llround((time_s - kFault_s) / kTick_s);
     velocity_ *= 1.0 - kShare;

@@ -13,7 +13,7 @@ namespace telepalp::bench::hand {
 class Person {
  public:
   virtual ~Person() = default;
-  [[nodiscard]] virtual station::DeviceReading read() const noexcept = 0;
+  [[nodiscard]] virtual ports::DeviceReading read() const noexcept = 0;
   [[nodiscard]] virtual Point<HapticBase> device() const noexcept = 0;  ///< the truth, which no sensor sees
   [[nodiscard]] virtual Point<HapticBase> hand() const noexcept = 0;
   virtual void apply(const station::HapticLoop::Act& act, double time_s, double dt_s) = 0;
@@ -25,7 +25,7 @@ class RigidHand final : public Person {
   using Path = std::function<Point<HapticBase>(double time_s, const control::ControlOutput& last)>;
   explicit RigidHand(Path path) : path_(std::move(path)) { at_ = path_(0.0, {}); }
 
-  [[nodiscard]] station::DeviceReading read() const noexcept override { return {at_, velocity_, 0.0}; }
+  [[nodiscard]] ports::DeviceReading read() const noexcept override { return {at_, velocity_, 0.0}; }
   [[nodiscard]] Point<HapticBase> device() const noexcept override { return at_; }
   [[nodiscard]] Point<HapticBase> hand() const noexcept override { return at_; }
   void apply(const station::HapticLoop::Act& act, double time_s, double dt_s) override {
@@ -47,7 +47,7 @@ class ArmHand final : public Person {
   ArmHand(double arm_N_per_m, Aim aim) : pair_({}, {.stiffness_N_per_m = arm_N_per_m}), aim_(std::move(aim)) {
     pair_.place(aim_(0.0).at, aim_(0.0).at);
   }
-  [[nodiscard]] station::DeviceReading read() const noexcept override {
+  [[nodiscard]] ports::DeviceReading read() const noexcept override {
     return {pair_.device(), pair_.device_velocity(), 0.0};
   }
   [[nodiscard]] Point<HapticBase> device() const noexcept override { return pair_.true_device(); }

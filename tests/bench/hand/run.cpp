@@ -40,7 +40,7 @@ Tick BenchStation::step(double time_s, const server::TrueSurface& truth) {
   }
   if (const auto sample = tracker_.sample(time_s, person_->hand()); sample && !settings_.tracker_silent(time_s))
     loop_.hand_sampled(now, *sample);
-  station::DeviceReading reading = person_->read();
+  ports::DeviceReading reading = person_->read();
   settings_.spoil(time_s, reading);
   Tick tick{.time_s = time_s, .device_m = person_->device().m};
   tick.moved_m = tick.device_m - before_m_;

@@ -21,7 +21,7 @@ struct StationSettings {
   double extra_delay_s = 0.0;  ///< of the snapshots, beyond the feed's link
   std::uint64_t seed = 1;
   std::function<bool(double time_s)> tracker_silent = [](double) { return false; };
-  std::function<void(double time_s, station::DeviceReading&)> spoil = [](double, station::DeviceReading&) {};
+  std::function<void(double time_s, ports::DeviceReading&)> spoil = [](double, ports::DeviceReading&) {};
 };
 [[nodiscard]] StationSettings with_skin(effects::SkinAnchor anchor, double stiffness_N_per_m = kSkin_N_per_m);
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "server/capture/synthetic/breathing.h"
+#include "server/capture/synthetic/motion/breathing.h"
 
 namespace telepalp::server {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "server/capture/synthetic/breathing.h"
+#include "server/capture/synthetic/motion/breathing.h"
 
 namespace telepalp::server {
 

@@ -1,4 +1,4 @@
-#include "server/capture/synthetic/breathing.h"
+#include "server/capture/synthetic/motion/breathing.h"
 
 #include <cmath>
 #include <numbers>
