@@ -8,7 +8,8 @@
 
 namespace telepalp::calibration {
 
-/// The hand lying on the probe: its pose as the tracker tells it, and the probe's as the device tells it.
+/// One measurement with the hand lying on the probe: the hand's pose from the tracker and the probe's pose from the
+/// device.
 struct HandOnProbe {
   Eigen::Isometry3d tracker_from_hand = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d haptic_from_probe = Eigen::Isometry3d::Identity();
@@ -16,19 +17,19 @@ struct HandOnProbe {
 
 struct ProbeCalibration {
   Eigen::Isometry3d haptic_from_tracker = Eigen::Isometry3d::Identity();
-  Residuals residuals;             ///< of each pose's translation, at the probe
-  std::vector<double> angles_rad;  ///< of each pose's rotation from the mean
+  Residuals residuals;             ///< distance of each pose's translation from the mean, at the probe
+  std::vector<double> angles_rad;  ///< angle of each pose's rotation from the mean
 };
 
 struct ProbeSettings {
-  double furthest_m = 0.03;      ///< a pose from the mean
-  double furthest_rad = 0.2618;  ///< 15 degrees
+  double furthest_m = 0.03;      ///< largest distance of a pose from the mean
+  double furthest_rad = 0.2618;  ///< largest angle of a pose from the mean: 15 degrees
 };
 
-/// S2 II.C: from poses of a hand that lies on the probe in the known pose `probe_from_hand`, where the tracker (worn
-/// on the head, or fixed) stands in the haptic base. One pose is enough; repeats are averaged (chordal mean of the
-/// rotations, mean of the hand's place). The tracker is whatever frame the hand's pose is told in.
-/// Error: no pose, numbers that are not finite, a matrix that is no rotation (mirrored, scaled), poses that disagree.
+/// Finds the tracker's pose in the haptic base's frame from poses of a hand that lies on the probe in the known pose
+/// `probe_from_hand` (S2 II.C). The tracker may be worn on the head or fixed. One pose is enough; several are averaged:
+/// chordal mean of the rotations, mean of the hand's positions. Error: no pose, a number that is not finite, a matrix
+/// that is not a rotation (mirrored or scaled), or poses that differ from the mean by more than `settings` allow.
 [[nodiscard]] Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> poses,
                                                                const Eigen::Isometry3d& probe_from_hand,
                                                                const ProbeSettings& settings = {});

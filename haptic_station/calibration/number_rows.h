@@ -12,14 +12,14 @@
 
 namespace telepalp::calibration {
 
-/// A measurement file's text, at most 16 MiB.
+/// Reads the text of a measurement file. Error: over 16 MiB.
 [[nodiscard]] Result<std::string> read_rows(const std::filesystem::path& file);
 
-/// Takes the first line off a text, without its end.
+/// Removes the first line from `text` and returns it without its line end.
 [[nodiscard]] std::string_view next_line(std::string_view& text) noexcept;
 
-/// A row's numbers, comma between; nullopt when there are more or fewer, or one is not finite. from_chars knows no
-/// locale, so a decimal comma makes numbers too many.
+/// Parses a row of N comma-separated numbers; nullopt when the count differs or a number is not finite. std::from_chars
+/// ignores the locale, so a decimal comma gives too many numbers and is refused.
 template <std::size_t N>
 [[nodiscard]] std::optional<std::array<double, N>> numbers(std::string_view line) noexcept {
   std::array<double, N> out{};

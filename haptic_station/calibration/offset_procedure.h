@@ -8,7 +8,8 @@
 
 namespace telepalp::calibration {
 
-/// The hand resting on the end-effector: the same place as the tracker and as the device see it.
+/// One measurement with the hand resting on the end-effector: the same place in the tracker's and in the device's
+/// frame.
 struct Touch {
   Point<HandTracker> hand;
   Point<HapticBase> end_effector;
@@ -16,18 +17,18 @@ struct Touch {
 
 struct OffsetCalibration {
   Transform<HapticBase, HandTracker> haptic_from_tracker;
-  Residuals residuals;  ///< of each touch
+  Residuals residuals;  ///< one for each touch
 };
 
 struct OffsetSettings {
   std::size_t least_touches = 10;
-  double most_moved_m = 0.005;  ///< of a touch from the mean: further, the hand was not at rest on the end-effector
+  double most_moved_m = 0.005;  ///< largest distance of a touch from the mean; beyond it the hand was not at rest
 };
 
-/// S1 eq. (2) and (4): p_H = R (p_L - p0_L) + p0_H with R = diag(1, -1, -1), the offsets being the means over touches.
-/// Its inverse is eq. (3), in which we read the end-effector's p0 where the paper prints its present position: only
-/// so are (2) and (3) inverse to one another. The axes must be parallel as R says: the touches cannot tell.
-/// Error: too few touches, numbers that are not finite or beyond 10 m, a hand that moved.
+/// S1 eq. (2) and (4): p_H = R (p_L - p0_L) + p0_H with R = diag(1, -1, -1), where p0_L and p0_H are the means over
+/// touches. Eq. (3) is the inverse only if the paper's symbol for the present end-effector position is read as p0_H;
+/// this code does so. The tracker's axes must be parallel to the device's as R states; touches at one place cannot
+/// detect a rotation. Error: too few touches, a number that is not finite or beyond 10 m, or a hand that moved.
 [[nodiscard]] Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches,
                                                          const OffsetSettings& settings = {});
 

@@ -9,9 +9,9 @@
 
 namespace telepalp::calibration {
 
-/// Reads poses of a hand on a probe as CSV: the header row of kPoseHeader, then one row a pose. The hand's is in the
-/// tracker's frame, the probe's in the haptic base's; turns are rotation vectors. What is not a number, or not finite,
-/// is an error with its line. At most 10 000 rows.
+/// Reads poses of a hand on a probe as CSV: the header row kPoseHeader, then one row per pose. The hand's pose is in
+/// the tracker's frame, the probe's in the haptic base's. Rotations are rotation vectors. Error: a field that is not a
+/// finite number, reported with its line, or more than 10 000 rows.
 [[nodiscard]] Result<std::vector<HandOnProbe>> read_hand_on_probe(const std::filesystem::path& file);
 [[nodiscard]] Result<std::vector<HandOnProbe>> parse_hand_on_probe(std::string_view text, std::string_view name);
 
@@ -19,7 +19,8 @@ inline constexpr std::string_view kPoseHeader =
     "hand_x_m,hand_y_m,hand_z_m,hand_rx_rad,hand_ry_rad,hand_rz_rad,"
     "probe_x_m,probe_y_m,probe_z_m,probe_rx_rad,probe_ry_rad,probe_rz_rad";
 
-/// A pose as `x,y,z,rx,ry,rz` in metres and as a rotation vector in radians; nullopt when it is no such text.
+/// Parses a pose `x,y,z,rx,ry,rz`: a translation in metres and a rotation vector in radians; nullopt when the text is
+/// not six finite numbers.
 [[nodiscard]] std::optional<Eigen::Isometry3d> parse_pose(std::string_view text);
 
 }  // namespace telepalp::calibration

@@ -7,7 +7,7 @@
 
 namespace telepalp::calibration {
 
-/// How far each measurement lies from what was fitted to all of them [m].
+/// Residuals of a fit: the distance of each measurement from the fitted model [m].
 struct Residuals {
   std::vector<double> each_m;
 
@@ -26,7 +26,7 @@ struct Residuals {
     for (const double r : each_m) sum += r * r;
     return each_m.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(each_m.size()));
   }
-  /// Index of the largest; 0 when there is none.
+  /// Index of the largest residual; 0 when there are no residuals.
   [[nodiscard]] std::size_t worst() const noexcept {
     return static_cast<std::size_t>(std::max_element(each_m.begin(), each_m.end()) - each_m.begin());
   }

@@ -7,7 +7,7 @@
 
 namespace telepalp::device {
 
-/// The simplest patient: a level skin at `height_m` that rises and falls as a sine. For trials and tests.
+/// A simulated patient for trials and tests: a horizontal skin at `height_m` that rises and falls as a sine.
 struct BreathingPlane {
   double height_m = 0.0;
   double amplitude_m = 0.0;

@@ -5,8 +5,8 @@
 
 namespace telepalp::device {
 
-/// A simulated device under a real, tracked hand: the hand wants to be where the tracker sees it, and the simulated
-/// end-effector meets it there. Nobody feels the force, but everything else is as with a device.
+/// A simulated device under a real, tracked hand. The simulated hand is pulled towards the tracked position and pushes
+/// the simulated end-effector. No person feels the force; everything else behaves as with a real device.
 class HeldDevice final : public ports::Device {
  public:
   HeldDevice(const SimulatedDeviceSettings& device, const SimulatedHandSettings& hand,

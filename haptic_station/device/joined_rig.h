@@ -8,8 +8,8 @@
 
 namespace telepalp::device {
 
-/// Any device with any tracker. The ages of both go to the watchdog as they are: a device that stops answering ages, a
-/// tracker that stops gives no more samples.
+/// Combines any device with any tracker. It hides no silence from the watchdog: the reading of a silent device grows
+/// old, and a silent tracker gives no samples.
 class JoinedRig final : public ports::Rig {
  public:
   JoinedRig(std::unique_ptr<ports::Device> device, std::unique_ptr<ports::Tracker> tracker) noexcept

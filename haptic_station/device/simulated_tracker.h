@@ -9,17 +9,17 @@ namespace telepalp::device {
 
 struct SimulatedTrackerSettings {
   double rate_hz = 100.0;
-  double noise_m = 0.0002;  ///< standard deviation by axis
-  double jitter_s = 0.001;  ///< of the sampling instants, uniform
+  double noise_m = 0.0002;  ///< standard deviation per axis
+  double jitter_s = 0.001;  ///< largest delay of a sample, uniformly distributed
 };
 
-/// A hand tracker over the simulated hand: samples at about its rate, with noise. Pure and seeded.
+/// Simulates a hand tracker that observes the simulated hand: jittered samples with noise. Pure and seeded.
 class SimulatedTracker {
  public:
   SimulatedTracker(const SimulatedTrackerSettings& settings, std::uint64_t seed) noexcept
       : settings_(settings), random_(seed) {}
 
-  /// A sample if one is due at `now_s`; call it once a tick.
+  /// Returns a noisy sample of `hand` when one is due at `now_s`. Call it once per tick.
   [[nodiscard]] std::optional<Point<HapticBase>> sample(double now_s, const Point<HapticBase>& hand) noexcept {
     if (now_s < next_s_) return std::nullopt;
     const double period_s = 1.0 / settings_.rate_hz;

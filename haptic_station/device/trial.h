@@ -7,18 +7,18 @@
 
 namespace telepalp::device {
 
-/// What the simulated person sees of the scene.
+/// The part of the scene's state that the simulated person knows.
 struct TrialView {
-  double time_s = 0.0;            ///< since the trial's start
-  ports::SurfaceContact contact;  ///< of the end-effector
+  double time_s = 0.0;            ///< time since the trial's start
+  ports::SurfaceContact contact;  ///< contact of the end-effector with the skin
   Point<HapticBase> device;
 };
 
-/// One leg of a trial: the hand goes, smoothly, from where the last leg ended. Heights are above the undeformed skin;
-/// negative ones press into it.
+/// One leg of a trial: the hand moves smoothly from the end of the last leg to this point. Heights are above the
+/// undeformed skin; negative heights press into it.
 struct Waypoint {
-  double seconds;  ///< to get there
-  double x_m;      ///< from the trial's centre
+  double seconds;  ///< duration of the leg
+  double x_m;      ///< relative to the trial's centre
   double height_m;
   double z_m;
 };
@@ -28,16 +28,16 @@ enum class Trial {
   IndentSeveralPoints,  ///< 1: indent the skin at different points
   MoveWithin,           ///< 2: enter at one point and move within the body
   FindCylinder,         ///< 3: touch the cylinder's upper and lateral area
-  FreeSearch,           ///< 4: look for it, from several entries
+  FreeSearch,           ///< 4: search for the cylinder, entering at several points
 };
 [[nodiscard]] std::span<const Waypoint> waypoints(Trial trial) noexcept;
 [[nodiscard]] double duration_s(Trial trial) noexcept;
 
-/// A person who carries out a trial again and again. Knows the skin's height from what the end-effector meets, slowly
-/// as a person does: the skin's breathing does not move the intention. Pure. Owner: control thread.
+/// A simulated person who repeats a trial. The person estimates the skin's height from the contact of the end-effector
+/// with a slow filter, so that breathing does not move the intended position. Pure. Owner: control thread.
 class ScriptedIntention {
  public:
-  /// `center`: the point on the skin that the trial's x and z count from.
+  /// `center`: the point on the skin at which the trial's x and z are zero.
   ScriptedIntention(std::span<const Waypoint> script, const Point<HapticBase>& center) noexcept
       : script_(script), center_(center), skin_height_m_(center.m.y()) {}
 

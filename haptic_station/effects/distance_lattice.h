@@ -7,7 +7,7 @@
 
 namespace telepalp::effects {
 
-/// How far it is to a closed surface, sampled on a lattice: positive outside, negative inside [m].
+/// Signed distance to a closed surface, sampled on a lattice: positive outside, negative inside [m].
 struct DistanceLattice {
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< of the first node, in the surface's frame
   double spacing_m = 0.0;
@@ -24,13 +24,14 @@ struct DistanceLattice {
 /// A distance with its derivative.
 struct DistanceAt {
   double m = 0.0;
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< away from the surface's inside
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< points out of the closed surface
 };
 
-/// The distance at a point as a cubic B-spline over the nodes: twice continuously differentiable, and the gradient is
-/// its exact derivative, so that a spring on it can make no energy. The spline smooths: on a surface of curvature
-/// radius R it lies spacing^2 / (3 R) outside of it, a fifth of a millimetre at 4 mm and R = 27 mm. Beyond the lattice,
-/// and where the point is not finite: infinitely far. Real-time safe.
+/// Signed distance at a point, as a cubic B-spline over the nodes. It is twice continuously differentiable and the
+/// gradient is its exact derivative, so a spring along the gradient conserves energy.
+/// Error: the spline smooths. On a
+/// surface of curvature radius R the zero lies spacing^2 / (3 R) outside the surface, which is 0.2 mm at 4 mm spacing
+/// and R = 27 mm. Beyond the lattice, or for a point that is not finite, the distance is infinite. Real-time safe.
 [[nodiscard]] DistanceAt distance_at(const DistanceLattice& lattice, const Eigen::Vector3d& point_m) noexcept;
 
 }  // namespace telepalp::effects

@@ -5,25 +5,26 @@
 
 namespace telepalp::effects {
 
-/// What an effect may know at a tick.
+/// Inputs of an effect at one tick of the haptic loop.
 struct EffectInput {
   Point<HapticBase> device;
   Vector<HapticBase> device_velocity;  ///< [m/s]
-  ports::SurfaceContact contact;       ///< of `device`; valid, unless said otherwise
-  Vector<HapticBase> moved;            ///< of the device since the last tick [m]
+  ports::SurfaceContact contact;       ///< surface at the point `device`
+  Vector<HapticBase> moved;            ///< motion of the device since the last tick [m]
 };
 
-/// Where the device point is with respect to an inner object. Ordered by nearness.
+/// How close the device point is to an object inside the body, in ascending order: not near, within its margin, pressed
+/// from the side, pressed from above.
 enum class ObjectTouch { None, Near, Lateral, Upper };
 
 // An effect is a value with these members, all noexcept and free of allocation:
 //   void begin(const EffectInput&)                  the end-effector has just entered the body
 //   Force<HapticBase> step(const EffectInput&, dt)  the force on the hand
 //   double energy_J() const                         elastic energy stored at the last step
-//   Vector<HapticBase> carried_at(const EffectInput&) const   velocity of what it is fixed to: the skin breathes
-//   double stiffest_N_per_m(double most_N) const    of its spring, at forces up to `most_N`
-//   ObjectTouch touch() const                       None, but for inner objects
+//   Vector<HapticBase> carried_at(const EffectInput&) const   velocity of the body to which the effect is fixed, for
+//   example the breathing skin double stiffest_N_per_m(double most_N) const    greatest stiffness of its spring at
+//   forces up to `most_N` ObjectTouch touch() const                       None, except for objects inside the body
 //   static constexpr const char* kName
-// EffectBank holds and steps them.
+// EffectBank holds and steps the effects of a scene.
 
 }  // namespace telepalp::effects

@@ -14,10 +14,10 @@
 
 namespace telepalp::effects {
 
-/// Reads a clock that needs no system call, in any unit; nullptr where cost is not asked for.
+/// Reads a clock without a system call, in any unit. nullptr: the cost of effects is not measured.
 using CostClock = std::uint64_t (*)() noexcept;
 
-/// What stepping one effect has cost, in the clock's unit.
+/// Measured cost of one effect's steps: their number, the total and the largest, in the unit of the clock.
 struct EffectBill {
   const char* name = "";
   std::uint64_t steps = 0;
@@ -25,7 +25,7 @@ struct EffectBill {
   std::uint64_t largest = 0;
 };
 
-/// The effects that a scene names, in its order, and no others. Owner: control thread.
+/// The effects of a scene, in the order of the scene file. Owner: control thread.
 class EffectBank {
  public:
   static constexpr std::size_t kMostEffects = 8;
@@ -39,18 +39,20 @@ class EffectBank {
   /// The sum of all effects' forces on the hand.
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s, CostClock clock = nullptr) noexcept;
   [[nodiscard]] double energy_J() const noexcept;
-  /// Work taken from the hand since the step before: what each effect's force, held over the tick, did against the
-  /// device's way relative to what the effect is fixed to. Exact, so that it also sees what sampling leaks [J].
+  /// Work that the effects took from the hand during the last tick [J]: minus the held force times the motion of the
+  /// device relative to the body to which the effect is fixed, summed over effects. It is exact for a force that is
+  /// held over the tick, so it includes the energy that sampling creates.
   [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
-  /// The stiffest that all effects can be together, at forces up to `most_N`.
+  /// Upper bound of the combined stiffness of all effects, at forces up to `most_N`.
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;
-  [[nodiscard]] ObjectTouch touch() const noexcept;               ///< the nearest of all inner objects
-  [[nodiscard]] Vector<HapticBase> indentation() const noexcept;  ///< of the first skin, S1 eq. (8); zero without
+  [[nodiscard]] ObjectTouch touch() const noexcept;  ///< the greatest among the inner objects
+  [[nodiscard]] Vector<HapticBase> indentation()
+      const noexcept;  ///< of the first skin effect, S1 eq. (8); zero without a skin
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
   [[nodiscard]] static const char* name(const Effect& effect) noexcept;
 
  private:
-  /// What an effect gave over the tick that ends now.
+  /// An effect's force, and the velocity of the body to which the effect is fixed, over the tick that ends now.
   struct Held {
     Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
     Eigen::Vector3d carried_at = Eigen::Vector3d::Zero();

@@ -6,14 +6,15 @@
 namespace telepalp::effects {
 
 struct FrictionSettings {
-  double coefficient = 0.4;                  ///< of Coulomb: share of the load that the skin holds sideways
-  double bristle_stiffness_N_per_m = 800.0;  ///< of the skin's give before it slips
-  SkinLaw load;                              ///< what presses: the scene's skin, as deep as the device is
+  double coefficient = 0.4;                  ///< Coulomb's: greatest tangential force / normal load
+  double bristle_stiffness_N_per_m = 800.0;  ///< tangential stiffness of the skin before it slips
+  SkinLaw load;                              ///< normal load: the law of the scene's skin at the device's depth
 };
 
-/// Dry friction of the skin against a sliding hand, after Hayward and Armstrong: a bristle from an anchor on the skin
-/// to the device, in the tangent plane. Below coefficient times load the anchor does not move at all, so a held hand
-/// does not creep; above it, the anchor follows at just that force. The anchor only ever shortens the bristle: passive.
+/// Dry friction of the skin against a sliding hand, after Hayward and Armstrong: a spring, the bristle, joins an anchor
+/// on the skin to the device in the tangent plane. While the spring force is below coefficient × load, the anchor does
+/// not move, so a resting hand does not creep. Above it, the anchor slips until the spring force equals coefficient ×
+/// load. The anchor can only shorten the bristle, so friction is passive.
 class Friction {
  public:
   static constexpr const char* kName = "friction";
@@ -31,7 +32,7 @@ class Friction {
 
  private:
   Settings settings_;
-  Eigen::Vector3d bristle_m_ = Eigen::Vector3d::Zero();  ///< device less anchor, tangential
+  Eigen::Vector3d bristle_m_ = Eigen::Vector3d::Zero();  ///< tangential vector from anchor to device
 };
 
 }  // namespace telepalp::effects

@@ -9,14 +9,16 @@ struct InnerCylinderSettings {
   double radius_m = 0.03;
   double height_m = 0.05;
   double stiffness_N_per_m = 800.0;
-  double around_m = 0.01;  ///< margin in which the hand is "around" it
+  double around_m = 0.01;  ///< within this distance of the cylinder, touch() is Near
 };
 
-/// An upright cylinder inside the body (S1 III.A): radius, height, its upper face's centre in H. Its axis is H's y.
+/// An upright cylinder inside the body (S1 III.A), given by radius, height and the centre of its upper face. Its axis
+/// is the y axis of the haptic base (frame H).
 ///
-/// S1 switches between an upper and a lateral force; at the rim that is a step of stiffness times depth. Here the
-/// force is the gradient of 1/2 k s^2, with s a smooth minimum of the depths under the upper, lower and lateral faces:
-/// it is the paper's k times depth near each face, and it is conservative and without a step everywhere.
+/// S1 switches between a force on the upper face and one on the lateral face; at the rim that is a step of stiffness
+/// times depth. Here the force is the gradient of 1/2 k s^2, where s is a smooth minimum of the depths under the upper,
+/// lower and lateral faces. Near each face it equals the paper's k times depth, and it is continuous and conservative
+/// everywhere.
 class InnerCylinder {
  public:
   static constexpr const char* kName = "cylinder";

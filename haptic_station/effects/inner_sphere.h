@@ -8,10 +8,11 @@ struct InnerSphereSettings {
   Point<HapticBase> center;
   double radius_m = 0.02;
   double stiffness_N_per_m = 800.0;
-  double around_m = 0.01;
+  double around_m = 0.01;  ///< within this distance of the sphere, touch() is Near
 };
 
-/// A sphere inside the body (S1 II.D): F = k (r - |x - c|) outwards. Upper: pressed from within 45 degrees of above.
+/// A sphere inside the body (S1 II.D): F = k (r - |x - c|), outwards. touch() is Upper when the sphere is pressed from
+/// within 45 degrees of the vertical.
 class InnerSphere {
  public:
   static constexpr const char* kName = "sphere";
@@ -27,7 +28,7 @@ class InnerSphere {
 
  private:
   Settings settings_;
-  Eigen::Vector3d outwards_ = Eigen::Vector3d::UnitY();  ///< held at the centre, where there is none
+  Eigen::Vector3d outwards_ = Eigen::Vector3d::UnitY();  ///< last direction from the centre to the device
   double energy_J_ = 0.0;
   ObjectTouch touch_ = ObjectTouch::None;
 };

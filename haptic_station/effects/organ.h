@@ -9,13 +9,13 @@
 namespace telepalp::effects {
 
 struct OrganSettings {
-  std::shared_ptr<const DistanceLattice> shape;  ///< in H; none: nothing is felt
+  std::shared_ptr<const DistanceLattice> shape;  ///< in the haptic base's frame H; nullptr: no force
   double stiffness_N_per_m = 300.0;
-  double around_m = 0.01;  ///< margin in which the hand is "around" it
+  double around_m = 0.01;  ///< within this distance of the organ, touch() is Near
 };
 
-/// An organ inside the body, of any closed shape. The force is the gradient of 1/2 k depth^2, outwards, with the depth
-/// from a sampled distance: as the sphere's of S1 II.D on a shape that was scanned.
+/// An organ inside the body, of any closed shape. The force is the gradient of 1/2 k depth^2, outwards, where the depth
+/// comes from a sampled distance field. It generalises the sphere of S1 II.D to scanned shapes.
 class Organ {
  public:
   static constexpr const char* kName = "organ";

@@ -6,22 +6,23 @@
 
 namespace telepalp::effects {
 
-/// A round region of the skin, seen along H's y, that is stiffer than the rest.
+/// A vertical cylinder through the skin in which the skin is stiffer. Vertical is the y axis of the haptic base.
 struct StiffRegion {
-  Point<HapticBase> center;      ///< its y does not matter
-  double radius_m = 0.02;        ///< full stiffness within
-  double fade_m = 0.02;          ///< width of the rim over which it falls to nothing
-  double added_N_per_m = 200.0;  ///< to the skin's own stiffness
+  Point<HapticBase> center;      ///< only x and z are used
+  double radius_m = 0.02;        ///< radius of full added stiffness
+  double fade_m = 0.02;          ///< width of the rim over which the added stiffness falls to 0
+  double added_N_per_m = 200.0;  ///< added to the skin's own stiffness
 };
 
-/// Stiffness by region. The force is the gradient of 1/2 k w(r) depth^2 with a smooth w, overlapping regions added:
-/// it also pushes sideways off a stiff rim, without which a loop over the rim would make energy.
+/// Skin regions of added stiffness. The force is the gradient of 1/2 k w(r) depth^2, with a smooth weight w(r) and a
+/// sum over overlapping regions. The gradient has a sideways component at a stiff rim; without it, a closed path over
+/// the rim would create energy.
 class StiffRegions {
  public:
   static constexpr const char* kName = "regions";
   static constexpr std::size_t kMostRegions = 8;
 
-  /// False when there is no room.
+  /// False when there are already kMostRegions regions.
   bool add(const StiffRegion& region) noexcept;
   void begin(const EffectInput&) noexcept {}
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
@@ -29,7 +30,7 @@ class StiffRegions {
   [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput& in) const noexcept {
     return {in.contact.surface_speed_m_per_s * in.contact.normal.v};
   }
-  /// As if all regions lay in one place.
+  /// The sum over all regions, as if all of them overlapped.
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;
   [[nodiscard]] ObjectTouch touch() const noexcept { return ObjectTouch::None; }
 

@@ -7,14 +7,14 @@
 
 namespace telepalp::effects {
 
-/// A skin law fitted to a compression test of tissue-mimicking silicone: the same stress at the same strain, under a
-/// contact of 30 mm diameter and over 60 mm of tissue, up to half its thickness (0.03 m). Beyond, real tissue hardens
-/// more than the law says. A test fits them again from tests/data/tissue.
+/// A skin law fitted to a compression test of tissue-mimicking silicone. The test is scaled to a contact of 30 mm
+/// diameter over 60 mm of tissue, with equal stress at equal strain, and fitted up to half the thickness (0.03 m).
+/// Deeper, real tissue hardens more than the law. A test of this project repeats the fits from tests/data/tissue.
 struct TissuePreset {
   std::string_view name;
-  std::string_view material;  ///< as the database names it
+  std::string_view material;  ///< name in the database of compression tests
   SkinLaw law;
-  double rms_error_share;  ///< of the largest load
+  double rms_error_share;  ///< root-mean-square error / largest load
 };
 
 inline constexpr std::array kTissuePresets = std::to_array<TissuePreset>({
@@ -25,7 +25,7 @@ inline constexpr std::array kTissuePresets = std::to_array<TissuePreset>({
     {"hard_mass", "EF50_12_5T", {1334.0, 0.0, 1.488e6}, 0.0139},
 });
 
-/// nullptr: no such preset.
+/// The preset of this name; nullptr when there is none.
 [[nodiscard]] constexpr const TissuePreset* find_tissue(std::string_view name) noexcept {
   for (const TissuePreset& preset : kTissuePresets)
     if (preset.name == name) return &preset;

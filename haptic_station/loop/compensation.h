@@ -9,31 +9,31 @@
 
 namespace telepalp::station {
 
-/// All that is done about delay at an instant: what is compensated, by how much, and how well that is known. What no
-/// line here names is not compensated. Published as msg.StationCompensation.
+/// How the station compensates delay at one tick: each quantity, its amount and its uncertainty. This is the complete
+/// list: no other delay is compensated. Published as msg.StationCompensation.
 struct Compensation {
   std::int64_t stamp_ns = 0;             ///< session time of the tick
   std::int64_t surface_captured_ns = 0;  ///< 0: no surface yet
 
-  // The hand: 100 Hz samples, predicted to now (S1 II.D).
-  double hand_age_s = 0.0;      ///< since the newest sample
-  double hand_carried_m = 0.0;  ///< from that sample to where the hand is taken to be
-  double hand_sigma_m = 0.0;    ///< 1-sigma of the prediction, by axis
+  // The hand: its samples at 100 Hz are predicted to now (S1 II.D).
+  double hand_age_s = 0.0;      ///< age of the newest sample
+  double hand_carried_m = 0.0;  ///< distance from that sample to the predicted hand
+  double hand_sigma_m = 0.0;    ///< standard deviation of the prediction, per axis
 
-  // The surface: carried forward from its capture by its own motion, along the normal, outwards positive.
+  // The surface: predicted from its capture to now. Displacements are along its normal, positive out of the body.
   double surface_age_s = 0.0;
   double surface_carried_m = 0.0;
-  double surface_sigma_m = 0.0;  ///< 1-sigma: noise, fit and prediction
-  double slewed_m = 0.0;         ///< kept back from the newest snapshot, so that nothing steps; it fades
-  double support = 0.0;  ///< share of the contact that is shown: falls to 0 as the surface gets stale, and at rims
+  double surface_sigma_m = 0.0;  ///< standard deviation of noise, fit and prediction
+  double slewed_m = 0.0;         ///< offset that hides the step between two snapshots; it decays to 0
+  double support = 0.0;          ///< 1: full contact; falls to 0 on a stale surface and at rims
 
-  // What the eye and the energy are given for it.
-  double shown_offset_m = 0.0;  ///< the drawn hand from the tracked one (S1 II.E)
-  double damping_N = 0.0;       ///< part of the force with which the passivity controller takes energy back
+  // The displayed hand and the passivity controller.
+  double shown_offset_m = 0.0;  ///< from the tracked hand to the displayed hand (S1 II.E)
+  double damping_N = 0.0;       ///< magnitude of the passivity controller's damping force
 };
 static_assert(std::is_trivially_copyable_v<Compensation>);
 
-/// Of one tick. `sampled`: the newest sample of the tracker itself.
+/// The compensation of one tick. `sampled`: the tracker's newest sample, without prediction.
 [[nodiscard]] inline Compensation compensation_of(const tracking::HandPrediction& hand,
                                                   const Point<HapticBase>& sampled, const surface::TouchSample& touch,
                                                   const surface::Displaced& displaced,

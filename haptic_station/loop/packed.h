@@ -6,12 +6,12 @@
 
 namespace telepalp::station {
 
-/// For the record, half the size: the nearest floats.
+/// A vector as three floats, each rounded to nearest, which halves the size of the recorded tick.
 inline std::array<float, 3> packed(const Eigen::Vector3d& v) noexcept {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-/// Rounded towards zero, so that a force on its limit is never recorded above it. Not a number stays what it is.
+/// Rounded towards zero, so that a force on its limit is never recorded above it. NaN stays NaN.
 inline std::array<float, 3> packed_towards_zero(const Eigen::Vector3d& v) noexcept {
   std::array<float, 3> floats = packed(v);
   for (int axis = 0; axis < 3; ++axis) {

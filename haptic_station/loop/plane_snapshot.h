@@ -4,8 +4,9 @@
 
 namespace telepalp::station {
 
-/// The tangent plane of a surface at one point, as a surface of its own: what a collision detection that is too slow
-/// for the haptic thread hands to it (S1 II.C and II.D, whose proxy is found at 100 Hz and used at 2 kHz).
+/// The tangent plane of a surface at one point, as a surface snapshot. A collision detection that is too slow for the 2
+/// kHz haptic thread runs on another thread and hands this plane over (S1 II.C and II.D find the proxy at 100 Hz and
+/// use it at 2 kHz).
 class PlaneSnapshot final : public surface::SurfaceSnapshot {
  public:
   /// No surface in reach.
@@ -33,7 +34,7 @@ class PlaneSnapshot final : public surface::SurfaceSnapshot {
   [[nodiscard]] double stride_m(const Eigen::Vector3d&) const noexcept override { return kStride_m; }
 
  private:
-  static constexpr double kStride_m = 0.05;  // a plane is exact everywhere; bounded as every surface's is
+  static constexpr double kStride_m = 0.05;  // any finite value: the plane is exact at every distance
   Eigen::Vector3d foot_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();
   double support_ = 0.0;

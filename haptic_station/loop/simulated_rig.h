@@ -10,15 +10,15 @@
 
 namespace telepalp::station {
 
-/// A simulated device held by a simulated hand that carries out a trial or repeats a recorded movement, seen by a
-/// simulated tracker. Live it runs on the haptic thread, in virtual time in a test.
+/// A simulated device held by a simulated hand that carries out a trial or repeats a recorded movement, observed by a
+/// simulated tracker. In the station it runs on the haptic thread; tests step it in virtual time.
 class SimulatedRig final : public ports::Rig {
  public:
   struct Settings {
     device::SimulatedDeviceSettings device;
     device::SimulatedHandSettings hand;
     device::SimulatedTrackerSettings tracker;
-    Point<HapticBase> rest;  ///< where the device and the hand begin
+    Point<HapticBase> rest;  ///< start position of device and hand
     std::uint64_t seed = 1;
   };
   using Person = std::variant<device::ScriptedIntention, tracking::RecordedIntention>;

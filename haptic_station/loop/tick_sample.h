@@ -6,16 +6,17 @@
 
 namespace telepalp::station {
 
-/// All that is told of one tick of the 2 kHz loop. Positions [m] and forces [N] in the haptic base's frame H,
-/// those named `camera` in the depth camera's frame K. Crosses from the haptic thread to the network thread by copy.
+/// The record of one tick of the 2 kHz loop. Positions [m] and forces [N] are in the haptic base's frame H; members
+/// whose names end in `camera` are in the depth camera's frame K. The haptic thread hands it to the network thread by
+/// copy.
 struct TickSample {
   std::uint64_t tick = 0;         ///< number since start
   std::int64_t stamp_ns = 0;      ///< session time of the tick's deadline
-  std::uint32_t late_ns = 0;      ///< woken this long after the deadline
+  std::uint32_t late_ns = 0;      ///< delay from the deadline to the wake-up
   float work_us = 0.0F;           ///< time spent in the tick
   std::uint8_t phase = 0;         ///< msg.Phase
   std::uint8_t fault = 0;         ///< control::FaultCause of the phase Faulted
-  std::uint8_t fault_stands = 0;  ///< control::FaultCause that nothing can be re-armed before the end of
+  std::uint8_t fault_stands = 0;  ///< control::FaultCause that persists and blocks re-arming
   bool in_body = false;
   bool surface_stale = false;
   bool limited = false;  ///< the limiter changed the force
@@ -30,9 +31,9 @@ struct TickSample {
   std::array<float, 3> device_camera{};
   std::array<float, 3> force_camera{};
   float indentation_m = 0.0F;  ///< |d| of S1 eq. (8); 0 out of the body
-  float distance_m = 0.0F;     ///< signed, of the device point; negative inside
+  float distance_m = 0.0F;     ///< signed distance of the device point; negative inside
   float passivity_J = 0.0F;
-  float device_age_s = 0.0F;  ///< of the three inputs, as the watchdog saw them
+  float device_age_s = 0.0F;  ///< ages of the three inputs, as the watchdog measured them
   float hand_age_s = 0.0F;
   float surface_age_s = 0.0F;
   std::int64_t surface_captured_ns = 0;

@@ -6,19 +6,21 @@
 
 namespace telepalp::organs {
 
-/// One triangle of a closed mesh, with what tells inside from outside near each of its features.
+/// One triangle of a closed mesh, with the pseudo-normals of its corners, edges and face. They tell inside from
+/// outside.
 struct ClosedFace {
   std::array<Eigen::Vector3d, 3> corners;         ///< counter-clockwise from outside [m]
-  std::array<Eigen::Vector3d, 3> corner_normals;  ///< angle-weighted over all faces at the corner; of any length
-  std::array<Eigen::Vector3d, 3> edge_normals;    ///< of the edge from corner i to i + 1; of any length
+  std::array<Eigen::Vector3d, 3> corner_normals;  ///< angle-weighted sum over all faces at the corner; not normalised
+  std::array<Eigen::Vector3d, 3> edge_normals;    ///< pseudo-normal of the edge from corner i to i + 1; not normalised
   Eigen::Vector3d normal;
 };
 
-/// The faces of a closed mesh, looking outwards. Vertices in one place count as one, faces without area as none. An
-/// error when an edge has a face on one side only: then nobody can tell inside from outside.
+/// The faces of a closed mesh with outward normals. Vertices at equal positions are merged; faces without area are
+/// dropped. Error: an edge belongs to one face only, so inside and outside are undefined.
 [[nodiscard]] Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh);
 
-/// The point of a face nearest to another, with the normal that tells on which side that other one is.
+/// The point of a face nearest to a query, with the pseudo-normal there; its scalar product with the vector to the
+/// query is negative inside.
 struct NearestOnFace {
   double squared_m2;
   Eigen::Vector3d at_m;

@@ -9,13 +9,14 @@ namespace telepalp::organs {
 
 struct OrganShapeSettings {
   double unit_m = 1.0;                                                  ///< metres for one unit of the file
-  Eigen::Isometry3d haptic_from_model = Eigen::Isometry3d::Identity();  ///< after `unit_m`
-  double cell_m = 0.004;                                                ///< of the lattice; docs/accuracy.md
-  double margin_m = 0.02;                                               ///< beyond the organ, known all around
+  Eigen::Isometry3d haptic_from_model = Eigen::Isometry3d::Identity();  ///< applied after the scaling by `unit_m`
+  double cell_m = 0.004;   ///< node spacing; docs/accuracy.md has the error that it causes
+  double margin_m = 0.02;  ///< the lattice extends so far beyond the organ on each side
 };
 
-/// Reads a closed mesh (.ply, .obj) and samples the distance to it, in H. Takes a fraction of a second: at load, never
-/// on the control thread. Every error names the file and what to do.
+/// Reads a closed mesh (.ply, .obj) and samples the signed distance to it in the haptic base's frame H. It takes a
+/// fraction of a second, so it is called while loading and never on the control thread. Each error names the file and a
+/// fix.
 [[nodiscard]] Result<std::shared_ptr<const effects::DistanceLattice>> read_organ_shape(
     const std::filesystem::path& file, const OrganShapeSettings& settings);
 

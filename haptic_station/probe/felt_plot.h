@@ -9,7 +9,7 @@
 
 namespace telepalp::probe {
 
-/// Depth, force and time of a step over time, as an SVG file.
+/// Plots depth, force and computation time of each step over the trajectory's time, as an SVG file.
 [[nodiscard]] Result<void> plot_felt(const std::filesystem::path& file, const std::vector<Felt>& felt,
                                      const std::string& title);
 

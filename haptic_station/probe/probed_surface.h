@@ -12,27 +12,27 @@
 
 namespace telepalp::probe {
 
-/// A surface to touch offline, and what there is to say about it.
+/// A surface for offline touch, with remarks about its file.
 struct ProbedSurface {
   std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
   std::string remarks;
-  std::vector<Eigen::Vector3d> on_surface;  ///< some of its points [m], spread over it: where a path may begin
+  std::vector<Eigen::Vector3d> on_surface;  ///< points spread over the surface [m]: candidates for a path's spots
 };
 
-/// What a cloud's or mesh's file does not say of itself.
+/// Properties that a cloud's or mesh's file does not contain.
 struct CloudOptions {
   double unit_m = 1.0;          ///< metres for one unit of the file
-  std::size_t samples = 16000;  ///< of a mesh
-  bool flip_normals = false;    ///< of a mesh, or of a cloud without a camera's order
+  std::size_t samples = 16000;  ///< number of points sampled from a mesh
+  bool flip_normals = false;    ///< of a mesh or an unorganised cloud
 };
 
-/// A cloud or mesh file. An organised cloud that a pinhole camera took is touched through its lattice, like a depth
-/// image; any other as points. Without a single finite point, with all in one place or on one line, or in a unit that
-/// is no metre: an error.
+/// Opens a cloud or mesh file. An organised cloud from a pinhole camera is converted to a depth image's lattice; any
+/// other is a point-set surface. Error: no finite point, all points at one place or on one line, or coordinates that
+/// cannot be metres.
 [[nodiscard]] Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudOptions& options,
                                                const surface::SurfaceSettings& settings);
 
-/// A 16-bit depth PNG with its camera.textproto.
+/// Opens a 16-bit depth PNG with the intrinsics in its camera.textproto.
 [[nodiscard]] Result<ProbedSurface> open_depth(const std::filesystem::path& png, const std::filesystem::path& camera,
                                                const surface::SurfaceSettings& settings);
 

@@ -12,11 +12,11 @@ namespace telepalp::probe {
 
 struct Waypoint {
   double t_s = 0.0;
-  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();  ///< may be NaN: answered without force
+  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();  ///< may be NaN: touched without force
 };
 
-/// Reads `t_s,x,y,z` lines, with or without that header line. Time that goes back or is not a number is an error with
-/// its line; a position that is not a number is kept, for the touch to answer safely.
+/// Reads lines `t_s,x,y,z`, with or without that header line. Error: a time that decreases or is not a number, reported
+/// with its line. A position that is not a number is kept, to test that touch() survives it.
 [[nodiscard]] Result<std::vector<Waypoint>> read_trajectory(const std::filesystem::path& file);
 [[nodiscard]] Result<std::vector<Waypoint>> parse_trajectory(std::string_view text, const std::string& name);
 

@@ -11,20 +11,20 @@
 
 namespace telepalp::scenes {
 
-/// What a number may be. `unit` is for the message alone.
+/// Allowed range of a number. `unit` only appears in messages.
 struct Range {
   double least;
   double most;
   std::string_view unit;
 };
 
-/// Collects the first value out of its range while a message is read field by field.
+/// Checks the numbers of a message field by field and keeps the first error.
 class FieldCheck {
  public:
   explicit FieldCheck(std::string file, program::NumberPlaces places = program::NumberPlaces())
       : file_(std::move(file)), places_(std::move(places)) {}
 
-  /// `value` into `into` when it is within `range`; otherwise remembers the complaint about `field`.
+  /// Assigns `value` to `into` when it is within `range`; otherwise records an error about `field`.
   void number(std::string_view field, double value, const Range& range, double& into) {
     if (std::isfinite(value) && value >= range.least && value <= range.most) {
       into = value;
@@ -36,7 +36,7 @@ class FieldCheck {
              places_.where(file_, field, value));
   }
 
-  /// Of something that a field names, such as a file.
+  /// Records an error that arose elsewhere, for example while reading a file that a field names.
   void fail(Error error) {
     if (!error_) error_ = std::move(error);
   }

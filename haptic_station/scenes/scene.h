@@ -14,8 +14,8 @@
 
 namespace telepalp::scenes {
 
-/// A scene, checked and in plain values. `message` is the file as read, for what other parts read of it
-/// (`surface()`), and for recording.
+/// A checked scene in plain values. `message` is the parsed file: it is recorded, and surface() of it selects the
+/// surface settings.
 struct Scene {
   std::string name;
   Transform<HapticBase, DepthCamera> haptic_from_camera;
@@ -26,20 +26,19 @@ struct Scene {
   device::SimulatedDeviceSettings simulated_device;
   device::SimulatedHandSettings simulated_hand;
   device::Trial trial = device::Trial::IndentSeveralPoints;
-  std::optional<std::filesystem::path> hand_trace;  ///< instead of the trial, resolved against the scene's folder
+  std::optional<std::filesystem::path> hand_trace;  ///< replaces the trial; resolved against the scene's folder
   double trace_deepest_m = 0.04;
   msg::Scene message;
 };
 
-/// Reads and checks a *.scene.textproto. An unknown field is an error with line and column; a value out of its range
-/// one with the field's name, its unit and the range.
+/// Reads and checks a *.scene.textproto. Error: an unknown field, reported with line and column, or a value out of its
+/// range, reported with field, unit and range.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);
 
-/// The same from text; `name` stands for the file in errors, and its folder resolves relative paths.
+/// Parses and checks the text of a scene file. `name`: the file's path, for errors; its folder resolves relative paths.
 [[nodiscard]] Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& name);
 
-/// Checks a message and turns it into plain values.
-/// `places`: where its numbers stand in the file, for errors.
+/// Checks a message and converts it to plain values. `places`: position of each number in the file, for errors.
 [[nodiscard]] Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path& name,
                                        const program::NumberPlaces& places = program::NumberPlaces());
 

@@ -22,30 +22,30 @@
 
 namespace telepalp::station {
 
-/// What the operator asked for.
+/// Options of the command line.
 struct StationOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;
-  double seconds = 0.0;  ///< of ticking, then end; 0: until asked to end
+  double seconds = 0.0;  ///< run time of the haptic loop; 0: until a signal
   Realtime realtime = Realtime::Prefer;
-  std::filesystem::path control;                      ///< of the socket that operators speak to; empty: there is none
-  std::filesystem::path state_folder;                 ///< where the flight recorder is written at a fault
-  std::optional<StaticPatient> model = std::nullopt;  ///< touched instead of what a server streams
+  std::filesystem::path control;                      ///< path of the socket for operators' commands; empty: no socket
+  std::filesystem::path state_folder;                 ///< folder for the files of the flight recorder
+  std::optional<StaticPatient> model = std::nullopt;  ///< touched instead of the surface from a server
 };
 
-/// The station: a link to the server, the surface thread and the haptic thread, joined by hand-offs. Runs on the
-/// calling thread, which becomes the network thread, until the time is up or a signal asks it to end.
+/// The station: a link to the server, the surface thread and the haptic thread, joined by wait-free hand-offs. run()
+/// turns the calling thread into the network thread and returns when the time is up or a signal arrives.
 class Station {
  public:
-  /// `io`: of the network thread; run() runs it, and it outlives the station. `trace`: the recorded hand that the scene
-  /// names, if it names one. `rig`: a connected rig; without one the scene's simulated rig is used.
+  /// `io`: the network thread's io_context; run() runs it, and it must outlive the station. `trace`: the scene's
+  /// recorded hand movement, if it has one. `rig`: a connected rig; when empty, the scene's simulated rig is used.
   Station(boost::asio::io_context& io, const StationOptions& options, const scenes::Scene& scene,
           const surface::SurfaceSettings& surface, std::optional<tracking::HandTrace> trace, ConnectedRig rig = {});
   ~Station();
   Station(const Station&) = delete;
   Station& operator=(const Station&) = delete;
 
-  /// Done, or why the station could not do its work.
+  /// Runs the station to its end. Error: the reason why it could not work.
   [[nodiscard]] Result<void> run();
 
  private:
@@ -68,8 +68,8 @@ class Station {
   void publish(wire::Message message);
   [[nodiscard]] SessionTime now() const noexcept { return link_.clock().now(); }
 
-  // No member needs another one to be made before it: the initialisers read the constructor's parameters alone. The
-  // destructor ends the threads before any member goes.
+  // The members' initialisers read only the constructor's parameters, so the order of members is free. The destructor
+  // ends the threads before it destroys any member.
   StationOptions options_;
   scenes::Scene scene_;
   std::optional<tracking::HandTrace> trace_;
@@ -81,18 +81,18 @@ class Station {
   std::optional<Intrinsics> camera_;
   std::optional<Error> failure_;
   std::set<std::string> said_of_trying_;
-  std::string depth_;  // as last said
+  std::string depth_;  // depth mode that was logged last
 
-  const bool in_tick_;                                      // the surface is quick enough to be asked in the tick
-  LatestValue<TouchableSurface> slow_surfaces_;             // surface thread to collision thread, where there is one
+  const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread
+  LatestValue<TouchableSurface> slow_surfaces_;             // surface thread to collision thread, if it exists
   LatestValue<TouchableSurface> surfaces_;                  // surface or collision thread to haptic thread
   LatestValue<Point<HapticBase>> device_to_surface_;        // haptic thread to surface thread
   TickRing ticks_;                                          // haptic thread to network thread
   HapticLoop loop_;                                         // owner: haptic thread, once it runs
   std::unique_ptr<ports::Rig> rig_;                         // owner: haptic thread, once it runs
-  std::optional<tracking::BrowserHand::Taken> hand_taken_;  // what was last said of a viewer's hand
-  tracking::BrowserHand* browser_hand_;                     // of rig_; its hear() is this thread's
-  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // once the first image told
+  std::optional<tracking::BrowserHand::Taken> hand_taken_;  // last result that was logged for a viewer's hand
+  tracking::BrowserHand* browser_hand_;  // the tracker in rig_, or nullptr; hear() is called on this thread
+  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // known from the first image on
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;
   FaultMonitor faults_;
@@ -102,7 +102,7 @@ class Station {
   std::chrono::steady_clock::time_point ticking_since_;
   std::vector<msg::EffectCost> costs_;
   bool realtime_granted_ = false;
-  bool stopped_ = false;  // a timer that has fired cannot be cancelled: its handler looks here
+  bool stopped_ = false;  // checked by timer handlers: a timer that has expired cannot be cancelled
 };
 
 }  // namespace telepalp::station

@@ -9,11 +9,11 @@
 
 namespace telepalp::tracking {
 
-/// How the hand moves between samples.
+/// Motion model of the hand between samples.
 enum class MotionModel {
-  DampedVelocity,  ///< the velocity dies away: a hand that moves will stop
+  DampedVelocity,  ///< the velocity decays exponentially: a moving hand will stop
   ConstantVelocity,
-  ConstantAcceleration,  ///< right for slow smooth movements only; overshoots real hands
+  ConstantAcceleration,  ///< good for slow, smooth movements only; overshoots real hands
 };
 
 struct HandEstimateSettings {
@@ -21,36 +21,36 @@ struct HandEstimateSettings {
   double noise_m = 0.0005;             ///< standard deviation of a sample
   double jerk_m_per_s3 = 60.0;         ///< intensity of the white jerk (acceleration model) [m/s^3 / sqrt(Hz)]
   double acceleration_m_per_s2 = 1.0;  ///< intensity of the white acceleration (velocity models) [m/s^2 / sqrt(Hz)]
-  double velocity_memory_s = 0.8;      ///< over which the damped velocity dies away from sample to sample
-  double prediction_memory_s = 0.06;   ///< and ahead of the newest sample: the hand may be about to stop
-  double longest_prediction_s = 0.05;  ///< beyond it the hand is held where the prediction ended
-  double restart_after_s = 0.2;        ///< a longer gap forgets the motion before it
-  double fastest_m_per_s = 5.0;        ///< a sample that implies more is another hand, or an error
-  int outliers_until_restart = 5;      ///< so many of them in a row are believed
+  double velocity_memory_s = 0.8;      ///< time constant of the velocity's decay between samples
+  double prediction_memory_s = 0.06;   ///< time constant after the newest sample; shorter, as the hand may be stopping
+  double longest_prediction_s = 0.05;  ///< at a greater age the predicted position no longer changes
+  double restart_after_s = 0.2;        ///< the filter restarts after a longer gap between samples
+  double fastest_m_per_s = 5.0;        ///< a sample that implies a greater speed is an outlier
+  int outliers_until_restart = 5;      ///< after so many outliers in a row, the filter restarts at the newest
 };
 
-/// The hand at an instant, by prediction from the samples before it.
+/// The hand's predicted state at an instant, from the samples before it.
 struct HandPrediction {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
-  double sigma_m = 0.0;         ///< standard deviation by axis
-  double age_s = 0.0;           ///< since the newest sample
+  double sigma_m = 0.0;         ///< standard deviation per axis
+  double age_s = 0.0;           ///< age of the newest sample
   bool valid = false;           ///< false: no sample yet
 };
 
-/// What became of a sample.
+/// How update() handled a sample.
 enum class Taken { Used, Restarted, NotFinite, OutOfOrder, Outlier };
 
-/// Kalman filter over hand or proxy samples at about 100 Hz, asked at 2 kHz (S1 II.D). Works on the samples' own
-/// times, so that jitter, gaps and bursts are no error of the model. Its covariance is bounded by the restart after a
-/// gap. Axes are independent and share one covariance. No allocation. Owner: control thread.
+/// Kalman filter over hand or proxy samples at about 100 Hz, predicted at 2 kHz (S1 II.D). It uses the time stamp of
+/// each sample, so jitter, gaps and bursts cause no model error. The restart after a gap bounds its covariance. Axes
+/// are independent and share one covariance. No allocation. Owner: control thread.
 class HandEstimate {
  public:
   explicit HandEstimate(const HandEstimateSettings& settings = {}) noexcept : settings_(settings) {}
 
-  /// A sample taken at `at`. Only Used and Restarted change the estimate.
+  /// Adds a sample taken at `at`. The estimate changes only when the result is Used or Restarted.
   Taken update(SessionTime at, const Point<HapticBase>& hand) noexcept;
-  /// Begins anew: no sample yet.
+  /// Discards all samples; the next one restarts the filter.
   void forget() noexcept { started_ = false; }
   [[nodiscard]] HandPrediction predict(SessionTime now) const noexcept;
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }

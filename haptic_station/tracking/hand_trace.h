@@ -13,26 +13,27 @@ namespace telepalp::tracking {
 
 /// One sample of a recorded hand.
 struct TraceSample {
-  SessionTime at;  ///< from the trace's first sample
+  SessionTime at;  ///< time since the trace's first sample
   Point<HandTracker> palm;
-  Vector<HandTracker> velocity;  ///< as the tracker gave it [m/s]; zero when the file has none
+  Vector<HandTracker> velocity;  ///< as the tracker measured it [m/s]; zero when the file has no velocity columns
 };
 
 /// A recorded hand, in time order, at least two samples.
 struct HandTrace {
   std::vector<TraceSample> samples;
-  std::size_t skipped = 0;  ///< rows that could not be used
+  std::size_t skipped = 0;  ///< number of invalid rows, which are left out
 };
 
-/// Reads a trace as CSV with a header row; columns in any order, others ignored: timestamp_us, palm_x_mm, palm_y_mm,
-/// palm_z_mm, and if there are vel_x_mm_s, vel_y_mm_s, vel_z_mm_s and hand_id (the first row's hand is kept).
-/// Damaged rows, rows out of time order and other hands are skipped and counted. Numbers use a point whatever the
-/// locale. Files over 64 MiB are refused.
+/// Reads a trace as CSV with a header row. Columns may be in any order; unknown ones are ignored. Required:
+/// timestamp_us, palm_x_mm, palm_y_mm, palm_z_mm. Optional: vel_x_mm_s, vel_y_mm_s, vel_z_mm_s, hand_id. Only the hand
+/// of the first row is read. Damaged rows, rows out of time order and rows of other hands are skipped and counted.
+/// Numbers have a decimal point in every locale. Error: a file over 64 MiB, or fewer than two valid rows.
 [[nodiscard]] Result<HandTrace> read_hand_trace(const std::filesystem::path& file);
 [[nodiscard]] Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name);
 
-/// A person who repeats a recorded movement, there and back so that no jump is left at its ends. `haptic_from_tracker`
-/// turns it into H; it is shifted so that its lowest point presses `depth_m` under `skin`.
+/// A simulated person who repeats a recorded movement, alternately forwards and backwards, so that the path is
+/// continuous. `haptic_from_tracker` turns the movement into the haptic base's frame H; it is then shifted so that its
+/// lowest point lies `depth_m` below `skin`.
 class RecordedIntention {
  public:
   RecordedIntention(const HandTrace& trace, const Transform<HapticBase, HandTracker>& haptic_from_tracker,
@@ -40,7 +41,7 @@ class RecordedIntention {
 
   /// `time_s` since the start. No allocation.
   [[nodiscard]] device::Intention at(double time_s) const noexcept;
-  [[nodiscard]] double duration_s() const noexcept;  ///< one way
+  [[nodiscard]] double duration_s() const noexcept;  ///< of one pass in one direction
 
  private:
   std::vector<double> times_s_;

@@ -6,8 +6,8 @@
 
 namespace telepalp::tracking {
 
-/// The hand that holds the end-effector, for devices with a grip and no tracker: it is where the device is, told 100
-/// times a second, and not at all when the device is silent.
+/// Stands in for a tracker when the person grips the end-effector: the hand's position is the device's position,
+/// sampled 100 times a second. A silent device gives no samples.
 class HeldHand final : public ports::Tracker {
  public:
   [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,

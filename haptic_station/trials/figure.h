@@ -12,14 +12,14 @@ struct Curve {
   std::vector<double> y;
 };
 
-/// A stretch of the x axis in one phase.
+/// An interval of the x axis with a background colour; it marks one phase of the controller.
 struct Stretch {
   double from;
   double to;
   std::string color;
 };
 
-/// One plot: curves over shared axes, stretches behind them.
+/// One plot: curves over shared axes, with coloured intervals behind them.
 struct Figure {
   std::string title;
   std::string x_label;
@@ -28,7 +28,7 @@ struct Figure {
   std::vector<Stretch> stretches;
 };
 
-/// As an SVG element of 900 by 260 pixels. Samples that are not finite are left out.
+/// Draws the figure as an SVG element of 900 × 260 pixels. Samples that are not finite are left out.
 [[nodiscard]] std::string to_svg(const Figure& figure);
 
 }  // namespace telepalp::trials

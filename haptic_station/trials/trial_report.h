@@ -9,13 +9,14 @@
 
 namespace telepalp::trials {
 
-/// Each trial's figures, phases and transitions.
+/// The report as JSON: figures, phases and transitions of each trial.
 [[nodiscard]] std::string to_json(std::span<const TrialResult> results);
 
-/// One page with plots like S1 Fig. 5 to 8: place by phase, and force against indentation.
+/// The report as one HTML page with plots like S1 Fig. 5 to 8: position over time, coloured by phase, and force against
+/// indentation.
 [[nodiscard]] std::string to_html(std::span<const TrialResult> results);
 
-/// Writes report.json and report.html into `folder`, made if need be.
+/// Writes report.json and report.html into `folder`, which is created if it does not exist.
 [[nodiscard]] Result<void> write_report(std::span<const TrialResult> results, const std::filesystem::path& folder);
 
 }  // namespace telepalp::trials

@@ -8,13 +8,13 @@
 
 namespace telepalp::trials {
 
-/// What a figure of S1 plots, taken every 5 ms.
+/// One point of the plots of S1 Fig. 5 to 8, taken every 5 ms.
 struct TrialSample {
   double time_s;
   control::Phase phase;
-  Point<HapticBase> hand;  ///< the true one
+  Point<HapticBase> hand;  ///< true position, without tracker noise
   Point<HapticBase> device;
-  Point<HapticBase> shown;  ///< the hand as displayed
+  Point<HapticBase> shown;  ///< displayed hand
   Force<HapticBase> force;
   double indentation_m;
 };
@@ -26,13 +26,13 @@ struct Transition {
   control::Event on;
 };
 
-/// How smooth a trial was.
+/// Measures of a trial's smoothness and safety.
 struct TrialFigures {
   std::array<int, control::kPhaseCount> entries{};
-  double worst_force_step_N = 0.0;        ///< from one tick to the next
-  double worst_jump_m = 0.0;              ///< of the end-effector at a transition, beyond what its speed explains
-  double worst_speed_jump_m_per_s = 0.0;  ///< of the end-effector at a transition, in one tick
-  double worst_shown_step_m = 0.0;        ///< of the displayed hand in one tick
+  double worst_force_step_N = 0.0;  ///< largest change of force between two ticks
+  double worst_jump_m = 0.0;        ///< largest displacement of the end-effector at a transition, minus speed × tick
+  double worst_speed_jump_m_per_s = 0.0;  ///< largest change of the end-effector's speed in the tick of a transition
+  double worst_shown_step_m = 0.0;        ///< largest displacement of the displayed hand in one tick
   double most_force_N = 0.0;
   double contact_s = 0.0;
   double least_passivity_J = 0.0;
@@ -49,14 +49,14 @@ struct TrialResult {
   std::vector<Transition> transitions;
 };
 
-/// Runs one of S1's trials in virtual time over a level, perhaps breathing, skin.
+/// Runs one of S1's trials in virtual time over a horizontal skin, which may breathe.
 [[nodiscard]] TrialResult run_trial(device::Trial trial, const VirtualStationSettings& settings,
                                     const device::BreathingPlane& skin);
 
-/// S1's scene: the skin with the stated stiffness and the cylinder 0.03 m under it.
+/// S1's scene: the skin with the paper's stiffness and the cylinder 0.03 m below it.
 [[nodiscard]] VirtualStationSettings paper_settings();
 
-/// "first trial: indent several points" …
+/// The trial's title, for example "first trial: indent several points".
 [[nodiscard]] const char* title(device::Trial trial) noexcept;
 
 }  // namespace telepalp::trials

@@ -19,8 +19,8 @@ struct VirtualStationSettings {
   double tick_s = 0.0005;
 };
 
-/// Tracker, estimate, controller, device and person in virtual time: the tick of the live loop without its clock,
-/// threads and camera. The surface and the person are the caller's.
+/// Runs tracker, hand estimate, controller and simulated device in virtual time: the tick of the 2 kHz loop without
+/// clock, threads and camera. The caller supplies the surface and the person.
 class VirtualStation {
  public:
   explicit VirtualStation(const VirtualStationSettings& settings) noexcept
@@ -32,9 +32,9 @@ class VirtualStation {
 
   void place(const Point<HapticBase>& device, const Point<HapticBase>& hand) noexcept { pair_.place(device, hand); }
 
-  /// The controller's input at this tick but for the contact, which `surface` answers for the device point:
-  /// `SurfaceContact surface(Point<HapticBase> device, double time_s)`. `person` aims:
-  /// `device::Intention person(const device::TrialView&)`. `spoil(ControlInput&)` may damage the input, for tests.
+  /// Runs one tick. `SurfaceContact surface(Point<HapticBase> device, double time_s)` gives the contact of the device
+  /// point. `device::Intention person(const device::TrialView&)` gives the hand's intended position.
+  /// `spoil(ControlInput&)` may damage the controller's input, for tests.
   template <class Surface, class Person, class Spoil>
   control::ControlOutput step(Surface&& surface, Person&& person, Spoil&& spoil) noexcept {
     const SessionTime now{from_seconds(time_s())};

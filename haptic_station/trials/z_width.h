@@ -4,12 +4,14 @@
 
 namespace telepalp::trials {
 
-/// Whether the simulated device at a virtual wall of this stiffness, its force held between samples, comes to rest when
-/// it is knocked and nothing but its own damping holds it: the strictest case, without a hand.
+/// True when the simulated device comes to rest after a knock against a virtual wall of this stiffness. The wall's
+/// force is held between samples, and only the device's own damping dissipates energy: the strictest case, without a
+/// hand.
 [[nodiscard]] bool wall_is_stable(double stiffness_N_per_m, double rate_hz,
                                   const device::SimulatedDeviceSettings& device) noexcept;
 
-/// Z-width: the stiffest such wall, to 1 %. Theory for a held force: k < 2 b / T at most.
+/// The upper end of the Z-width: the stiffest stable wall, to 1 %. Theory for a force that is held between samples: k <
+/// 2 b / T, with damping b and sample period T.
 [[nodiscard]] double largest_stable_stiffness_N_per_m(double rate_hz, double damping_N_s_per_m) noexcept;
 
 }  // namespace telepalp::trials

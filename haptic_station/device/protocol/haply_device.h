@@ -15,14 +15,16 @@
 
 namespace telepalp::device {
 
-/// The Inverse service's standard address.
+/// Default address of the Haply Inverse service.
 [[nodiscard]] inline WebSocketUrl standard_haply_url() { return {"127.0.0.1", 10001, "/"}; }
 
-/// The middle of an Inverse3's workspace, in its own frame: where H's origin, the skin, is put.
+/// Middle of an Inverse3's workspace, in the Inverse3's frame. The origin of the haptic base's frame H, which lies on
+/// the skin, is placed there.
 [[nodiscard]] inline Point<haply::InverseBase> middle_of_inverse3() { return {{0.04, -0.17, 0.16}}; }
 
-/// A Haply Inverse3, by its service's WebSocket, on a thread of its own: each answer is followed by the newest force,
-/// at most 2500 times a second. A force that the haptic thread has not renewed for 50 ms is sent as zero.
+/// A Haply Inverse3, driven over the WebSocket of its service on a separate thread. Each message from the service is
+/// answered with the newest force, at most 2500 times a second. A force that the haptic thread has not renewed for 50
+/// ms is replaced by zero.
 class HaplyDevice final : public ports::Device {
  public:
   using Say = std::function<void(const std::string&)>;  ///< called on this device's thread
@@ -30,13 +32,13 @@ class HaplyDevice final : public ports::Device {
   HaplyDevice(WebSocketUrl url, const Point<haply::InverseBase>& origin, Say say);
   ~HaplyDevice() override;
 
-  /// Returns when a device has told where it is, or why none has within `limit`.
+  /// Waits for the first position of a device. Error: no position came within `limit`.
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
   [[nodiscard]] ports::DeviceReading read() noexcept override;
   void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
-  /// Texts that could not be used, so far.
+  /// Number of invalid texts received so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
 
  private:
@@ -61,7 +63,7 @@ class HaplyDevice final : public ports::Device {
   const Transform<haply::InverseBase, HapticBase> inverse_from_haptic_;
   boost::asio::steady_timer pace_;  // owner: thread_
   WebSocketLine line_;              // owner: thread_
-  std::string device_id_;           // owner: thread_; the first device seen, and no other from then on
+  std::string device_id_;           // owner: thread_; the first device seen; later ones are ignored
   Clock::time_point sent_;          // owner: thread_
   bool line_is_up_ = false;         // owner: thread_
   std::atomic<std::uint64_t> refused_{0};

@@ -10,10 +10,10 @@
 
 namespace telepalp::device::haply {
 
-/// The Inverse3's own frame: origin at its base, right-handed, z up (the service's default basis).
+/// Frame of the Inverse3: origin at its base, right-handed, z up (the service's default basis).
 struct InverseBase {};
 
-/// One Inverse3 as a text tells of it.
+/// State of one Inverse3, as parsed from a text of the service.
 struct State {
   std::string device_id;
   Point<InverseBase> cursor;
@@ -23,16 +23,17 @@ struct State {
 inline constexpr std::size_t kMostTextBytes = 64U << 10U;
 
 /// Reads one text of the service: the Inverse3 named `wanted_id`, or the first one if that is empty. nullopt: the text
-/// is well-formed, but this device is not in it (unplugged), or its state is not.
-/// Error: no JSON, over 64 KiB, a field of the wrong type, an id of over 64 bytes or with anything but letters, digits,
-/// `-`, `_` and `:`, a position beyond 2 m or a speed beyond 50 m/s, numbers that are not finite.
+/// is well-formed but does not contain this device (it is unplugged) or lacks its state. Error: invalid JSON, over 64
+/// KiB, a field of the wrong type, an id of over 64 bytes or with characters other than letters, digits, `-`, `_` and
+/// `:`, a position beyond 2 m, a speed beyond 50 m/s, or a number that is not finite.
 [[nodiscard]] Result<std::optional<State>> parse_text(std::string_view text, std::string_view wanted_id = {});
 
-/// The text that sets the force at the cursor, and asks for the next state: the service answers each text by one.
-/// A force that is not finite is sent as zero. Numbers have a point whatever the locale.
+/// The text that sets the force at the cursor and requests the next state; the service answers each text with one text.
+/// A force that is not finite is sent as zero. Numbers have a decimal point in every locale.
 [[nodiscard]] std::string force_text(std::string_view device_id, const Force<InverseBase>& force);
 
-/// Turns the Inverse's axes (z up) into H's (y up, S1), with H's origin at `origin`: where the skin shall be.
+/// Rotates the Inverse3's axes (z up) to those of the haptic base's frame H (y up, S1) and places H's origin, which
+/// lies on the skin, at `origin`.
 [[nodiscard]] Transform<HapticBase, InverseBase> haptic_from_inverse(const Point<InverseBase>& origin);
 
 }  // namespace telepalp::device::haply

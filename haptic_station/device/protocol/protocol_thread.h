@@ -12,8 +12,8 @@
 
 namespace telepalp::device {
 
-/// One io_context on its own thread, where a device's or a tracker's protocol lives. What it makes goes to the haptic
-/// thread by LatestValue. The mutex is for the start alone: whoever starts it waits for the first answer.
+/// Runs one io_context on its own thread, for the protocol of a device or a tracker. Readings go to the haptic thread
+/// through a LatestValue. The mutex serves the start only: the starting thread waits for the first answer.
 class ProtocolThread {
  public:
   ~ProtocolThread() { stop(); }
@@ -23,25 +23,25 @@ class ProtocolThread {
   void run() {
     thread_ = std::thread([this] { io_.run(); });
   }
-  /// Nothing runs on the thread after this.
+  /// Stops the io_context and joins the thread.
   void stop() {
     io_.stop();
     if (thread_.joinable()) thread_.join();
   }
 
-  /// On the thread: the other end has answered as it should.
+  /// Called on the thread when the service has given its first valid answer.
   void answered() {
     if (has_answered_.exchange(true)) return;
     const std::lock_guard lock(mutex_);
     changed_.notify_all();
   }
-  /// On the thread: what is in the way, for whoever waits.
+  /// Called on the thread to store why no answer has come yet; the starting thread reports it when its wait times out.
   void obstacle(std::string what) {
     const std::lock_guard lock(mutex_);
     obstacle_ = std::move(what);
   }
 
-  /// True once answered; waits for that at most `limit`.
+  /// Waits at most `limit` for the first answer; true when it has come.
   [[nodiscard]] bool wait_for_answer(std::chrono::milliseconds limit) {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, limit, [this] { return has_answered_.load(); });

@@ -10,11 +10,11 @@
 
 namespace telepalp::device::udp {
 
-/// What goes down to the device at every tick. UDP_DEVICE.md has the bytes.
+/// Message from the station to the device, sent at every tick. UDP_DEVICE.md specifies the bytes.
 struct Command {
-  std::uint32_t session = 0;   ///< the station's, drawn at its start
-  std::uint32_t sequence = 0;  ///< one more with every command
-  std::uint64_t sent_us = 0;   ///< the station's steady clock
+  std::uint32_t session = 0;   ///< random number that the station draws at its start
+  std::uint32_t sequence = 0;  ///< increases by one with each command
+  std::uint64_t sent_us = 0;   ///< on the station's steady clock
   bool in_body = false;        ///< S1 II.C's flag
   bool surface_valid = false;
   bool let_go = false;        ///< no force, no position control
@@ -24,12 +24,12 @@ struct Command {
   Force<HapticBase> force{};  ///< already limited
 };
 
-/// What comes up from it.
+/// Message from the device to the station.
 struct Pose {
-  std::uint32_t session = 0;  ///< the device's, drawn at its start
+  std::uint32_t session = 0;  ///< random number that the device draws at its start
   std::uint32_t sequence = 0;
-  std::uint64_t taken_us = 0;  ///< the device's own clock, when the encoders were read
-  std::uint32_t heard = 0;     ///< the newest command's sequence number
+  std::uint64_t taken_us = 0;  ///< when the encoders were read, on the device's clock
+  std::uint32_t heard = 0;     ///< sequence number of the newest command received
   bool faulted = false;        ///< the device has switched its motors off by itself
   Point<HapticBase> end_effector{};
   Vector<HapticBase> velocity{};
@@ -38,7 +38,7 @@ struct Pose {
 inline constexpr std::size_t kCommandBytes = 108;
 inline constexpr std::size_t kPoseBytes = 80;
 
-/// Numbers that are not finite, or out of range, become a command to let go, with zero force.
+/// A command with a number that is not finite or is out of range is encoded as a command to let go, with zero force.
 [[nodiscard]] std::array<std::byte, kCommandBytes> encode(const Command& command) noexcept;
 [[nodiscard]] std::array<std::byte, kPoseBytes> encode(const Pose& pose) noexcept;
 
@@ -47,8 +47,9 @@ inline constexpr std::size_t kPoseBytes = 80;
 [[nodiscard]] std::optional<Command> decode_command(std::span<const std::byte> datagram) noexcept;
 [[nodiscard]] std::optional<Pose> decode_pose(std::span<const std::byte> datagram) noexcept;
 
-/// Which poses to believe: newer ones of the same session, or of a session that was not heard before the present one.
-/// A pose whose clock stands still although its numbers go on is stale: a hung device must not look alive. Pure.
+/// Decides which poses are new. A pose is newer when its sequence number is greater within the current session, or when
+/// it begins a session other than the current and the previous one. A pose whose clock stands still while its sequence
+/// number rises is stale: a hung device must not look alive. Pure.
 class PoseOrder {
  public:
   enum class Verdict { Newest, Repeated, OldSession, ClockStands };

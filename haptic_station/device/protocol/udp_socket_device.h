@@ -12,20 +12,21 @@
 
 namespace telepalp::device {
 
-/// A device that speaks UDP_DEVICE.md, as PC-2 of S1 II.B. Sends and receives on the haptic thread itself, without
-/// waiting: a datagram a tick is the device's own system call. On this machine only: the datagrams are not sealed.
+/// A device that speaks the protocol of UDP_DEVICE.md, like PC-2 of S1 II.B. It sends and receives on the haptic thread
+/// with non-blocking calls: one datagram per tick is the cost of talking to the device. Only loopback addresses are
+/// accepted, because the datagrams are not encrypted.
 class UdpDevice final : public ports::Device {
  public:
-  /// Error: an address that is not this machine's, or no socket.
+  /// Error: the address is not a loopback address, or the socket cannot be opened.
   [[nodiscard]] static Result<std::unique_ptr<UdpDevice>> open(const program::Address& address);
 
-  /// Returns when the device has told where it is, or why it has not within `limit`. Asks it to let go meanwhile.
+  /// Waits for the device's first pose and commands it to let go meanwhile. Error: no pose came within `limit`.
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
   [[nodiscard]] ports::DeviceReading read() noexcept override;
   void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
-  /// Datagrams that were damaged, old or repeated, so far.
+  /// Number of damaged, old or repeated datagrams received so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }
 
  private:

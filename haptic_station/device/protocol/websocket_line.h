@@ -19,25 +19,25 @@ struct WebSocketUrl {
   std::string path = "/";
 };
 
-/// Error: no ws:// URL, no port, characters that do not belong there. `where` names the option. What leaves out its
-/// port or path gets `standard`'s.
+/// Parses a ws:// URL. A missing port or path is taken from `standard`. `where`: the option's name, for error messages.
+/// Error: another scheme, an invalid port, or invalid characters.
 [[nodiscard]] Result<WebSocketUrl> parse_websocket_url(std::string_view text, const WebSocketUrl& standard,
                                                        std::string_view where);
 [[nodiscard]] std::string to_string(const WebSocketUrl& url);
 
-/// A WebSocket client that stays: it connects again when the line is lost, and counts a line on which nothing comes as
-/// lost. Texts larger than the bound end the connection, not the program. Owner: the io_context's one thread.
+/// A WebSocket client that reconnects when the connection is lost. A connection without a message for `silence` counts
+/// as lost. A text larger than `most_text_bytes` ends the connection. Owner: the io_context's one thread.
 class WebSocketLine {
  public:
   struct Settings {
     std::size_t most_text_bytes = 64U << 10U;
-    std::chrono::milliseconds silence{1000};     ///< nothing came for so long: connect again
-    std::chrono::milliseconds again_after{250};  ///< between attempts
+    std::chrono::milliseconds silence{1000};     ///< without a message for so long: reconnect
+    std::chrono::milliseconds again_after{250};  ///< pause between attempts
   };
   struct Handlers {
     std::function<void()> on_open;
     std::function<void(std::string_view)> on_text;
-    std::function<void(const std::string&)> on_lost;  ///< why; also each time that connecting failed
+    std::function<void(const std::string&)> on_lost;  ///< gets the reason; also after each failed attempt
   };
 
   WebSocketLine(boost::asio::io_context& io, WebSocketUrl url, const Settings& settings, Handlers handlers);
@@ -46,7 +46,7 @@ class WebSocketLine {
   WebSocketLine& operator=(const WebSocketLine&) = delete;
 
   void start();
-  /// Sends `text`; one that is still on its way is never joined by a second one: the newest waits, others are dropped.
+  /// Sends `text`. While an earlier text is being written, only the newest text waits; older waiting texts are dropped.
   void send(std::string text);
   void stop();
 
@@ -55,7 +55,7 @@ class WebSocketLine {
   struct Shared;
   void connect();
 
-  std::shared_ptr<Shared> shared_;  // shared: handlers that have fired outlive the line
+  std::shared_ptr<Shared> shared_;  // shared: pending Asio handlers may outlive this object
 };
 
 }  // namespace telepalp::device

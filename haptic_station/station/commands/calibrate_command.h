@@ -2,8 +2,9 @@
 
 namespace telepalp::station {
 
-/// `telepalp-station calibrate …`: measures where tracker, camera and device stand to one another, and keeps it in a
-/// *.calibration.textproto that `--calibration` reads. Returns the program's exit code.
+/// `telepalp-station calibrate …`: measures the transforms between tracker, camera and device, and writes them to a
+/// *.calibration.textproto for `telepalp-station --calibration`. `argv[0]` is "calibrate". Returns the program's exit
+/// code.
 [[nodiscard]] int calibrate_command(int argc, const char* const* argv);
 
 }  // namespace telepalp::station

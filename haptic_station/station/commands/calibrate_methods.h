@@ -6,17 +6,17 @@
 
 namespace telepalp::station {
 
-/// One transform, measured, and where in the file it belongs.
+/// One measured transform. `of_camera`: true for haptic_from_camera, false for haptic_from_tracker.
 struct Measured {
   msg::MeasuredTransform transform;
   bool of_camera = false;
 };
 
-/// By pairs of points in a file, clicked in both frames (S3 4.2).
+/// Measures by point pairs from a file; each point was measured in both frames (S3 4.2).
 [[nodiscard]] Result<Measured> from_points(const program::Arguments& arguments);
-/// By the hand resting on the end-effector, as S1 eq. (2) to (4) ask.
+/// Measures with the hand resting on the end-effector (S1 eq. (2) to (4)).
 [[nodiscard]] Result<Measured> from_offset(const program::Arguments& arguments);
-/// By poses of a hand on a probe in a file (S2 II.C).
+/// Measures by poses of a hand on a probe, from a file (S2 II.C).
 [[nodiscard]] Result<Measured> from_probe(const program::Arguments& arguments);
 
 }  // namespace telepalp::station

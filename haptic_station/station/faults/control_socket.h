@@ -11,12 +11,12 @@
 
 namespace telepalp::station {
 
-/// By which an operator at the station's own machine speaks to it: a Unix socket that only the same user can open. One
-/// line is asked and one line answered. Owner: network thread.
+/// A Unix socket for the commands of an operator on the station's machine. Only the station's user can open it. A
+/// client sends one line and gets one line in reply. Owner: network thread.
 class ControlSocket {
  public:
   using Reply = std::function<void(const std::string& line)>;
-  /// Answers `command` by calling `reply` once, now or later.
+  /// Handles `command` and calls `reply` exactly once, immediately or later.
   using Handler = std::function<void(const std::string& command, Reply reply)>;
 
   ControlSocket(boost::asio::io_context& io, Handler handler)
@@ -27,25 +27,25 @@ class ControlSocket {
 
   [[nodiscard]] Result<void> listen(const std::filesystem::path& path);
   void stop();
-  /// Empty when it does not listen.
+  /// Path of the socket; empty while it does not listen.
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
  private:
   void accept();
 
   boost::asio::local::stream_protocol::acceptor acceptor_;
-  std::shared_ptr<Handler> handler_;  // shared: who has asked and not been answered looks whether we still are
+  std::shared_ptr<Handler> handler_;  // shared: pending replies hold a weak_ptr and are dropped when the socket is gone
   std::filesystem::path path_;
 };
 
-/// Asks the station that listens at `path`; its answer.
+/// Sends `command` to the station that listens at `path` and returns its reply.
 [[nodiscard]] Result<std::string> ask_station(const std::filesystem::path& path, const std::string& command);
 
-/// The folder of this user's control sockets, and the name of this process's own.
+/// The folder of this user's control sockets, and the socket path of this process.
 [[nodiscard]] std::filesystem::path control_folder();
 [[nodiscard]] std::filesystem::path own_control_path();
 
-/// The one socket that a station listens at; or why there is no such one.
+/// Finds the socket of the only running station. Error: no station runs, or several do.
 [[nodiscard]] Result<std::filesystem::path> find_control_socket();
 
 }  // namespace telepalp::station

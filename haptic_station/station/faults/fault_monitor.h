@@ -20,10 +20,11 @@ class FaultMonitor {
  public:
   struct Handlers {
     std::function<SessionTime()> now;
-    std::function<void()> rearm;  ///< asks the haptic thread to, which then tells by its ticks
+    std::function<void()> rearm;  ///< asks the haptic thread to re-arm; its ticks then show the result
   };
 
-  /// `control`: path of the socket for operators' commands; empty: no socket. `state_folder`: for flight recordings.
+  /// `control`: path of the socket for operators' commands; empty: no socket. `state_folder`: folder for the files of
+  /// the flight recorder.
   FaultMonitor(boost::asio::io_context& io, TelemetryPublisher& telemetry, std::filesystem::path control,
                std::filesystem::path state_folder, std::string scene, Handlers handlers);
 
@@ -53,8 +54,8 @@ class FaultMonitor {
   bool has_ticked_ = false;
   ControlSocket socket_;
   boost::asio::steady_timer rearm_timer_;
-  std::future<Result<std::filesystem::path>> flight_recorder_;  // being written
-  bool stopped_ = false;                                        // a timer that has fired cannot be cancelled
+  std::future<Result<std::filesystem::path>> flight_recorder_;  // while the file is written
+  bool stopped_ = false;  // checked by handlers: a timer that has expired cannot be cancelled
 };
 
 }  // namespace telepalp::station

@@ -13,14 +13,13 @@
 
 namespace telepalp::station {
 
-/// The last ticks before now: 10 s of them at 2 kHz, in memory that is there from the start. Pure; owner: network
-/// thread.
+/// A ring of the last 20 000 ticks (10 s at 2 kHz), allocated at the start. Pure; owner: network thread.
 class FlightRecorder {
  public:
   explicit FlightRecorder(std::size_t ticks = 20'000) : ticks_(ticks) {}
 
   void add(const TickSample& sample) noexcept;
-  /// Oldest first.
+  /// The recorded ticks, oldest first.
   [[nodiscard]] std::vector<TickSample> ticks() const;
 
  private:
@@ -29,14 +28,14 @@ class FlightRecorder {
   bool full_ = false;
 };
 
-/// Looks for faults among the ticks, and keeps what led to them. Pure; owner: network thread.
+/// Detects faults among the ticks and keeps the ticks around them. Pure; owner: network thread.
 class FaultWatch {
  public:
   void add(const TickSample& sample) noexcept;
-  /// The tick of a fault that has not been told yet.
+  /// The first tick of a new fault; each fault is returned once.
   [[nodiscard]] std::optional<TickSample> begun() noexcept { return std::exchange(begun_, std::nullopt); }
-  /// The ticks around a fault, once it is half a second old, so that the letting go is seen; or sooner, when the
-  /// station ends.
+  /// The ticks around a fault. They are returned 0.5 s after the fault, so that they include the release of the force,
+  /// or immediately when `ending` (the station ends). Each fault is returned once.
   [[nodiscard]] std::optional<std::vector<TickSample>> due(bool ending);
 
  private:
@@ -48,13 +47,13 @@ class FaultWatch {
   bool faulted_ = false;
 };
 
-/// What led to a fault, as a session file: every tick, the states at 100 Hz, the changes of phase, and the fault. Any
-/// program that reads sessions reads it. `samples` is not empty. Blocks on the disk.
+/// Writes the ticks around a fault to a session file: every tick, the states at 100 Hz, the phase changes and the
+/// fault. `samples` is not empty. Returns the file's path. Blocks on the disk.
 [[nodiscard]] Result<std::filesystem::path> write_flight_record(const std::filesystem::path& folder,
                                                                 const std::vector<TickSample>& samples,
                                                                 const std::string& fault, const std::string& scene);
 
-/// Where a station keeps what must outlive it, if it is not told: the user's folder for state.
+/// Default folder for files that outlive the station: the user's XDG state folder.
 [[nodiscard]] std::filesystem::path default_state_folder();
 
 }  // namespace telepalp::station

@@ -6,8 +6,8 @@
 
 namespace telepalp::station {
 
-/// The scene with the transforms that `file` holds in place of its own. A measured camera is not centred on what it
-/// sees: it is known where it stands.
+/// The scene with its transforms replaced by those of the calibration file. With a measured camera transform, centring
+/// the scene on the visible skin is turned off.
 [[nodiscard]] Result<scenes::Scene> calibrated(scenes::Scene scene, const std::filesystem::path& file);
 
 }  // namespace telepalp::station

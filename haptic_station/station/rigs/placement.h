@@ -14,17 +14,18 @@ namespace telepalp::station {
 [[nodiscard]] std::optional<Point<DepthCamera>> point_under_center(const DepthImage& depth, const Intrinsics& camera);
 
 /// `haptic_from_camera` shifted, not turned, so that `skin` (a point of the patient's surface, such as the one under
-/// the image centre) becomes H's origin. A scene placed for one camera height then suits every other.
+/// the image centre) becomes the origin of the haptic base's frame H. A scene made for one camera height then works at
+/// any height.
 [[nodiscard]] Transform<HapticBase, DepthCamera> centered_on(
     const Transform<HapticBase, DepthCamera>& haptic_from_camera, const Point<DepthCamera>& skin) noexcept;
 
-/// Where the scene lies before this camera: as it says, or centred on the skin that the camera sees. nullopt: it is to
-/// be centred, and the middle of the image shows nothing.
+/// The transform haptic_from_camera of the scene, or, where the scene asks for centring, the one centred on the visible
+/// skin. nullopt: centring is asked for, and the middle of the image has no measured depth.
 [[nodiscard]] std::optional<Transform<HapticBase, DepthCamera>> placed(const scenes::Scene& scene,
                                                                        const DepthImage& depth,
                                                                        const Intrinsics& camera);
 
-/// nullopt: not what a camera can be.
+/// The depth intrinsics of a calibration message; nullopt when they are not well formed.
 [[nodiscard]] std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration);
 
 }  // namespace telepalp::station

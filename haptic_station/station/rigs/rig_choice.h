@@ -23,8 +23,8 @@ struct Haply {
 struct Leap {
   device::WebSocketUrl url;
 };
-struct Held {};     ///< the hand is where the device is
-struct Browser {};  ///< the hand is held in a viewer
+struct Held {};     ///< the person grips the end-effector: hand position = device position
+struct Browser {};  ///< a person moves the hand in a viewer
 
 using DeviceChoice = std::variant<Simulated, Haply, program::Address>;
 using TrackerChoice = std::variant<Simulated, Held, Leap, Browser>;
@@ -37,32 +37,34 @@ struct RigChoice {
   }
 };
 
-/// What `--device` and `--tracker` can say, for help texts.
+/// Values of `--device` and `--tracker`, for help texts.
 inline constexpr const char* kDeviceWords = "simulated|haply[:URL]|udp:HOST:PORT";
 inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser";
 
 [[nodiscard]] Result<DeviceChoice> read_device_choice(const std::string& text);
 [[nodiscard]] Result<TrackerChoice> read_tracker_choice(const std::string& text);
 
-/// Both, and whether they can work together: a simulated tracker sees only the simulated hand.
+/// Parses both options. Error: an unknown value, or a simulated tracker with a real device: a simulated tracker sees
+/// only the simulated hand.
 [[nodiscard]] Result<RigChoice> read_rig_choice(const std::string& device, const std::string& tracker);
 
-/// How long a device or tracker may take to answer at the start.
+/// Time limit for the first answer of a device or tracker.
 inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 
-/// Connected, or why not.
+/// Connects to the device or tracker. Error: it does not answer within kAnswerWithin.
 [[nodiscard]] Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice,
                                                                     const scenes::Scene& scene);
 [[nodiscard]] Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice,
                                                                           const scenes::Scene& scene);
 
-/// A rig whose parts have answered. Without one, the station makes the rig that is simulated as a whole.
+/// A rig whose device and tracker have answered. `rig` is nullptr when both are simulated; the station then makes the
+/// scene's simulated rig.
 struct ConnectedRig {
   std::unique_ptr<ports::Rig> rig;
-  tracking::BrowserHand* browser = nullptr;  ///< the rig's tracker, when that is what it is: told of /viewer/hand
+  tracking::BrowserHand* browser = nullptr;  ///< the rig's tracker if it is a browser hand, else nullptr
 };
 
-/// The rig that was chosen, connected; or which part of it does not answer and what to do about it.
+/// Connects the chosen rig. Error: a part does not answer; the error names it and a fix.
 [[nodiscard]] Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& scene);
 
 }  // namespace telepalp::station

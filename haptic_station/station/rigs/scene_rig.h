@@ -9,7 +9,8 @@
 
 namespace telepalp::station {
 
-/// The simulated device, hand and tracker of a scene: the hand does the scene's trial, or repeats `trace`.
+/// The simulated device, hand and tracker of a scene: the hand carries out the scene's trial, or repeats `trace` when
+/// there is one.
 [[nodiscard]] std::unique_ptr<ports::Rig> rig_of(const scenes::Scene& scene,
                                                  const std::optional<tracking::HandTrace>& trace);
 

@@ -9,21 +9,21 @@
 
 namespace telepalp::station {
 
-/// A patient that is a model in a file: touched as it is, without camera or server.
+/// A patient from a model file, touched without camera or server.
 struct StaticPatient {
   std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
-  /// The model's own frame stands where a camera's would.
+  /// The frame of the model takes the place of the depth camera's frame.
   Transform<HapticBase, DepthCamera> haptic_from_model;
   std::string remarks;
 };
 
-/// Reads and places the model that `scene` names. `folder`: its file is relative to it. With center_on_surface the
-/// highest skin above the model's middle becomes H's origin.
+/// Reads and places the model of `scene`. `folder`: base of the model's relative path. With center_on_surface, the
+/// highest skin point above the model's middle becomes the origin of the haptic base's frame H.
 [[nodiscard]] Result<StaticPatient> open_static_patient(const scenes::Scene& scene,
                                                         const std::filesystem::path& folder);
 
-/// What `--surface` asks for: "model:FILE[,unit_m=M][,samples=N]" becomes the scene's static model, any other word its
-/// surface setting.
+/// Applies the value of `--surface` to the scene: "model:FILE[,unit_m=M][,samples=N]" sets the static model, any other
+/// word the surface setting.
 [[nodiscard]] Result<void> ask_for_surface(const std::string& word, scenes::Scene& scene);
 
 }  // namespace telepalp::station

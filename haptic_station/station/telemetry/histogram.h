@@ -7,8 +7,8 @@
 
 namespace telepalp::station {
 
-/// Counts durations in buckets that grow with their value, so that any quantile of any run length is known within
-/// 3 % in 8 kB and nothing is allocated. For values from 1 ns to 4 s; longer ones count as the longest.
+/// A histogram of durations with logarithmic buckets: any quantile is known within 3 %, in 8 kB, without allocation.
+/// Range: 1 ns to 4 s; longer durations are counted in the last bucket.
 class DurationHistogram {
  public:
   void add(std::uint64_t nanoseconds) noexcept {
@@ -17,7 +17,7 @@ class DurationHistogram {
   }
   [[nodiscard]] std::uint64_t total() const noexcept { return total_; }
 
-  /// The upper edge of the bucket in which a share `q` of all values is reached [ns]; 0 when empty.
+  /// The quantile `q` (0 to 1), as the upper edge of its bucket [ns]; 0 when empty.
   [[nodiscard]] double quantile_ns(double q) const noexcept {
     const auto wanted = static_cast<std::uint64_t>(std::ceil(q * static_cast<double>(total_)));
     std::uint64_t seen = 0;
@@ -29,7 +29,7 @@ class DurationHistogram {
   }
 
  private:
-  static constexpr unsigned kSubBits = 5;  // 32 buckets an octave: 3 % wide
+  static constexpr unsigned kSubBits = 5;  // 32 buckets per octave: 3 % wide
   static constexpr std::size_t kOctaves = 32;
   static constexpr std::size_t kBuckets = kOctaves << kSubBits;
 

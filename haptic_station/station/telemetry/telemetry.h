@@ -11,24 +11,25 @@
 
 namespace telepalp::station {
 
-/// One tick as the message of /station/state.
+/// The message of the topic /station/state for one tick.
 [[nodiscard]] msg::StationState state_message(const TickSample& sample);
 
-/// What is done about delay, as the message of /station/compensation.
+/// The message of the topic /station/compensation.
 [[nodiscard]] msg::StationCompensation compensation_message(const Compensation& compensation);
 
-/// A change of phase at this tick, as the message of /station/events; `from` 0: the first phase of all.
+/// The message of the topic /station/events for a phase change at this tick. `from`: the phase before; 0 at the first
+/// tick.
 [[nodiscard]] msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from);
 
-/// Consecutive ticks as one message of /station/ticks. `samples` is not empty.
+/// One message of the topic /station/ticks with consecutive ticks. `samples` is not empty.
 [[nodiscard]] msg::StationTicks ticks_message(const std::vector<TickSample>& samples, std::uint32_t period_ns);
 
-/// The totals of a run, one tick at a time. Pure; owner: the network thread.
+/// Accumulates the totals of a run, tick by tick. Pure; owner: network thread.
 class RunTotals {
  public:
   explicit RunTotals(std::uint32_t period_ns) noexcept : period_s_(period_ns * 1e-9) {}
 
-  /// What changed with this tick, for an event: the phase before, when it is another one now.
+  /// Whether the phase changed with a tick, and the phase before.
   struct Change {
     bool phase_changed = false;
     std::uint8_t from = 0;
@@ -39,7 +40,7 @@ class RunTotals {
   void set_frames_dropped(std::uint64_t frames) noexcept { frames_dropped_ = frames; }
   void set_telemetry_dropped(std::uint64_t ticks) noexcept { telemetry_dropped_ = ticks; }
 
-  /// The message of /station/stats, but for the bill and the stamp.
+  /// The message of the topic /station/stats, without the effects' costs and the time stamp.
   [[nodiscard]] msg::StationStats message() const;
 
  private:

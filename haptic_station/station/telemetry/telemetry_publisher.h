@@ -9,8 +9,8 @@
 
 namespace telepalp::station {
 
-/// Empties the ring of ticks into messages: all ticks in batches, a state at 100 Hz, an event at each change of phase,
-/// and the totals. Owner: network thread.
+/// Reads the ring of ticks and publishes messages: all ticks in batches, a state at 100 Hz, an event at each phase
+/// change, and the totals. Owner: network thread.
 class TelemetryPublisher {
  public:
   using Publish = std::function<void(wire::Message)>;
@@ -18,14 +18,14 @@ class TelemetryPublisher {
 
   TelemetryPublisher(TickRing& ticks, Publish publish, OnTick on_tick);
 
-  /// Tells of all ticks that wait. Call it about 100 times a second.
+  /// Publishes all ticks that wait in the ring. Call it about 100 times a second.
   void drain(SessionTime now);
 
-  /// Tells of the totals so far.
+  /// Publishes the totals so far.
   void tell_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped, bool realtime,
                    const std::vector<msg::EffectCost>& bill);
 
-  /// Something else happened.
+  /// Publishes an event other than a phase change.
   void tell_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
   void frame_received() noexcept { totals_.frame_received(); }

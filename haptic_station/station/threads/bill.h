@@ -8,7 +8,7 @@
 
 namespace telepalp::station {
 
-/// What the effects have cost so far, in cycles; crosses from the haptic thread by copy.
+/// Computation cost of each effect so far, in CPU cycles. The haptic thread hands it over by copy.
 struct Bill {
   std::array<effects::EffectBill, effects::EffectBank::kMostEffects> lines{};
   std::size_t count = 0;
@@ -16,10 +16,10 @@ struct Bill {
 
 [[nodiscard]] Bill bill_of(const effects::EffectBank& effects) noexcept;
 
-/// The bill in microseconds, for the wire.
+/// The costs in microseconds, as messages.
 [[nodiscard]] std::vector<msg::EffectCost> costs_of(const Bill& bill, double cycles_per_us);
 
-/// The bill in one line: `skin 0.4 us, cylinder 0.1 us, total 0.5 us of 500 us`.
+/// The costs in one line: `skin 0.4 us, cylinder 0.1 us, total 0.5 us of 500 us`.
 [[nodiscard]] std::string line_of(const std::vector<msg::EffectCost>& costs, double tick_us);
 
 }  // namespace telepalp::station

@@ -10,9 +10,9 @@
 
 namespace telepalp::station {
 
-/// S1's collision detection, at S1's rate: 100 times a second it finds the proxy on a surface that is too slow, or that
-/// allocates too much, for the haptic thread, and hands the tangent plane there on. Stands between the surface thread
-/// and the haptic thread, and only where the scene's surface setting asks for it.
+/// S1's collision detection: 100 times a second it finds the proxy on a surface whose evaluation is too slow or not
+/// real-time safe for the haptic thread, and hands the tangent plane there to the haptic thread. It runs only with
+/// surface settings that need it.
 class CollisionThread {
  public:
   CollisionThread(LatestValue<TouchableSurface>& from_surface, LatestValue<Point<HapticBase>>& device,

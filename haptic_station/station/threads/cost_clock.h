@@ -4,10 +4,10 @@
 
 namespace telepalp::station {
 
-/// The processor's time-stamp counter: a clock without a system call, for the effects' bill.
+/// The processor's time-stamp counter: a clock without a system call, to measure the cost of effects.
 [[nodiscard]] std::uint64_t cycles_now() noexcept;
 
-/// How many cycles of cycles_now() make a microsecond; measured once, against the steady clock, in 10 ms.
+/// Cycles of cycles_now() per microsecond; measured once in 10 ms against the steady clock.
 [[nodiscard]] double cycles_per_us();
 
 }  // namespace telepalp::station

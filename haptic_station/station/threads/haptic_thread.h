@@ -14,19 +14,19 @@
 
 namespace telepalp::station {
 
-/// Ticks wait here for the network thread: two seconds of them.
+/// Ring of ticks from the haptic thread to the network thread; it holds 2 s.
 using TickRing = SpscRing<TickSample, 4096>;
 
 inline constexpr std::chrono::microseconds kTickPeriod{500};  // 2 kHz, S1 II.D
 
-/// What the haptic thread counts for others to read.
+/// Counters that the haptic thread writes and other threads read.
 struct HapticCounts {
   std::atomic<std::uint64_t> deadlines_missed{0};
-  std::atomic<std::uint64_t> ticks_untold{0};  ///< the ring was full
+  std::atomic<std::uint64_t> ticks_untold{0};  ///< ticks dropped because the ring was full
 };
 
-/// The 2 kHz thread: reads the rig, ticks the loop, applies the force. It allocates nothing and waits for nothing but
-/// the timer and the rig.
+/// The 2 kHz thread: reads the rig, ticks the loop, applies the force. It does not allocate, and waits only for the
+/// timer and the rig.
 class HapticThread {
  public:
   /// `device_to_surface`: gets the device's position at every tick, for the surface thread.
@@ -37,20 +37,21 @@ class HapticThread {
   HapticThread(const HapticThread&) = delete;
   HapticThread& operator=(const HapticThread&) = delete;
 
-  /// Returns when the thread ticks: true, with real-time priority; or why it must not.
+  /// Starts the thread and waits for its first tick. True: with real-time priority. Error: real-time priority is
+  /// required and not granted.
   [[nodiscard]] Result<bool> start(Realtime realtime);
   void stop();
   [[nodiscard]] const HapticCounts& counts() const noexcept { return counts_; }
-  /// An operator asks to re-arm; counts for the next tick.
+  /// Passes an operator's request to re-arm to the next tick.
   void rearm() noexcept { rearm_.store(true, std::memory_order_relaxed); }
-  /// What the effects cost, about once a second. The network thread takes it.
+  /// Costs of the effects, about once a second. Read by the network thread.
   [[nodiscard]] LatestValue<Bill>& bill() noexcept { return bill_; }
-  /// What is done about delay, 100 times a second. The network thread takes it.
+  /// The delay compensation, 100 times a second. Read by the network thread.
   [[nodiscard]] LatestValue<Compensation>& compensation() noexcept { return compensation_; }
-  /// Where the device is, at every tick. The collision thread takes it, where there is one.
+  /// The device's position, at every tick. Read by the collision thread, if it exists.
   [[nodiscard]] LatestValue<Point<HapticBase>>& device() noexcept { return device_; }
 
-  /// Session time less this machine's steady clock; the network thread keeps it up to date.
+  /// Sets session time minus this machine's steady clock. The network thread updates it.
   void set_clock_offset(Nanoseconds offset) noexcept {
     clock_offset_ns_.store(offset.count(), std::memory_order_relaxed);
   }

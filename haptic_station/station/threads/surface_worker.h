@@ -22,19 +22,20 @@
 
 namespace telepalp::station {
 
-/// The surface thread: newest depth message in, newest touchable surface out. A message that is overtaken while an
-/// older one is being built is dropped and counted, but decoded where a newer one depends on it; the 2 kHz thread is
-/// never waited for. While depth cannot be decoded, for want of the frame before, the last surface stays.
+/// The surface thread: makes a touchable surface from the newest depth message. Messages that arrive while an older one
+/// is processed are dropped and counted, except the newest; a dropped message is still decoded when a newer frame is
+/// predicted from it. The 2 kHz thread never waits for this thread. While depth cannot be decoded because a reference
+/// frame is missing, the last surface stays.
 class SurfaceWorker {
  public:
-  /// Where the patient lies before the device; asked with each image until it is known.
+  /// Returns haptic_from_camera for an image; called with each image until it returns a value.
   using Placement =
       std::function<std::optional<Transform<HapticBase, DepthCamera>>(const DepthImage&, const Intrinsics&)>;
   struct Handlers {
     std::function<SessionTime()> now;                          ///< session clock; called on the surface thread
     std::function<void(const msg::SurfaceReport&)> on_report;  ///< called on the surface thread
     std::function<void(const Error&)> on_bad_frame;            ///< called on the surface thread
-    /// The stream cannot be read on from here without a key frame. Called on the surface thread.
+    /// Called when frames after `unreadable` cannot be decoded without a key frame. Called on the surface thread.
     std::function<void(const wire::Message& unreadable)> want_key;
   };
 
@@ -73,7 +74,7 @@ class SurfaceWorker {
   LatestValue<TouchableSurface>& to_haptic_;
   LatestValue<Point<HapticBase>>& device_;  // written by: haptic thread
   bool device_known_ = false;               // owner: surface thread
-  std::atomic<int> waiting_{0};             // offered, and not yet taken by the surface thread
+  std::atomic<int> waiting_{0};             // messages offered and not yet taken by the surface thread
   std::uint64_t offered_ = 0;               // owner: network thread
   std::atomic<std::uint64_t> built_{0};
   boost::asio::io_context io_{1};

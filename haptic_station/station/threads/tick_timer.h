@@ -7,20 +7,21 @@
 
 namespace telepalp::station {
 
-/// Absolute deadlines at a fixed period. A tick that is late does not move the ones after it; a tick that has been
-/// overtaken by the next deadline is missed: it is skipped and counted, so that the loop never runs in a burst.
+/// Absolute deadlines at a fixed period. A late tick does not move later deadlines. A deadline that has passed when its
+/// tick would start is missed: it is skipped and counted, so that the loop never runs in a burst.
 class TickTimer {
  public:
   using Clock = std::chrono::steady_clock;
 
   TickTimer(Clock::time_point first, Nanoseconds period) noexcept : deadline_(first), period_(period) {}
 
-  /// Sleeps until the next deadline (a system call, the only one of the loop besides the device's).
+  /// One tick of the timer: its deadline and its delay.
   struct Tick {
     Clock::time_point deadline;
     Nanoseconds late;
     std::uint64_t missed;  ///< deadlines skipped just before this one
   };
+  /// Sleeps until the next deadline. It is the loop's only system call besides the device's.
   [[nodiscard]] Tick wait() noexcept;
 
  private:
@@ -28,7 +29,7 @@ class TickTimer {
   Nanoseconds period_;
 };
 
-/// How many whole periods `late` overtakes: the deadlines that are lost. Pure, for tests.
+/// Number of whole periods in `late`: the deadlines that were missed. Pure, for tests.
 [[nodiscard]] constexpr std::uint64_t deadlines_overtaken(Nanoseconds late, Nanoseconds period) noexcept {
   return late < period ? 0 : static_cast<std::uint64_t>(late / period);
 }

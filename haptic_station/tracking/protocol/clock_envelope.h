@@ -6,16 +6,17 @@
 
 namespace telepalp::tracking {
 
-/// Maps another clock's time to ours, from pairs (its time, ours when we learnt it). Learning is only ever late, so
-/// the least difference is the truest; it may rise by `drift`: 200 ppm is more than two quartzes differ, a clock that
-/// is slewed needs more. A jump of over half a second begins anew. Pure.
+/// Maps a remote clock to the local clock, from pairs (remote time stamp, local time of arrival). Delay only ever
+/// increases the difference local - remote, so the least difference is the most accurate. The estimate may rise by
+/// `drift` per second, to follow clocks that drift apart: 200 ppm covers two quartz oscillators; a slewed clock needs
+/// more. A jump of over 0.5 s restarts the estimate. Pure.
 class ClockEnvelope {
  public:
   using Nanoseconds = std::chrono::nanoseconds;
 
   explicit ClockEnvelope(double drift = 200e-6) noexcept : drift_(drift) {}
 
-  /// Our time for `theirs`, which we learnt at `ours`; never later than `ours`.
+  /// Local time of the remote time stamp `theirs`, which arrived at local time `ours`; never later than `ours`.
   [[nodiscard]] Nanoseconds map(Nanoseconds theirs, Nanoseconds ours) noexcept {
     constexpr Nanoseconds kJump = std::chrono::milliseconds(500);
     const Nanoseconds difference = ours - theirs;
@@ -30,7 +31,7 @@ class ClockEnvelope {
     return theirs + least_;
   }
 
-  /// Ours less theirs, as last learnt; zero before the first map().
+  /// The newest estimate of local - remote time; zero before the first map().
   [[nodiscard]] Nanoseconds difference() const noexcept { return least_; }
 
  private:

@@ -9,17 +9,18 @@
 namespace telepalp::tracking {
 
 struct FollowedHandSettings {
-  double same_within_m = 0.06;  ///< a new id so near to where the followed hand must be is the same hand
-  double other_after_s = 0.3;   ///< without the followed hand before another one is followed
+  double same_within_m = 0.06;  ///< a hand with a new id this near to the predicted position is the followed hand
+  double other_after_s = 0.3;   ///< another hand is followed after the followed one was missing so long
 };
 
-/// Which hand of a frame is the examining one. Trackers give a hand a new id when they lose it for a moment, and
-/// sometimes swap the ids of two hands: place and speed decide, the id only among hands that could be it. Pure.
+/// Selects the examining hand among the hands of a frame. Trackers give a hand a new id after losing it for a moment,
+/// and sometimes swap the ids of two hands. So position and velocity decide first; the id decides only among the hands
+/// near the predicted position. Pure.
 class FollowedHand {
  public:
   explicit FollowedHand(const FollowedHandSettings& settings = {}) noexcept : settings_(settings) {}
 
-  /// The followed hand in this frame; nullopt: it is not there. `time_s`: of the frame, on any clock that only rises.
+  /// The followed hand in this frame; nullopt when it is missing. `time_s`: the frame's time on any monotonic clock.
   [[nodiscard]] std::optional<leap::Hand> choose(double time_s, std::span<const leap::Hand> hands) noexcept;
 
  private:

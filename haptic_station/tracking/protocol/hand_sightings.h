@@ -10,8 +10,8 @@
 
 namespace telepalp::tracking {
 
-/// The newest sighting of a hand, on its way from a protocol's thread to the haptic thread, where its time becomes
-/// session time. `Frame`: the frame in which the protocol tells of hands.
+/// Hands the newest hand position from a protocol thread to the haptic thread and converts its time to session time.
+/// `Frame`: the frame of reference of the positions.
 template <class Frame>
 class Sightings {
  public:
@@ -25,10 +25,10 @@ class Sightings {
     Point<Frame> hand;
   };
 
-  /// Protocol's thread only.
+  /// Protocol thread only.
   void put(Clock::time_point at, const Point<Frame>& hand) { newest_.put({at, hand}); }
 
-  /// Haptic thread only, as all below: what has come since the last time.
+  /// The newest position, if one has arrived since the last take(). Both take() functions: haptic thread only.
   [[nodiscard]] std::optional<Seen> take() noexcept {
     return newest_.take() ? std::optional(newest_.current()) : std::nullopt;
   }
@@ -41,7 +41,7 @@ class Sightings {
 
  private:
   LatestValue<Seen> newest_;
-  ClockEnvelope session_clock_{0.02};  // owner: haptic thread; the session's clock is slewed
+  ClockEnvelope session_clock_{0.02};  // owner: haptic thread; 2 %, because the session clock is slewed
 };
 
 }  // namespace telepalp::tracking

@@ -14,11 +14,11 @@
 
 namespace telepalp::tracking {
 
-/// The Leap Motion service's standard address.
+/// Default address of the Leap Motion service.
 [[nodiscard]] inline device::WebSocketUrl standard_leap_url() { return {"127.0.0.1", 6437, "/v6.json"}; }
 
-/// A Leap Motion, by its service's WebSocket, on a thread of its own. Lost connections are made again; samples then
-/// simply stop coming, and the station's watchdog sees their age.
+/// A Leap Motion hand tracker, read over the WebSocket of its service on a separate thread. It reconnects after a lost
+/// connection. Meanwhile no samples come, and the station's watchdog acts on the age of the last one.
 class LeapTracker final : public ports::Tracker {
  public:
   using Say = std::function<void(const std::string&)>;  ///< called on this tracker's thread
@@ -26,15 +26,16 @@ class LeapTracker final : public ports::Tracker {
   LeapTracker(device::WebSocketUrl url, const Transform<HapticBase, HandTracker>& haptic_from_tracker, Say say);
   ~LeapTracker() override;
 
-  /// Returns when the service has said that it speaks protocol 6, or why it did not within `limit`.
+  /// Waits until the service announces protocol 6. Error: it did not within `limit`.
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
   [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,
                                                         const ports::DeviceReading& device) noexcept override;
-  /// The newest hand as the tracker sees it, for calibration. Haptic thread only, instead of sample().
+  /// The newest palm position in the tracker's frame, for calibration. It consumes the sample, so use either palm() or
+  /// sample(). Haptic thread only.
   [[nodiscard]] std::optional<Point<HandTracker>> palm() noexcept;
 
-  /// Texts and hands that could not be used, so far.
+  /// Number of invalid texts and hands so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
 
  private:

@@ -12,7 +12,7 @@
 
 namespace telepalp::tracking::leap {
 
-/// The service's first text.
+/// First text of the service after connecting.
 struct Hello {
   std::uint32_t version = 0;
   std::string service_version;
@@ -22,17 +22,17 @@ struct Hello {
 struct Hand {
   std::int64_t id = 0;
   Point<HandTracker> palm;
-  Vector<HandTracker> velocity;  ///< [m/s]; zero when the text has none
+  Vector<HandTracker> velocity;  ///< [m/s]; zero when the text has no velocity
 };
 
-/// One frame: all hands that the service sees, possibly none.
+/// One frame: the hands that the service sees; may be empty.
 struct Frame {
-  std::int64_t timestamp_us = 0;  ///< of the service's own clock
+  std::int64_t timestamp_us = 0;  ///< on the service's clock
   std::vector<Hand> hands;
-  std::size_t refused = 0;  ///< hands left out: not finite, further than 10 m, not three coordinates
+  std::size_t refused = 0;  ///< hands left out: a coordinate is not finite, is beyond 10 m or is missing
 };
 
-/// A text that concerns nobody here, such as a device event.
+/// A text that telepalp ignores, such as a device event.
 struct Other {};
 
 using Text = std::variant<Hello, Frame, Other>;
@@ -41,11 +41,11 @@ inline constexpr std::uint32_t kProtocolVersion = 6;
 inline constexpr std::size_t kMostTextBytes = 256U << 10U;
 inline constexpr std::size_t kMostHands = 16;
 
-/// Reads one text of the service. Error: no JSON, over 256 KiB, a field of the wrong type. Numbers use a point
-/// whatever the locale: a decimal comma either breaks the JSON or makes coordinates too many, and is refused.
+/// Parses one text of the service. Error: invalid JSON, over 256 KiB, or a field of the wrong type. Numbers have a
+/// decimal point in every locale; a decimal comma breaks the JSON or gives too many coordinates, and is refused.
 [[nodiscard]] Result<Text> parse_text(std::string_view text);
 
-/// What we send after connecting: frames are wanted although no window of ours has the focus.
+/// Sent after connecting: asks for frames although the station has no window with the keyboard focus.
 [[nodiscard]] inline std::string_view wish_for_background_frames() { return R"({"background":true})"; }
 
 }  // namespace telepalp::tracking::leap
