@@ -20,7 +20,9 @@ std::vector<program::Option> surface_options() {
           {"camera", "FILE", "camera.textproto of that PNG"},
           {"setting", "NAME", "how the surface is made: fast, smooth, paper, cloud …", "fast"},
           {"unit-m", "M", "metres for one unit of the cloud's coordinates", "1"},
-          {"samples", "N", "points a mesh is resampled to", "16000"},
+          {"samples", "N", "points a mesh is resampled to; left out: as its shape needs"},
+          {"spacing-mm", "MM", "instead: how far apart they are"},
+          {"anyway", "", "accept samples that are too coarse for the mesh"},
           {"flip-normals", "", "the other side is outside"}};
 }
 
@@ -61,6 +63,21 @@ Error asked_wrongly(const std::string& what) {
   return {.what = what, .where = "telepalp-probe", .fix = "see telepalp-probe --help"};
 }
 
+/// 0 where they are left out.
+Result<std::size_t> samples_of(const program::Arguments& arguments) {
+  if (!arguments.has("samples")) return std::size_t{0};
+  const auto samples = arguments.whole("samples", 100, 1'000'000);
+  if (!samples) return samples.error();
+  return static_cast<std::size_t>(*samples);
+}
+
+Result<double> spacing_m_of(const program::Arguments& arguments) {
+  if (!arguments.has("spacing-mm")) return 0.0;
+  const auto spacing_mm = arguments.number("spacing-mm", 0.1, 100.0);
+  if (!spacing_mm) return spacing_mm.error();
+  return 1e-3 * *spacing_mm;
+}
+
 /// What can be told wrong of the surface from the command line alone.
 Result<void> check_surface(const program::Arguments& arguments) {
   const bool cloud = !arguments.text("cloud").empty();
@@ -70,7 +87,10 @@ Result<void> check_surface(const program::Arguments& arguments) {
   if (arguments.text("out").empty()) return asked_wrongly("--out is missing");
   if (const auto setting = surface::surface_settings(arguments.text("setting")); !setting) return setting.error();
   if (const auto unit = arguments.number("unit-m", 1e-6, 1e6); !unit) return unit.error();
-  if (const auto samples = arguments.whole("samples", 100, 1'000'000); !samples) return samples.error();
+  if (const auto samples = samples_of(arguments); !samples) return samples.error();
+  if (const auto spacing = spacing_m_of(arguments); !spacing) return spacing.error();
+  if (arguments.has("samples") && arguments.has("spacing-mm"))
+    return asked_wrongly("give either --samples or --spacing-mm");
   return {};
 }
 
@@ -79,8 +99,10 @@ Result<probe::ProbedSurface> open_surface(const program::Arguments& arguments) {
   if (arguments.text("cloud").empty())
     return probe::open_depth(arguments.text("depth"), arguments.text("camera"), settings);
   const probe::CloudOptions options{.unit_m = *arguments.number("unit-m", 1e-6, 1e6),
-                                    .samples = static_cast<std::size_t>(*arguments.whole("samples", 100, 1'000'000)),
-                                    .flip_normals = arguments.has("flip-normals")};
+                                    .samples = *samples_of(arguments),
+                                    .spacing_m = *spacing_m_of(arguments),
+                                    .flip_normals = arguments.has("flip-normals"),
+                                    .anyway = arguments.has("anyway")};
   Result<probe::ProbedSurface> surface = probe::open_cloud(arguments.text("cloud"), options, settings);
   if (surface && !surface->remarks.empty()) std::fprintf(stderr, "note: %s\n", surface->remarks.c_str());
   return surface;

@@ -21,6 +21,8 @@ using surface::DepthField;
 using surface::Method;
 using surface::SurfaceSettings;
 
+constexpr std::size_t kPaperSamples = 16'000;
+
 /// Slope and offset of pixel against x/z along one axis by least squares, and the root mean square left over [px].
 struct AxisFit {
   double focal_px = 0.0;
@@ -189,17 +191,23 @@ Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudO
   if (camera && settings.method == Method::Grid)
     return ProbedSurface{still(depth_of(model, *camera), *camera, settings), "", some_of(model.points)};
   if (settings.method == Method::Paper) {
-    if (!model.triangles.empty()) model.points = positions(surface::poisson_disk_samples(model, options.samples, 1));
+    if (!model.triangles.empty())
+      model.points =
+          positions(surface::poisson_disk_samples(model, options.samples > 0 ? options.samples : kPaperSamples, 1));
     auto paper = std::make_shared<surface::PaperSurface>(surface::IndexedPoints{model.points, model.width}, settings);
     paper->motion.ages = false;
     return ProbedSurface{std::move(paper), "normals are turned to the origin, as the paper's camera stood there",
                          some_of(model.points)};
   }
-  surface::StaticModelSettings how{.samples = options.samples, .flip_normals = options.flip_normals};
+  surface::StaticModelSettings how{.samples = options.samples,
+                                   .spacing_m = options.spacing_m,
+                                   .anyway = options.anyway,
+                                   .flip_normals = options.flip_normals};
   if (settings.method == Method::Cloud) how.support_m = settings.radius_m;
   const Result<surface::StaticModel> made = surface::make_static_model(model, how);
   if (!made) return with_place(made.error(), file);
-  return ProbedSurface{made->snapshot, made->remarks, some_of(positions(*made->snapshot))};
+  const std::string between = made->remarks.empty() || made->sampling.empty() ? "" : "; ";
+  return ProbedSurface{made->snapshot, made->remarks + between + made->sampling, some_of(positions(*made->snapshot))};
 }
 
 Result<ProbedSurface> open_depth(const std::filesystem::path& png, const std::filesystem::path& camera_file,

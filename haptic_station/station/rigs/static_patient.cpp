@@ -59,17 +59,19 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
   if (asked.has_unit_m()) settings.unit_m = asked.unit_m();
   if (asked.has_samples()) settings.samples = asked.samples();
   settings.flip_normals = asked.flip_normals();
-  if (!(settings.unit_m > 0.0) || settings.samples < 100 || settings.samples > 1'000'000)
-    return Error{.what = "patient_surface.static_model: unit_m is above 0, samples is 100 to 1000000",
-                 .where = scene.name,
-                 .fix = "correct the scene"};
+  if (!(settings.unit_m > 0.0) || (settings.samples > 0 && settings.samples < 100) || settings.samples > 1'000'000)
+    return Error{
+        .what = "patient_surface.static_model: unit_m is above 0, samples is 0 (as the shape needs) or 100 to 1000000",
+        .where = scene.name,
+        .fix = "correct the scene"};
   Result<surface::StaticModel> made = surface::make_static_model(*read, settings);
   if (!made) {
     Error error = made.error();
     error.where = file.string();
     return error;
   }
-  StaticPatient patient{made->snapshot, {}, made->remarks};
+  const std::string between = made->remarks.empty() || made->sampling.empty() ? "" : "; ";
+  StaticPatient patient{made->snapshot, {}, made->remarks + between + made->sampling};
   patient.haptic_from_model.iso = transform_of(asked.haptic_from_model());
   if (!patient.haptic_from_model.iso.matrix().allFinite())
     return Error{.what = "patient_surface.static_model.haptic_from_model is not finite",

@@ -29,7 +29,30 @@ CloudPoint point_on(const models::PointModel& model, const std::array<std::uint3
   return {w * a + u * b + v * c, mixed.norm() > 1e-6F ? mixed.normalized() : face};
 }
 
-std::vector<CloudPoint> random_points(const models::PointModel& model, std::size_t count, std::uint64_t seed) {
+/// How crowded a neighbour at a distance makes a point. Source: Yuksel 2015, eq. (3), alpha = 8.
+double crowding(double distance, double reach) { return std::pow(1.0 - std::min(1.0, distance / reach), 8.0); }
+
+}  // namespace
+
+std::vector<CloudPoint> face_middles(const models::PointModel& model, std::size_t count) {
+  std::vector<CloudPoint> middles;
+  const std::size_t stride = std::max<std::size_t>(1, model.triangles.size() / std::max<std::size_t>(1, count));
+  for (std::size_t i = stride / 2; i < model.triangles.size(); i += stride)
+    if (area_of(model, model.triangles[i]) > 0.0)
+      middles.push_back(point_on(model, model.triangles[i], 1.0F / 3.0F, 1.0F / 3.0F));
+  return middles;
+}
+
+double area_of(const models::PointModel& model) {
+  double sum = 0.0;
+  for (const auto& triangle : model.triangles) {
+    const double area = area_of(model, triangle);
+    if (std::isfinite(area)) sum += area;
+  }
+  return sum;
+}
+
+std::vector<CloudPoint> random_samples(const models::PointModel& model, std::size_t count, std::uint64_t seed) {
   std::vector<double> areas;
   for (const auto& triangle : model.triangles) {
     const double area = area_of(model, triangle);
@@ -48,17 +71,10 @@ std::vector<CloudPoint> random_points(const models::PointModel& model, std::size
   return points;
 }
 
-/// How crowded a neighbour at a distance makes a point. Source: Yuksel 2015, eq. (3), alpha = 8.
-double crowding(double distance, double reach) { return std::pow(1.0 - std::min(1.0, distance / reach), 8.0); }
-
-}  // namespace
-
 std::vector<CloudPoint> poisson_disk_samples(const models::PointModel& model, std::size_t count, std::uint64_t seed) {
-  const std::vector<CloudPoint> many = random_points(model, kOversampling * count, seed);
+  const std::vector<CloudPoint> many = random_samples(model, kOversampling * count, seed);
   if (many.size() <= count) return many;
-  double area = 0.0;
-  for (const auto& triangle : model.triangles) area += area_of(model, triangle);
-  const double reach = 2.0 * std::sqrt(area / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));
+  const double reach = 2.0 * std::sqrt(area_of(model) / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));
   IndexedPoints positions;
   for (const CloudPoint& point : many) positions.at_m.push_back(point.at_m);
   const auto index = make_nanoflann_index(positions);

@@ -4,7 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstdio>
+#include <utility>
+
+#include "haptic_station/surface/cloud/mesh_winding.h"
+#include "haptic_station/surface/cloud/model_sampling.h"
 
 namespace telepalp::surface {
 namespace {
@@ -31,22 +35,16 @@ models::PointModel centred(const models::PointModel& model, const Vector3d& midd
   return near;
 }
 
-/// How a mesh encloses what it encloses.
+/// What a mesh's faces and normals say of its outside.
 struct Closure {
   double volume6 = 0.0;           ///< six times the signed volume; positive where faces look outwards
-  double agreement = 0.0;         ///< of the vertices' normals with their faces', by area; zero without normals
-  std::size_t open_edges = 0;     ///< without a partner
+  double agreement = 0.0;         ///< mean cosine of the vertices' normals with their faces', by area
   std::size_t without_place = 0;  ///< triangles with a corner that is not finite
 };
 
 Closure closure_of(const models::PointModel& model) {
   Closure closure;
-  std::map<std::array<float, 6>, int> edges;  // by position: exporters double the vertices along seams
-  const auto key = [&](std::uint32_t a, std::uint32_t b) {
-    const Vector3f& p = model.points[a];
-    const Vector3f& q = model.points[b];
-    return std::array<float, 6>{p.x(), p.y(), p.z(), q.x(), q.y(), q.z()};
-  };
+  double area2 = 0.0;
   for (const auto& triangle : model.triangles) {
     const Vector3d a = model.points[triangle[0]].cast<double>();
     const Vector3d b = model.points[triangle[1]].cast<double>();
@@ -56,37 +54,65 @@ Closure closure_of(const models::PointModel& model) {
       continue;
     }
     closure.volume6 += a.dot(b.cross(c));
-    for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3d face = (b - a).cross(c - a);
+    area2 += 3.0 * face.norm();
+    for (std::size_t k = 0; k < 3; ++k)
       if (!model.normals.empty() && model.normals[triangle[k]].allFinite())
-        closure.agreement += (b - a).cross(c - a).dot(model.normals[triangle[k]].cast<double>());
-      ++edges[key(triangle[k], triangle[(k + 1) % 3])];
-      --edges[key(triangle[(k + 1) % 3], triangle[k])];
-    }
+        closure.agreement += face.dot(model.normals[triangle[k]].cast<double>());
   }
-  for (const auto& [edge, balance] : edges)
-    if (balance > 0) ++closure.open_edges;
+  if (area2 > 0.0) closure.agreement /= area2;
   return closure;
 }
 
 void say(std::string& remarks, const std::string& remark) { remarks += (remarks.empty() ? "" : "; ") + remark; }
 
-std::vector<CloudPoint> sampled_mesh(const models::PointModel& mesh, const StaticModelSettings& settings,
-                                     std::string& remarks) {
-  std::vector<CloudPoint> points = poisson_disk_samples(mesh, settings.samples, settings.seed);
+/// Drops normals that contradict the faces, and says what is wrong with `mesh`; 1, or -1 where all its normals are to
+/// be turned over.
+float mended(models::PointModel& mesh, const Winding& winding, std::string& remarks) {
+  if (winding.turned > 0)
+    say(remarks, std::to_string(winding.turned) + " of " + std::to_string(mesh.triangles.size()) +
+                     " faces looked the other way than their neighbours: they are turned");
   if (mesh.normals.empty()) say(remarks, "the mesh has no normals: its faces' are taken");
-  const Closure closure = closure_of(mesh);
-  const bool against_faces = closure.agreement < 0.0;
+  Closure closure = closure_of(mesh);
+  constexpr double kLeastAgreement = 0.4;  // smooth shading over a cube's edges still comes to 0.58
+  if (!mesh.normals.empty() && std::abs(closure.agreement) < kLeastAgreement) {
+    say(remarks, "the mesh's normals contradict its faces: its faces' are taken");
+    mesh.normals.clear();
+    closure.agreement = 0.0;
+  }
   if (closure.without_place > 0)
     say(remarks, std::to_string(closure.without_place) + " triangles have a corner that is not a number: left out");
-  if (closure.open_edges > 0) {
-    say(remarks, "the mesh is open (" + std::to_string(closure.open_edges) +
+  if (winding.open_edges > 0) {
+    say(remarks, "the mesh is open (" + std::to_string(winding.open_edges) +
                      " edges without a partner), so which side is outside is taken from its " +
                      (mesh.normals.empty() ? "faces" : "normals"));
-  } else if ((closure.volume6 < 0.0) != against_faces) {
-    say(remarks, "the mesh is inside out: its normals are turned over");
-    for (CloudPoint& point : points) point.normal = -point.normal;
+    return 1.0F;
   }
-  return points;
+  if ((closure.volume6 < 0.0) == (closure.agreement < 0.0)) return 1.0F;
+  say(remarks, "the mesh is inside out: its normals are turned over");
+  return -1.0F;
+}
+
+Error too_coarse(const SampledMesh& sampled) {
+  char fix[200];
+  const double by_error = std::sqrt(kFaithful_m / std::max(kFaithful_m, sampled.fidelity.error_m));
+  const double faithful_m = sampled.spacing_m * std::min(by_error, sampled.fidelity.in_air > 0.0 ? 0.5 : 1.0);
+  std::snprintf(fix, sizeof fix, "sample it %.1f mm apart, leave samples and spacing out, or accept it by --anyway",
+                1e3 * faithful_m);
+  return {.what = "is sampled too coarsely: " + description_of(sampled), .where = "model", .fix = fix};
+}
+
+Result<StaticModel> touched_mesh(models::PointModel mesh, const StaticModelSettings& settings,
+                                 const Vector3d& origin_m) {
+  StaticModel made;
+  const Winding winding = make_faces_agree(mesh);
+  const float side = mended(mesh, winding, made.remarks) * (settings.flip_normals ? -1.0F : 1.0F);
+  const SampledMesh sampled = sample_mesh(mesh, settings, origin_m, side, winding.open_edges == 0);
+  if (!sampled.snapshot) return no_surface();
+  if (is_too_coarse(sampled.fidelity) && !settings.anyway) return too_coarse(sampled);
+  made.sampling = description_of(sampled);
+  made.snapshot = sampled.snapshot;
+  return made;
 }
 
 std::vector<CloudPoint> cloud_points(const models::PointModel& cloud, const StaticModelSettings& settings,
@@ -125,13 +151,12 @@ Error no_surface() {
 
 Result<StaticModel> make_static_model(const models::PointModel& model, const StaticModelSettings& settings) {
   const Vector3d middle = middle_of(model.points);
-  const models::PointModel near = centred(model, middle, settings.unit_m);
+  models::PointModel near = centred(model, middle, settings.unit_m);
   if (const std::string complaint = models::unit_complaint(near); !complaint.empty())
     return Error{.what = complaint, .where = "model", .fix = models::kSayTheUnit};
+  if (!near.triangles.empty()) return touched_mesh(std::move(near), settings, settings.unit_m * middle);
   StaticModel made;
-  std::vector<CloudPoint> points = near.triangles.empty()
-                                       ? cloud_points(near, settings, settings.unit_m * middle, made.remarks)
-                                       : sampled_mesh(near, settings, made.remarks);
+  std::vector<CloudPoint> points = cloud_points(near, settings, settings.unit_m * middle, made.remarks);
   if (points.empty()) return no_surface();
   if (settings.flip_normals)
     for (CloudPoint& point : points) point.normal = -point.normal;

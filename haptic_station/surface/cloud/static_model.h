@@ -8,8 +8,10 @@
 namespace telepalp::surface {
 
 struct StaticModelSettings {
-  double unit_m = 1.0;          ///< metres for one unit of the file
-  std::size_t samples = 16000;  ///< of a mesh, spread evenly (S2's mannequin had as many)
+  double unit_m = 1.0;      ///< metres for one unit of the file
+  std::size_t samples = 0;  ///< of a mesh, spread evenly; 0: as `spacing_m` says
+  double spacing_m = 0.0;   ///< between a mesh's samples; 0: as its area and smallest features need
+  bool anyway = false;      ///< accept samples that are too coarse for the mesh
   std::uint64_t seed = 1;
   int normal_neighbors = 16;                              ///< of clouds without normals
   Eigen::Vector3d viewpoint_m = Eigen::Vector3d::Zero();  ///< where normals of such clouds look to
@@ -20,13 +22,15 @@ struct StaticModelSettings {
 /// What became of a model, for the person who gave it.
 struct StaticModel {
   std::shared_ptr<const CloudSnapshot> snapshot;
-  std::string remarks;  ///< open, inverted, without normals …; empty when there is nothing to say
+  std::string remarks;   ///< open, inverted, without normals …; empty when there is nothing to say
+  std::string sampling;  ///< of a mesh: how far its samples are apart, and what that costs
 };
 
-/// A mesh or cloud as a surface to touch, in the file's own frame. A mesh is resampled to `samples` points by
-/// Poisson-disk elimination, with its vertices' normals interpolated, or its faces' where it has none; a closed mesh
-/// whose normals look inwards is turned over; of an open one nobody can tell. A cloud keeps its points, and its normals
-/// where it has them. An error when nothing is left that has a normal, or the coordinates cannot be metres.
+/// A mesh or cloud as a surface to touch, in the file's own frame. A mesh is resampled by Poisson-disk elimination,
+/// with the normals of its vertices, or of its faces where it has none. Faces that look the other way than their
+/// neighbours are turned. A closed mesh whose normals look inwards is turned over; an open mesh keeps its side. A cloud
+/// keeps its points, and its normals where it has them. Error: no point has a normal, the coordinates cannot be metres,
+/// or the samples are too coarse for the mesh and `anyway` is not set.
 [[nodiscard]] Result<StaticModel> make_static_model(const models::PointModel& model,
                                                     const StaticModelSettings& settings);
 
@@ -38,5 +42,15 @@ struct StaticModel {
 /// area, thinned by dropping the most crowded first. Source: Yuksel 2015, sample elimination.
 [[nodiscard]] std::vector<CloudPoint> poisson_disk_samples(const models::PointModel& model, std::size_t count,
                                                            std::uint64_t seed);
+
+/// `count` random points on the triangles, by area. Empty for a mesh without area.
+[[nodiscard]] std::vector<CloudPoint> random_samples(const models::PointModel& model, std::size_t count,
+                                                     std::uint64_t seed);
+
+/// The middles of about `count` triangles, evenly picked: most of them lie where the mesh is fine, on small features.
+[[nodiscard]] std::vector<CloudPoint> face_middles(const models::PointModel& model, std::size_t count);
+
+/// Of all triangles whose corners are finite, in square metres where the model is in metres.
+[[nodiscard]] double area_of(const models::PointModel& model);
 
 }  // namespace telepalp::surface

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <random>
 #include <sstream>
 
 #include "haptic_station/surface/touch/touch.h"
@@ -92,6 +93,79 @@ TEST(StaticModel, ABallIsTouchedWhereItIsFromEverySideHoweverFarAway) {
       EXPECT_NEAR((felt.proxy.m - middle).norm(), 0.1, tolerance_m) << side.transpose();
       EXPECT_GT(felt.normal.dot(side), 0.999) << side.transpose();
     }
+  }
+}
+
+/// How far the proxy is from `middle` when a hand has gone 10 mm into a ball of 0.1 m from above.
+double felt_radius_m(const SurfaceSnapshot& snapshot, const Vector3d& middle) {
+  Touch touch;
+  touch.adopt(snapshot, SessionTime{});
+  TouchSample felt;
+  for (int i = 0; i <= 300; ++i)
+    felt = touch.step({middle + (0.12 - 0.0001 * i) * Vector3d::UnitX()}, SessionTime{}, 0.0005);
+  return felt.in_body ? (felt.proxy.m - middle).norm() : 0.0;
+}
+
+TEST(StaticModel, AClosedMeshWhoseFacesLookAtRandomIsMendedAndNotCalledOpen) {
+  models::PointModel mesh = ball(0.1, {0, 0, 1}, false);
+  std::mt19937 random(3);
+  for (auto& triangle : mesh.triangles)
+    if (random() % 2 == 0) std::swap(triangle[1], triangle[2]);
+  const auto model = make_static_model(mesh, {});
+  ASSERT_TRUE(model.ok()) << to_string(model.error());
+  EXPECT_NE(model->remarks.find("looked the other way than their neighbours"), std::string::npos) << model->remarks;
+  EXPECT_EQ(model->remarks.find("open"), std::string::npos) << model->remarks;
+  EXPECT_NEAR(felt_radius_m(*model->snapshot, {0, 0, 1}), 0.1, 5e-4);
+}
+
+TEST(StaticModel, AMeshWhoseNormalsAreRandomIsTouchedByItsFaces) {
+  models::PointModel mesh = ball(0.1, {0, 0, 1}, true);
+  std::mt19937 random(3);
+  for (Vector3f& normal : mesh.normals)
+    if (random() % 2 == 0) normal = -normal;
+  const auto model = make_static_model(mesh, {});
+  ASSERT_TRUE(model.ok()) << to_string(model.error());
+  EXPECT_NE(model->remarks.find("normals contradict its faces"), std::string::npos) << model->remarks;
+  EXPECT_NEAR(felt_radius_m(*model->snapshot, {0, 0, 1}), 0.1, 5e-4);
+}
+
+/// A ball of 0.3 m, and beside it five of 8 mm: a body's fingers.
+models::PointModel body_with_fingers() {
+  models::PointModel body = ball(0.3, {0, 0, 1}, false, 60);
+  for (int finger = 0; finger < 5; ++finger) {
+    const auto first = static_cast<std::uint32_t>(body.points.size());
+    const models::PointModel tip = ball(0.008, {0.35, 0.03 * finger, 1}, false, 16);
+    body.points.insert(body.points.end(), tip.points.begin(), tip.points.end());
+    for (const auto& at : tip.triangles) body.triangles.push_back({first + at[0], first + at[1], first + at[2]});
+  }
+  return body;
+}
+
+TEST(StaticModel, SamplesTooCoarseForTheShapeAreRefusedUnlessAcceptedAndTheCostIsSaid) {
+  const auto refused = make_static_model(body_with_fingers(), {.spacing_m = 0.04});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().what.find("points 40.0 mm apart"), std::string::npos) << to_string(refused.error());
+  EXPECT_NE(refused.error().fix.find("--anyway"), std::string::npos);
+  const auto accepted = make_static_model(body_with_fingers(), {.spacing_m = 0.04, .anyway = true});
+  ASSERT_TRUE(accepted.ok());
+  EXPECT_NE(accepted->sampling.find("40.0 mm apart"), std::string::npos) << accepted->sampling;
+}
+
+TEST(StaticModel, SamplesFollowFromTheShapeSoThatNothingIsFeltInTheAirBesideAFinger) {
+  const auto model = make_static_model(body_with_fingers(), {});
+  ASSERT_TRUE(model.ok()) << to_string(model.error());
+  EXPECT_EQ(model->sampling.find("free air"), std::string::npos) << model->sampling;
+  std::mt19937 random(5);
+  std::normal_distribution<double> any;
+  for (int i = 0; i < 500; ++i) {
+    const Vector3d way = Vector3d(any(random), any(random), any(random)).normalized();
+    const Vector3d at = Vector3d(0.35, 0.03 * (i % 5), 1) + (0.011 + 0.003 * (i % 2)) * way;
+    TouchSettings settings;
+    settings.gentle_start = false;
+    Touch touch(settings);
+    touch.adopt(*model->snapshot, SessionTime{});
+    const TouchSample sample = touch.step({at}, SessionTime{}, 0.0005);
+    EXPECT_FALSE(sample.valid && sample.in_body) << i << ": " << at.transpose();
   }
 }
 
