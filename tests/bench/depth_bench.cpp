@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <ctime>
-#include <optional>
 #include <sstream>
 
 #include "codec/context/kernel.h"
 #include "codec/depth_stream.h"
 #include "codec/levels/level_palette.h"
 #include "server/capture/capture_source.h"
+#include "tests/bench/depth_asked.h"
 #include "tests/bench/depth_peers.h"
 #include "tests/bench/distribution.h"
 #include "tools/codec_tool/depth_files.h"
@@ -18,7 +18,8 @@
 namespace telepalp::bench {
 namespace {
 
-constexpr int kMostFrames = 20;
+constexpr std::size_t kSyntheticFrames = 20;
+constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of samples held in memory: 1700 frames of 640 x 480
 constexpr std::size_t kFrameTimes = 60;  // of one codec, at least: rounds over the frames, for times above the noise
 constexpr double kMostSeconds = 3;       // of one codec
 
@@ -29,12 +30,22 @@ double cpu_ms() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// `input` empty: of the synthetic patient.
-Result<std::vector<DepthImage>> frames_of(const std::string& input) {
-  std::vector<DepthImage> frames;
+struct Frames {
+  std::vector<DepthImage> images;
+  std::size_t left_out = 0;  ///< beyond kMostBytes
+};
+
+/// All frames of `input`, as far as they fit into memory; some of the synthetic patient's where `input` is empty.
+Result<Frames> frames_of(const std::string& input) {
+  Frames frames;
+  std::size_t bytes = 0;
   if (!input.empty()) {
     const Result<void> read = server::for_each_depth(input, 0.001, [&](server::NamedDepth named) -> Result<void> {
-      if (frames.size() < kMostFrames) frames.push_back(std::move(named.depth));
+      bytes += 2 * named.depth.samples.size();
+      if (bytes <= kMostBytes)
+        frames.images.push_back(std::move(named.depth));
+      else
+        ++frames.left_out;
       return {};
     });
     if (!read) return read.error();
@@ -42,10 +53,11 @@ Result<std::vector<DepthImage>> frames_of(const std::string& input) {
     auto source =
         server::open_source("synthetic", {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = true, .paced = false});
     if (!source) return source.error();
-    while (frames.size() < kMostFrames)
-      if (auto frame = (*source)->next(std::chrono::milliseconds{100})) frames.push_back(std::move(frame->depth));
+    while (frames.images.size() < kSyntheticFrames)
+      if (auto frame = (*source)->next(std::chrono::milliseconds{100}))
+        frames.images.push_back(std::move(frame->depth));
   }
-  if (frames.empty()) return Error{.what = "holds no depth", .where = input, .fix = "give depth images"};
+  if (frames.images.empty()) return Error{.what = "holds no depth", .where = input, .fix = "give depth images"};
   return frames;
 }
 
@@ -139,10 +151,10 @@ double raw_bytes(const std::vector<DepthImage>& frames) {
   return bytes;
 }
 
-void add_rows(const std::string& name, const Measured& measured, double raw, std::optional<double> ratio,
-              Report& report) {
-  report.rows.push_back(ratio ? at_least(name + ": ratio", raw / measured.bytes, "", *ratio)
-                              : bench::measured(name + ": ratio", raw / measured.bytes, ""));
+void add_rows(const std::string& name, const Measured& measured, double raw, double ratio_asked, Report& report) {
+  const std::string ratio = name + ": ratio";
+  report.rows.push_back(ratio_asked > 0.0 ? at_least(ratio, raw / measured.bytes, "", ratio_asked)
+                                          : bench::measured(ratio, raw / measured.bytes, ""));
   report.rows.push_back(bench::measured(name + ": bits per pixel", 16.0 * measured.bytes / raw, ""));
   report.rows.push_back(bench::measured(name + ": encode p50", measured.encode_ms.p50(), "ms"));
   report.rows.push_back(bench::measured(name + ": encode p99", measured.encode_ms.p99(), "ms"));
@@ -196,26 +208,17 @@ bool is_kinects(const DepthImage& frame) {
   return std::abs(*middle / kStep_per_m - 1.0) < 0.1;
 }
 
-/// The ratio asked of a mode on the recording of a room, or on a sensor without levels; nullopt: none is.
-std::optional<double> ratio_asked(const std::string& input, const DepthImage& frame, codec::DepthMode mode) {
-  constexpr std::size_t kMostLevelsOfKinect = 1024;
-  if (input.ends_with(".oni")) return std::array{13.5, 18.5, 20.0, 40.0}[static_cast<std::size_t>(mode)];
-  const bool has_levels = codec::palette_of(frame.samples).size() <= kMostLevelsOfKinect;
-  if (!has_levels && mode == codec::DepthMode::Intra) return 9.4;
-  return std::nullopt;
-}
-
 /// The geometric mean of each mode's ratio over several sets of a Kinect's frames, on none of which it was trained.
 Result<void> add_held_out(const std::string& sets, Report& report) {
   std::array<double, kModes.size()> log_ratio{};
   int count = 0;
   std::istringstream names(sets);
   for (std::string name; std::getline(names, name, ',');) {
-    const Result<std::vector<DepthImage>> frames = frames_of(name);
+    const Result<Frames> frames = frames_of(name);
     if (!frames) return frames.error();
     ++count;
     for (std::size_t i = 0; i < kModes.size(); ++i)
-      log_ratio[i] += std::log(raw_bytes(*frames) / measure_mode(*frames, kModes[i]).bytes);
+      log_ratio[i] += std::log(raw_bytes(frames->images) / measure_mode(frames->images, kModes[i]).bytes);
   }
   constexpr std::array kAsked{14.0, 19.0, 22.0, 45.0};
   for (std::size_t i = 0; i < kModes.size(); ++i)
@@ -227,9 +230,10 @@ Result<void> add_held_out(const std::string& sets, Report& report) {
 }  // namespace
 
 Result<Report> run_depth(const program::Arguments& arguments) {
-  const Result<std::vector<DepthImage>> read = frames_of(arguments.text("input"));
+  const Result<Frames> read = frames_of(arguments.text("input"));
   if (!read) return read.error();
-  const std::vector<DepthImage>& frames = *read;
+  const std::vector<DepthImage>& frames = read->images;
+  const RatiosAsked* asked_ratios = ratios_asked(frames.front());
   const double raw = raw_bytes(frames);
   Report report{.bench = "depth", .rows = {}, .notes = {}};
   const bool kinects = is_kinects(frames.front());
@@ -238,13 +242,14 @@ Result<Report> run_depth(const program::Arguments& arguments) {
   for (const DepthPeer& peer : peers) {
     const Measured measured = measure(
         frames, [&] { return std::cref(peer.encode); }, [&] { return std::cref(peer.decode); });
-    add_rows(peer.name, measured, raw, std::nullopt, report);
+    add_rows(peer.name, measured, raw, 0.0, report);
     if (peer.name == "zstd-3") yard = &peer;
   }
   for (const codec::DepthMode mode : kModes) {
     const Measured measured = measure_mode(frames, mode, yard);
     const std::string name(codec::name(mode));
-    add_rows(name, measured, raw, ratio_asked(arguments.text("input"), frames.front(), mode), report);
+    const double ratio = asked_ratios == nullptr ? 0.0 : asked_ratios->of_modes[static_cast<std::size_t>(mode)];
+    add_rows(name, measured, raw, ratio, report);
     const double encode = measured.encode_ms.p50() / measured.yard_encode_ms.p50();
     const double decode = measured.decode_ms.p50() / measured.yard_decode_ms.p50();
     const TimesAsked asked = times_asked(mode);
@@ -260,6 +265,12 @@ Result<Report> run_depth(const program::Arguments& arguments) {
   if (arguments.has("held-out"))
     if (const Result<void> added = add_held_out(arguments.text("held-out"), report); !added) return added.error();
   if (!kinects) report.notes.push_back("not a Kinect's frames: no times are asked");
+  report.notes.push_back(asked_ratios == nullptr
+                             ? "no ratio is asked: none was measured before on the frames that begin with CRC-32C " +
+                                   std::to_string(set_mark(frames.front()))
+                             : "ratios are asked as for " + std::string(asked_ratios->set));
+  if (read->left_out > 0)
+    report.notes.push_back(std::to_string(read->left_out) + " frames more are left out: memory for 1 GiB of samples");
   report.notes.push_back(
       std::to_string(frames.size()) + " frames of " + std::to_string(frames[0].width) + " x " +
       std::to_string(frames[0].height) + ", one core, CPU time; kernel " +
