@@ -1,5 +1,8 @@
 #include "server/server.h"
 
+#include <malloc.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -82,6 +85,7 @@ void Server::publish(wire::Message message) {
 
 void Server::publish_every_second() {
   publish_clock_and_stats();
+  give_memory_back();
   second_.expires_after(1s);
   second_.async_wait([this](const boost::system::error_code& stopped) {
     if (!stopped && !stopped_) publish_every_second();
@@ -92,6 +96,15 @@ void Server::publish_clock_and_stats() {
   const SessionTime now = clock_.now();
   hub_.publish(wire::make_message(wire::kClock, now, clock_message(now)));
   hub_.publish(wire::make_message(wire::kServerStats, now, server_stats(hub_, now)));
+}
+
+/// The C library keeps what was freed for later. After a backlog, that is memory which other programs miss.
+void Server::give_memory_back() {
+  constexpr std::size_t kWorthIt = std::size_t{8} << 20;
+  most_waiting_bytes_ = std::max(most_waiting_bytes_, hub_.waiting_bytes());
+  if (most_waiting_bytes_ - hub_.waiting_bytes() < kWorthIt) return;
+  most_waiting_bytes_ = hub_.waiting_bytes();
+  malloc_trim(0);
 }
 
 void Server::log_state_changes(const wire::Message& message) {

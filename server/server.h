@@ -50,6 +50,7 @@ class Server {
   void publish(wire::Message message);
   void publish_every_second();
   void publish_clock_and_stats();
+  void give_memory_back();
   void log_state_changes(const wire::Message& status);
   void log(const std::string& text) const;
 
@@ -59,8 +60,9 @@ class Server {
   Hub hub_;
   std::unique_ptr<PeerListener> listener_;
   boost::asio::steady_timer second_;
-  bool stopped_ = false;  // a timer that has fired cannot be cancelled: its handler looks here
-  std::string last_state_;  // as last logged
+  bool stopped_ = false;                // a timer that has fired cannot be cancelled: its handler looks here
+  std::string last_state_;              // as last logged
+  std::size_t most_waiting_bytes_ = 0;  // in the hub, since memory was last given back
   std::chrono::steady_clock::time_point started_{};
   std::unique_ptr<CaptureThread> capture_;
 };

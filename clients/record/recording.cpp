@@ -66,11 +66,14 @@ class Recording {
         writer_(std::move(writer)),
         disk_({.write = [this](const wire::Message& message) { return writer_.write(message); },
                .flush = [this] { return writer_.flush(); }}),
-        link_(
-            io_,
-            {.host = options.server.host, .port = options.server.port, .name = kProgram, .subscribes = options.topics},
-            {.on_message = [this](const wire::Message& message) { on_message(message); },
-             .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); }}) {}
+        link_(io_,
+              {.host = options.server.host,
+               .port = options.server.port,
+               .name = kProgram,
+               .role = "recorder",
+               .subscribes = options.topics},
+              {.on_message = [this](const wire::Message& message) { on_message(message); },
+               .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); }}) {}
 
   Result<RecordingReport> run() {
     signals_.async_wait([this](const error_code& cancelled, int) {

@@ -43,7 +43,7 @@ class ClientLink : private ConnectionOwner {
     std::string host = "127.0.0.1";
     std::uint16_t port = 0;
     std::string name{};                     ///< of this program; the server's statistics list it
-    std::string role = "viewer";            ///< technician, doctor, viewer, qa
+    std::string role = "viewer";            ///< doctor, recorder, technician, qa, viewer: what place it is given
     std::vector<std::string> subscribes{};  ///< topic names; one ending in '*' is a prefix
     std::vector<Topic> publishes{};         ///< what publish() may be given; the server takes only /station/…
   };

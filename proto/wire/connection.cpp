@@ -63,6 +63,7 @@ Connection::Connection(std::unique_ptr<ByteStream> stream, Options options, Conn
       options_(std::move(options)),
       owner_(&owner),
       deadline_(stream_->executor()),
+      read_again_(stream_->executor()),
       parser_(kMaxHelloBytes) {}
 
 void Connection::start() {
@@ -117,6 +118,7 @@ void Connection::finish(const std::string& reason) noexcept {
   if (phase_ == Phase::Closed) return;
   phase_ = Phase::Closed;
   deadline_.cancel();
+  read_again_.cancel();
   stream_->close();
   if (ConnectionOwner* owner = std::exchange(owner_, nullptr)) owner->on_closed(reason);
 }
@@ -140,8 +142,23 @@ void Connection::read() {
                              if (self->phase_ == Phase::Closed) return;
                              if (code) return self->on_lost(code);
                              self->on_bytes({self->incoming_.data(), bytes});
-                             if (self->phase_ != Phase::Closed) self->read();
+                             if (self->phase_ != Phase::Closed) self->read_when_due(bytes);
                            });
+}
+
+/// Each read moves the due time on by what it took; a peer that was quiet may be two seconds ahead of it.
+void Connection::read_when_due(std::size_t bytes_before) {
+  if (options_.max_read_bytes_per_s == 0) return read();
+  constexpr auto kBurst = 2s;
+  const auto now = std::chrono::steady_clock::now();
+  const double cost_s = static_cast<double>(bytes_before) / static_cast<double>(options_.max_read_bytes_per_s);
+  read_due_ = std::max(read_due_, now - kBurst) +
+              std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(cost_s));
+  if (read_due_ <= now) return read();
+  read_again_.expires_at(read_due_);
+  read_again_.async_wait([self = shared_from_this()](const boost::system::error_code& cancelled) {
+    if (!cancelled && self->phase_ != Phase::Closed) self->read();
+  });
 }
 
 void Connection::on_bytes(std::span<const std::byte> bytes) {

@@ -61,6 +61,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::string role{};                                ///< technician, doctor, viewer, qa, server
     std::vector<Topic> publishes{};                    ///< the topics that next_to_send() may give
     std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< taken from this peer once its Hello has come
+    /// More is left in the kernel until its time comes, so that the peer is held up and nobody else; 0: no limit.
+    std::size_t max_read_bytes_per_s = 0;
   };
 
   /// `owner` outlives the connection's on_closed(), or calls abandon() first.
@@ -89,6 +91,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   };
 
   void read();
+  void read_when_due(std::size_t bytes_before);
   void on_bytes(std::span<const std::byte> bytes);
   [[nodiscard]] Result<void> on_frame(Frame frame);
   [[nodiscard]] Result<void> on_control(const Frame& frame);
@@ -111,6 +114,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Options options_;
   ConnectionOwner* owner_;  // null once closed or abandoned
   boost::asio::steady_timer deadline_;
+  boost::asio::steady_timer read_again_;
+  std::chrono::steady_clock::time_point read_due_{};  // by max_read_bytes_per_s
   Phase phase_ = Phase::Greeting;
   std::string leaving_because_;
 

@@ -1,42 +1,98 @@
 #include "proto/wire/send_queue.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "proto/wire/topics.h"
 
 namespace telepalp::wire {
+namespace {
 
-std::size_t queue_limit(std::string_view topic) noexcept {
-  constexpr std::size_t kImages = 2;   // beside the one being sent: one about to go, one newest
-  constexpr std::size_t kSmall = 256;  // 2.5 s of the 100 Hz topics
+bool is_camera(const Topic& topic) noexcept { return topic.name.starts_with("/camera/"); }
+
+}  // namespace
+
+QueueLimit queue_limit(std::string_view topic) noexcept {
+  constexpr QueueLimit kImages{.messages = 2, .bytes = 2 * kMaxPayloadBytes};   // one about to go, one newest
+  constexpr QueueLimit kSmall{.messages = 256, .bytes = std::size_t{1} << 20};  // 2.5 s of the 100 Hz topics
   return topic == kCameraColor.name || topic == kCameraDepth.name ? kImages : kSmall;
 }
 
+SendQueue::Lane& SendQueue::lane_of(const Topic& topic) noexcept { return is_camera(topic) ? camera_ : others_; }
+
 std::size_t SendQueue::waiting(const Topic& topic) const {
-  return static_cast<std::size_t>(std::count_if(
-      waiting_.begin(), waiting_.end(), [&](const Message& message) { return message.topic.name == topic.name; }));
+  const auto found = waiting_.find(topic.name);
+  return found == waiting_.end() ? 0 : found->second.messages;
+}
+
+void SendQueue::count_in(const Message& message) {
+  Waiting& topic = waiting_[message.topic.name];
+  ++topic.messages;
+  topic.bytes += message.payload->size();
+  if (!is_camera(message.topic)) other_bytes_ += message.payload->size();
+}
+
+void SendQueue::count_out(const Message& message) {
+  Waiting& topic = waiting_[message.topic.name];
+  --topic.messages;
+  topic.bytes -= message.payload->size();
+  if (!is_camera(message.topic)) other_bytes_ -= message.payload->size();
+}
+
+bool SendQueue::has_room(const Message& message) const {
+  const auto found = waiting_.find(message.topic.name);
+  if (found == waiting_.end() || found->second.messages == 0) return true;
+  const QueueLimit limit = queue_limit(message.topic.name);
+  return found->second.messages < limit.messages && found->second.bytes + message.payload->size() <= limit.bytes;
+}
+
+Message SendQueue::take(Lane& lane, Lane::iterator at) {
+  Message message = std::move(*at);
+  lane.erase(at);
+  count_out(message);
+  return message;
+}
+
+void SendQueue::take_oldest(const Message& to_make_room_for, std::vector<Message>& gone) {
+  Lane& lane = lane_of(to_make_room_for.topic);
+  const auto oldest = [&] {
+    return std::find_if(lane.begin(), lane.end(),
+                        [&](const Message& other) { return other.topic.name == to_make_room_for.topic.name; });
+  };
+  do gone.push_back(take(lane, oldest()));
+  while (oldest() != lane.end() && !oldest()->stands_alone);
 }
 
 std::vector<Message> SendQueue::push(const Message& message) {
-  const auto same_topic = [&](const Message& other) { return other.topic.name == message.topic.name; };
+  if (!has_room(message) && !message.stands_alone) return {message};
   std::vector<Message> gone;
-  if (waiting(message.topic) >= queue_limit(message.topic.name)) {
-    if (!message.stands_alone) return {message};
-    auto oldest = std::find_if(waiting_.begin(), waiting_.end(), same_topic);
-    do {
-      gone.push_back(std::move(*oldest));
-      oldest = std::find_if(waiting_.erase(oldest), waiting_.end(), same_topic);
-    } while (oldest != waiting_.end() && !oldest->stands_alone);
-  }
-  waiting_.push_back(message);
+  while (!has_room(message)) take_oldest(message, gone);
+  lane_of(message.topic).push_back(message);
+  count_in(message);
   return gone;
 }
 
 std::optional<Message> SendQueue::pop() {
-  if (waiting_.empty()) return std::nullopt;
-  Message message = std::move(waiting_.front());
-  waiting_.pop_front();
+  if (empty()) return std::nullopt;
+  if (camera_.empty()) return take(others_, others_.begin());
+  if (!others_.empty() && others_.front().payload->size() <= others_credit_bytes_) {
+    others_credit_bytes_ -= others_.front().payload->size();
+    return take(others_, others_.begin());
+  }
+  constexpr std::size_t kMostCredit = kMaxPayloadBytes;  // any message gets its turn
+  constexpr std::size_t kShare = 4;
+  Message message = take(camera_, camera_.begin());
+  others_credit_bytes_ = std::min(kMostCredit, others_credit_bytes_ + message.payload->size() / kShare);
   return message;
+}
+
+std::optional<Message> SendQueue::drop_of_largest() {
+  if (others_.empty()) return std::nullopt;
+  std::string_view largest = others_.front().topic.name;
+  for (const Message& message : others_)
+    if (waiting_.at(message.topic.name).bytes > waiting_.at(largest).bytes) largest = message.topic.name;
+  return take(others_, std::find_if(others_.begin(), others_.end(),
+                                    [&](const Message& message) { return message.topic.name == largest; }));
 }
 
 }  // namespace telepalp::wire

@@ -25,10 +25,12 @@ inline constexpr Topic kStationCompensation{"/station/compensation", "telepalp.m
 inline constexpr Topic kStationEvents{"/station/events", "telepalp.msg.StationEvent"};
 inline constexpr Topic kStationStats{"/station/stats", "telepalp.msg.StationStats"};
 inline constexpr Topic kViewerHand{"/viewer/hand", "telepalp.msg.ViewerHand"};
+inline constexpr Topic kHandHolder{"/viewer/hand_holder", "telepalp.msg.HandHolder"};
+inline constexpr Topic kCameraColorInfo{"/camera/color/info", "foxglove.CameraCalibration"};
 
 inline constexpr std::array kTopics{kCameraColor,  kCameraDepth,         kCameraInfo,   kCameraStatus,   kClock,
                                     kServerStats,  kStationState,        kStationTicks, kStationSurface, kStationEvents,
-                                    kStationStats, kStationCompensation, kViewerHand};
+                                    kStationStats, kStationCompensation, kViewerHand, kHandHolder, kCameraColorInfo};
 
 /// The topic of that name, if it is one of ours.
 [[nodiscard]] std::optional<Topic> find_topic(std::string_view name) noexcept;

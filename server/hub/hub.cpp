@@ -17,7 +17,8 @@ bool wants(const std::vector<std::string>& topics, std::string_view topic) noexc
 }
 
 bool is_latched(std::string_view topic) noexcept {
-  return topic == wire::kCameraInfo.name || topic == wire::kCameraStatus.name;
+  return topic == wire::kCameraInfo.name || topic == wire::kCameraColorInfo.name || topic == wire::kCameraStatus.name ||
+         topic == wire::kHandHolder.name;
 }
 
 }  // namespace
@@ -34,6 +35,7 @@ SubscriberId Hub::join(std::string name, std::string address, std::function<void
 void Hub::leave(SubscriberId id) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end()) return;
+  waiting_bytes_ -= found->second.queue.other_bytes();
   while (const std::optional<wire::Message> waiting = found->second.queue.pop()) drop(found->second.count, *waiting);
   subscribers_.erase(found);
 }
@@ -52,10 +54,12 @@ void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
 
 template <class Matches>
 void Hub::remove_waiting(Subscriber& subscriber, Matches matches) {
+  const std::size_t before = subscriber.queue.other_bytes();
   subscriber.queue.remove_if([&](const wire::Message& message) {
     if (matches(message)) drop(subscriber.count, message);
     return matches(message);
   });
+  waiting_bytes_ -= before - subscriber.queue.other_bytes();
 }
 
 /// A viewer that lost its place unsubscribes and subscribes again: what still waits would be of no use to it.
@@ -74,6 +78,32 @@ void Hub::publish(wire::Message message) {
   if (is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)
     if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
+  drop_beyond_the_bound();
+}
+
+bool Hub::is_wanted(std::string_view topic) const {
+  return std::any_of(subscribers_.begin(), subscribers_.end(),
+                     [&](const auto& subscriber) { return wants(subscriber.second.topics, topic); });
+}
+
+/// The subscriber that has the most waiting gives up its oldest.
+void Hub::drop_beyond_the_bound() {
+  const auto fuller = [](const auto& a, const auto& b) {
+    return a.second.queue.other_bytes() < b.second.queue.other_bytes();
+  };
+  while (waiting_bytes_ > kMaxWaitingBytes) {
+    Subscriber& fullest = std::max_element(subscribers_.begin(), subscribers_.end(), fuller)->second;
+    const std::optional<wire::Message> gone = fullest.queue.drop_of_largest();
+    waiting_bytes_ -= gone->payload->size();
+    drop(fullest.count, *gone);
+  }
+}
+
+std::vector<wire::Message> Hub::put_in_queue(Subscriber& subscriber, const wire::Message& message) {
+  const std::size_t before = subscriber.queue.other_bytes();
+  std::vector<wire::Message> gone = subscriber.queue.push(message);
+  waiting_bytes_ = waiting_bytes_ + subscriber.queue.other_bytes() - before;
+  return gone;
 }
 
 bool Hub::is_taken(std::string_view topic, std::string_view other_than) const noexcept {
@@ -110,7 +140,7 @@ void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
   GroupPosition& place = subscriber.places[message.topic.name];
   const bool was_empty = subscriber.queue.empty();
   const bool usable = can_use(place, message.sequence, message.stands_alone);
-  const std::vector<wire::Message> gone = usable ? subscriber.queue.push(message) : std::vector{message};
+  const std::vector<wire::Message> gone = usable ? put_in_queue(subscriber, message) : std::vector{message};
   for (const wire::Message& lost : gone) drop(subscriber.count, lost);
   const bool queued = gone.empty() || gone.back().sequence != message.sequence;
   place = {.last = queued ? message.sequence : 0};
@@ -121,7 +151,9 @@ void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
 std::optional<wire::Message> Hub::next(SubscriberId id) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end()) return std::nullopt;
+  const std::size_t before = found->second.queue.other_bytes();
   std::optional<wire::Message> message = found->second.queue.pop();
+  waiting_bytes_ -= before - found->second.queue.other_bytes();
   if (message) {
     TopicCount& count = found->second.count.topics[message->topic.name];
     ++count.sent;

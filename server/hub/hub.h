@@ -19,13 +19,18 @@ namespace telepalp::server {
 using SubscriberId = std::uint64_t;
 
 /// Takes every message published at this server and hands it to whoever asked for its topic. Encodes nothing and
-/// copies nothing: all subscribers share one payload. A subscriber that does not keep up loses its own oldest
-/// messages, topic by topic, and nobody else notices. Owner: the server's network thread; no locks, no sockets,
-/// no clock. A new subscriber is given the last message of each latched topic (/camera/info, /camera/status).
+/// copies nothing: all subscribers share one payload. What waits of the topics outside /camera/... is bounded for each
+/// subscriber (SendQueue) and for all together (kMaxWaitingBytes). A subscriber that does not keep up loses its own
+/// oldest messages, topic by topic, and nobody else notices. Owner: the server's network thread; no locks, no sockets,
+/// no clock. A new subscriber is given the last message of each latched topic (/camera/info,
+/// /camera/color/info, /camera/status, /viewer/hand_holder).
 /// A message that does not stand alone goes only to who has the one before it; whoever lost its place is given nothing
 /// of the topic until a message stands alone again, and the publisher is asked for one.
 class Hub {
  public:
+  /// Of the topics outside /camera/..., over all subscribers; a payload that waits for several counts once for each.
+  static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
+
   /// `wake` is called, on the publishing call, when the subscriber's queue stops being empty.
   SubscriberId join(std::string name, std::string address, std::function<void()> wake);
   void leave(SubscriberId subscriber);
@@ -48,6 +53,12 @@ class Hub {
 
   /// True when a subscriber asked for exactly `topic`, not by a prefix, and is not named `other_than`.
   [[nodiscard]] bool is_taken(std::string_view topic, std::string_view other_than) const noexcept;
+
+  /// Whether a subscriber listens to `topic`.
+  [[nodiscard]] bool is_wanted(std::string_view topic) const;
+
+  /// Bytes that wait, counted as for kMaxWaitingBytes.
+  [[nodiscard]] std::size_t waiting_bytes() const noexcept { return waiting_bytes_; }
 
   struct TopicCount {
     std::uint64_t published = 0;  ///< of a subscriber: offered to it
@@ -76,6 +87,8 @@ class Hub {
   };
   void drop(SubscriberCount& subscriber, const wire::Message& message);
   void offer(Subscriber& subscriber, const wire::Message& message);
+  std::vector<wire::Message> put_in_queue(Subscriber& subscriber, const wire::Message& message);
+  void drop_beyond_the_bound();
   template <class Matches>
   void remove_waiting(Subscriber& subscriber, Matches matches);  ///< counted as dropped
   void forget_unwanted(Subscriber& subscriber);
@@ -87,6 +100,7 @@ class Hub {
   std::map<std::string_view, KeyFrameState> wishes_;  // by topic
   std::function<void(std::string_view)> key_wanted_;
   SubscriberId last_id_ = 0;
+  std::size_t waiting_bytes_ = 0;
 };
 
 }  // namespace telepalp::server

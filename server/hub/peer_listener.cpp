@@ -1,9 +1,10 @@
 #include "server/hub/peer_listener.h"
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <utility>
 
-#include "server/hub/upstream.h"
+#include "server/hub/peer.h"
 
 namespace telepalp::server {
 namespace {
@@ -45,66 +46,6 @@ Result<asio::ip::address> loopback_address(const std::string& address) {
   return parsed;
 }
 
-/// One peer: its connection on one side, its place in the hub on the other.
-class PeerListener::Peer : public wire::ConnectionOwner {
- public:
-  Peer(PeerListener& listener, PeerNumber number, tcp::socket socket)
-      : listener_(listener),
-        number_(number),
-        connection_(std::make_shared<wire::Connection>(
-            wire::plain_tcp(std::move(socket)),
-            wire::Connection::Options{.name = listener.options_.name,
-                                      .role = "server",
-                                      .publishes = {wire::kTopics.begin(), wire::kTopics.end()},
-                                      .max_payload_bytes = kMaxUpstreamBytes},
-            *this)) {
-    connection_->start();
-  }
-  ~Peer() override {
-    if (subscriber_) listener_.hub_.leave(subscriber_);
-    connection_->abandon();
-  }
-
-  void close(const std::string& reason) { connection_->close(reason); }
-
- private:
-  bool accepts(const wire::Topic& topic) override { return may_publish_upstream(topic); }
-
-  void on_ready(const msg::Hello& peer) override {
-    name_ = peer.name();
-    subscriber_ = listener_.hub_.join(name_, connection_->peer(), [this] { connection_->wake(); });
-    listener_.note(name_ + " (" + peer.role() + ") joined from " + connection_->peer());
-  }
-  void on_subscribe(std::vector<std::string> topics) override { listener_.hub_.subscribe(subscriber_, topics); }
-  void on_message(wire::Message message) override {
-    if (is_valid_upstream(message)) return listener_.hub_.publish(std::move(message));
-    ++listener_.counts_.invalid_messages;
-  }
-  void on_want_key(const wire::Topic& topic, SessionTime published) override {
-    listener_.hub_.want_key(subscriber_, topic, published);
-  }
-  void on_clock(const wire::ClockSample&) override {}  // a server's clock is the session's: it asks nobody
-  void on_closed(const std::string& reason) override {
-    leave_hub();
-    listener_.note((name_.empty() ? "a stranger" : name_) + " at " + connection_->peer() + " left: " + reason);
-    listener_.forget(number_);
-  }
-  std::optional<wire::Message> next_to_send() override { return listener_.hub_.next(subscriber_); }
-  SessionTime session_now() override { return listener_.clock_.now(); }
-
-  void leave_hub() {
-    if (!subscriber_) return;
-    if (listener_.options_.on_leaving) listener_.options_.on_leaving();
-    listener_.hub_.leave(std::exchange(subscriber_, 0));
-  }
-
-  PeerListener& listener_;
-  PeerNumber number_;
-  std::string name_;
-  SubscriberId subscriber_ = 0;                   // 0: not in the hub
-  std::shared_ptr<wire::Connection> connection_;  // shared with its pending operations
-};
-
 Result<std::unique_ptr<PeerListener>> PeerListener::listen(asio::io_context& io, Hub& hub,
                                                            const wire::SessionClock& clock, Options options) {
   const Result<asio::ip::address> address = loopback_address(options.address);
@@ -114,11 +55,12 @@ Result<std::unique_ptr<PeerListener>> PeerListener::listen(asio::io_context& io,
   if (const error_code code = open_acceptor(listener->acceptor_, endpoint)) return cannot_listen(endpoint, code);
   listener->port_ = listener->acceptor_.local_endpoint().port();
   listener->accept();
+  listener->let_idle_go_every_second();
   return listener;
 }
 
 PeerListener::PeerListener(asio::io_context& io, Hub& hub, const wire::SessionClock& clock, Options options)
-    : io_(io), hub_(hub), clock_(clock), options_(std::move(options)), acceptor_(io), accept_again_(io) {}
+    : io_(io), hub_(hub), clock_(clock), options_(std::move(options)), acceptor_(io), accept_again_(io), second_(io) {}
 
 PeerListener::~PeerListener() = default;
 
@@ -126,6 +68,7 @@ void PeerListener::close(const std::string& reason) {
   error_code ignored;
   acceptor_.close(ignored);
   accept_again_.cancel();
+  second_.cancel();
   for (const auto& [number, peer] : peers_) peer->close(reason);
 }
 
@@ -145,10 +88,7 @@ void PeerListener::accept() {
 }
 
 void PeerListener::admit(tcp::socket socket) {
-  if (peers_.size() >= options_.max_peers) {
-    ++counts_.refused;
-    return;  // the socket closes
-  }
+  if (taken(std::nullopt) >= options_.places.strangers) let_a_stranger_go();
   ++counts_.accepted;
   const PeerNumber number = ++last_number_;
   peers_.emplace(number, std::make_unique<Peer>(*this, number, std::move(socket)));
@@ -157,6 +97,46 @@ void PeerListener::admit(tcp::socket socket) {
 void PeerListener::forget(PeerNumber number) {
   // Later, for the peer is on the call stack.
   asio::post(io_, [this, number] { peers_.erase(number); });
+}
+
+std::size_t PeerListener::taken(std::optional<PlaceKind> kind) const {
+  return static_cast<std::size_t>(
+      std::count_if(peers_.begin(), peers_.end(), [&](const auto& peer) { return peer.second->place() == kind; }));
+}
+
+/// Who greets does so within a round trip, so the one that has waited longest is the least likely to.
+void PeerListener::let_a_stranger_go() {
+  const auto oldest =
+      std::find_if(peers_.begin(), peers_.end(), [](const auto& peer) { return !peer.second->place(); });
+  if (oldest == peers_.end()) return;
+  note_refusal("a connection is closed: " + std::to_string(options_.places.strangers) +
+               " others wait that have not greeted either");
+  peers_.erase(oldest);
+}
+
+void PeerListener::let_idle_go_every_second() {
+  const auto now = std::chrono::steady_clock::now();
+  for (const auto& [number, peer] : peers_) {
+    if (!peer->is_idle(now)) continue;
+    ++counts_.let_go_idle;
+    peer->close("it asked for no topic and published nothing, and others may need its place");
+  }
+  second_.expires_after(std::chrono::seconds(1));
+  second_.async_wait([this](const error_code& stopped) {
+    if (!stopped && acceptor_.is_open()) let_idle_go_every_second();
+  });
+}
+
+/// The first at once, then one line in five seconds at most: a flood must not fill the log.
+void PeerListener::note_refusal(const std::string& text) {
+  constexpr std::chrono::seconds kQuiet{5};
+  ++counts_.refused;
+  const auto now = std::chrono::steady_clock::now();
+  if (refusal_noted_ != std::chrono::steady_clock::time_point{} && now - refusal_noted_ < kQuiet) return;
+  refusal_noted_ = now;
+  const std::uint64_t unsaid = counts_.refused - refused_when_noted_ - 1;
+  refused_when_noted_ = counts_.refused;
+  note(text + (unsaid == 0 ? "" : " (and " + std::to_string(unsaid) + " others since the last such line)"));
 }
 
 void PeerListener::note(const std::string& text) const {

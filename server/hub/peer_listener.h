@@ -8,12 +8,14 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "proto/wire/connection.h"
 #include "proto/wire/session_clock.h"
 #include "proto/words/result.h"
 #include "server/hub/hub.h"
+#include "server/hub/places.h"
 
 namespace telepalp::server {
 
@@ -22,21 +24,24 @@ namespace telepalp::server {
 [[nodiscard]] Result<boost::asio::ip::address> loopback_address(const std::string& address);
 
 /// Listens for peers (stations, recorders, tools) and ties each to the hub: what they ask for goes down, what a
-/// station publishes comes up. Owner: the server's network thread.
+/// station publishes comes up, no faster than upstream_rate(). Owner: the server's network thread.
 class PeerListener {
  public:
   struct Options {
     std::string address = "127.0.0.1";
     std::uint16_t port = 0;  ///< 0: any free one
     std::string name = "telepalp-server";
-    std::size_t max_peers = 64;                         ///< more are closed on arrival
+    PlaceLimits places{};
+    IdleLimits idle{};
     std::function<void(const std::string&)> on_note{};  ///< who came, who left and why; for the log
     std::function<void()> on_leaving{};                 ///< a peer is about to leave the hub, its counts with it
   };
   struct Counts {
     std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;           ///< over max_peers
+    std::uint64_t refused = 0;           ///< no place of their kind was left
+    std::uint64_t let_go_idle = 0;       ///< took nothing and gave nothing
     std::uint64_t invalid_messages = 0;  ///< from peers, dropped
+    std::uint64_t over_rate = 0;         ///< messages from peers, dropped
   };
 
   [[nodiscard]] static Result<std::unique_ptr<PeerListener>> listen(boost::asio::io_context& io, Hub& hub,
@@ -59,6 +64,10 @@ class PeerListener {
   void admit(boost::asio::ip::tcp::socket socket);
   void forget(PeerNumber number);
   void note(const std::string& text) const;
+  void note_refusal(const std::string& text);
+  [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: strangers
+  void let_a_stranger_go();
+  void let_idle_go_every_second();
 
   boost::asio::io_context& io_;
   Hub& hub_;
@@ -66,10 +75,13 @@ class PeerListener {
   Options options_;
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer accept_again_;
+  boost::asio::steady_timer second_;
   std::uint16_t port_ = 0;
   std::map<PeerNumber, std::unique_ptr<Peer>> peers_;
   PeerNumber last_number_ = 0;
   Counts counts_;
+  std::chrono::steady_clock::time_point refusal_noted_{};
+  std::uint64_t refused_when_noted_ = 0;
 };
 
 }  // namespace telepalp::server

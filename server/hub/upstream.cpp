@@ -4,6 +4,7 @@
 #include <array>
 
 #include "messages/station.pb.h"
+#include "proto/words/demand.h"
 
 namespace telepalp::server {
 namespace {
@@ -11,6 +12,8 @@ namespace {
 struct Allowed {
   std::string_view topic;
   bool (*parses)(const std::string&);
+  double messages_per_s;
+  double bytes_per_s;
 };
 
 template <class Proto>
@@ -18,12 +21,14 @@ bool parses(const std::string& payload) {
   return Proto().ParseFromString(payload);
 }
 
-constexpr std::array kAllowed{Allowed{wire::kStationState.name, parses<msg::StationState>},
-                              Allowed{wire::kStationTicks.name, parses<msg::StationTicks>},
-                              Allowed{wire::kStationSurface.name, parses<msg::SurfaceReport>},
-                              Allowed{wire::kStationCompensation.name, parses<msg::StationCompensation>},
-                              Allowed{wire::kStationEvents.name, parses<msg::StationEvent>},
-                              Allowed{wire::kStationStats.name, parses<msg::StationStats>}};
+constexpr double kKiB = 1024.0;
+constexpr std::array kAllowed{
+    Allowed{wire::kStationState.name, parses<msg::StationState>, 250, 256 * kKiB},
+    Allowed{wire::kStationTicks.name, parses<msg::StationTicks>, 250, 1024 * kKiB},
+    Allowed{wire::kStationSurface.name, parses<msg::SurfaceReport>, 150, 128 * kKiB},
+    Allowed{wire::kStationCompensation.name, parses<msg::StationCompensation>, 250, 128 * kKiB},
+    Allowed{wire::kStationEvents.name, parses<msg::StationEvent>, 50, 64 * kKiB},
+    Allowed{wire::kStationStats.name, parses<msg::StationStats>, 10, 64 * kKiB}};
 
 const Allowed* find(const wire::Topic& topic) noexcept {
   const auto found =
@@ -38,6 +43,24 @@ bool may_publish_upstream(const wire::Topic& topic) noexcept { return find(topic
 bool is_valid_upstream(const wire::Message& message) {
   const Allowed* allowed = find(message.topic);
   return allowed && message.payload->size() <= kMaxUpstreamBytes && allowed->parses(*message.payload);
+}
+
+Rate upstream_rate(const wire::Topic& topic) {
+  constexpr double kBurstMessages = 512;  // a client's queue holds 256 of a topic
+  constexpr double kLeastBurst = 256 * kKiB;
+  const Allowed* allowed = find(topic);
+  demand(allowed != nullptr, "only what may be published has a rate");
+  return {.messages_per_s = allowed->messages_per_s,
+          .bytes_per_s = allowed->bytes_per_s,
+          .burst_messages = kBurstMessages,
+          .burst_bytes = std::max(kLeastBurst, 2.0 * allowed->bytes_per_s)};
+}
+
+bool UpstreamRates::passes(const wire::Message& message, RateLimiter::TimePoint now) {
+  auto found = limiters_.find(message.topic.name);
+  if (found == limiters_.end())
+    found = limiters_.emplace(message.topic.name, RateLimiter(upstream_rate(message.topic))).first;
+  return found->second.passes(message.payload->size(), now);
 }
 
 }  // namespace telepalp::server

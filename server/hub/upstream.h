@@ -1,13 +1,19 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <string_view>
 
 #include "proto/wire/message.h"
+#include "server/hub/rate_limit.h"
 
 namespace telepalp::server {
 
 /// The most that one message of a peer may weigh: half a second of ticks is a tenth of it.
 inline constexpr std::size_t kMaxUpstreamBytes = std::size_t{1} << 20;
+
+/// The most that is read from a peer in a second, whatever it sends: four times what a station says.
+inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 
 /// Whether a peer may publish `topic` here. Default deny: the station's topics; the camera, the clock and the
 /// statistics are this server's own word.
@@ -16,5 +22,18 @@ inline constexpr std::size_t kMaxUpstreamBytes = std::size_t{1} << 20;
 /// Whether `message` is of an allowed topic and its payload really is a message of that topic's type. What does not
 /// parse would otherwise fail at every subscriber and in every recording.
 [[nodiscard]] bool is_valid_upstream(const wire::Message& message);
+
+/// How fast a peer may publish `topic`: over twice what a station does, with room for what waited through 2.5 s without
+/// a network. `topic` may be published.
+[[nodiscard]] Rate upstream_rate(const wire::Topic& topic);
+
+/// Holds one peer to upstream_rate(), topic by topic.
+class UpstreamRates {
+ public:
+  [[nodiscard]] bool passes(const wire::Message& message, RateLimiter::TimePoint now);
+
+ private:
+  std::map<std::string_view, RateLimiter> limiters_;  // by topic
+};
 
 }  // namespace telepalp::server

@@ -17,6 +17,24 @@ void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
   timestamp.set_nanos(static_cast<std::int32_t>(nanoseconds % kNanosecondsPerSecond));
 }
 
+std::string_view color_frame_id(const RgbdFrame& frame) noexcept {
+  return frame.camera.color_registered ? kDepthFrameId : kColorFrameId;
+}
+
+foxglove::CameraCalibration pinhole_message(const Intrinsics& k, SessionTime captured, std::string_view frame_id) {
+  foxglove::CameraCalibration calibration;
+  stamp(*calibration.mutable_timestamp(), captured);
+  calibration.set_frame_id(std::string(frame_id));
+  calibration.set_width(static_cast<std::uint32_t>(k.width));
+  calibration.set_height(static_cast<std::uint32_t>(k.height));
+  calibration.set_distortion_model("plumb_bob");
+  for (int i = 0; i < 5; ++i) calibration.add_d(0.0);
+  for (const double value : {k.fx, 0.0, k.cx, 0.0, k.fy, k.cy, 0.0, 0.0, 1.0}) calibration.add_k(value);
+  for (const double value : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) calibration.add_r(value);
+  for (const double value : {k.fx, 0.0, k.cx, 0.0, 0.0, k.fy, k.cy, 0.0, 0.0, 0.0, 1.0, 0.0}) calibration.add_p(value);
+  return calibration;
+}
+
 /// The error bound of depth that may have been near-lossless before, and is coded with the bound `coded` now. The sum
 /// of two such bounds has another form; twice the larger of each term is an upper bound, exact where both are equal.
 std::optional<DepthLoss> loss_of(const RgbdFrame& frame, const std::optional<codec::DepthBound>& coded) {
@@ -49,25 +67,18 @@ msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encode
 foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality) {
   foxglove::CompressedImage image;
   stamp(*image.mutable_timestamp(), frame.captured);
-  image.set_frame_id(std::string(frame.camera.color_registered ? kDepthFrameId : kColorFrameId));
+  image.set_frame_id(std::string(color_frame_id(frame)));
   image.set_format("jpeg");
   image.set_data(codec::encode_color(frame.color, jpeg_quality));
   return image;
 }
 
 foxglove::CameraCalibration calibration_message(const RgbdFrame& frame) {
-  const Intrinsics& k = frame.camera.depth;
-  foxglove::CameraCalibration calibration;
-  stamp(*calibration.mutable_timestamp(), frame.captured);
-  calibration.set_frame_id(std::string(kDepthFrameId));
-  calibration.set_width(static_cast<std::uint32_t>(k.width));
-  calibration.set_height(static_cast<std::uint32_t>(k.height));
-  calibration.set_distortion_model("plumb_bob");
-  for (int i = 0; i < 5; ++i) calibration.add_d(0.0);
-  for (const double value : {k.fx, 0.0, k.cx, 0.0, k.fy, k.cy, 0.0, 0.0, 1.0}) calibration.add_k(value);
-  for (const double value : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) calibration.add_r(value);
-  for (const double value : {k.fx, 0.0, k.cx, 0.0, 0.0, k.fy, k.cy, 0.0, 0.0, 0.0, 1.0, 0.0}) calibration.add_p(value);
-  return calibration;
+  return pinhole_message(frame.camera.depth, frame.captured, kDepthFrameId);
+}
+
+foxglove::CameraCalibration color_calibration_message(const RgbdFrame& frame) {
+  return pinhole_message(frame.camera.color, frame.captured, color_frame_id(frame));
 }
 
 msg::CaptureState to_message(CaptureState state) noexcept {

@@ -22,8 +22,11 @@ inline constexpr std::string_view kColorFrameId = "camera_color";
 /// The colour of `frame` as JPEG. `frame` is well formed and has colour.
 [[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality);
 
-/// The depth camera's model: an undistorted pinhole. Registered colour shares it.
+/// The depth camera's model: an undistorted pinhole.
 [[nodiscard]] foxglove::CameraCalibration calibration_message(const RgbdFrame& frame);
+
+/// The colour camera's model, in the frame of reference that color_message() names.
+[[nodiscard]] foxglove::CameraCalibration color_calibration_message(const RgbdFrame& frame);
 
 [[nodiscard]] msg::CaptureState to_message(CaptureState state) noexcept;
 

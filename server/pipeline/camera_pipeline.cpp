@@ -62,10 +62,14 @@ void CameraPipeline::publish_depth(const RgbdFrame& frame) {
 
 void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {
   const SessionTime now = clock_.now();
-  if (calibration_ && equal(*calibration_, frame.camera.depth) && now - calibration_at_ < kRepeat) return;
-  calibration_ = frame.camera.depth;
+  const bool same = calibration_ && equal(calibration_->depth, frame.camera.depth) &&
+                    equal(calibration_->color, frame.camera.color) &&
+                    calibration_->color_registered == frame.camera.color_registered;
+  if (same && now - calibration_at_ < kRepeat) return;
+  calibration_ = frame.camera;
   calibration_at_ = now;
   publish(wire::kCameraInfo, now, calibration_message(frame));
+  if (!frame.color.rgb.empty()) publish(wire::kCameraColorInfo, now, color_calibration_message(frame));
 }
 
 void CameraPipeline::publish_status_when_due() {

@@ -56,7 +56,7 @@ class CameraPipeline {
   std::uint64_t frames_ = 0;
   std::string refused_;  // why the last frame could not be sent; empty: it was
   bool color_registered_ = true;
-  std::optional<Intrinsics> calibration_;  // as last published
+  std::optional<CameraModel> calibration_;  // as last published
   SessionTime calibration_at_{};
   std::optional<CaptureState> state_;  // as last published
   std::string detail_;

@@ -87,5 +87,59 @@ TEST(Hub, WhatLeftIsSentNothing) {
   EXPECT_FALSE(hub.next(id));
 }
 
+wire::Message weighing(const wire::Topic& topic, std::size_t bytes) {
+  return {topic, session_time(1), std::make_shared<const std::string>(bytes, 'x')};
+}
+
+constexpr std::size_t kMiB = std::size_t{1} << 20;
+
+TEST(Hub, OneStalledSubscriberHoldsAMebibyteOfEachSmallTopicAndItsNewestMessageWhateverThatWeighs) {
+  Hub hub;
+  const SubscriberId stalled = hub.join("stalled", "", [] {});
+  hub.subscribe(stalled, {"*"});
+  for (int round = 0; round < 256; ++round) {
+    hub.publish(weighing(wire::kStationEvents, kMiB / 4));
+    hub.publish(weighing(wire::kStationStats, 3 * kMiB));
+  }
+  EXPECT_EQ(hub.waiting_bytes(), kMiB + 3 * kMiB);
+  hub.leave(stalled);
+  EXPECT_EQ(hub.waiting_bytes(), 0u);
+}
+
+TEST(Hub, AllSubscribersTogetherAreBoundedAndTheFullestGivesUpItsOldest) {
+  Hub hub;
+  const SubscriberId modest = hub.join("modest", "", [] {});
+  hub.subscribe(modest, {"/station/state"});
+  for (int number = 0; number < 100; ++number) {
+    const SubscriberId greedy = hub.join("greedy", "", [] {});
+    hub.subscribe(greedy, {"/station/*"});
+  }
+  hub.publish(message(wire::kStationState, 1));
+  for (int round = 0; round < 20; ++round)
+    for (const wire::Topic& topic : {wire::kStationEvents, wire::kStationTicks, wire::kStationSurface}) {
+      hub.publish(weighing(topic, kMiB / 8));
+      ASSERT_LE(hub.waiting_bytes(), Hub::kMaxWaitingBytes);
+    }
+  EXPECT_EQ(*hub.next(modest)->payload, "1");
+}
+
+TEST(Hub, TheCameraGoesFirstAndTheOthersGetAQuarterOfItsBytes) {
+  Hub hub;
+  const SubscriberId id = hub.join("doctor", "", [] {});
+  hub.subscribe(id, {"*"});
+  std::size_t camera_bytes = 0;
+  std::size_t other_bytes = 0;
+  for (int round = 0; round < 200; ++round) {  // a link that carries one message while two more come
+    hub.publish(weighing(wire::kStationEvents, 10'000));
+    hub.publish(weighing(wire::kCameraDepth, 100'000));
+    const auto next = hub.next(id);
+    if (round == 0) {
+      EXPECT_EQ(next->topic.name, wire::kCameraDepth.name);
+    }
+    (next->topic.name == wire::kCameraDepth.name ? camera_bytes : other_bytes) += next->payload->size();
+  }
+  EXPECT_NEAR(static_cast<double>(other_bytes) / static_cast<double>(camera_bytes), 0.25, 0.02);
+}
+
 }  // namespace
 }  // namespace telepalp::server

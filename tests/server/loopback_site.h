@@ -24,10 +24,11 @@ struct Site {
   std::vector<std::string> notes;  // what the server would log
   std::unique_ptr<PeerListener> listener = listen(0);
 
-  std::unique_ptr<PeerListener> listen(std::uint16_t port, std::size_t max_peers = 64) {
+  std::unique_ptr<PeerListener> listen(std::uint16_t port, PlaceLimits places = {}, IdleLimits idle = {}) {
     auto made = PeerListener::listen(
-        io, hub, clock,
-        {.port = port, .max_peers = max_peers, .on_note = [this](const std::string& note) { notes.push_back(note); }});
+        io, hub, clock, {.port = port, .places = places, .idle = idle, .on_note = [this](const std::string& note) {
+                           notes.push_back(note);
+                         }});
     EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
     return std::move(made).value();
   }
@@ -55,10 +56,12 @@ struct Client {
   std::vector<std::string> details;
   wire::ClientLink link;
 
-  Client(Site& site, std::vector<std::string> topics, std::string name = "test", std::uint16_t port = 0)
+  Client(Site& site, std::vector<std::string> topics, std::string name = "test", std::uint16_t port = 0,
+         std::string role = "viewer")
       : link(site.io,
              {.port = port != 0 ? port : site.listener->port(),
               .name = std::move(name),
+              .role = std::move(role),
               .subscribes = std::move(topics),
               .publishes = {wire::kStationState, wire::kStationEvents}},
              {.on_message = [this](const wire::Message& message) { messages.push_back(message); },

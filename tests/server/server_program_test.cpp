@@ -67,7 +67,7 @@ TEST(ServerProgram, ServesASyntheticPatientUntilItIsStoppedAndThenSaysGoodbye) {
                         {.on_message =
                              [&](const wire::Message& message) {
                                topics.insert(message.topic.name);
-                               if (topics.size() == 6 && !std::exchange(stopped, true)) server.process.signal(SIGINT);
+                               if (topics.size() == 7 && !std::exchange(stopped, true)) server.process.signal(SIGINT);
                              },
                          .on_state =
                              [&](wire::LinkState state, const std::string& detail) {
@@ -77,7 +77,7 @@ TEST(ServerProgram, ServesASyntheticPatientUntilItIsStoppedAndThenSaysGoodbye) {
                              }});
   link.start();
   io.run_for(20s);
-  EXPECT_EQ(topics.size(), 6u) << "color, depth, info, status, clock, stats";
+  EXPECT_EQ(topics.size(), 7u) << "color, depth, info, color info, status, clock, stats";
   EXPECT_EQ(lost, "peer left: the operator stopped the server");
   EXPECT_EQ(server.process.wait(5s), 0) << server.logged();
   EXPECT_NE(server.logged().find("listening on 127.0.0.1:"), std::string::npos);
