@@ -32,6 +32,10 @@ program::Usage usage() {
                       {"bind", "ADDRESS", "loopback address to listen on", "127.0.0.1"},
                       {"port", "PORT", "for stations and recorders; 0: any free one", "7400"},
                       {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; left out: none"},
+                      {.name = "allow-origin",
+                       .argument = "ORIGIN",
+                       .help = "a page that may open the stream beside ours, such as https://app.foxglove.dev",
+                       .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; left out: those built beside this program"},
                       {"ready-file", "FILE", "write the ports there once it listens"},
                       {"depth-mode", "MODE", "fast, intra, temporal (all without loss) or bounded (for the eye alone)",
@@ -68,6 +72,10 @@ Result<std::optional<server::GatewayOptions>> gateway_options(const program::Arg
   options.address = arguments.text("bind");
   options.port = static_cast<std::uint16_t>(*port);
   options.server_name = arguments.text("name");
+  options.log = [](const std::string& text) { program::log(kProgram, text); };
+  options.policy.allowed_origins = arguments.all("allow-origin");
+  for (const std::string& origin : options.policy.allowed_origins)
+    if (const Result<void> exact = server::check_origin(origin); !exact) return exact.error();
   options.viewer_files = arguments.text("viewer");
   if (!arguments.has("viewer")) {
     const auto index = program::shipped_file("viewer/index.html");

@@ -5,6 +5,7 @@
 #include "messages/foxglove_websocket.pb.h"
 #include "proto/wire/mcap/format/schemas.h"
 #include "proto/words/demand.h"
+#include "server/views/view_topics.h"
 
 namespace telepalp::server::foxglove {
 namespace {
@@ -27,6 +28,16 @@ Error refused(std::string what) {
           .fix = "send subscribe, unsubscribe, advertise or unadvertise, as JSON"};
 }
 
+void add_channel(texts::Advertise& advertise, const wire::Topic& topic, const google::protobuf::Descriptor& type) {
+  texts::Advertise::Channel& channel = *advertise.add_channels();
+  channel.set_id(static_cast<std::uint32_t>(advertise.channels_size()));
+  channel.set_topic(std::string(topic.name));
+  channel.set_encoding("protobuf");
+  channel.set_schemaname(std::string(topic.schema));
+  channel.set_schema(wire::file_descriptor_set(type));
+  channel.set_schemaencoding("protobuf");
+}
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
@@ -47,32 +58,26 @@ std::optional<std::string_view> choose_subprotocol(std::string_view offered) {
 }
 
 std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept {
-  if (channel == 0 || channel > wire::kTopics.size()) return std::nullopt;
-  return wire::kTopics[channel - 1];
+  if (channel == 0 || channel > wire::kTopics.size() + kViewTopics.size()) return std::nullopt;
+  return channel <= wire::kTopics.size() ? wire::kTopics[channel - 1] : kViewTopics[channel - 1 - wire::kTopics.size()];
 }
 
-std::string server_info(std::string_view name, std::string_view session_id) {
+std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer) {
   texts::ServerInfo info;
   info.set_op("serverInfo");
   info.set_name(std::string(name));
   info.add_capabilities("clientPublish");
   info.add_supportedencodings("protobuf");
   info.set_sessionid(std::string(session_id));
+  (*info.mutable_metadata())["viewer"] = std::to_string(viewer);
   return to_json(info);
 }
 
 std::string advertise_all_topics() {
   texts::Advertise advertise;
   advertise.set_op("advertise");
-  for (const wire::Topic& topic : wire::kTopics) {
-    auto& channel = *advertise.add_channels();
-    channel.set_id(static_cast<std::uint32_t>(advertise.channels_size()));
-    channel.set_topic(std::string(topic.name));
-    channel.set_encoding("protobuf");
-    channel.set_schemaname(std::string(topic.schema));
-    channel.set_schema(wire::file_descriptor_set(*wire::descriptor_of(topic)));
-    channel.set_schemaencoding("protobuf");
-  }
+  for (const wire::Topic& topic : wire::kTopics) add_channel(advertise, topic, *wire::descriptor_of(topic));
+  for (const wire::Topic& topic : kViewTopics) add_channel(advertise, topic, *descriptor_of_view(topic));
   return to_json(advertise);
 }
 

@@ -20,11 +20,12 @@ inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1"
 /// The first of the client's offers (a Sec-WebSocket-Protocol header) that we speak.
 [[nodiscard]] std::optional<std::string_view> choose_subprotocol(std::string_view offered);
 
-/// The channel that a topic is advertised as: its place in wire::kTopics, counted from 1.
+/// The topic of a channel: channels are wire::kTopics and then kViewTopics, counted from 1.
 [[nodiscard]] std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept;
 
-/// The texts that a server sends. `session_id` tells one start of the server from the next.
-[[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id);
+/// The texts that a server sends. `session_id` tells one start of the server from the next, `viewer` one client from
+/// the next.
+[[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer);
 [[nodiscard]] std::string advertise_all_topics();
 enum class Level : std::uint32_t { Info = 0, Warning = 1, Error = 2 };
 [[nodiscard]] std::string status(Level level, std::string_view text);

@@ -1,7 +1,9 @@
 #include "server/gateway/gateway.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "server/gateway/full_house.h"
 #include "server/gateway/http_connection.h"
 
 namespace telepalp::server {
@@ -51,6 +53,7 @@ Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, Hub& hub, s
   const std::string session_id = std::to_string(to_nanoseconds(now()));
   auto context = std::make_shared<GatewayContext>(
       GatewayContext{hub, std::move(options), std::move(files), std::move(now), session_id, {}});
+  context->view_maker = std::make_unique<ViewMaker>(io, hub, context->views);
   return std::unique_ptr<Gateway>(new Gateway(std::move(acceptor).value(), std::move(context)));
 }
 
@@ -67,6 +70,7 @@ Gateway::~Gateway() {
   acceptor_.close(ignored);
   const std::unordered_set<Connection*> open = context_->connections;  // close() may take them out
   for (Connection* const connection : open) connection->close();
+  context_->view_maker.reset();  // the hub may be gone before the last connection is
 }
 
 std::string Gateway::url() const {
@@ -85,10 +89,36 @@ void Gateway::accept() {
       });
       return;
     }
+    make_room();
     if (context_->connections.size() < context_->options.max_connections)
       start_http_connection(std::move(socket), context_);
-    accept();  // past the limit the socket is closed here: whoever came before is served
+    else
+      refuse(std::move(socket));
+    accept();
   });
+}
+
+/// When all places are taken, a viewer that subscribed to nothing gives its own to the newcomer.
+void Gateway::make_room() {
+  if (context_->connections.size() < context_->options.max_connections) return;
+  const auto idle = std::find_if(context_->connections.begin(), context_->connections.end(),
+                                 [](const Connection* connection) { return connection->is_idle(); });
+  if (idle == context_->connections.end()) return;
+  Connection* const connection = *idle;
+  context_->connections.erase(idle);  // its pending handlers end it later; its place is free now
+  connection->close();
+}
+
+void Gateway::refuse(tcp::socket socket) {
+  constexpr std::chrono::seconds kQuiet{5};
+  const std::string places = std::to_string(context_->options.max_connections);
+  const auto now = std::chrono::steady_clock::now();
+  if (context_->options.log && (refusal_noted_ == decltype(refusal_noted_){} || now - refusal_noted_ >= kQuiet)) {
+    refusal_noted_ = now;
+    context_->options.log("a browser is refused: all " + places + " places of the gateway are taken");
+  }
+  refuse_full_house(std::move(socket), "the server is full: all " + places +
+                                           " places are taken. fix: close another viewer, then try again");
 }
 
 }  // namespace telepalp::server

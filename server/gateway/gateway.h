@@ -14,9 +14,11 @@
 
 #include "proto/words/result.h"
 #include "proto/words/time.h"
+#include "server/gateway/hand_holder.h"
 #include "server/gateway/request_policy.h"
 #include "server/gateway/static_files.h"
 #include "server/hub/hub.h"
+#include "server/views/view_maker.h"
 
 namespace telepalp::server {
 
@@ -26,6 +28,7 @@ struct GatewayOptions {
   std::filesystem::path viewer_files{};  ///< empty: only the stream is served
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
+  std::function<void(const std::string&)> log{};  ///< for the technician: who found no place
   std::size_t max_connections = 64;
   std::chrono::milliseconds request_timeout{10'000};  ///< to send a request or the upgrade's headers
   std::chrono::milliseconds idle_timeout{30'000};     ///< a viewer that answers no ping for so long is dropped
@@ -41,6 +44,9 @@ struct GatewayContext {
   std::function<SessionTime()> now;
   std::string session_id;                       ///< tells one start of the server from the next
   std::unordered_set<Connection*> connections;  ///< open ones, at most options.max_connections
+  HandHolder holder{};
+  Hub views{};                              ///< kViewTopics, for viewers alone
+  std::unique_ptr<ViewMaker> view_maker{};  ///< null once the gateway is gone
 };
 
 /// One accepted socket. It keeps itself alive by its pending reads and writes.
@@ -52,6 +58,8 @@ class Connection {
   virtual ~Connection();
   /// Ends it at once. Afterwards it touches the hub no more.
   virtual void close() = 0;
+  /// Whether it takes nothing and gives nothing, so that it may be ended when others find no place.
+  [[nodiscard]] virtual bool is_idle() const { return false; }
 
  protected:
   [[nodiscard]] const std::shared_ptr<GatewayContext>& context() const noexcept { return context_; }
@@ -81,11 +89,14 @@ class Gateway {
  private:
   Gateway(boost::asio::ip::tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context);
   void accept();
+  void make_room();
+  void refuse(boost::asio::ip::tcp::socket socket);
 
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer accept_again_;
   std::shared_ptr<GatewayContext> context_;  // shared with the connections
   std::uint16_t port_ = 0;
+  std::chrono::steady_clock::time_point refusal_noted_{};
 };
 
 }  // namespace telepalp::server

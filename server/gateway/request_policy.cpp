@@ -40,4 +40,22 @@ bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std
   return origin.substr(scheme + 3) == host && host_is_ours(policy, host);
 }
 
+Result<void> check_origin(std::string_view origin) {
+  const std::string where = "--allow-origin " + std::string(origin);
+  if (origin == "*" || origin == "null")
+    return Error{.what = "it would let any web page that this computer opens see the patient",
+                 .where = where,
+                 .fix = "name each origin, such as https://app.foxglove.dev"};
+  const std::size_t scheme = origin.find("://");
+  const std::string_view host = scheme == std::string_view::npos ? std::string_view{} : origin.substr(scheme + 3);
+  const bool is_exact = scheme != 0 && !host.empty() && host.find_first_of("/*?# ,") == std::string_view::npos &&
+                        std::none_of(origin.begin(), origin.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+  if (is_exact) return {};
+  return Error{.what = "it is not an origin",
+               .where = where,
+               .fix =
+                   "give scheme://host or scheme://host:port in lower case, without a path, such as "
+                   "https://app.foxglove.dev or http://localhost:8080"};
+}
+
 }  // namespace telepalp::server

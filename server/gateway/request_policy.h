@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "proto/words/result.h"
+
 namespace telepalp::server {
 
 /// Who may talk to the gateway, judged from a request's headers alone.
@@ -13,6 +15,10 @@ struct RequestPolicy {
   /// Origins beside the server's own whose pages may open the stream: "https://viewer.example".
   std::vector<std::string> allowed_origins;
 };
+
+/// Whether `origin` is one that a browser sends: scheme://host or scheme://host:port, in lower case. "*" and "null" are
+/// errors: any web page, or any file, could then read the patient.
+[[nodiscard]] Result<void> check_origin(std::string_view origin);
 
 /// True for an IP address or "localhost", with or without a port, and for what the policy names. Any other name may
 /// be a foreign page's own name that was made to resolve to this machine (DNS rebinding).

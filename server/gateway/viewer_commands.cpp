@@ -25,6 +25,13 @@ Result<void> ViewerCommands::advertise(const foxglove::Request::Channel& channel
   return {};
 }
 
+bool ViewerCommands::lets_go(std::string_view bytes) const {
+  const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
+  msg::ViewerHand hand;
+  return data && channels_.contains(data->channel) && data->payload.size() <= wire::kMaxViewerHandBytes &&
+         hand.ParseFromString(data->payload) && hand.let_go();
+}
+
 Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes, std::uint64_t viewer,
                                                           SessionTime now) {
   const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);

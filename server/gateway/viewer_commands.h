@@ -12,13 +12,16 @@
 
 namespace telepalp::server {
 
-/// What one viewer may say here: where it holds its hand (/viewer/hand), and nothing else. Default deny. Pure; owner:
-/// the server's network thread.
+/// What one viewer may say here: where it holds its hand, or that it lets go (/viewer/hand), and nothing else. Default
+/// deny. Pure; owner: the server's network thread.
 class ViewerCommands {
  public:
   /// Error: another topic than /viewer/hand, another encoding, or too many channels.
   [[nodiscard]] Result<void> advertise(const foxglove::Request::Channel& channel);
   void unadvertise(std::uint32_t channel) { channels_.erase(channel); }
+
+  /// Whether the viewer's binary message says that it gives the hand up.
+  [[nodiscard]] bool lets_go(std::string_view bytes) const;
 
   /// The message that the viewer's binary message becomes, stamped and signed with `viewer`; nullopt when it comes
   /// within 2 ms of the last one: a hand moves no faster. Error: no such channel, or no hand.

@@ -56,6 +56,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     });
   }
 
+  [[nodiscard]] bool is_idle() const override { return subscriber_ && subscriptions_.empty(); }
+
   void close() override {
     leave();
     beast::error_code ignored;
@@ -67,14 +69,20 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void leave() {
     if (!subscriber_) return;
-    context()->hub.leave(*subscriber_);
+    const SubscriberId viewer = *subscriber_;
     subscriber_.reset();
+    context()->hub.leave(viewer);
+    context()->views.leave(views_subscriber_);
+    if (context()->view_maker) context()->view_maker->wishes_changed();
+    context()->holder.let_go(viewer);
+    tell_holder();
   }
 
   void greet(const std::string& peer) {
     if (!socket().is_open()) return;  // the gateway was closed meanwhile, and the hub may be gone
     subscriber_ = context()->hub.join(std::string(kSubscriberName), peer, [this] { write_next(); });
-    say(foxglove::server_info(context()->options.server_name, context()->session_id));
+    views_subscriber_ = context()->views.join(std::string(kSubscriberName), peer, [this] { write_next(); });
+    say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_));
     say(foxglove::advertise_all_topics());
     read();
   }
@@ -101,14 +109,27 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     std::vector<std::string> topics;
     for (const auto& [id, topic] : subscriptions_) topics.emplace_back(topic);
     context()->hub.subscribe(*subscriber_, topics);
+    context()->views.subscribe(views_subscriber_, topics);
+    context()->view_maker->wishes_changed();
+  }
+
+  void tell_holder() {
+    const SessionTime now = context()->now();
+    if (const std::optional<msg::HandHolder> news = context()->holder.news(now))
+      context()->hub.publish(wire::make_message(wire::kHandHolder, now, *news));
   }
 
   void publish(const std::string& bytes) {
+    if (voice_.lets_go(bytes)) {
+      context()->holder.let_go(*subscriber_);
+      return tell_holder();
+    }
     const auto message = voice_.hear(bytes, *subscriber_, context()->now());
     if (!message) return warn(to_string(message.error()));
     if (!*message) return;
     if (!context()->hub.is_taken((*message)->topic.name, kSubscriberName)) warn_untaken();
-    context()->hub.publish(**message);
+    if (context()->holder.moves(*subscriber_, context()->now())) context()->hub.publish(**message);
+    tell_holder();
   }
 
   void warn_untaken() {
@@ -141,10 +162,19 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (writing_) return;
     if (!texts_.empty()) return write_text();
     while (subscriber_) {
-      std::optional<wire::Message> message = context()->hub.next(*subscriber_);
+      std::optional<wire::Message> message = next_message();
       if (!message) return;
       if (start_message(std::move(*message))) return write_message();
     }
+  }
+
+  /// From our own topics and from the views in turn, so that neither waits for all of the other.
+  std::optional<wire::Message> next_message() {
+    view_is_next_ = !view_is_next_;
+    std::optional<wire::Message> message =
+        view_is_next_ ? context()->views.next(views_subscriber_) : context()->hub.next(*subscriber_);
+    if (message) return message;
+    return view_is_next_ ? context()->hub.next(*subscriber_) : context()->views.next(views_subscriber_);
   }
 
   /// Makes `message` the one to write to each of its topic's subscriptions; false when it was unsubscribed meanwhile.
@@ -183,9 +213,11 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   }
 
   websocket::stream<beast::tcp_stream> stream_;
-  beast::flat_buffer incoming_;                              // bounded by read_message_max
-  std::optional<SubscriberId> subscriber_;                   // from the greeting until the end
-  std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics
+  beast::flat_buffer incoming_;             // bounded by read_message_max
+  std::optional<SubscriberId> subscriber_;  // from the greeting until the end
+  SubscriberId views_subscriber_ = 0;       // as long as subscriber_
+  bool view_is_next_ = false;
+  std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics or kViewTopics
   ViewerCommands voice_;
   std::optional<SessionTime> untaken_warned_;
   std::deque<std::string> texts_;  // to write before data

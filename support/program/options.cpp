@@ -62,6 +62,13 @@ std::string Arguments::text(std::string_view option) const {
   return {};
 }
 
+std::vector<std::string> Arguments::all(std::string_view option) const {
+  std::vector<std::string> values;
+  for (const Given& given : given_)
+    if (given.name == option) values.push_back(given.value);
+  return values;
+}
+
 Result<double> Arguments::number(std::string_view option, double least, double most) const {
   return parse_bounded<double>(option, text(option), least, most);
 }

@@ -20,6 +20,7 @@ struct Option {
   std::string_view argument;  // "SOURCE"; empty for a flag
   std::string_view help;
   std::string_view initial = {};
+  bool repeatable = false;  // may be given several times: Arguments::all()
 };
 
 /// What a program says of itself; `--help` prints it and ends with `example`, a line to paste.
@@ -36,6 +37,8 @@ class Arguments {
  public:
   [[nodiscard]] bool has(std::string_view flag) const;
   [[nodiscard]] std::string text(std::string_view option) const;
+  /// Every value of an option that may be given several times, in order.
+  [[nodiscard]] std::vector<std::string> all(std::string_view option) const;
   [[nodiscard]] Result<double> number(std::string_view option, double least, double most) const;
   [[nodiscard]] Result<std::int64_t> whole(std::string_view option, std::int64_t least, std::int64_t most) const;
   [[nodiscard]] const std::vector<std::string>& positional() const noexcept { return positional_; }

@@ -100,7 +100,7 @@ async function connect(port) {
   const client = new FoxgloveClient({
     ws: new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]),
   });
-  const heard = {channels: [], info: undefined, warnings: [], phase: undefined, types: {}};
+  const heard = {channels: [], info: undefined, warnings: [], phase: undefined, states: [], hands: [], holder: undefined};
   client.on('serverInfo', (info) => (heard.info = info));
   client.on('advertise', (channels) => heard.channels.push(...channels));
   client.on('status', ({message}) => heard.warnings.push(message));
@@ -111,17 +111,27 @@ async function connect(port) {
     const set = descriptor.FileDescriptorSet.decode(Buffer.from(schema, 'base64'));
     return protobuf.Root.fromDescriptor(set).lookupType(schemaName);
   };
-  const states = type('/station/state');
-  client.on('message', ({data}) => {
-    heard.phase = states.decode(new Uint8Array(data.buffer, data.byteOffset, data.byteLength)).phase;
+  const take = {
+    '/station/state': (state) => {
+      heard.phase = state.phase;
+      heard.states.push(state);
+    },
+    '/viewer/hand': (hand) => heard.hands.push(hand),
+    '/viewer/hand_holder': (holder) => (heard.holder = holder),
+  };
+  const subscriptions = new Map(Object.keys(take).map((topic) =>
+    [client.subscribe(channel(topic).id), {topic, type: type(topic)}]));
+  client.on('message', ({subscriptionId, data}) => {
+    const {topic, type: message} = subscriptions.get(subscriptionId);
+    take[topic](message.decode(new Uint8Array(data.buffer, data.byteOffset, data.byteLength)));
   });
-  client.subscribe(channel('/station/state').id);
   const id = client.advertise({topic: '/viewer/hand', encoding: 'protobuf', schemaName: 'telepalp.msg.ViewerHand'});
   const hands = type('/viewer/hand');
   const tell = (x, y, z, extra = {}) => client.sendMessage(id, hands.encode(hands.fromObject({
     sampled_us: Math.round(1000 * performance.now()), hand_camera: {x, y, z}, ...extra,
   })).finish());
-  return {client, heard, tell, id};
+  const letGo = () => client.sendMessage(id, hands.encode(hands.fromObject({let_go: true})).finish());
+  return {client, heard, tell, letGo, id, number: Number(heard.info.metadata.viewer)};
 }
 
 /** Holds a hand for `ms`, as often as a tracker would. */
@@ -129,7 +139,58 @@ async function hold(ms, tell) {
   for (const end = Date.now() + ms; Date.now() < end; await sleep(10)) tell();
 }
 
-const [OUT_BODY, RELEASED] = [3, 8];
+const [IN_BODY, OUT_BODY, RELEASED] = [1, 3, 8];
+
+test('a held hand stays with its viewer through silence, another one asks, and when it passes the station lets go first', async () => {
+  const workplace = new Workplace('browser_hand_holder');
+  try {
+    const {http_port} = await start(workplace, 'browser');
+    const [first, second] = [await connect(http_port), await connect(http_port)];
+    await until('the first hand is followed', async () => {
+      await hold(200, () => first.tell(0, 0, 0.63));
+      return first.heard.phase === OUT_BODY;
+    });
+    assert.equal(Number(first.heard.holder.viewer), first.number);
+
+    // The first rests its hand for 2 s; the second pushes 4 cm under the skin.
+    const before = first.heard.states.length;
+    await hold(2000, () => second.tell(0, 0, 0.74));
+    assert.ok(first.heard.hands.every(({viewer}) => Number(viewer) === first.number), 'no hand of the second reached the station');
+    assert.ok(first.heard.states.slice(before).every(({phase}) => phase !== IN_BODY), 'nothing was touched');
+    assert.deepEqual(first.heard.holder.asking.map(Number), [second.number], 'the first sees who asks');
+
+    // It passes only when the first lets go, and the station is without force before it takes up the new hand.
+    await until('the first hand is followed again', async () => {
+      await hold(200, () => first.tell(0, 0, 0.63));
+      return first.heard.phase === OUT_BODY;
+    });
+    await hold(300, () => first.tell(0, 0, 0.63));
+    const passed = second.heard.states.length;
+    first.letGo();
+    await hold(1500, () => second.tell(0.02, 0, 0.66));
+    await until('the second hand is followed', () => second.heard.phase === OUT_BODY);
+    assert.equal(Number(second.heard.holder.viewer), second.number);
+    const after = second.heard.states.slice(passed);
+    const released = after.findIndex(({phase}) => phase === RELEASED);
+    const resumed = after.findIndex(({phase}, at) => at > released && phase !== RELEASED);
+    assert.ok(released >= 0 && resumed > released, 'the station let go before it followed the new hand');
+    const force = ({force_N}) => Math.hypot(force_N?.x ?? 0, force_N?.y ?? 0, force_N?.z ?? 0);
+    assert.ok(force(after[resumed - 1]) < 1e-6, 'no force when the new hand is taken up');
+    for (let at = 1; at < after.length; ++at) {
+      const [was, is] = [after[at - 1], after[at]];
+      const way_m = Math.hypot(is.device.x - was.device.x, is.device.y - was.device.y, is.device.z - was.device.z);
+      const time_s = Number(BigInt(is.stamp_ns.toString()) - BigInt(was.stamp_ns.toString())) / 1e9;
+      assert.ok(way_m <= 1e-4 + 1.5 * time_s, `the device goes ${way_m} m in ${time_s} s`);
+    }
+
+    // A viewer that is gone holds nothing.
+    second.client.close();
+    await until('the hand is free', () => Number(first.heard.holder.viewer) === 0);
+    first.client.close();
+  } finally {
+    await workplace.end();
+  }
+});
 
 test('what a hostile viewer sends never becomes a hand, and an honest one is served beside it', async () => {
   const workplace = new Workplace('browser_hand_hostile');
@@ -147,6 +208,7 @@ test('what a hostile viewer sends never becomes a hand, and an honest one is ser
     });
     await until('the station tells', () => hostile.heard.phase !== undefined);
     assert.equal(hostile.heard.phase, RELEASED);
+    hostile.letGo();
     const honest = await connect(http_port);
     await until('the honest hand is followed', async () => {
       await hold(200, () => honest.tell(0, 0, 0.63));

@@ -10,7 +10,7 @@ const {FoxgloveClient} = borrowed('@foxglove/ws-protocol');
 const {WebSocket} = borrowed('ws');
 const protobuf = borrowed('protobufjs');
 const descriptor = borrowed('protobufjs/ext/descriptor');
-const [server, viewer] = process.argv.slice(2);
+const [server, station, viewer] = process.argv.slice(2);
 
 /** The type that a channel's own schema declares. */
 function typeOf({schema, schemaName}) {
@@ -18,9 +18,9 @@ function typeOf({schema, schemaName}) {
   return protobuf.Root.fromDescriptor(set).lookupType(schemaName);
 }
 
-function connect(port) {
+function connect(port, origin) {
   const client = new FoxgloveClient({
-    ws: new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]),
+    ws: new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL], {origin}),
   });
   const heard = {channels: [], messages: [], info: undefined, problems: []};
   client.on('serverInfo', (info) => (heard.info = info));
@@ -64,6 +64,120 @@ test('Foxglove\'s client hears every topic and decodes camera frames with the sc
     });
     assert.deepEqual(heard.problems, []);
     client.close();
+  } finally {
+    await workplace.end();
+  }
+});
+
+/** The status with which an upgrade from a page of `origin` is refused; 101 when it is taken. */
+const upgradeStatus = (port, origin) => new Promise((resolve) => {
+  const socket = new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL], {origin});
+  socket.once('unexpected-response', (_, {statusCode}) => resolve(statusCode));
+  socket.once('open', () => (resolve(101), socket.close()));
+  socket.on('error', () => undefined);
+});
+
+/** The newest message of each topic in `topics`, decoded by its own schema. */
+function follow({client, heard}, topics) {
+  const newest = {};
+  const count = {};
+  const byId = new Map(topics.map((topic) => {
+    const channel = heard.channels.find((one) => one.topic === topic);
+    assert.ok(channel, topic);
+    return [client.subscribe(channel.id), {topic, type: typeOf(channel)}];
+  }));
+  client.on('message', ({subscriptionId, data}) => {
+    const {topic, type} = byId.get(subscriptionId) ?? {};
+    if (topic === undefined) return;
+    newest[topic] = type.decode(new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
+    count[topic] = (count[topic] ?? 0) + 1;
+  });
+  return {newest, count, unsubscribe: () => [...byId.keys()].forEach((id) => client.unsubscribe(id))};
+}
+
+const viewsAtWork = ({subscribers}) => subscribers.some(({name}) => name === 'views for Foxglove');
+
+test('a page of an allowed origin sees patient and hand by Foxglove\'s own types, made only while it looks', async () => {
+  const workplace = new Workplace('foxglove_views');
+  try {
+    const allowed = 'https://studio.example';
+    const {port, http_port} = await workplace.server(server, [
+      '--source', 'synthetic', '--viewer', viewer, '--allow-origin', 'http://localhost:3000', '--allow-origin', allowed]);
+    assert.equal(await upgradeStatus(http_port, 'https://evil.example'), 403);
+    assert.equal(await upgradeStatus(http_port, allowed), 101);
+    const child = workplace.start(station, ['--connect', `127.0.0.1:${port}`]);
+    const page = connect(http_port, allowed);
+    await until('the topics are advertised', () => page.heard.channels.length > 0);
+    const stats = follow(page, ['/server/stats']);
+    await until('the statistics come', () => stats.newest['/server/stats'] !== undefined);
+    assert.ok(!viewsAtWork(stats.newest['/server/stats']), 'nobody looks, nothing is made');
+
+    const types = {
+      '/camera/color': 'CompressedImage', '/camera/depth/image': 'RawImage', '/camera/points': 'PointCloud',
+      '/transforms': 'FrameTransforms', '/station/scene': 'SceneUpdate', '/camera/info': 'CameraCalibration',
+      '/camera/color/info': 'CameraCalibration',
+    };
+    for (const [topic, type] of Object.entries(types))
+      assert.equal(page.heard.channels.find((one) => one.topic === topic)?.schemaName, `foxglove.${type}`, topic);
+    const seen = follow(page, Object.keys(types));
+    await until('each type comes', () => Object.keys(types).every((topic) => (seen.count[topic] ?? 0) >= 2));
+    await until('the hand is drawn', () => seen.newest['/station/scene'].entities.some(({id}) => id === 'hand'));
+
+    const {newest} = seen;
+    assert.equal(newest['/camera/color'].format, 'jpeg');
+    assert.deepEqual([...newest['/camera/color'].data.subarray(0, 2)], [0xff, 0xd8]);
+    for (const topic of ['/camera/info', '/camera/color/info']) {
+      assert.equal(newest[topic].K.length, 9, topic);
+      assert.ok(newest[topic].K[0] > 100 && newest[topic].width > 0, topic);
+    }
+    assert.equal(newest['/camera/color/info'].frame_id, newest['/camera/color'].frame_id);
+
+    const image = newest['/camera/depth/image'];
+    assert.deepEqual([image.encoding, image.step, image.data.length],
+        ['16UC1', 2 * image.width, 2 * image.width * image.height]);
+    const depths_mm = Array.from({length: image.width * image.height},
+        (_, pixel) => image.data[2 * pixel] + 256 * image.data[2 * pixel + 1]).filter((depth) => depth > 0);
+    assert.ok(depths_mm.length > 1000);
+    const middle_mm = depths_mm.sort((a, b) => a - b)[depths_mm.length >> 1];
+    assert.ok(middle_mm > 300 && middle_mm < 3000, `depth of ${middle_mm} mm`);
+
+    const cloud = newest['/camera/points'];
+    assert.deepEqual(cloud.fields.map(({name}) => name), ['x', 'y', 'z']);
+    assert.equal(cloud.data.length % cloud.point_stride, 0);
+    assert.ok(Math.abs(cloud.data.length / cloud.point_stride - depths_mm.length) < 0.1 * depths_mm.length);
+    const bytes = new DataView(cloud.data.buffer, cloud.data.byteOffset, cloud.data.byteLength);
+    const zs = Array.from({length: cloud.data.length / cloud.point_stride},
+        (_, point) => bytes.getFloat32(point * cloud.point_stride + 8, true)).sort((a, b) => a - b);
+    assert.ok(Math.abs(1000 * zs[zs.length >> 1] - middle_mm) < 20, 'image and cloud are of one patient');
+
+    const frames = newest['/transforms'].transforms.map(({parent_frame_id, child_frame_id}) => [parent_frame_id, child_frame_id]);
+    assert.ok(frames.some(([parent, child]) => parent === 'patient_site' && child === cloud.frame_id));
+    const {entities} = newest['/station/scene'];
+    assert.ok(entities.every(({frame_id}) => frame_id === cloud.frame_id));
+    const hand = entities.find(({id}) => id === 'hand').spheres[0].pose.position;
+    assert.ok(hand.z > 0.2 && hand.z < 3, 'the hand is before the camera');
+    await until('the force is an arrow', () =>
+      newest['/station/scene'].entities.some(({id, arrows}) => id === 'force' && arrows[0].shaft_length > 0));
+
+    await until('the views are counted', () => viewsAtWork(stats.newest['/server/stats']));
+    seen.unsubscribe();
+    await until('nothing is made any more', () => !viewsAtWork(stats.newest['/server/stats']));
+    assert.deepEqual(page.heard.problems, []);
+    assert.equal(child.exitCode, null, child.heard);
+    page.client.close();
+  } finally {
+    await workplace.end();
+  }
+});
+
+test('an origin that is no exact one is refused with how to fix it', async () => {
+  const workplace = new Workplace('foxglove_origin');
+  try {
+    for (const origin of ['*', 'null', 'https://a.example/', 'a.example']) {
+      const child = workplace.start(server, ['--port', '0', '--http-port', '0', '--viewer', viewer, '--allow-origin', origin]);
+      assert.equal(await child.over, 2, child.heard);
+      assert.match(child.heard, /^error: .*--allow-origin.*fix: /m);
+    }
   } finally {
     await workplace.end();
   }

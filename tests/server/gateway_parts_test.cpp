@@ -174,6 +174,15 @@ const OriginCase kOrigins[] = {
     {"a page that is allowed by name", "https://viewer.example", "10.0.0.5:8080", false, true},
 };
 
+TEST(RequestPolicy, AnAllowedOriginIsExact) {
+  for (const char* good :
+       {"https://app.foxglove.dev", "http://localhost:8080", "http://[::1]:8080", "app://lichtblick"})
+    EXPECT_TRUE(check_origin(good)) << good;
+  for (const char* bad : {"*", "null", "", "https://", "https://*.example", "https://a.example/", "a.example",
+                          "https://A.example", "https://a.example, https://b.example", "://a.example"})
+    EXPECT_FALSE(check_origin(bad)) << bad;
+}
+
 TEST(RequestPolicy, OnlyOurOwnPagesAndToolsOnThisMachineMayOpenTheStream) {
   const RequestPolicy policy{.allowed_hosts = {}, .allowed_origins = {"https://viewer.example"}};
   for (const OriginCase& one : kOrigins)

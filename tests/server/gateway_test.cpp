@@ -270,14 +270,32 @@ TEST(Gateway, ASlowRequestIsGivenUp) {
   EXPECT_TRUE(server.comes_to(0));
 }
 
-TEST(Gateway, BeyondItsLimitNewConnectionsAreClosedAndOldOnesKept) {
+TEST(Gateway, BeyondItsLimitNewConnectionsAreToldSoAndThoseThatListenAreKept) {
   Running server({.max_connections = 2});
   Viewer one(server.port());
   Viewer two(server.port());
-  EXPECT_EQ(upgrade_status(server.port()), 0);
   one.subscribe(1, kClockChannel);
+  two.subscribe(1, kClockChannel);
+  EXPECT_EQ(upgrade_status(server.port()), 503);
+  EXPECT_NE(
+      answer_to(server.port(), "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n").find("the server is full: all 2 places"),
+      std::string::npos);
   server.publish(wire::kClock, "kept");
   EXPECT_EQ(one.read().substr(13), "kept");
+}
+
+TEST(Gateway, AViewerThatSubscribedToNothingGivesItsPlaceToANewcomer) {
+  Running server({.max_connections = 2});
+  Viewer idle(server.port());
+  idle.read();  // greeted
+  Viewer busy(server.port());
+  busy.subscribe(1, kClockChannel);
+  Viewer newcomer(server.port());
+  newcomer.subscribe(1, kClockChannel);
+  while (!idle.failed()) idle.read();
+  server.publish(wire::kClock, "heard");
+  EXPECT_EQ(busy.read().substr(13), "heard");
+  EXPECT_EQ(newcomer.read().substr(13), "heard");
 }
 
 TEST(Gateway, HttpNonsenseIsRefusedWithinBounds) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "proto/wire/viewer_hand.h"
+#include "server/gateway/hand_holder.h"
 
 namespace telepalp::server {
 namespace {
@@ -81,6 +82,49 @@ TEST(ViewerCommands, AFloodIsThinnedToFiveHundredASecond) {
   EXPECT_EQ(published, 500);
   const auto after_the_clock_went_back = viewer.hear(data(hand_at(0, 0, 1)), 1, session_time(0));
   EXPECT_TRUE(after_the_clock_went_back && *after_the_clock_went_back);
+}
+
+TEST(ViewerVoice, LettingGoIsHeardOnItsOwnChannelOnly) {
+  const ViewerVoice viewer = voice();
+  msg::ViewerHand hand;
+  hand.set_let_go(true);
+  EXPECT_TRUE(viewer.lets_go(data(hand.SerializeAsString())));
+  EXPECT_FALSE(viewer.lets_go(data(hand.SerializeAsString(), std::string("\x01\x06\0\0\0", 5))));
+  EXPECT_FALSE(viewer.lets_go(data(hand_at(0, 0, 1))));
+  EXPECT_FALSE(viewer.lets_go(data(std::string(1000, '\xff'))));
+}
+
+using namespace std::chrono_literals;
+
+TEST(HandHolder, AHandIsHeldThroughAnySilenceUntilItsViewerLetsGo) {
+  HandHolder holder;
+  const SessionTime began = session_time(1'000);
+  EXPECT_TRUE(holder.moves(1, began));
+  EXPECT_FALSE(holder.moves(2, began + 1h));
+  holder.let_go(2);
+  EXPECT_FALSE(holder.moves(2, began + 2h)) << "letting go of what it does not hold changes nothing";
+  holder.let_go(1);
+  EXPECT_TRUE(holder.moves(2, began + 2h + 1ms));
+  EXPECT_FALSE(holder.moves(1, began + 2h + 2ms));
+}
+
+TEST(HandHolder, WhoAsksIsToldOnceAndForgottenAfterThreeSeconds) {
+  HandHolder holder;
+  const SessionTime began = session_time(1'000);
+  EXPECT_FALSE(holder.news(began)) << "nobody holds it, nobody asks";
+  EXPECT_TRUE(holder.moves(7, began));
+  EXPECT_EQ(holder.news(began)->viewer(), 7u);
+  EXPECT_FALSE(holder.moves(8, began + 1s));
+  const auto asked = holder.news(began + 1s);
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->viewer(), 7u);
+  ASSERT_EQ(asked->asking_size(), 1);
+  EXPECT_EQ(asked->asking(0), 8u);
+  EXPECT_FALSE(holder.moves(8, began + 2s));
+  EXPECT_FALSE(holder.news(began + 2s));
+  EXPECT_EQ(holder.news(began + 6s)->asking_size(), 0);
+  holder.let_go(7);
+  EXPECT_EQ(holder.news(began + 7s)->viewer(), 0u);
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ const link = new SiteLink(
     },
     (news) => {
       state.news = news;
+      heldHand.showHolder(news.holder, news.viewer);
     });
 
 const read = () => {

@@ -5,7 +5,7 @@
 namespace telepalp::tracking {
 namespace {
 
-constexpr std::chrono::milliseconds kOtherAfter{300};
+constexpr std::chrono::milliseconds kPassing{300};  // three times the tracker age at which a station lets go
 constexpr double kReach_m = 0.5;
 
 /// False for what is not a number, too.
@@ -16,7 +16,7 @@ bool in_reach(const Point<HapticBase>& at) noexcept { return at.m.norm() <= kRea
 BrowserHand::Taken BrowserHand::hear(const msg::ViewerHand& hand, const Point<HapticBase>& at,
                                      Clock::time_point now) noexcept {
   const bool another = hand.viewer() != viewer_;
-  if (another && viewer_ != 0 && now - heard_ < kOtherAfter) return Taken::OtherViewer;
+  if (another && viewer_ != 0 && now - heard_ < kPassing) return Taken::Passing;
   if (!in_reach(at)) return Taken::OutOfReach;
   if (another) viewers_clock_ = ClockEnvelope();
   viewer_ = hand.viewer();
@@ -37,8 +37,8 @@ const char* in_words(BrowserHand::Taken taken) noexcept {
   switch (taken) {
     case BrowserHand::Taken::Followed:
       return "its hand is followed";
-    case BrowserHand::Taken::OtherViewer:
-      return "not followed, another viewer holds the hand";
+    case BrowserHand::Taken::Passing:
+      return "not followed yet, the hand has just passed to it";
     case BrowserHand::Taken::OutOfReach:
       return "not followed, its hand is out of the device's reach";
   }

@@ -7,17 +7,19 @@
 
 namespace telepalp::tracking {
 
-/// The hand that a person moves in a viewer, by mouse, finger or headset; the server forwards it on the topic
-/// /viewer/hand. When the person lets go, hides the page or loses the connection, the messages stop, and the station's
-/// watchdog acts on the age of the last one.
+/// A hand that somebody holds in a viewer, by mouse, finger or headset, as the server tells of it on /viewer/hand. The
+/// server decides which viewer holds it. A viewer that lets go, rests or loses the line falls silent, and the station's
+/// watchdog sees the age.
 class BrowserHand final : public ports::Tracker {
  public:
   using Clock = std::chrono::steady_clock;
 
   enum class Taken {
     Followed,
-    OtherViewer,  ///< ignored: another viewer has moved its hand within the last 0.3 s
-    OutOfReach,   ///< ignored: farther than 0.5 m from the haptic base's origin
+    /// The hand passed from one viewer to another less than 0.3 s ago. Nothing is followed for that time: the station
+    /// lets go, and takes up the new hand as it takes up a first one, without a step from one place to the other.
+    Passing,
+    OutOfReach,  ///< further than 0.5 m from H's origin
   };
 
   /// Takes a message received at `now`. `at`: its hand, in the haptic base's frame H. Network thread only.

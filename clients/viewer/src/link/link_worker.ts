@@ -91,6 +91,9 @@ const stream = new Stream(
       '/station/stats': (stats) => {
         facts.lateTicks = Number(stats.deadlinesMissed);
       },
+      '/viewer/hand_holder': ({viewer, asking}) => {
+        facts.holder = {viewer, asking};
+      },
     },
     ['/viewer/hand'],
     {
@@ -111,6 +114,7 @@ function news(): News {
     ...facts.told,
     connected: stream.connected,
     retryAt_ms: stream.retryAt_ms,
+    viewer: stream.viewer,
     offset_ms: clock.offset_ms,
     waiting: timesOf(instants.waiting),
     overtaken: instants.overtaken,

@@ -103,9 +103,20 @@ export type ViewerHand = {
   handCamera: Vec3;
 };
 
+/** Gives the hand up: until then it is held, however long its viewer rests. */
+export type LetGo = {
+  letGo: true;
+};
+
+/** Which viewer holds the hand, 0 for none, and which ones ask for it. */
+export interface HandHolder {
+  viewer: bigint;
+  asking: bigint[];
+}
+
 /** What the viewer itself says: topic name -> what its messages hold. */
 export interface OwnTopics {
-  '/viewer/hand': ViewerHand;
+  '/viewer/hand': ViewerHand | LetGo;
 }
 
 /** Topic name -> what its messages hold. */
@@ -118,4 +129,5 @@ export interface Topics {
   '/station/state': StationState;
   '/station/events': StationEvent;
   '/station/stats': StationStats;
+  '/viewer/hand_holder': HandHolder;
 }

@@ -1,5 +1,5 @@
 import {type DepthTold, depthTold} from '../depth/depth_told';
-import {type CaptureStatus, type DepthImage, Phase, type StationState} from './messages';
+import {type CaptureStatus, type DepthImage, type HandHolder, Phase, type StationState} from './messages';
 import type {News} from './worker_messages';
 
 const LINK_SMOOTHING = 0.1;
@@ -9,6 +9,7 @@ export class SiteFacts {
   capture: CaptureStatus | undefined;
   lateTicks: number | undefined;
   untaken_ms: number | undefined;
+  holder: HandHolder = {viewer: 0n, asking: []};
 
   private everConnected = false;
   private depth: DepthTold | undefined;
@@ -22,6 +23,7 @@ export class SiteFacts {
   connected(): void {
     this.everConnected = true;
     this.lastSequence = undefined;  // frames missed while away are not the link's drops
+    this.holder = {viewer: 0n, asking: []};
     this.station = this.stationHeard_ms = this.link_ms = this.heard = undefined;
   }
 
@@ -48,9 +50,9 @@ export class SiteFacts {
   }
 
   get told() {
-    const {everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, dropped} = this;
+    const {everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped} = this;
     return {
-      everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, dropped,
+      everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped,
       phase: this.station?.phase ?? Phase.Unspecified,
       surfaceStale: this.station?.surfaceStale ?? false,
     } satisfies Partial<News>;

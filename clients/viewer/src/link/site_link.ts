@@ -1,5 +1,5 @@
 import type {Instant} from '../present/instant';
-import type {ViewerHand} from './messages';
+import type {LetGo, ViewerHand} from './messages';
 import type {FromWorker, News, ToWorker} from './worker_messages';
 
 /** The page's end of the link worker. What is asked for is answered once, and not asked for again before. */
@@ -23,7 +23,7 @@ export class SiteLink {
     this.say({ask: what});
   }
 
-  tellHand(hand: ViewerHand): void {
+  tellHand(hand: ViewerHand | LetGo): void {
     this.say({hand});
   }
 

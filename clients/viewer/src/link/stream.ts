@@ -34,6 +34,8 @@ export class Stream {
   /** When the next attempt begins, on now_ms(); undefined while connected or connecting. */
   retryAt_ms: number | undefined;
   undecodable = 0;
+  /** This viewer's number at the server, as /viewer/hand_holder names it; 0 before the server has told. */
+  viewer = 0n;
 
   private readonly subscriptions = new Map<SubscriptionId, Subscription>();
   private readonly publications = new Map<string, Publication>();
@@ -75,7 +77,8 @@ export class Stream {
     this.heard_ms = performance.now();
     const client = new FoxgloveClient({ws: new WebSocket(this.url, [FoxgloveClient.SUPPORTED_SUBPROTOCOL])});
     this.client = client;
-    client.on('serverInfo', () => {
+    client.on('serverInfo', ({metadata}) => {
+      this.viewer = BigInt(metadata?.viewer ?? 0);
       this.connected = true;
       this.retry_ms = FIRST_RETRY_MS;
       this.on.connected();

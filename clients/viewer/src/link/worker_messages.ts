@@ -4,7 +4,7 @@
 import type {DepthTold} from '../depth/depth_told';
 import type {FrameTimes} from '../present/time_account';
 import type {Instant} from '../present/instant';
-import type {CaptureStatus, Phase, ViewerHand} from './messages';
+import type {CaptureStatus, HandHolder, LetGo, Phase, ViewerHand} from './messages';
 
 /** How link and site are, as of now. Times on now_ms(). */
 export interface News {
@@ -22,10 +22,12 @@ export interface News {
   surfaceStale: boolean;
   lateTicks: number | undefined;
   untaken_ms: number | undefined;  // when the server last said that no station takes our hand
+  holder: HandHolder;
+  viewer: bigint;      // this page's number at the server; 0n before it is told
   dropped: number;     // on the way here
   overtaken: number;   // here, before they were decoded
   undecodable: number;
 }
 
-export type ToWorker = {ask: 'instant' | 'news'} | {hand: ViewerHand};
+export type ToWorker = {ask: 'instant' | 'news'} | {hand: ViewerHand | LetGo};
 export type FromWorker = {instant: Instant} | {news: News};

@@ -38,15 +38,15 @@ TEST(BrowserHand, GivesEachSampleOnceAtTheTimeThatTheViewerTookIt) {
   EXPECT_NEAR(to_seconds(late->at - session(began)), 0.020, 0.001);
 }
 
-TEST(BrowserHand, FollowsOneViewerUntilItFallsSilent) {
+TEST(BrowserHand, TheHandThatPassesIsInvalidFor300msSoThatTheStationLetsGo) {
   BrowserHand hand;
   const auto began = Clock::now();
   EXPECT_EQ(hand.hear(from(1, 0us), kNear, began), Taken::Followed);
-  EXPECT_EQ(hand.hear(from(2, 0us), kNear, began + 100ms), Taken::OtherViewer);
+  EXPECT_EQ(hand.hear(from(2, 0us), kNear, began + 100ms), Taken::Passing);
   EXPECT_EQ(hand.hear(from(1, 200ms), kNear, began + 200ms), Taken::Followed);
-  EXPECT_EQ(hand.hear(from(2, 0us), kNear, began + 499ms), Taken::OtherViewer);
+  EXPECT_EQ(hand.hear(from(2, 0us), kNear, began + 499ms), Taken::Passing);
   EXPECT_EQ(hand.hear(from(2, 0us), kNear, began + 501ms), Taken::Followed);
-  EXPECT_EQ(hand.hear(from(1, 600ms), kNear, began + 600ms), Taken::OtherViewer);
+  EXPECT_EQ(hand.hear(from(1, 600ms), kNear, began + 600ms), Taken::Passing);
 }
 
 struct HardCase {

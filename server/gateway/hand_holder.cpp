@@ -1,0 +1,38 @@
+#include "server/gateway/hand_holder.h"
+
+namespace telepalp::server {
+namespace {
+
+constexpr std::chrono::seconds kStillAsking{3};
+constexpr std::size_t kMaxAsking = 64;  // the gateway has no more connections
+
+}  // namespace
+
+bool HandHolder::moves(std::uint64_t viewer, SessionTime now) {
+  if (holder_ == 0) holder_ = viewer;
+  if (holder_ == viewer) {
+    asking_.erase(viewer);
+  } else if (asking_.size() < kMaxAsking || asking_.contains(viewer)) {
+    asking_[viewer] = now;
+  }
+  return holder_ == viewer;
+}
+
+void HandHolder::let_go(std::uint64_t viewer) {
+  asking_.erase(viewer);
+  if (holder_ == viewer) holder_ = 0;
+}
+
+std::optional<msg::HandHolder> HandHolder::news(SessionTime now) {
+  std::erase_if(asking_, [&](const auto& one) { return now - one.second > kStillAsking; });
+  msg::HandHolder holder;
+  holder.set_stamp_ns(told_.stamp_ns());
+  holder.set_viewer(holder_);
+  for (const auto& [viewer, moved] : asking_) holder.add_asking(viewer);
+  if (holder.SerializeAsString() == told_.SerializeAsString()) return std::nullopt;
+  holder.set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(now)));
+  told_ = holder;
+  return holder;
+}
+
+}  // namespace telepalp::server

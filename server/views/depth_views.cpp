@@ -1,0 +1,80 @@
+#include "server/views/depth_views.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "server/views/stamp.h"
+
+namespace telepalp::server {
+namespace {
+
+constexpr double kMillimetresPerMetre = 1000.0;
+constexpr std::size_t kBytesPerPoint = 3 * sizeof(float);
+
+void add_field(foxglove::PointCloud& cloud, const char* name, std::uint32_t offset) {
+  foxglove::PackedElementField& field = *cloud.add_fields();
+  field.set_name(name);
+  field.set_offset(offset);
+  field.set_type(foxglove::PackedElementField::FLOAT32);
+}
+
+/// Every how many rows and columns a point is kept.
+int thinning(const DepthImage& depth) noexcept {
+  constexpr int kMostPoints = 500'000;
+  int step = 1;
+  while ((depth.width / step) * (depth.height / step) > kMostPoints) ++step;
+  return step;
+}
+
+void append_point(std::string& bytes, const Intrinsics& camera, int column, int row, double z_m) {
+  const float point[3] = {static_cast<float>((column - camera.cx) / camera.fx * z_m),
+                          static_cast<float>((row - camera.cy) / camera.fy * z_m), static_cast<float>(z_m)};
+  bytes.append(reinterpret_cast<const char*>(point), sizeof point);
+}
+
+std::uint16_t millimetres(std::uint16_t sample, double unit_m) noexcept {
+  constexpr double kMost = 65535.0;
+  const double depth_mm = std::round(sample * unit_m * kMillimetresPerMetre);
+  return depth_mm > kMost ? std::uint16_t{0} : static_cast<std::uint16_t>(depth_mm);
+}
+
+}  // namespace
+
+foxglove::RawImage depth_view(const DepthImage& depth, SessionTime captured) {
+  foxglove::RawImage image;
+  stamp(*image.mutable_timestamp(), captured);
+  image.set_frame_id(kDepthFrame);
+  image.set_width(static_cast<std::uint32_t>(depth.width));
+  image.set_height(static_cast<std::uint32_t>(depth.height));
+  image.set_encoding("16UC1");
+  image.set_step(static_cast<std::uint32_t>(depth.width) * 2u);
+  std::string& bytes = *image.mutable_data();
+  bytes.resize(depth.samples.size() * 2);
+  for (std::size_t pixel = 0; pixel < depth.samples.size(); ++pixel) {
+    const std::uint16_t depth_mm = millimetres(depth.samples[pixel], depth.unit_m);
+    std::memcpy(bytes.data() + 2 * pixel, &depth_mm, sizeof depth_mm);  // little-endian, as this machine
+  }
+  return image;
+}
+
+foxglove::PointCloud cloud_view(const DepthImage& depth, const Intrinsics& camera, SessionTime captured) {
+  foxglove::PointCloud cloud;
+  stamp(*cloud.mutable_timestamp(), captured);
+  cloud.set_frame_id(kDepthFrame);
+  cloud.mutable_pose()->mutable_position();
+  cloud.mutable_pose()->mutable_orientation()->set_w(1.0);
+  cloud.set_point_stride(kBytesPerPoint);
+  add_field(cloud, "x", 0);
+  add_field(cloud, "y", sizeof(float));
+  add_field(cloud, "z", 2 * sizeof(float));
+  std::string& bytes = *cloud.mutable_data();
+  const int step = thinning(depth);
+  bytes.reserve(depth.samples.size() / static_cast<std::size_t>(step * step) * kBytesPerPoint);
+  for (int row = 0; row < depth.height; row += step)
+    for (int column = 0; column < depth.width; column += step)
+      if (const std::uint16_t sample = depth.at(column, row); sample != 0)
+        append_point(bytes, camera, column, row, sample * depth.unit_m);
+  return cloud;
+}
+
+}  // namespace telepalp::server

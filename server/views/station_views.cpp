@@ -1,0 +1,126 @@
+#include "server/views/station_views.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "server/views/stamp.h"
+
+namespace telepalp::server {
+namespace {
+
+struct Rgba {
+  double r, g, b, a;
+};
+constexpr Rgba kHand{0.90, 0.72, 0.60, 0.8};
+constexpr Rgba kDevice{0.6, 0.6, 0.65, 1.0};
+constexpr Rgba kProxy{0.2, 0.6, 1.0, 1.0};
+constexpr Rgba kForce{0.9, 0.2, 0.2, 1.0};
+
+SessionTime stamp_of(const msg::StationState& station) {
+  return session_time(static_cast<std::int64_t>(station.stamp_ns()));
+}
+
+Eigen::Vector3d vector(const msg::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+void set(foxglove::Color& color, const Rgba& rgba) {
+  color.set_r(rgba.r);
+  color.set_g(rgba.g);
+  color.set_b(rgba.b);
+  color.set_a(rgba.a);
+}
+
+void set(foxglove::Vector3& to, const Eigen::Vector3d& v) {
+  to.set_x(v.x());
+  to.set_y(v.y());
+  to.set_z(v.z());
+}
+
+void set(foxglove::Pose& pose, const Eigen::Vector3d& at, const Eigen::Quaterniond& turned) {
+  set(*pose.mutable_position(), at);
+  pose.mutable_orientation()->set_x(turned.x());
+  pose.mutable_orientation()->set_y(turned.y());
+  pose.mutable_orientation()->set_z(turned.z());
+  pose.mutable_orientation()->set_w(turned.w());
+}
+
+void add_transform(foxglove::FrameTransforms& all, SessionTime now, const char* parent, const char* child,
+                   const Eigen::Vector3d& at, const Eigen::Quaterniond& turned) {
+  foxglove::FrameTransform& one = *all.add_transforms();
+  stamp(*one.mutable_timestamp(), now);
+  one.set_parent_frame_id(parent);
+  one.set_child_frame_id(child);
+  set(*one.mutable_translation(), at);
+  one.mutable_rotation()->set_x(turned.x());
+  one.mutable_rotation()->set_y(turned.y());
+  one.mutable_rotation()->set_z(turned.z());
+  one.mutable_rotation()->set_w(turned.w());
+}
+
+void remove(foxglove::SceneUpdate& scene, const msg::StationState& station, const char* id) {
+  foxglove::SceneEntityDeletion& deletion = *scene.add_deletions();
+  stamp(*deletion.mutable_timestamp(), stamp_of(station));
+  deletion.set_type(foxglove::SceneEntityDeletion::MATCHING_ID);
+  deletion.set_id(id);
+}
+
+foxglove::SceneEntity& add(foxglove::SceneUpdate& scene, const msg::StationState& station, const char* id) {
+  foxglove::SceneEntity& entity = *scene.add_entities();
+  stamp(*entity.mutable_timestamp(), stamp_of(station));
+  entity.set_frame_id(kDepthFrame);
+  entity.set_id(id);
+  entity.mutable_lifetime()->set_seconds(1);
+  return entity;
+}
+
+void add_ball(foxglove::SceneUpdate& scene, const msg::StationState& station, const char* id, bool told,
+              const msg::Vec3& at, const Eigen::Vector3d& size_m, const Rgba& color) {
+  if (!told) return remove(scene, station, id);
+  foxglove::SpherePrimitive& ball = *add(scene, station, id).add_spheres();
+  set(*ball.mutable_pose(), vector(at), Eigen::Quaterniond::Identity());
+  set(*ball.mutable_size(), size_m);
+  set(*ball.mutable_color(), color);
+}
+
+void add_force(foxglove::SceneUpdate& scene, const msg::StationState& station) {
+  constexpr double kMetresPerNewton = 0.02;
+  constexpr double kLeast_N = 1e-3;
+  const Eigen::Vector3d force_N = vector(station.force_camera_n());
+  if (!station.has_proxy_camera() || !(force_N.norm() > kLeast_N)) return remove(scene, station, "force");
+  foxglove::ArrowPrimitive& arrow = *add(scene, station, "force").add_arrows();
+  set(*arrow.mutable_pose(), vector(station.proxy_camera()),
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), force_N));  // an arrow points along its x
+  const double length_m = kMetresPerNewton * force_N.norm();
+  arrow.set_shaft_length(0.7 * length_m);
+  arrow.set_shaft_diameter(0.006);
+  arrow.set_head_length(0.3 * length_m);
+  arrow.set_head_diameter(0.014);
+  set(*arrow.mutable_color(), kForce);
+}
+
+}  // namespace
+
+foxglove::FrameTransforms transforms_view(const std::optional<msg::StationState>& station, SessionTime now) {
+  const Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
+  const Eigen::Quaterniond half_turn_about_x(0.0, 1.0, 0.0, 0.0);
+  foxglove::FrameTransforms all;
+  add_transform(all, now, "patient_site", kDepthFrame, Eigen::Vector3d::Zero(), half_turn_about_x);
+  if (!station) return all;
+  if (station->has_displayed_hand_camera())
+    add_transform(all, now, kDepthFrame, "hand", vector(station->displayed_hand_camera()), none);
+  if (station->has_proxy_camera()) add_transform(all, now, kDepthFrame, "proxy", vector(station->proxy_camera()), none);
+  if (station->has_device_camera())
+    add_transform(all, now, kDepthFrame, "device", vector(station->device_camera()), none);
+  return all;
+}
+
+foxglove::SceneUpdate scene_view(const msg::StationState& station) {
+  foxglove::SceneUpdate scene;
+  add_ball(scene, station, "hand", station.has_displayed_hand_camera(), station.displayed_hand_camera(),
+           {0.09, 0.09, 0.03}, kHand);
+  add_ball(scene, station, "device", station.has_device_camera(), station.device_camera(), {0.02, 0.02, 0.02}, kDevice);
+  add_ball(scene, station, "proxy", station.has_proxy_camera(), station.proxy_camera(), {0.012, 0.012, 0.012}, kProxy);
+  add_force(scene, station);
+  return scene;
+}
+
+}  // namespace telepalp::server

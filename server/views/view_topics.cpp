@@ -1,0 +1,20 @@
+#include "server/views/view_topics.h"
+
+#include "foxglove/FrameTransforms.pb.h"
+#include "foxglove/PointCloud.pb.h"
+#include "foxglove/RawImage.pb.h"
+#include "foxglove/SceneUpdate.pb.h"
+#include "proto/words/demand.h"
+
+namespace telepalp::server {
+
+const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic) {
+  for (const google::protobuf::Descriptor* type :
+       {foxglove::RawImage::descriptor(), foxglove::PointCloud::descriptor(), foxglove::FrameTransforms::descriptor(),
+        foxglove::SceneUpdate::descriptor()})
+    if (type->full_name() == topic.schema) return type;
+  demand(false, "each of kViewTopics has a type here");
+  return nullptr;
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,137 @@
+// What Foxglove is shown, against our own messages.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cstring>
+
+#include "server/views/depth_views.h"
+#include "server/views/station_views.h"
+#include "server/views/view_maker.h"
+#include "server/views/view_topics.h"
+
+namespace telepalp::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+DepthImage four_pixels(double unit_m) {
+  return {.width = 2, .height = 2, .unit_m = unit_m, .samples = {1000, 0, 65535, 2000}};
+}
+
+std::vector<int> millimetres(const foxglove::RawImage& image) {
+  std::vector<int> depths;
+  for (std::size_t at = 0; at + 1 < image.data().size(); at += 2)
+    depths.push_back(static_cast<unsigned char>(image.data()[at]) +
+                     256 * static_cast<unsigned char>(image.data()[at + 1]));
+  return depths;
+}
+
+TEST(DepthView, IsInMillimetresWhateverTheSensorsUnitAndZeroWhereSixteenBitsDoNotReach) {
+  EXPECT_EQ(millimetres(depth_view(four_pixels(0.001), {})), (std::vector{1000, 0, 65535, 2000}));
+  EXPECT_EQ(millimetres(depth_view(four_pixels(0.0001), {})), (std::vector{100, 0, 6554, 200}));
+  EXPECT_EQ(millimetres(depth_view(four_pixels(0.002), {})), (std::vector{2000, 0, 0, 4000}));
+}
+
+TEST(CloudView, HoldsTheMeasuredPixelsWhereThePinholePutsThem) {
+  const Intrinsics camera{.width = 2, .height = 2, .fx = 2.0, .fy = 4.0, .cx = 0.0, .cy = 1.0};
+  const foxglove::PointCloud cloud = cloud_view(four_pixels(0.001), camera, session_time(1'500'000'000));
+  ASSERT_EQ(cloud.data().size(), 3 * cloud.point_stride());
+  float last[3];
+  std::memcpy(last, cloud.data().data() + 2 * cloud.point_stride(), sizeof last);
+  EXPECT_FLOAT_EQ(last[0], 1.0F);  // (1 - 0) / 2 * 2 m
+  EXPECT_FLOAT_EQ(last[1], 0.0F);
+  EXPECT_FLOAT_EQ(last[2], 2.0F);
+  EXPECT_EQ(cloud.timestamp().seconds(), 1);
+  EXPECT_EQ(cloud.timestamp().nanos(), 500'000'000);
+}
+
+TEST(CloudView, AnImageOfSixteenMegapixelsIsThinnedOutToWhatMayWait) {
+  DepthImage depth{.width = 4096, .height = 4096, .samples = std::vector<std::uint16_t>(4096 * 4096, 1000)};
+  const Intrinsics camera{.width = 4096, .height = 4096, .fx = 1, .fy = 1, .cx = 0, .cy = 0};
+  EXPECT_LE(cloud_view(depth, camera, {}).data().size(), wire::kMaxPayloadBytes);
+}
+
+msg::StationState touching() {
+  msg::StationState state;
+  state.set_stamp_ns(5);
+  state.mutable_displayed_hand_camera()->set_z(0.7);
+  state.mutable_proxy_camera()->set_z(0.71);
+  state.mutable_force_camera_n()->set_y(-2.0);
+  return state;
+}
+
+TEST(SceneView, TheArrowPointsAlongTheForceAndIsAsLongAsItIsStrong) {
+  const foxglove::SceneUpdate scene = scene_view(touching());
+  for (const foxglove::SceneEntity& entity : scene.entities())
+    if (entity.id() == "force") {
+      const foxglove::ArrowPrimitive& arrow = entity.arrows(0);
+      const auto& turned = arrow.pose().orientation();
+      const Eigen::Quaterniond rotation(turned.w(), turned.x(), turned.y(), turned.z());
+      EXPECT_LT((rotation * Eigen::Vector3d::UnitX() - Eigen::Vector3d(0, -1, 0)).norm(), 1e-9);
+      EXPECT_NEAR(arrow.shaft_length() + arrow.head_length(), 0.04, 1e-9);
+      return;
+    }
+  FAIL() << "no arrow";
+}
+
+TEST(SceneView, WhatTheStationDoesNotTellIsTakenAway) {
+  const foxglove::SceneUpdate scene = scene_view(msg::StationState());
+  EXPECT_EQ(scene.entities_size(), 0);
+  EXPECT_EQ(scene.deletions_size(), 4);
+}
+
+TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {
+  boost::asio::io_context io;
+  Hub source;
+  Hub views;
+  ViewMaker maker(io, source, views);
+  codec::DepthEncoder encoder({});
+  const auto publish = [&] {
+    msg::DepthImage image;
+    image.set_data(encoder.encode(four_pixels(0.001)));
+    source.publish(wire::make_message(wire::kCameraDepth, session_time(1), image));
+    for (int tries = 0; tries < 20; ++tries) io.run_one_for(5ms);
+  };
+  const SubscriberId viewer = views.join("viewer", "", [] {});
+  maker.wishes_changed();
+  publish();
+  EXPECT_EQ(maker.decoded(), 0u);
+  EXPECT_TRUE(source.subscriber_counts().empty());
+
+  views.subscribe(viewer, {std::string(kDepthView.name)});
+  maker.wishes_changed();
+  publish();
+  EXPECT_EQ(maker.decoded(), 1u);
+  EXPECT_EQ(source.subscriber_counts().size(), 1u);
+  ASSERT_TRUE(views.next(viewer));
+
+  views.leave(viewer);
+  maker.wishes_changed();
+  publish();
+  EXPECT_EQ(maker.decoded(), 1u);
+  EXPECT_TRUE(source.subscriber_counts().empty());
+}
+
+TEST(ViewMaker, DepthThatCannotBeReadMakesNothingAndAsksForAKeyFrame) {
+  boost::asio::io_context io;
+  Hub source;
+  Hub views;
+  int asked = 0;
+  source.on_key_wanted([&](std::string_view) { ++asked; });
+  ViewMaker maker(io, source, views);
+  const SubscriberId viewer = views.join("viewer", "", [] {});
+  views.subscribe(viewer, {std::string(kDepthView.name)});
+  maker.wishes_changed();
+  wire::Message damaged{wire::kCameraDepth, session_time(2), std::make_shared<const std::string>("\xff\xff")};
+  source.publish(damaged);
+  damaged.stands_alone = false;
+  source.publish(damaged);
+  for (int tries = 0; tries < 40; ++tries) io.run_one_for(5ms);
+  EXPECT_EQ(maker.decoded(), 0u);
+  EXPECT_FALSE(views.next(viewer));
+  EXPECT_GT(asked, 0);
+}
+
+}  // namespace
+}  // namespace telepalp::server
