@@ -84,8 +84,8 @@ TEST(ViewerCommands, AFloodIsThinnedToFiveHundredASecond) {
   EXPECT_TRUE(after_the_clock_went_back && *after_the_clock_went_back);
 }
 
-TEST(ViewerVoice, LettingGoIsHeardOnItsOwnChannelOnly) {
-  const ViewerVoice viewer = voice();
+TEST(ViewerCommands, LettingGoIsHeardOnItsOwnChannelOnly) {
+  const ViewerCommands viewer = voice();
   msg::ViewerHand hand;
   hand.set_let_go(true);
   EXPECT_TRUE(viewer.lets_go(data(hand.SerializeAsString())));

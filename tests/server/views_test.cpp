@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <boost/asio/executor_work_guard.hpp>
 #include <cstring>
 
 #include "server/views/depth_views.h"
@@ -83,13 +84,14 @@ TEST(SceneView, WhatTheStationDoesNotTellIsTakenAway) {
 
 TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {
   boost::asio::io_context io;
+  const auto stay = boost::asio::make_work_guard(io);
   Hub source;
   Hub views;
   ViewMaker maker(io, source, views);
   codec::DepthEncoder encoder({});
   const auto publish = [&] {
     msg::DepthImage image;
-    image.set_data(encoder.encode(four_pixels(0.001)));
+    image.set_data(encoder.encode(four_pixels(0.001)).bytes);
     source.publish(wire::make_message(wire::kCameraDepth, session_time(1), image));
     for (int tries = 0; tries < 20; ++tries) io.run_one_for(5ms);
   };
@@ -115,6 +117,7 @@ TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {
 
 TEST(ViewMaker, DepthThatCannotBeReadMakesNothingAndAsksForAKeyFrame) {
   boost::asio::io_context io;
+  const auto stay = boost::asio::make_work_guard(io);
   Hub source;
   Hub views;
   int asked = 0;
@@ -126,6 +129,7 @@ TEST(ViewMaker, DepthThatCannotBeReadMakesNothingAndAsksForAKeyFrame) {
   wire::Message damaged{wire::kCameraDepth, session_time(2), std::make_shared<const std::string>("\xff\xff")};
   source.publish(damaged);
   damaged.stands_alone = false;
+  damaged.published = session_time(3);
   source.publish(damaged);
   for (int tries = 0; tries < 40; ++tries) io.run_one_for(5ms);
   EXPECT_EQ(maker.decoded(), 0u);
