@@ -7,9 +7,11 @@
 #include <boost/asio/read_until.hpp>
 #include <boost/asio/streambuf.hpp>
 #include <boost/asio/write.hpp>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <istream>
+#include <utility>
 #include <vector>
 
 namespace telepalp::station {
@@ -20,7 +22,6 @@ using Protocol = boost::asio::local::stream_protocol;
 using boost::system::error_code;
 
 constexpr std::size_t kLongestLine = 256;
-constexpr std::chrono::seconds kPatience{3};
 constexpr const char* kPrefix = "telepalp-station.";
 constexpr const char* kSuffix = ".control";
 
@@ -47,44 +48,69 @@ void listen_to(const std::shared_ptr<Peer>& peer, const std::weak_ptr<ControlSoc
   });
 }
 
-/// Only ours, and nobody else's to write: a folder that another user made first is not trusted.
-bool is_private(const fs::path& folder) {
-  struct stat status {};
-  return ::lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == ::geteuid() &&
-         (status.st_mode & (S_IRWXG | S_IRWXO)) == 0;
-}
-
 bool fits(const fs::path& path) { return path.string().size() < sizeof(sockaddr_un::sun_path); }
 
-bool answers(const fs::path& path) {
+/// Whether a station listens at `path`; an error code that says why not, else none.
+error_code connecting_to(const std::string& path) {
   boost::asio::io_context io;
   Protocol::socket socket(io);
   error_code error;
-  socket.connect(Protocol::endpoint(path.string()), error);
-  return !error;
+  socket.connect(Protocol::endpoint(path), error);
+  return error;
+}
+
+/// Why nothing may be put at the place of `entry`, if so. What stays is a socket of this user's that nobody listens at:
+/// a station that crashed left it.
+std::optional<std::string> in_the_way(const OwnFolder::Entry& entry, const std::string& path) {
+  if (S_ISLNK(entry.mode)) return "a symbolic link stands there, which could lead anywhere";
+  if (!S_ISSOCK(entry.mode)) return "a file or folder stands there that is not a socket, and stays as it is";
+  if (entry.owner != ::geteuid()) return "a socket of another user stands there";
+  const error_code error = connecting_to(path);
+  if (!error) return "another station listens there";
+  if (error == boost::asio::error::connection_refused) return std::nullopt;
+  return "a socket stands there that is not a station's: " + error.message();
 }
 
 }  // namespace
 
-Result<void> ControlSocket::listen(const fs::path& path) {
+Result<void> ControlSocket::listen(const fs::path& asked) {
+  const fs::path path = asked.lexically_normal();
   const auto why = [&path](const std::string& what) {
     return Error{.what = what, .where = path.string(), .fix = "name another place by --control, or --control none"};
   };
+  const std::string name = path.filename().string();
+  if (name.empty() || name == "." || name == "..") return why("is a folder's name and not a socket's");
   if (!fits(path)) return why("the path is too long for a socket");
-  std::error_code ignored;
-  fs::create_directory(path.parent_path(), ignored);
-  fs::permissions(path.parent_path(), fs::perms::owner_all,
-                  ignored);  // fails where it is not ours, which is looked at:
-  if (!is_private(path.parent_path())) return why("the folder is not this user's alone");
-  fs::remove(path, ignored);  // of a process that had our number and crashed
-  error_code error;
-  acceptor_.open(Protocol(), error);
-  if (!error) acceptor_.bind(Protocol::endpoint(path.string()), error);
-  if (!error) acceptor_.listen(boost::asio::socket_base::max_listen_connections, error);
-  if (error) return why(error.message());
+  Result<OwnFolder> folder = OwnFolder::open(path.has_parent_path() ? path.parent_path() : fs::path("."), true);
+  if (!folder) return folder.error();
+  folder->lock();  // two stations that start at once do not take each other's new socket for an old one
+  const std::optional<std::string> problem = bind_in(*folder, name);
+  folder->unlock();
+  if (problem) return why(*problem);
   path_ = path;
+  folder_ = std::move(folder).value();
+  bound_ = folder_->entry(name);
   accept();
   return {};
+}
+
+std::optional<std::string> ControlSocket::bind_in(const OwnFolder& folder, const std::string& name) {
+  const std::string path = folder.through_descriptor(name);
+  if (const std::optional<OwnFolder::Entry> old = folder.entry(name)) {
+    if (const std::optional<std::string> problem = in_the_way(*old, path)) return problem;
+    folder.remove(name);
+  }
+  error_code error;
+  acceptor_.open(Protocol(), error);
+  // Linux gives the socket's file the mode that the socket has when it is bound: nobody else can connect at any moment.
+  if (!error && ::fchmod(acceptor_.native_handle(), S_IRUSR | S_IWUSR) != 0)
+    error.assign(errno, boost::system::system_category());
+  if (!error) acceptor_.bind(Protocol::endpoint(path), error);
+  if (!error) acceptor_.listen(boost::asio::socket_base::max_listen_connections, error);
+  if (!error) return std::nullopt;
+  error_code ignored;
+  acceptor_.close(ignored);
+  return error.message();
 }
 
 void ControlSocket::accept() {
@@ -99,12 +125,15 @@ void ControlSocket::stop() {
   error_code ignored;
   acceptor_.close(ignored);
   if (path_.empty()) return;
-  std::error_code gone;
-  fs::remove(path_, gone);
+  const std::string name = path_.filename().string();
+  const std::optional<OwnFolder::Entry> entry = folder_->entry(name);
+  if (entry && bound_ && entry->is(*bound_)) folder_->remove(name);  // another file there is not ours
   path_.clear();
+  folder_.reset();
 }
 
-Result<std::string> ask_station(const fs::path& path, const std::string& command) {
+Result<std::string> ask_station(const fs::path& path, const std::string& command,
+                                std::chrono::duration<double> patience) {
   const auto why = [&path](const error_code& error) {
     return Error{.what = "the station does not answer: " + error.message(),
                  .where = path.string(),
@@ -121,7 +150,7 @@ Result<std::string> ask_station(const fs::path& path, const std::string& command
   error = boost::asio::error::timed_out;
   boost::asio::async_read_until(socket, answered, '\n',
                                 [&error](const error_code& read, std::size_t) { error = read; });
-  io.run_for(kPatience);
+  io.run_for(std::chrono::duration_cast<std::chrono::steady_clock::duration>(patience));
   if (error) return why(error);
   std::string line;
   std::istream stream(&answered);
@@ -140,9 +169,13 @@ fs::path own_control_path() { return control_folder() / (kPrefix + std::to_strin
 Result<fs::path> find_control_socket() {
   std::vector<fs::path> found;
   std::error_code error;
+  if (fs::exists(fs::symlink_status(control_folder(), error)))
+    if (const Result<OwnFolder> folder = OwnFolder::open(control_folder(), false); !folder) return folder.error();
   for (const fs::directory_entry& entry : fs::directory_iterator(control_folder(), error)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(kPrefix) && name.ends_with(kSuffix) && answers(entry.path())) found.push_back(entry.path());
+    if (name.starts_with(kPrefix) && name.ends_with(kSuffix) && fits(entry.path()) &&
+        !connecting_to(entry.path().string()))
+      found.push_back(entry.path());
   }
   if (found.size() == 1) return found.front();
   if (found.empty())

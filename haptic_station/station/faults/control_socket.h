@@ -2,11 +2,14 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "haptic_station/station/faults/own_folder.h"
 #include "proto/words/result.h"
 
 namespace telepalp::station {
@@ -25,6 +28,9 @@ class ControlSocket {
   ControlSocket(const ControlSocket&) = delete;
   ControlSocket& operator=(const ControlSocket&) = delete;
 
+  /// Makes the socket at `path`, which this user alone can open, in a folder that this user alone can write to; makes
+  /// the folder if it is missing. Changes nothing that is there already, but for a socket of this user's that a crashed
+  /// station left: it is replaced.
   [[nodiscard]] Result<void> listen(const std::filesystem::path& path);
   void stop();
   /// Path of the socket; empty while it does not listen.
@@ -32,14 +38,19 @@ class ControlSocket {
 
  private:
   void accept();
+  /// What is wrong, if something is.
+  std::optional<std::string> bind_in(const OwnFolder& folder, const std::string& name);
 
   boost::asio::local::stream_protocol::acceptor acceptor_;
   std::shared_ptr<Handler> handler_;  // shared: pending replies hold a weak_ptr and are dropped when the socket is gone
   std::filesystem::path path_;
+  std::optional<OwnFolder> folder_;        // of path_, while it listens
+  std::optional<OwnFolder::Entry> bound_;  // the socket's file, to know it again
 };
 
-/// Sends `command` to the station that listens at `path` and returns its reply.
-[[nodiscard]] Result<std::string> ask_station(const std::filesystem::path& path, const std::string& command);
+/// Asks the station that listens at `path`; its answer.
+[[nodiscard]] Result<std::string> ask_station(const std::filesystem::path& path, const std::string& command,
+                                              std::chrono::duration<double> patience = std::chrono::seconds(3));
 
 /// The folder of this user's control sockets, and the socket path of this process.
 [[nodiscard]] std::filesystem::path control_folder();

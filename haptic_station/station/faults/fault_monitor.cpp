@@ -31,7 +31,9 @@ FaultMonitor::FaultMonitor(boost::asio::io_context& io, TelemetryPublisher& tele
 
 Result<void> FaultMonitor::listen() {
   if (control_.empty()) return {};
-  return socket_.listen(control_);
+  Result<void> listening = socket_.listen(control_);
+  if (!listening) control_.clear();
+  return listening;
 }
 
 void FaultMonitor::add(const TickSample& sample) noexcept {

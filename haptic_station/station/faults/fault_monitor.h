@@ -28,6 +28,7 @@ class FaultMonitor {
   FaultMonitor(boost::asio::io_context& io, TelemetryPublisher& telemetry, std::filesystem::path control,
                std::filesystem::path state_folder, std::string scene, Handlers handlers);
 
+  /// Without the socket, an operator re-arms by starting the station again.
   [[nodiscard]] Result<void> listen();
 
   /// Takes every tick, in order.
