@@ -4,12 +4,13 @@
 
 #include "codec/bytes/bytes.h"
 #include "codec/bytes/crc32c.h"
+#include "proto/words/formats.h"
 
 namespace telepalp::codec {
 namespace {
 
 constexpr std::string_view kMagic = "TPD";
-constexpr char kVersion = '3';
+constexpr char kVersion = '0' + kDepthPacketVersion;
 constexpr std::size_t kCrcAt = 12;
 
 std::string header_bytes(const PacketHeader& header) {
@@ -58,7 +59,7 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
     return damaged("packet of " + std::to_string(bytes.size()) + " B is no depth image");
   if (text[kMagic.size()] != kVersion)
     return damaged("packet of version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
-                   ", this decoder reads version 3");
+                   ", this decoder reads version " + std::to_string(kDepthPacketVersion));
   ByteReader reader(bytes.subspan(4));
   PacketHeader header;
   const std::uint8_t mode = *reader.number<std::uint8_t>();

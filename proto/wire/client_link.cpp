@@ -40,10 +40,18 @@ std::string_view name(LinkState state) noexcept {
       return "connected";
     case LinkState::Lost:
       return "lost";
+    case LinkState::Refused:
+      return "refused";
     case LinkState::Stopped:
       return "stopped";
   }
   return "?";
+}
+
+Error refused_error(const std::string& detail, const std::string& server) {
+  return {.what = "the server is of another version: " + detail,
+          .where = server,
+          .fix = "install the same telepalp at both ends; --version tells which one a program is"};
 }
 
 ClientLink::ClientLink(boost::asio::io_context& io, Options options, Handlers handlers)
@@ -199,9 +207,11 @@ void ClientLink::on_message(Message message) {
 
 void ClientLink::on_closed(const std::string& reason) {
   add(received_before_, connection_->received());
+  const bool other_version = connection_->peer_has_other_version();
   connection_.reset();
   probe_.cancel();
   if (state_ == LinkState::Stopped) return;
+  if (other_version) return become(LinkState::Refused, reason);
   if (state_ == LinkState::Connected) {
     counts_.not_sent +=
         outgoing_.remove_if([](const Message& message) { return !waits_for_a_connection(message.topic); });

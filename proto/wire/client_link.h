@@ -25,9 +25,13 @@ enum class LinkState {
   Connecting,  ///< trying; again and again, with back-off
   Connected,   ///< greeted, subscribed, and the session clock is known
   Lost,        ///< was Connected; Connecting follows by itself
+  Refused,     ///< the server speaks another protocol version; nothing follows but Stopped
   Stopped,     ///< stop() was called; nothing follows
 };
 [[nodiscard]] std::string_view name(LinkState state) noexcept;
+
+/// Why a program ends at LinkState::Refused. `detail` is the state's, `server` its HOST:PORT.
+[[nodiscard]] Error refused_error(const std::string& detail, const std::string& server);
 
 /// What a station, a recorder or a tool holds of a server: connects, subscribes, keeps the session clock, publishes
 /// its own topics upstream, and comes back by itself when the server does. Runs on the io_context's one thread;

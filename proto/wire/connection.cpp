@@ -164,7 +164,10 @@ void Connection::read_when_due(std::size_t bytes_before) {
 void Connection::on_bytes(std::span<const std::byte> bytes) {
   while (phase_ == Phase::Greeting || phase_ == Phase::Open) {
     Result<std::optional<Frame>> frame = parser_.next(bytes);
-    if (!frame) return leave(to_string(frame.error()));
+    if (!frame) {
+      other_version_ = phase_ == Phase::Greeting && parser_.met_other_version();
+      return leave(to_string(frame.error()));
+    }
     if (!*frame) return;
     const Result<void> taken = on_frame(std::move(**frame));
     if (!taken) return leave(to_string(taken.error()));
@@ -215,7 +218,8 @@ Result<void> Connection::on_control(const Frame& frame) {
 
 Result<void> Connection::on_hello(const msg::Hello& peer) {
   if (phase_ != Phase::Greeting) return bad_peer("says Hello twice");
-  if (peer.protocol() != kProtocolVersion)
+  other_version_ = peer.protocol() != kProtocolVersion;
+  if (other_version_)
     return bad_peer("speaks protocol " + std::to_string(peer.protocol()) + ", this end speaks " +
                     std::to_string(kProtocolVersion));
   if (peer.name().size() > kMaxNameBytes || peer.role().size() > kMaxNameBytes)

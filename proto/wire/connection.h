@@ -80,6 +80,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void abandon() noexcept;
 
   [[nodiscard]] bool ready() const noexcept { return phase_ == Phase::Open; }
+  /// True once the peer's first frame or its Hello told another protocol version: another try would end the same way.
+  [[nodiscard]] bool peer_has_other_version() const noexcept { return other_version_; }
   [[nodiscard]] std::string peer() const { return stream_->peer(); }
   [[nodiscard]] const std::map<std::string_view, ReceivedCount>& received() const noexcept { return received_; }
 
@@ -118,6 +120,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::chrono::steady_clock::time_point read_due_{};  // by max_read_bytes_per_s
   Phase phase_ = Phase::Greeting;
   std::string leaving_because_;
+  bool other_version_ = false;
 
   std::array<std::byte, 64 << 10> incoming_{};
   FrameParser parser_;

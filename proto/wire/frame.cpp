@@ -71,6 +71,11 @@ Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payl
   return header;
 }
 
+bool FrameParser::met_other_version() const noexcept {
+  return failed_ && header_filled_ == kFrameHeaderBytes &&
+         get<std::uint8_t>(header_bytes_, kVersionAt) != kProtocolVersion;
+}
+
 Result<std::optional<Frame>> FrameParser::next(std::span<const std::byte>& bytes) {
   if (failed_) return *failed_;
   if (!header_) {

@@ -8,12 +8,13 @@
 #include <string>
 
 #include "proto/wire/message.h"
+#include "proto/words/formats.h"
 #include "proto/words/result.h"
 
 namespace telepalp::wire {
 
 /// Version of WIRE.md that this code speaks: in every frame, and in msg.Hello.
-inline constexpr std::uint8_t kProtocolVersion = 1;
+inline constexpr std::uint8_t kProtocolVersion = kWireProtocolVersion;
 
 inline constexpr std::size_t kFrameHeaderBytes = 28;
 inline constexpr std::size_t kMaxControlBytes = std::size_t{16} << 10;
@@ -54,6 +55,9 @@ class FrameParser {
   /// Takes from the front of `bytes` until one frame is whole, and leaves the rest in `bytes`. nullopt: all of
   /// `bytes` is taken and the frame is not whole yet.
   [[nodiscard]] Result<std::optional<Frame>> next(std::span<const std::byte>& bytes);
+
+  /// True once a frame of another protocol version has come. Its error is what next() returns.
+  [[nodiscard]] bool met_other_version() const noexcept;
 
   /// Changes the limit for frames whose header has not come yet.
   void set_max_payload_bytes(std::size_t most) noexcept { max_payload_bytes_ = most; }

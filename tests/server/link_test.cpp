@@ -133,6 +133,23 @@ TEST(Link, AServerOfAnotherProtocolVersionIsNamedAsSuch) {
     return !client.details.empty() &&
            client.details.back().find("speaks protocol 7, this end speaks 1") != std::string::npos;
   }));
+  EXPECT_EQ(client.link.state(), wire::LinkState::Refused);
+  bool tried_again = false;
+  other.async_accept(accepted, [&](const boost::system::error_code& code) { tried_again = !code; });
+  EXPECT_FALSE(site.run_until([&] { return tried_again; }, 500ms)) << "another try would end the same way";
+}
+
+TEST(Link, AFrameOfAnotherProtocolVersionEndsTheLinkToo) {
+  Site site;
+  boost::asio::ip::tcp::acceptor other(site.io, {boost::asio::ip::make_address("127.0.0.1"), 0});
+  boost::asio::ip::tcp::socket accepted(site.io);
+  std::string bytes = control_frame(msg::Control());
+  bytes[4] = 2;  // the header's version
+  other.async_accept(
+      accepted, [&](const boost::system::error_code&) { boost::asio::write(accepted, boost::asio::buffer(bytes)); });
+  Client client(site, {}, "test", other.local_endpoint().port());
+  EXPECT_TRUE(site.run_until([&] { return client.link.state() == wire::LinkState::Refused; }));
+  EXPECT_NE(client.details.back().find("version 2 is not ours, 1"), std::string::npos) << client.details.back();
 }
 
 TEST(Link, ALinkThatIsDestroyedWhileItConnectsLeavesNothingBehind) {

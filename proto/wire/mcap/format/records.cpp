@@ -2,8 +2,12 @@
 
 #include "proto/wire/mcap/format/byte_cursor.h"
 #include "proto/wire/mcap/format/compression.h"
+#include "proto/words/formats.h"
 
 namespace telepalp::wire::mcap {
+
+static_assert(kMagic[5] == '0' + kMcapVersion);
+
 namespace {
 
 /// Writes head and content; the length is filled in once the content is known.
