@@ -62,11 +62,19 @@ function(telepalp_library name)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
 endfunction()
 
+# Looked at in every build, and written only when the commit is another one.
+set(TELEPALP_COMMIT_FILE ${PROJECT_BINARY_DIR}/commit.cpp)
+add_custom_target(telepalp_commit BYPRODUCTS ${TELEPALP_COMMIT_FILE}
+  COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DFILE=${TELEPALP_COMMIT_FILE}
+    -P ${PROJECT_SOURCE_DIR}/cmake/write_commit.cmake
+  VERBATIM COMMENT "Looking at the commit")
+
 # telepalp_program(NAME SOURCES main.cpp … LINKS targets …): a program. Users' programs, which are those outside of
 # tests/, are installed.
 function(telepalp_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
+  add_executable(${name} ${ARG_SOURCES} ${TELEPALP_COMMIT_FILE})
+  add_dependencies(${name} telepalp_commit)
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags)
   if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/tests/")
     return()

@@ -8,6 +8,7 @@
 #include "server/gateway/gateway.h"
 #include "server/pipeline/depth_options.h"
 #include "server/server.h"
+#include "support/program/default_ports.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
@@ -30,7 +31,7 @@ program::Usage usage() {
                       {"loop", "yes|no", "a recording starts again at its end", "yes"},
                       {"seconds", "S", "stop after so long; 0: run on", "0"},
                       {"bind", "ADDRESS", "loopback address to listen on", "127.0.0.1"},
-                      {"port", "PORT", "for stations and recorders; 0: any free one", "7400"},
+                      {"port", "PORT", "for stations and recorders; 0: any free one", program::kServerPort},
                       {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; left out: none"},
                       {.name = "allow-origin",
                        .argument = "ORIGIN",

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <boost/algorithm/string.hpp>
 #include <cstdio>
 
@@ -7,8 +5,11 @@
 #include "clients/record/recording.h"
 #include "clients/record/repair.h"
 #include "clients/record/unfinished.h"
+#include "support/program/default_ports.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
+#include "support/program/patience.h"
+#include "support/program/terminal.h"
 
 namespace {
 
@@ -16,27 +17,55 @@ using namespace telepalp;
 
 constexpr const char* kProgram = "telepalp-record";
 
+int info_command(int argc, const char* const* argv);
+int repair_command(int argc, const char* const* argv);
+
 program::Usage usage() {
-  return {.program = kProgram,
-          .purpose = "writes what a server publishes to a session file, and looks after such files",
-          .positional = {},
-          .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:8764"},
-                      {"out", "FILE.mcap", "record to this new file; until it is whole it is called FILE.mcap.partial"},
-                      {"topics", "LIST", "by commas; a name ending in * is a prefix", "*"},
-                      {"seconds", "S", "stop after so long; 0: until Ctrl-C", "0"},
-                      {"patience-s", "S", "give up if the server does not answer at the start", "30"},
-                      {"ready-file", "FILE", "write there once the server is subscribed to"},
-                      {"info", "FILE", "tell what a session file holds"},
-                      {"repair", "FILE",
-                       "finish FILE.mcap.partial that was cut off; or copy what can be read of a damaged file, to "
-                       "--out or beside it"}},
-          .example = "telepalp-record --out session.mcap --seconds 60"};
+  return {
+      .program = kProgram,
+      .purpose = "writes what a server publishes to a session file, and looks after such files",
+      .positional = {},
+      .options = {{"connect", "HOST:PORT", "the server", program::kServerAddress},
+                  {"out", "FILE.mcap", "record to this new file; until it is whole it is called FILE.mcap.partial"},
+                  {"topics", "LIST", "by commas; a name ending in * is a prefix", "*"},
+                  {"seconds", "S", "stop after so long; 0: until Ctrl-C", "0"},
+                  program::patience_option("how long to wait for the server at the start; 0: for ever"),
+                  {"ready-file", "FILE", "write there once the server is subscribed to"},
+                  {"info", "FILE", "the same as the command info"},
+                  {"repair", "FILE", "the same as the command repair; the copy goes to --out or beside the file"}},
+      .example = "telepalp-record --out session.mcap --seconds 60",
+      .commands = {{"info", "FILE", "tell what a session file holds", info_command},
+                   {"repair", "FILE", "finish a recording that was cut off, or mend a damaged file", repair_command}}};
 }
 
-int show_info(const std::string& file) {
-  const Result<std::string> text = record::inspect(file);
-  if (!text) return program::fail(text.error());
-  std::fputs(text->c_str(), stdout);
+program::Usage info_usage() {
+  return {.program = "telepalp-record info",
+          .purpose = "tells what a session file holds: length, size, origin, topics and rates",
+          .positional = "FILE",
+          .options = {{"json", "", "print JSON instead of a table"}},
+          .example = "telepalp-record info session.mcap"};
+}
+
+program::Usage repair_usage() {
+  return {.program = "telepalp-record repair",
+          .purpose = "finishes a recording that was cut off, or copies what can be read of a damaged file",
+          .positional = "FILE",
+          .options = {{"out", "FILE.mcap", "where the copy goes; left out: beside FILE"}},
+          .example = "telepalp-record repair session.mcap"};
+}
+
+/// The one file that a command is about.
+Result<std::string> file_of(const program::Arguments& arguments, const program::Usage& usage) {
+  if (arguments.positional().size() == 1) return arguments.positional().front();
+  return Error{.what = "name one session file",
+               .where = std::string(usage.program),
+               .fix = "see " + std::string(usage.program) + " --help"};
+}
+
+int show_info(const std::string& file, bool json) {
+  const Result<record::SessionFacts> facts = record::inspect(file);
+  if (!facts) return program::fail(facts.error());
+  std::fputs((json ? record::in_json(*facts) : record::in_words(*facts)).c_str(), stdout);
   return program::kDone;
 }
 
@@ -67,15 +96,15 @@ Result<record::RecordingOptions> recording_options(const program::Arguments& arg
   if (!server) return server.error();
   const Result<double> seconds = arguments.number("seconds", 0.0, 1e7);
   if (!seconds) return seconds.error();
-  const Result<double> patience = arguments.number("patience-s", 0.0, 1e7);
+  const Result<program::Patience> patience = program::patience_of(arguments);
   if (!patience) return patience.error();
   record::RecordingOptions options{.server = *server,
                                    .file = arguments.text("out"),
                                    .topics = {},
                                    .seconds = std::chrono::duration<double>(*seconds),
-                                   .patience = std::chrono::duration<double>(*patience),
+                                   .patience = *patience,
                                    .ready_file = arguments.text("ready-file"),
-                                   .progress = ::isatty(STDERR_FILENO) == 1};
+                                   .progress = program::takes_progress(stderr)};
   const std::string topics = arguments.text("topics");
   boost::split(options.topics, topics, boost::is_any_of(", "), boost::token_compress_on);
   return options;
@@ -90,17 +119,34 @@ int run_recording(const program::Arguments& arguments) {
   return program::kDone;
 }
 
+int info_command(int argc, const char* const* argv) {
+  const auto arguments = program::read_arguments(info_usage(), argc, argv);
+  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
+  if (!*arguments) return program::kDone;
+  const Result<std::string> file = file_of(**arguments, info_usage());
+  return file ? show_info(*file, (*arguments)->has("json")) : program::fail(file.error(), program::kAskedWrongly);
+}
+
+int repair_command(int argc, const char* const* argv) {
+  const auto arguments = program::read_arguments(repair_usage(), argc, argv);
+  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
+  if (!*arguments) return program::kDone;
+  const Result<std::string> file = file_of(**arguments, repair_usage());
+  return file ? run_repair(*file, (*arguments)->text("out")) : program::fail(file.error(), program::kAskedWrongly);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const std::optional<int> code = program::run_command(usage(), argc, argv)) return *code;
   const auto arguments = program::read_arguments(usage(), argc, argv);
   if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
   if (!*arguments) return program::kDone;
   const program::Arguments& asked = **arguments;
-  if (asked.has("info")) return show_info(asked.text("info"));
+  if (asked.has("info")) return show_info(asked.text("info"), false);
   if (asked.has("repair")) return run_repair(asked.text("repair"), asked.text("out"));
   if (asked.has("out")) return run_recording(asked);
   return program::fail(
-      {.what = "nothing to do", .where = kProgram, .fix = "give --out FILE.mcap, --info FILE or --repair FILE"},
+      {.what = "nothing to do", .where = kProgram, .fix = "give --out FILE.mcap, or a command: info FILE, repair FILE"},
       program::kAskedWrongly);
 }

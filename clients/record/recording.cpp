@@ -81,7 +81,7 @@ class Recording {
       program::end_within(program::kTimeToEnd, kNotFinished);
       stop("stopped by the operator");
     });
-    deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.patience));
+    deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.patience.value_or(program::kForEver)));
     deadline_.async_wait([this](const error_code& cancelled) {
       if (!cancelled)
         fail({"does not answer", address_text(options_.server), "start telepalp-server, or see --connect"});
@@ -110,6 +110,7 @@ class Recording {
 
   void on_state(wire::LinkState state, const std::string& detail) {
     if (state == wire::LinkState::Connected) return on_connected();
+    if (state == wire::LinkState::Refused) return fail(wire::refused_error(detail, address_text(options_.server)));
     if (state == wire::LinkState::Lost && !stopping_) {
       away_since_ = Clock::now();
       say("the server is away (" + detail + "); the recording goes on when it is back");

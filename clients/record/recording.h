@@ -9,6 +9,7 @@
 
 #include "proto/words/result.h"
 #include "support/program/address.h"
+#include "support/program/patience.h"
 
 namespace telepalp::record {
 
@@ -16,10 +17,10 @@ struct RecordingOptions {
   program::Address server;
   std::filesystem::path file;
   std::vector<std::string> topics;
-  std::chrono::duration<double> seconds{0.0};    ///< from the first connection on; 0: until it is stopped
-  std::chrono::duration<double> patience{30.0};  ///< for the first connection
-  std::filesystem::path ready_file;              ///< written when the server is subscribed to
-  bool progress = false;                         ///< draw a line on stderr that follows the recording
+  std::chrono::duration<double> seconds{0.0};  ///< from the first connection on; 0: until it is stopped
+  program::Patience patience;                  ///< for the first connection
+  std::filesystem::path ready_file;            ///< written when the server is subscribed to
+  bool progress = false;                       ///< draw a line on stderr that follows the recording
 };
 
 /// What became of a recording that ended as it should.

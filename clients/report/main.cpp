@@ -16,7 +16,7 @@ namespace {
 
 const program::Usage kUsage{
     .program = "telepalp-report",
-    .purpose = "Tells what a session file holds: report.html for people, report.json for programs, view.png.",
+    .purpose = "tells what a session file holds: report.html for people, report.json for programs, view.png",
     .positional = "SESSION.mcap",
     .options =
         {{.name = "out", .argument = "DIR", .help = "folder for the three files; made when missing", .initial = "."}},

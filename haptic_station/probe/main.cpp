@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <string_view>
 
 #include "haptic_station/probe/felt_plot.h"
 #include "haptic_station/probe/palpation_path.h"
@@ -26,14 +25,17 @@ std::vector<program::Option> surface_options() {
           {"flip-normals", "", "the other side is outside"}};
 }
 
+int path_command(int argc, const char* const* argv);
+
 program::Usage touch_usage() {
   program::Usage usage{.program = "telepalp-probe",
                        .purpose =
                            "touches a cloud, a mesh or a depth image along a trajectory and writes what was "
-                           "felt; telepalp-probe path makes such a trajectory",
+                           "felt",
                        .positional = "",
                        .options = surface_options(),
-                       .example = "telepalp-probe --cloud torso.pcd --trajectory path.csv --out felt.csv"};
+                       .example = "telepalp-probe --cloud torso.pcd --trajectory path.csv --out felt.csv",
+                       .commands = {{"path", "", "make such a trajectory", path_command}}};
   usage.options.insert(usage.options.end(),
                        {{"trajectory", "FILE", "CSV with columns t_s,x,y,z: metres, in the cloud's frame"},
                         {"k", "N/M", "stiffness of the coupling", "500"},
@@ -188,13 +190,17 @@ int path(const program::Arguments& arguments) {
   return program::kDone;
 }
 
+int path_command(int argc, const char* const* argv) {
+  const auto read = program::read_arguments(path_usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  return *read ? path(**read) : program::kDone;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool makes_path = argc > 1 && std::string_view(argv[1]) == "path";
-  const auto read = makes_path ? program::read_arguments(path_usage(), argc - 1, argv + 1)
-                               : program::read_arguments(touch_usage(), argc, argv);
+  if (const std::optional<int> code = program::run_command(touch_usage(), argc, argv)) return *code;
+  const auto read = program::read_arguments(touch_usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  return makes_path ? path(**read) : touch(**read);
+  return *read ? touch(**read) : program::kDone;
 }

@@ -1,7 +1,5 @@
-#include <array>
 #include <cstdio>
 #include <string>
-#include <string_view>
 
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/scenes/scene.h"
@@ -15,47 +13,40 @@
 #include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/trials/trials_command.h"
 #include "support/program/address.h"
+#include "support/program/default_ports.h"
 #include "support/program/options.h"
+#include "support/program/patience.h"
 #include "support/program/shipped.h"
 
 namespace {
 
 using namespace telepalp;
 
-/// What the program also does, by its first word.
-struct Command {
-  std::string_view name;
-  int (*run)(int argc, const char* const* argv);
-};
-constexpr std::array kCommands{Command{"trials", trials::trials_command},
-                               Command{"calibrate", station::calibrate_command},
-                               Command{"rearm", station::rearm_command}, Command{"tissue", station::tissue_command}};
-
 program::Usage usage() {
-  return {
-      .program = "telepalp-station",
-      .purpose =
-          "turns a served depth stream into a surface that can be touched, at 2 kHz; or, as telepalp-station "
-          "trials, runs the palpation study's trials in virtual time; or, as telepalp-station calibrate, measures "
-          "where its devices stand; or, as telepalp-station rearm, lets a faulted station touch again; or, as "
-          "telepalp-station tissue, fits the skin to a compression test",
-      .positional = "",
-      .options = {{"connect", "HOST:PORT", "the server", "127.0.0.1:7400"},
-                  {"scene", "FILE", "what can be felt: a *.scene.textproto; left out: palpation"},
-                  {"surface", "NAME|model:FILE",
-                   "instead of the scene's: how the streamed surface is made, or a mesh or cloud to touch"},
-                  {"calibration", "FILE", "measured by telepalp-station calibrate; instead of the scene's transforms"},
-                  {"device", station::kDeviceWords, "the haptic device", "simulated"},
-                  {"tracker", station::kTrackerWords,
-                   "the hand tracker; held: the hand is where the device is; browser: in a viewer", "simulated"},
-                  {"check", "", "read the scene, say what can be felt in it, and leave"},
-                  {"control", "PATH",
-                   "the socket by which telepalp-station rearm speaks to this station, or none; left out: in "
-                   "the user's runtime folder"},
-                  {"state-dir", "DIR", "where the last 10 s go at a fault; left out: the user's folder for state"},
-                  {"seconds", "S", "how long to tick; 0: until Ctrl-C", "0"},
-                  {"realtime", "require|prefer", "whether to run without real-time priority", "prefer"}},
-      .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10"};
+  return {.program = "telepalp-station",
+          .purpose = "turns a served depth stream into a surface that can be touched, at 2 kHz",
+          .positional = "",
+          .options = {{"connect", "HOST:PORT", "the server", program::kServerAddress},
+                      {"scene", "FILE", "a *.scene.textproto; left out: palpation"},
+                      {"surface", "NAME|model:FILE",
+                       "instead of the scene's: how the streamed surface is made, or a mesh or cloud to touch"},
+                      {"calibration", "FILE", "what telepalp-station calibrate measured"},
+                      program::patience_option("how long to wait for the server and its first image; 0: for ever"),
+                      {"device", station::kDeviceWords, "the haptic device", "simulated"},
+                      {"tracker", station::kTrackerWords,
+                       "the hand tracker; held: the hand is where the device is; browser: in a viewer", "simulated"},
+                      {"check", "", "read the scene, say what can be felt in it, and leave"},
+                      {"control", "PATH",
+                       "the socket by which telepalp-station rearm speaks to this station, or none; left out: in "
+                       "the user's runtime folder"},
+                      {"state-dir", "DIR", "where the last 10 s go at a fault; left out: the user's folder for state"},
+                      {"seconds", "S", "how long to tick; 0: until Ctrl-C", "0"},
+                      {"realtime", "require|prefer", "whether to run without real-time priority", "prefer"}},
+          .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10",
+          .commands = {{"trials", "", "run the palpation study's trials in virtual time", trials::trials_command},
+                       {"calibrate", "", "measure where camera, tracker and device stand", station::calibrate_command},
+                       {"rearm", "", "let a station touch again after a fault", station::rearm_command},
+                       {"tissue", "", "fit the skin to a compression test", station::tissue_command}}};
 }
 
 Result<station::Realtime> realtime_of(const std::string& word) {
@@ -76,13 +67,17 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
   if (!server) return server.error();
   const Result<double> seconds = arguments.number("seconds", 0.0, 1e6);
   if (!seconds) return seconds.error();
+  const Result<program::Patience> patience = program::patience_of(arguments);
+  if (!patience) return patience.error();
   const Result<station::Realtime> realtime = realtime_of(arguments.text("realtime"));
   if (!realtime) return realtime.error();
   return station::StationOptions{.host = server->host,
                                  .port = server->port,
                                  .seconds = *seconds,
+                                 .patience = *patience,
                                  .realtime = *realtime,
                                  .control = control_of(arguments),
+                                 .control_is_asked_for = arguments.has("control"),
                                  .state_folder = arguments.has("state-dir")
                                                      ? std::filesystem::path(arguments.text("state-dir"))
                                                      : station::default_state_folder()};
@@ -174,8 +169,7 @@ int run(station::StationOptions options, const Result<scenes::Scene>& scene, con
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const Command& command : kCommands)
-    if (argc > 1 && argv[1] == command.name) return command.run(argc - 1, argv + 1);
+  if (const std::optional<int> code = program::run_command(usage(), argc, argv)) return *code;
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;

@@ -112,7 +112,10 @@ Result<void> Station::run() {
     program::end_within(program::kTimeToEnd, "telepalp-station: did not end in time");
     stop("asked to end");
   });
-  if (const Result<void> listening = faults_.listen(); !listening) return listening.error();
+  if (const Result<void> listening = faults_.listen(); !listening) {
+    if (options_.control_is_asked_for) return listening.error();
+    say("no control socket, and so no telepalp-station rearm: " + to_string(listening.error()));
+  }
   started_ = std::chrono::steady_clock::now();
   link_.start();
   if (options_.model) touch_model();
@@ -141,10 +144,26 @@ void Station::stop(const std::string& reason) {
   link_.stop(reason);
 }
 
+void Station::give_up(const Error& error) {
+  if (!failure_) failure_ = error;
+  stop("it cannot go on");
+}
+
+/// Nothing could be touched for as long as the operator wants to wait.
+void Station::lose_patience() {
+  const bool answered = link_.state() == wire::LinkState::Connected;
+  give_up({.what = answered ? "the server answers and sends no depth image that can be touched" : "does not answer",
+           .where = options_.host + ":" + std::to_string(options_.port),
+           .fix = answered ? "look at the server's source, or wait longer by --patience S"
+                           : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
+}
+
 void Station::publish(wire::Message message) { (void)link_.publish(std::move(message)); }
 
 void Station::on_link(wire::LinkState state, const std::string& detail) {
   say_link("link " + std::string(wire::name(state)) + (detail.empty() ? "" : ": " + detail), state);
+  if (state == wire::LinkState::Refused && !options_.model)  // a model is touched without a server
+    return give_up(wire::refused_error(detail, options_.host + ":" + std::to_string(options_.port)));
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
     telemetry_.tell_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
@@ -223,10 +242,7 @@ void Station::start_haptic_thread() {
   haptic_->set_clock_offset(link_.clock().offset());
   if (!in_tick_) collision_.emplace(slow_surfaces_, haptic_->device(), surfaces_, [this] { return now(); });
   const Result<bool> granted = haptic_->start(options_.realtime);
-  if (!granted) {
-    failure_ = granted.error();
-    return stop("no real time");
-  }
+  if (!granted) return give_up(granted.error());
   realtime_granted_ = *granted;
   ticking_since_ = std::chrono::steady_clock::now();
   const std::string realtime = realtime_granted_ ? "with real-time priority" : "without real-time priority";
@@ -244,6 +260,8 @@ void Station::every_10_ms() {
   const bool time_is_up = haptic_ && options_.seconds > 0.0 &&
                           std::chrono::steady_clock::now() - ticking_since_ >= from_seconds(options_.seconds);
   if (time_is_up) return stop("done");
+  if (!haptic_ && options_.patience && std::chrono::steady_clock::now() - started_ > *options_.patience)
+    return lose_patience();
   fast_timer_.expires_after(kTellPeriod);
   fast_timer_.async_wait([this](const boost::system::error_code& error) {
     if (!error && !stopped_) every_10_ms();

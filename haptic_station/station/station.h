@@ -19,6 +19,7 @@
 #include "haptic_station/station/threads/haptic_thread.h"
 #include "haptic_station/station/threads/surface_worker.h"
 #include "proto/wire/client_link.h"
+#include "support/program/patience.h"
 
 namespace telepalp::station {
 
@@ -26,11 +27,13 @@ namespace telepalp::station {
 struct StationOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;
-  double seconds = 0.0;  ///< run time of the haptic loop; 0: until a signal
+  double seconds = 0.0;        ///< of ticking, then end; 0: until asked to end
+  program::Patience patience;  ///< for something to touch: the server and its first image
   Realtime realtime = Realtime::Prefer;
-  std::filesystem::path control;                      ///< path of the socket for operators' commands; empty: no socket
-  std::filesystem::path state_folder;                 ///< folder for the files of the flight recorder
-  std::optional<StaticPatient> model = std::nullopt;  ///< touched instead of the surface from a server
+  std::filesystem::path control;                      ///< of the socket that operators speak to; empty: there is none
+  bool control_is_asked_for = false;                  ///< by name: without it the station does not start
+  std::filesystem::path state_folder;                 ///< where the flight recorder is written at a fault
+  std::optional<StaticPatient> model = std::nullopt;  ///< touched instead of what a server streams
 };
 
 /// The station: a link to the server, the surface thread and the haptic thread, joined by wait-free hand-offs. run()
@@ -65,6 +68,8 @@ class Station {
   void every_second();
   void tell_totals();
   void stop(const std::string& reason);
+  void give_up(const Error& error);
+  void lose_patience();
   void publish(wire::Message message);
   [[nodiscard]] SessionTime now() const noexcept { return link_.clock().now(); }
 

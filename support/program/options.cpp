@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "support/program/log.h"
+#include "support/program/terminal.h"
 
 namespace telepalp::program {
 namespace {
@@ -16,7 +17,8 @@ constexpr const char* kPositional = "(positional)";
 
 po::options_description describe(const Usage& usage) {
   po::options_description description;
-  description.add_options()("help", "print this and leave");
+  description.add_options()("help", "");
+  description.add_options()("version", "");
   description.add_options()(kPositional, po::value<std::vector<std::string>>(), "");
   for (const Option& option : usage.options) {
     const std::string name{option.name};
@@ -32,6 +34,19 @@ Error asked_wrongly(const Usage& usage, std::string what) {
   return {.what = std::move(what),
           .where = std::string(usage.program),
           .fix = "see " + std::string(usage.program) + " --help"};
+}
+
+/// What `option` asks the program to say of itself, if it does. `-h` is the only short option.
+std::optional<std::string> asked_about(const Usage& usage, const po::option& option) {
+  const bool short_help = option.string_key == kPositional && !option.value.empty() && option.value.front() == "-h";
+  if (short_help || option.string_key == "help") return help_text(usage);
+  if (option.string_key == "version") return version_text(usage.program);
+  return std::nullopt;
+}
+
+bool takes_words(const Usage& usage) {
+  return !usage.positional.empty() || std::any_of(usage.commands.begin(), usage.commands.end(),
+                                                  [](const Command& command) { return command.run == nullptr; });
 }
 
 template <class T>
@@ -77,26 +92,6 @@ Result<std::int64_t> Arguments::whole(std::string_view option, std::int64_t leas
   return parse_bounded<std::int64_t>(option, text(option), least, most);
 }
 
-std::string help_text(const Usage& usage) {
-  std::string text = std::string(usage.program) + ": " + std::string(usage.purpose) +
-                     "\n\nusage: " + std::string(usage.program) + (usage.options.empty() ? "" : " [options]");
-  if (!usage.positional.empty()) text += " " + std::string(usage.positional);
-  text += "\n\n";
-  std::size_t column = 10;
-  for (const Option& option : usage.options) column = std::max(column, option.name.size() + option.argument.size() + 5);
-  const auto row = [&](std::string left, std::string_view right) {
-    left.resize(std::max(column + 2, left.size() + 2), ' ');
-    text += "  " + left + std::string(right) + "\n";
-  };
-  for (const Option& option : usage.options) {
-    std::string help{option.help};
-    if (!option.initial.empty()) help += " [" + std::string(option.initial) + "]";
-    row("--" + std::string(option.name) + (option.argument.empty() ? "" : " " + std::string(option.argument)), help);
-  }
-  row("--help", "print this and leave");
-  return text + "\nexample: " + std::string(usage.example) + "\n";
-}
-
 Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv) try {
   const po::options_description description = describe(usage);
   // Long options only, written out in full: a guessed prefix of a safety setting is not what was asked.
@@ -109,17 +104,20 @@ Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, co
                                         .run();
   Arguments arguments;
   for (const po::option& option : parsed.options) {
-    if (option.string_key == "help") {
-      std::fputs(help_text(usage).c_str(), stdout);
+    if (const std::optional<std::string> text = asked_about(usage, option)) {
+      std::fputs(text->c_str(), stdout);
       return std::optional<Arguments>{};
     }
     if (option.string_key == kPositional) {
       arguments.positional_.insert(arguments.positional_.end(), option.value.begin(), option.value.end());
       continue;
     }
+    if (arguments.has(option.string_key)) return asked_wrongly(usage, "--" + option.string_key + " is given twice");
+    if (!option.value.empty() && option.value.front().empty())
+      return asked_wrongly(usage, "--" + option.string_key + " is given an empty value");
     arguments.given_.push_back({option.string_key, option.value.empty() ? "" : option.value.front()});
   }
-  if (!arguments.positional_.empty() && usage.positional.empty())
+  if (!arguments.positional_.empty() && !takes_words(usage))
     return asked_wrongly(usage, "'" + arguments.positional_.front() + "' is not an option");
   for (const Option& option : usage.options)
     if (!option.initial.empty() && !arguments.has(option.name))
@@ -129,8 +127,16 @@ Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, co
   return asked_wrongly(usage, error.what());
 }
 
+std::optional<int> run_command(const Usage& usage, int argc, const char* const* argv) {
+  for (const Command& command : usage.commands)
+    if (argc > 1 && command.run != nullptr && argv[1] == command.name) return command.run(argc - 1, argv + 1);
+  return std::nullopt;
+}
+
 int fail(const Error& error, int code) {
-  std::fprintf(stderr, "error: %s\n", escaped(to_string(error)).c_str());
+  const bool colour = takes_colour(stderr);
+  std::fprintf(stderr, "%serror:%s %s\n", colour ? "\x1b[31m" : "", colour ? "\x1b[0m" : "",
+               escaped(to_string(error)).c_str());
   return code;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "proto/words/result.h"
+#include "support/program/help.h"
 
 namespace telepalp::program {
 
@@ -13,24 +14,6 @@ namespace telepalp::program {
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kAskedWrongly = 2;
-
-/// One long option. `argument` empty: a flag. `initial` is shown in --help and used when the option is left out.
-struct Option {
-  std::string_view name;      // "source"
-  std::string_view argument;  // "SOURCE"; empty for a flag
-  std::string_view help;
-  std::string_view initial = {};
-  bool repeatable = false;  // may be given several times: Arguments::all()
-};
-
-/// What a program says of itself; `--help` prints it and ends with `example`, a line to paste.
-struct Usage {
-  std::string_view program;     // "telepalp-server"
-  std::string_view purpose;     // one sentence
-  std::string_view positional;  // "SESSION.mcap", or empty when there is none
-  std::vector<Option> options;
-  std::string_view example;
-};
 
 /// The command line, read. A number is checked against its bounds where it is asked for.
 class Arguments {
@@ -53,11 +36,12 @@ class Arguments {
   std::vector<std::string> positional_;
 };
 
-/// Reads argv. nullopt: `--help` was asked and has been printed to stdout; leave with kDone.
+/// Reads argv. An option given twice, or with an empty value, is an error. nullopt: `--help` or `--version` was asked
+/// and has been printed to stdout; leave with kDone.
 [[nodiscard]] Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv);
 
-/// The text that `--help` prints.
-[[nodiscard]] std::string help_text(const Usage& usage);
+/// The exit code of the command with a help of its own that argv's first word names; nullopt: it names none of them.
+[[nodiscard]] std::optional<int> run_command(const Usage& usage, int argc, const char* const* argv);
 
 /// Prints `error: …` to stderr and returns `code`, for `return fail(error)` in main.
 int fail(const Error& error, int code = kFailed);

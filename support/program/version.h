@@ -4,7 +4,8 @@ namespace telepalp::program {
 
 /// "0.1.0"
 [[nodiscard]] const char* version() noexcept;
-/// Short hash of the commit that this was configured from; empty outside of a repository.
+/// Short hash of the commit that the program was built from, with "-modified" if files differed from it; empty outside
+/// of a repository.
 [[nodiscard]] const char* commit() noexcept;
 
 }  // namespace telepalp::program

@@ -36,21 +36,23 @@ constexpr std::array kBenches{
 };
 
 program::Usage usage() {
-  return {.program = "telepalp-bench",
-          .purpose = "measures one part of telepalp against the figures asked of it",
-          .positional = "NAME",
-          .options = {{"json", "", "print JSON instead of a table"},
-                      {"list", "", "name the benchmarks and leave"},
-                      {"input", "FILE|DIR", "what to run on, where a benchmark takes one"},
-                      {"held-out", "SET,SET…", "depth: frames never trained on, for the mean ratio"},
-                      {"part", "NAME", "accuracy: surface, prediction, organ, z-width or depth alone"},
-                      {"write", "DIR", "also write a benchmark's file: accuracy.md, or hand's reached.tsv"},
-                      {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
-                      {"row", "PATTERN", "hand: the studies whose name contains PATTERN alone"},
-                      {"reached", "FILE", "hand: a missed row passes while no worse than in FILE"},
-                      {"seeds", "N", "hand: runs where a study draws", "200"},
-                      {"seconds", "S", "how long, where a benchmark takes time", "10"}},
-          .example = "telepalp-bench pipeline --json"};
+  program::Usage usage{
+      .program = "telepalp-bench",
+      .purpose = "measures one part of telepalp against the figures asked of it",
+      .positional = {},
+      .options = {{"json", "", "print JSON instead of a table"},
+                  {"list", "", "name the benchmarks and leave"},
+                  {"input", "FILE|DIR", "what to run on, where a benchmark takes one"},
+                  {"held-out", "SET,SET…", "depth: frames never trained on, for the mean ratio"},
+                  {"part", "NAME", "accuracy: surface, prediction, organ, z-width or depth alone"},
+                  {"write", "DIR", "also write the page of a benchmark that has one: accuracy.md in docs"},
+                  {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
+                  {"seconds", "S", "how long, where a benchmark takes time", "10"}},
+      .example = "telepalp-bench pipeline --json",
+      .commands = {},
+      .needs_command = true};
+  for (const bench::Bench& bench : kBenches) usage.commands.push_back({bench.name, "", bench.purpose});
+  return usage;
 }
 
 int list() {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/property_tree/json_parser.hpp>
 #include <csignal>
 #include <fstream>
 #include <future>
@@ -278,9 +279,10 @@ TEST_F(Recorder, NotesHowExactTheDepthIsThatItRecorded) {
   EXPECT_EQ(recorder->wait(10s), 0) << log();
   EXPECT_EQ(run({"--repair", in("cut_off.mcap")}), 0) << log();
   for (const auto& file : {session(), in("cut_off.repaired.mcap")}) {
-    const auto text = inspect(file);
-    ASSERT_TRUE(text) << to_string(text.error());
-    EXPECT_NE(text->find("\ndepth: bounded, off by up to 2.85 mm at 1 m\n"), std::string::npos) << *text;
+    const auto facts = inspect(file);
+    ASSERT_TRUE(facts) << to_string(facts.error());
+    const std::string text = in_words(*facts);
+    EXPECT_NE(text.find("\ndepth: bounded, off by up to 2.85 mm at 1 m\n"), std::string::npos) << text;
   }
   auto reader = wire::McapReader::open(session());
   const auto& all = reader->summary().metadata;
@@ -291,7 +293,7 @@ TEST_F(Recorder, NotesHowExactTheDepthIsThatItRecorded) {
 }
 
 TEST_F(Recorder, WithoutAServerItGivesUpAndLeavesNothingBehind) {
-  EXPECT_EQ(run({"--connect", "127.0.0.1:1", "--out", session(), "--patience-s", "0.3"}), 1);
+  EXPECT_EQ(run({"--connect", "127.0.0.1:1", "--out", session(), "--patience", "0.3"}), 1);
   EXPECT_NE(log().find("error: 127.0.0.1:1: does not answer"), std::string::npos) << log();
   EXPECT_FALSE(std::filesystem::exists(session()));
   EXPECT_FALSE(std::filesystem::exists(session().string() + ".partial"));
@@ -313,11 +315,32 @@ TEST_F(Recorder, AnExistingFileIsNotOverwritten) {
 
 TEST_F(Recorder, TellsWhatAFileHolds) {
   ASSERT_TRUE(wire::samples::write_file(session(), wire::samples::session(10, 500)));
-  const auto text = inspect(session());
-  ASSERT_TRUE(text) << to_string(text.error());
-  EXPECT_NE(text->find("10.0 s, 1600 messages"), std::string::npos) << *text;
-  EXPECT_NE(text->find("made by telepalp-test 0.1.0 (abc1234) from synthetic"), std::string::npos) << *text;
-  EXPECT_NE(text->find("/station/state  telepalp.msg.StationState      1000    100.0"), std::string::npos) << *text;
+  const auto facts = inspect(session());
+  ASSERT_TRUE(facts) << to_string(facts.error());
+  const std::string text = in_words(*facts);
+  EXPECT_NE(text.find("10.0 s, 1600 messages"), std::string::npos) << text;
+  EXPECT_NE(text.find("made by telepalp-test 0.1.0 (abc1234) from synthetic"), std::string::npos) << text;
+  EXPECT_NE(text.find("/station/state  telepalp.msg.StationState      1000    100.0"), std::string::npos) << text;
+}
+
+TEST_F(Recorder, TellsWhatAFileHoldsInJsonToo) {
+  ASSERT_TRUE(wire::samples::write_file(session(), wire::samples::session(10, 500)));
+  const std::string told = in("told").string();
+  const std::string command = kRecorder.string() + " info " + session().string() + " --json > " + told;
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  boost::property_tree::ptree json;
+  boost::property_tree::read_json(told, json);
+  EXPECT_EQ(json.get<int>("messages"), 1600);
+  EXPECT_EQ(json.get<std::string>("source"), "synthetic");
+  const auto& topics = json.get_child("topics");
+  const auto state = std::find_if(topics.begin(), topics.end(), [](const auto& topic) {
+    return topic.second.template get<std::string>("name") == "/station/state";
+  });
+  ASSERT_NE(state, topics.end());
+  EXPECT_EQ(state->second.get<int>("messages"), 1000);
+  EXPECT_NEAR(state->second.get<double>("rate_Hz"), 100.0, 0.5);
+  EXPECT_EQ(run({"info", session(), "--json", "--json"}), 2) << "given twice";
+  EXPECT_EQ(run({"info"}), 2) << "no file named";
 }
 
 TEST_F(Recorder, ARepairLeavesOutOnlyTheDamagedChunk) {

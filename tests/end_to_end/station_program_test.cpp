@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/write.hpp>
 #include <fstream>
 #include <sstream>
 #include <thread>
 
+#include "proto/wire/connection.h"
 #include "tests/support/child_process.h"
 #include "where.h"
 
@@ -91,6 +95,48 @@ TEST_F(StationProgram, EndsWellAtCtrlCBeforeAnythingIsConnected) {
   EXPECT_EQ(station.wait(10s), 0);
 }
 
+TEST_F(StationProgram, EndsWhenNoServerAnswersForAsLongAsItIsAskedToWait) {
+  EXPECT_EQ(run({"--connect", "127.0.0.1:9", "--seconds", "1", "--patience", "0.5"}), 1) << text_of(log());
+  EXPECT_NE(text_of(log()).find("error: 127.0.0.1:9: does not answer. fix: start telepalp-server"), std::string::npos)
+      << text_of(log());
+}
+
+/// What stands at the server's address, and speaks the protocol after ours.
+std::uint16_t answer_once_as_version_2(boost::asio::io_context& io, std::jthread& thread) {
+  using boost::asio::ip::tcp;
+  auto acceptor = std::make_shared<tcp::acceptor>(io, tcp::endpoint(boost::asio::ip::make_address("127.0.0.1"), 0));
+  thread = std::jthread([acceptor, &io] {
+    tcp::socket peer(io);
+    acceptor->accept(peer);
+    msg::Control hello;
+    hello.mutable_hello()->set_protocol(2);
+    const std::string payload = hello.SerializeAsString();
+    const wire::HeaderBytes header = wire::encode_header({.payload_bytes = static_cast<std::uint32_t>(payload.size())});
+    boost::system::error_code ignored;
+    boost::asio::write(peer, boost::asio::buffer(header), ignored);
+    boost::asio::write(peer, boost::asio::buffer(payload), ignored);
+    std::array<char, 4096> heard{};
+    while (!ignored) (void)peer.read_some(boost::asio::buffer(heard), ignored);
+  });
+  return acceptor->local_endpoint().port();
+}
+
+TEST_F(StationProgram, EndsAtOnceAtAServerOfAnotherProtocolVersionAndSoDoesTheRecorder) {
+  const std::string out = (folder_.path() / "session.mcap").string();
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"telepalp-station"}, std::vector<std::string>{"telepalp-record", "--out", out}}) {
+    boost::asio::io_context io;
+    std::jthread server;
+    std::vector<std::string> arguments(words.begin() + 1, words.end());
+    arguments.insert(arguments.end(),
+                     {"--connect", "127.0.0.1:" + std::to_string(answer_once_as_version_2(io, server))});
+    ChildProcess program(kPrograms / words.front(), arguments, log());
+    EXPECT_EQ(program.wait(10s), 1) << words.front() << text_of(log());
+    EXPECT_NE(text_of(log()).find("speaks protocol 2, this end speaks 1"), std::string::npos) << text_of(log());
+    EXPECT_FALSE(fs::exists(out));
+  }
+}
+
 TEST_F(StationProgram, AnUnknownFieldInASceneIsNamedWithLineAndColumn) {
   const fs::path scene = folder_.path() / "wrong.scene.textproto";
   std::ofstream(scene) << "name: \"wrong\"\npatient_surface { streamed {} }\neffects { skin { stiffness_kN: 2 } }\n";
@@ -122,6 +168,10 @@ TEST_F(StationProgram, CalibratesFromTheShippedPairsAndReadsWhatItKept) {
   EXPECT_NE(text_of(kept).find("haptic_from_camera"), std::string::npos);
   EXPECT_NE(text_of(kept).find("residual_mean_m: 0.001"), std::string::npos) << text_of(kept);
   EXPECT_EQ(run({"--calibration", kept, "--check"}), 0) << text_of(log());
+  EXPECT_EQ(run({"--calibration", "", "--check"}), 2) << text_of(log());
+  std::ofstream(folder_.path() / "empty") << "";
+  EXPECT_EQ(run({"--calibration", (folder_.path() / "empty").string(), "--check"}), 1);
+  EXPECT_NE(text_of(log()).find("holds no calibration"), std::string::npos) << text_of(log());
 
   const fs::path flat = folder_.path() / "flat.csv";
   std::ofstream(flat) << "place,to_x_m,to_y_m,to_z_m,from_x_m,from_y_m,from_z_m\n"

@@ -1,17 +1,22 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
+#include <sstream>
 #include <thread>
 #include <utility>
 
 #include "messages/camera.pb.h"
+#include "proto/words/formats.h"
 #include "support/program/address.h"
 #include "support/program/ending.h"
 #include "support/program/options.h"
 #include "support/program/shipped.h"
+#include "support/program/terminal.h"
 #include "support/program/text_format.h"
 
 namespace telepalp::program {
@@ -43,6 +48,21 @@ TEST(Arguments, AnUnknownOptionOrAGuessedPrefixIsAskedWrongly) {
   EXPECT_FALSE(read({"--rat", "3"}).ok());
 }
 
+TEST(Arguments, AnOptionGivenTwiceIsAskedWrongly) {
+  for (const auto& words :
+       {std::vector<const char*>{"--rate", "10", "--rate", "70"}, std::vector<const char*>{"--rate=10", "--rate=10"},
+        std::vector<const char*>{"--loop", "--loop"}}) {
+    const auto arguments = read(words);
+    ASSERT_FALSE(arguments.ok()) << words[0];
+    EXPECT_NE(arguments.error().what.find("is given twice"), std::string::npos) << arguments.error().what;
+  }
+}
+
+TEST(Arguments, AnEmptyValueIsAskedWrongly) {
+  EXPECT_FALSE(read({"--rate", ""}).ok());
+  EXPECT_FALSE(read({"--rate="}).ok());
+}
+
 TEST(Arguments, ANumberOutOfItsRangeNamesTheRange) {
   const auto arguments = read({"--rate", "1000"});
   ASSERT_TRUE(arguments.ok());
@@ -56,6 +76,76 @@ TEST(Arguments, ANumberOutOfItsRangeNamesTheRange) {
 TEST(Help, EndsWithALineToPaste) {
   const std::string text = help_text(usage());
   EXPECT_TRUE(text.ends_with("example: telepalp-x --rate 10 a.file\n")) << text;
+}
+
+TEST(Help, HasTheSamePartsInTheSameOrderAndFitsAScreen) {
+  Usage wide = usage();
+  wide.purpose = "does x, and does it for so long and in so many words that they do not fit on one line of a terminal";
+  wide.options.push_back({"bound", "A-WORD-FOR-ARGUMENT,WITH-ANOTHER", "how far z² may be off"});
+  wide.commands = {{"look", "FILE", "tell what is in it"}};
+  const std::string text = help_text(wide);
+  std::size_t at = 0;
+  for (const char* part :
+       {"telepalp-x: does x", "\nusage: telepalp-x [options] FILE\n", "       telepalp-x COMMAND [options]\n",
+        "\ncommands:\n  look FILE  tell", "\noptions:\n  --rate HZ ", "how fast [30]\n", "  -h, --help ",
+        "  --version ", "\nexample: "}) {
+    const std::size_t found = text.find(part, at);
+    ASSERT_NE(found, std::string::npos) << part << " in\n" << text;
+    at = found;
+  }
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), kHelpColumns + 1) << line;
+}
+
+TEST(Help, IsAskedForByTheShortOptionToo) {
+  testing::internal::CaptureStdout();
+  const auto arguments = read({"-h"});
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), help_text(usage()));
+  ASSERT_TRUE(arguments.ok());
+  EXPECT_FALSE(arguments->has_value());
+}
+
+TEST(Version, NamesProgramVersionCommitAndTheFormatsSpoken) {
+  const std::string text = version_text("telepalp-x sub");
+  EXPECT_TRUE(text.starts_with("telepalp-x ")) << text;
+  EXPECT_NE(text.find("wire protocol 1, depth codec " + std::to_string(kDepthPacketVersion) + ", MCAP 0\n"),
+            std::string::npos)
+      << text;
+}
+
+/// A new terminal, as a stream that writes to it.
+struct Terminal {
+  Terminal() : master(::posix_openpt(O_RDWR | O_NOCTTY)) {
+    ::grantpt(master);
+    ::unlockpt(master);
+    stream = std::fopen(::ptsname(master), "w");
+  }
+  ~Terminal() {
+    if (stream != nullptr) std::fclose(stream);
+    ::close(master);
+  }
+  int master;
+  std::FILE* stream = nullptr;
+};
+
+TEST(Terminal, HasColoursUnlessTheUserWantsNoneAndAFileNeverHas) {
+  ::setenv("TERM", "xterm", 1);
+  ::unsetenv("NO_COLOR");
+  const Terminal terminal;
+  ASSERT_NE(terminal.stream, nullptr);
+  EXPECT_TRUE(takes_colour(terminal.stream));
+  ::setenv("NO_COLOR", "1", 1);
+  EXPECT_FALSE(takes_colour(terminal.stream));
+  EXPECT_TRUE(takes_progress(terminal.stream)) << "a progress line is no colour";
+  ::unsetenv("NO_COLOR");
+  ::setenv("TERM", "dumb", 1);
+  EXPECT_FALSE(takes_colour(terminal.stream));
+  EXPECT_FALSE(takes_progress(terminal.stream));
+  ::setenv("TERM", "xterm", 1);
+  std::FILE* file = std::tmpfile();
+  EXPECT_FALSE(takes_colour(file));
+  EXPECT_FALSE(takes_progress(file));
+  std::fclose(file);
 }
 
 TEST(Address, HostAndPortAreReadAndAnythingElseIsRefused) {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/property_tree/json_parser.hpp>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "support/images/image_file.h"
@@ -54,6 +56,21 @@ TEST_F(CodecProgram, KeepsTheBoundThatItWasGivenAndSaysSoWhenAsked) {
   const auto [info, told] = run({"info", in("bounded.mcap")});
   EXPECT_EQ(info, 0);
   EXPECT_NE(told.find("off by up to 10 mm at 1 m"), std::string::npos) << told;
+}
+
+TEST_F(CodecProgram, DescribesARecordingInJsonToo) {
+  ASSERT_EQ(run({"encode", in("original"), in("depth.mcap"), "--mode", "temporal", "--key-every", "2"}).first, 0);
+  const auto [code, told] = run({"info", in("depth.mcap"), "--json"});
+  ASSERT_EQ(code, 0) << told;
+  std::istringstream text(told);
+  boost::property_tree::ptree json;
+  boost::property_tree::read_json(text, json);
+  ASSERT_EQ(json.get_child("frames").size(), 3u);
+  const boost::property_tree::ptree& second = std::next(json.get_child("frames").begin())->second;
+  EXPECT_EQ(second.get<int>("width"), 64);
+  EXPECT_EQ(second.get<int>("since_key"), 1);
+  EXPECT_EQ(second.get<std::string>("moved"), "null") << "nothing is moved without loss";
+  EXPECT_EQ(json.get<int>("total.sample_bytes"), 3 * 64 * 48 * 2);
 }
 
 TEST_F(CodecProgram, FailsWhereACloserBoundIsNotKeptAndNamesAPixel) {

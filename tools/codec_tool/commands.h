@@ -20,8 +20,8 @@ namespace telepalp::server {
 [[nodiscard]] Result<void> decode_recording(const std::filesystem::path& input, const std::filesystem::path& folder,
                                             const std::string& kind);
 
-/// Says how each depth image of the session file `input` is compressed, without decoding any.
-[[nodiscard]] Result<void> describe_recording(const std::filesystem::path& input);
+/// Says how each depth image of the session file `input` is compressed, without decoding any; `json`: for programs.
+[[nodiscard]] Result<void> describe_recording(const std::filesystem::path& input, bool json);
 
 /// Says how far the depth images of `second` lie from those of `first`. With a `bound`: an error unless every pixel
 /// keeps it, and what was measured still is, and nothing else.

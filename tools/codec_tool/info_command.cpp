@@ -2,6 +2,7 @@
 
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/reader.h"
+#include "support/program/json.h"
 #include "tools/codec_tool/commands.h"
 #include "tools/codec_tool/totals.h"
 
@@ -18,9 +19,24 @@ void print_line(std::size_t number, const codec::DepthPacketInfo& packet, std::s
               told.moved ? ("  " + wire::how_far(told)).c_str() : "");
 }
 
-}  // namespace
+void add_frame(program::Json& json, const codec::DepthPacketInfo& packet, std::size_t bytes,
+               const wire::DepthFidelity& told) {
+  json.begin_object();
+  json.add("mode", codec::name(packet.mode));
+  json.add("coding", packet.coding);
+  json.add("width", static_cast<std::uint64_t>(packet.width));
+  json.add("height", static_cast<std::uint64_t>(packet.height));
+  json.add("unit_mm", 1000.0 * packet.unit_m);
+  json.add("slices", static_cast<std::uint64_t>(packet.slices));
+  json.add("since_key", static_cast<std::uint64_t>(packet.since_key));
+  json.add("bytes", static_cast<std::uint64_t>(bytes));
+  told.moved ? json.add("moved", wire::how_far(told)) : json.add_null("moved");
+  json.end_object();
+}
 
-Result<void> describe_recording(const std::filesystem::path& input) {
+/// Calls `tell` with each depth image of `input`, in order.
+template <class Tell>
+Result<Totals> for_each_packet(const std::filesystem::path& input, Tell tell) {
   Result<wire::McapReader> reader = wire::McapReader::open(input);
   if (!reader) return reader.error();
   reader->select({.topics = {std::string(wire::kCameraDepth.name)}});
@@ -36,12 +52,45 @@ Result<void> describe_recording(const std::filesystem::path& input) {
                    .fix = "record it again"};
     const Result<codec::DepthPacketInfo> packet = codec::inspect_depth(std::as_bytes(std::span(image.data())));
     if (!packet) return packet.error();
-    print_line(totals.frames, *packet, image.data().size(), wire::depth_fidelity(image));
+    tell(totals.frames, *packet, image.data().size(), wire::depth_fidelity(image));
     totals.add(1.0 * packet->width * packet->height, image.data().size());
   }
   if (totals.frames == 0) return Error{.what = "holds no depth", .where = input.string(), .fix = "give a session file"};
-  totals.print();
+  return totals;
+}
+
+Result<void> describe_in_words(const std::filesystem::path& input) {
+  const Result<Totals> totals = for_each_packet(input, print_line);
+  if (!totals) return totals.error();
+  totals->print();
   return {};
+}
+
+/// Prints nothing unless all images could be read: half a JSON text helps no program.
+Result<void> describe_in_json(const std::filesystem::path& input) {
+  program::Json json;
+  json.begin_object();
+  json.begin_list("frames");
+  const Result<Totals> totals =
+      for_each_packet(input, [&json](std::size_t, const codec::DepthPacketInfo& packet, std::size_t bytes,
+                                     const wire::DepthFidelity& told) { add_frame(json, packet, bytes, told); });
+  if (!totals) return totals.error();
+  json.end_list();
+  json.begin_object("total");
+  json.add("frames", static_cast<std::uint64_t>(totals->frames));
+  json.add("sample_bytes", static_cast<std::uint64_t>(2.0 * totals->pixels));
+  json.add("packet_bytes", static_cast<std::uint64_t>(totals->bytes));
+  json.add("ratio", 2.0 * totals->pixels / totals->bytes);
+  json.end_object();
+  json.end_object();
+  std::fputs(std::move(json).finish().c_str(), stdout);
+  return {};
+}
+
+}  // namespace
+
+Result<void> describe_recording(const std::filesystem::path& input, bool json) {
+  return json ? describe_in_json(input) : describe_in_words(input);
 }
 
 }  // namespace telepalp::server

@@ -13,15 +13,21 @@ constexpr std::string_view kProgram = "telepalp-codec";
 program::Usage usage() {
   return {
       .program = kProgram,
-      .purpose = "compresses depth recordings (encode), gives them back (decode), describes (info), compares",
-      .positional = "encode IN OUT.mcap | decode IN.mcap OUT_DIR | info IN.mcap | compare A B",
+      .purpose = "compresses depth recordings, gives them back, describes and compares them",
+      .positional = {},
       .options = {{"mode", "MODE", "fast, intra, temporal (all without loss) or bounded", "temporal"},
                   {"key-every", "N", "frames from key frame to key frame, temporal and bounded", "30"},
                   {"unit-mm", "MM", "one step of a sample, where images do not say", "1"},
                   {"bound", "LEAST,PER_M2",
                    "z m may be off by max(LEAST, PER_M2 z²) mm: for bounded [1,2.85]; compare fails beyond it"},
-                  {"to", "KIND", "decode: png or pgm, 16 bits a sample", "png"}},
-      .example = "telepalp-codec encode recording.oni depth.mcap && telepalp-codec compare recording.oni depth.mcap"};
+                  {"to", "KIND", "decode: png or pgm, 16 bits a sample", "png"},
+                  {"json", "", "info: print JSON instead of a table"}},
+      .example = "telepalp-codec encode recording.oni depth.mcap && telepalp-codec compare recording.oni depth.mcap",
+      .commands = {{"encode", "IN OUT.mcap", "compress the depth of a recording, session or folder of images"},
+                   {"decode", "IN.mcap OUT_DIR", "write each depth image as a file"},
+                   {"info", "IN.mcap", "tell how each depth image is compressed"},
+                   {"compare", "A B", "tell how far the depth of B lies from that of A"}},
+      .needs_command = true};
 }
 
 struct Asked {
@@ -30,10 +36,15 @@ struct Asked {
   std::optional<codec::DepthBound> bound_to_keep;  ///< by the second of two that are compared
   double unit_m = 0.001;
   std::string to;
+  bool json = false;
 };
 
 Result<Asked> read_asked(const program::Arguments& arguments) {
-  Asked asked{.words = arguments.positional(), .settings = {}, .bound_to_keep = {}, .to = arguments.text("to")};
+  Asked asked{.words = arguments.positional(),
+              .settings = {},
+              .bound_to_keep = {},
+              .to = arguments.text("to"),
+              .json = arguments.has("json")};
   const std::string command = asked.words.empty() ? "" : asked.words.front();
   if (command != "encode" && command != "decode" && command != "info" && command != "compare")
     return Error{.what = "'" + command + "' is nothing this program does",
@@ -64,7 +75,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
 
 Result<void> run(const Asked& asked) {
   const std::string& command = asked.words[0];
-  if (command == "info") return server::describe_recording(asked.words[1]);
+  if (command == "info") return server::describe_recording(asked.words[1], asked.json);
   if (command == "decode") return server::decode_recording(asked.words[1], asked.words[2], asked.to);
   if (command == "compare")
     return server::compare_recordings(asked.words[1], asked.words[2], asked.unit_m, asked.bound_to_keep);

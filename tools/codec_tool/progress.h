@@ -1,11 +1,11 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <string>
+
+#include "support/program/terminal.h"
 
 namespace telepalp::server {
 
@@ -13,7 +13,7 @@ namespace telepalp::server {
 class Progress {
  public:
   /// `total`: frames in all; 0: not known.
-  explicit Progress(std::size_t total) : total_(total), shown_(isatty(STDERR_FILENO) == 1) {}
+  explicit Progress(std::size_t total) : total_(total), shown_(program::takes_progress(stderr)) {}
   ~Progress() {
     if (shown_ && done_ > 0) std::fputc('\n', stderr);
   }

@@ -9,6 +9,7 @@
 #include "haptic_station/calibration/calibration_file.h"
 #include "haptic_station/station/commands/calibrate_methods.h"
 #include "haptic_station/station/rigs/rig_choice.h"
+#include "support/program/patience.h"
 
 namespace telepalp::station {
 namespace {
@@ -16,22 +17,24 @@ namespace {
 program::Usage usage() {
   return {
       .program = "telepalp-station calibrate",
-      .purpose =
-          "measures where tracker, camera and haptic device stand to one another: 'points' from pairs of "
-          "points in a file, 'offset' from the hand resting on the end-effector, 'probe' from poses of a hand on a "
-          "probe in a file",
-      .positional = "points|offset|probe",
+      .purpose = "measures where tracker, camera and haptic device stand to one another",
+      .positional = "",
       .options = {{"out", "FILE", "the calibration; what else is in it stays", "site.calibration.textproto"},
-                  {"pairs", "FILE", "points: CSV, header place,to_x_m,to_y_m,to_z_m,from_x_m,from_y_m,from_z_m"},
+                  {"pairs", "FILE", "points: CSV, as docs/cli.md tells"},
                   {"from", "tracker|camera", "points: the frame of the from columns; to is the haptic device's",
                    "tracker"},
                   {"device", kDeviceWords, "offset: the haptic device", "haply"},
                   {"tracker", "leap[:URL]", "offset: the hand tracker", "leap"},
                   {"seconds", "S", "offset: how long the hand rests", "3"},
+                  program::patience_option("offset: how long device and tracker may take to answer; 0: for ever", "3"),
                   {"poses", "FILE", "probe: CSV, as docs/cli.md tells"},
                   {"hand-at", "X,Y,Z,RX,RY,RZ", "probe: how the hand lies on it, in metres and radians",
                    "0,0,0,0,0,0"}},
-      .example = "telepalp-station calibrate points --pairs pairs.csv --from camera --out site.calibration.textproto"};
+      .example = "telepalp-station calibrate points --pairs pairs.csv --from camera --out site.calibration.textproto",
+      .commands = {{"points", "", "from pairs of points in a file"},
+                   {"offset", "", "from the hand resting on the end-effector"},
+                   {"probe", "", "from poses of a hand on a probe in a file"}},
+      .needs_command = true};
 }
 
 struct Method {

@@ -11,6 +11,7 @@
 #include "haptic_station/calibration/pair_file.h"
 #include "haptic_station/calibration/pose_file.h"
 #include "haptic_station/station/rigs/rig_choice.h"
+#include "support/program/patience.h"
 
 namespace telepalp::station {
 namespace {
@@ -57,9 +58,12 @@ Result<Measured> from_offset(const program::Arguments& arguments) {
     return Error{.what = "only a real device under a real tracker can be calibrated",
                  .where = "calibrate offset",
                  .fix = "give --device haply or udp:HOST:PORT, and --tracker leap"};
-  Result<std::unique_ptr<ports::Device>> device = connect_device(choice->device, {});
+  const Result<program::Patience> patience = program::patience_of(arguments);
+  if (!patience) return patience.error();
+  const auto within = std::chrono::duration_cast<std::chrono::milliseconds>(patience->value_or(program::kForEver));
+  Result<std::unique_ptr<ports::Device>> device = connect_device(choice->device, {}, within);
   if (!device) return device.error();
-  Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {});
+  Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {}, within);
   if (!tracker) return tracker.error();
   std::fprintf(stderr, "rest the hand on the end-effector, where the skin is to be met\n");
   const Result<calibration::OffsetCalibration> fit =

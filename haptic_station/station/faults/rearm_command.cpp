@@ -5,6 +5,7 @@
 #include "haptic_station/station/faults/control_socket.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
+#include "support/program/patience.h"
 
 namespace telepalp::station {
 namespace {
@@ -13,14 +14,15 @@ program::Usage usage() {
   return {.program = "telepalp-station rearm",
           .purpose = "lets a station that has let go at a fault touch again, once the cause of the fault is gone",
           .positional = "",
-          .options = {{"control", "PATH", "the station's control socket; left out: of the one that runs here"}},
+          .options = {{"control", "PATH", "the station's control socket; left out: of the one that runs here"},
+                      program::patience_option("how long to wait for its answer; 0: for ever", "3")},
           .example = "telepalp-station rearm"};
 }
 
-Result<std::string> ask(const program::Arguments& arguments) {
-  if (arguments.has("control")) return ask_station(arguments.text("control"), "rearm");
+Result<std::string> ask(const program::Arguments& arguments, std::chrono::duration<double> patience) {
+  if (arguments.has("control")) return ask_station(arguments.text("control"), "rearm", patience);
   const Result<std::filesystem::path> path = find_control_socket();
-  return path ? ask_station(*path, "rearm") : path.error();
+  return path ? ask_station(*path, "rearm", patience) : path.error();
 }
 
 }  // namespace
@@ -29,7 +31,9 @@ int rearm_command(int argc, const char* const* argv) {
   const auto read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;
-  const Result<std::string> answer = ask(**read);
+  const Result<program::Patience> patience = program::patience_of(**read);
+  if (!patience) return program::fail(patience.error(), program::kAskedWrongly);
+  const Result<std::string> answer = ask(**read, patience->value_or(program::kForEver));
   if (!answer) return program::fail(answer.error());
   const bool done = answer->starts_with("re-armed");
   std::fprintf(done ? stdout : stderr, "%s%s\n", done ? "" : "error: ", program::escaped(*answer).c_str());

@@ -7,6 +7,10 @@ namespace telepalp::station {
 Result<scenes::Scene> calibrated(scenes::Scene scene, const std::filesystem::path& file) {
   const Result<msg::Calibration> measured = calibration::read_calibration(file);
   if (!measured) return measured.error();
+  if (!measured->has_haptic_from_tracker() && !measured->has_haptic_from_camera())
+    return Error{.what = "holds no calibration",
+                 .where = file.string(),
+                 .fix = "measure one with telepalp-station calibrate, or leave --calibration out"};
   if (measured->has_haptic_from_tracker()) {
     const auto transform = calibration::transform_of(measured->haptic_from_tracker(), file.string());
     if (!transform) return transform.error();

@@ -77,25 +77,27 @@ Result<RigChoice> read_rig_choice(const std::string& device, const std::string& 
   return RigChoice{*chosen_device, *chosen_tracker};
 }
 
-Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice, const scenes::Scene& scene) {
+Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice, const scenes::Scene& scene,
+                                                      std::chrono::milliseconds within) {
   if (const auto* haply = std::get_if<Haply>(&choice)) {
     auto made = std::make_unique<device::HaplyDevice>(haply->url, haply->origin, say);
-    if (const Result<void> started = made->start(kAnswerWithin); !started) return started.error();
+    if (const Result<void> started = made->start(within); !started) return started.error();
     return std::unique_ptr<ports::Device>(std::move(made));
   }
   if (const auto* address = std::get_if<program::Address>(&choice)) {
     Result<std::unique_ptr<device::UdpDevice>> made = device::UdpDevice::open(*address);
     if (!made) return made.error();
-    if (const Result<void> started = (*made)->start(kAnswerWithin); !started) return started.error();
+    if (const Result<void> started = (*made)->start(within); !started) return started.error();
     return std::unique_ptr<ports::Device>(std::move(made).value());
   }
   return std::unique_ptr<ports::Device>(std::make_unique<device::HeldDevice>(
       scene.simulated_device, scene.simulated_hand, Point<HapticBase>{{0.0, kRestHeight_m, 0.0}}));
 }
 
-Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice, const scenes::Scene& scene) {
+Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice, const scenes::Scene& scene,
+                                                            std::chrono::milliseconds within) {
   auto made = std::make_unique<tracking::LeapTracker>(choice.url, scene.haptic_from_tracker, say);
-  if (const Result<void> started = made->start(kAnswerWithin); !started) return started.error();
+  if (const Result<void> started = made->start(within); !started) return started.error();
   return made;
 }
 

@@ -48,14 +48,15 @@ inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser"
 /// only the simulated hand.
 [[nodiscard]] Result<RigChoice> read_rig_choice(const std::string& device, const std::string& tracker);
 
-/// Time limit for the first answer of a device or tracker.
+/// How long a device or tracker may take to answer at the start, unless the operator asks for another time.
 inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 
 /// Connects to the device or tracker. Error: it does not answer within kAnswerWithin.
 [[nodiscard]] Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice,
-                                                                    const scenes::Scene& scene);
-[[nodiscard]] Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice,
-                                                                          const scenes::Scene& scene);
+                                                                    const scenes::Scene& scene,
+                                                                    std::chrono::milliseconds within = kAnswerWithin);
+[[nodiscard]] Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(
+    const Leap& choice, const scenes::Scene& scene, std::chrono::milliseconds within = kAnswerWithin);
 
 /// A rig whose device and tracker have answered. `rig` is nullptr when both are simulated; the station then makes the
 /// scene's simulated rig.

@@ -1,11 +1,11 @@
-#include "clients/report/summary/json.h"
+#include "support/program/json.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 
-namespace telepalp::report {
+namespace telepalp::program {
 namespace {
 
 std::string quoted(std::string_view text) {
@@ -82,4 +82,4 @@ void Json::add_null(std::string_view key) {
   text_ += "null";
 }
 
-}  // namespace telepalp::report
+}  // namespace telepalp::program

@@ -1,0 +1,110 @@
+#include "support/program/help.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "proto/words/formats.h"
+#include "support/program/version.h"
+
+namespace telepalp::program {
+namespace {
+
+/// An option's or command's line: what is typed, and what it does.
+using Row = std::pair<std::string, std::string>;
+
+constexpr std::size_t kWidestLeft = 24;  // a longer left side stands on a line of its own
+
+/// Columns that UTF-8 `text` takes: its letters, not its bytes.
+std::size_t columns(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char letter) { return (letter & '\xc0') != '\x80'; }));
+}
+
+/// `text` broken at spaces, so that no line passes kHelpColumns. The first line begins at column `at`, all others are
+/// indented by `indent`.
+std::string wrapped(std::string_view text, std::size_t at, std::size_t indent) {
+  std::string out;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    const bool fresh = out.empty() || out.back() == ' ';
+    if (!fresh && at + 1 + columns(word) > kHelpColumns) {
+      out += "\n" + std::string(indent, ' ');
+      at = indent;
+    } else if (!fresh) {
+      out += ' ';
+      ++at;
+    }
+    out += word;
+    at += columns(word);
+  }
+  return out + "\n";
+}
+
+std::string row_text(const Row& row, std::size_t left_width) {
+  const std::size_t indent = left_width + 4;
+  std::string left = "  " + row.first;
+  if (columns(row.first) > left_width)
+    left += "\n" + std::string(indent, ' ');
+  else
+    left += std::string(indent - columns(left), ' ');
+  return left + wrapped(row.second, indent, indent);
+}
+
+std::string table(const std::string& title, const std::vector<Row>& rows) {
+  std::size_t left_width = 0;
+  for (const Row& row : rows)
+    if (columns(row.first) <= kWidestLeft) left_width = std::max(left_width, columns(row.first));
+  std::string text = "\n" + title + ":\n";
+  for (const Row& row : rows) text += row_text(row, left_width);
+  return text;
+}
+
+std::string joined(std::string_view left, std::string_view right) {
+  return std::string(left) + (right.empty() ? "" : " " + std::string(right));
+}
+
+std::string usage_lines(const Usage& usage) {
+  const std::string program(usage.program);
+  std::string text;
+  if (!usage.needs_command) text = "usage: " + joined(program + " [options]", usage.positional) + "\n";
+  if (!usage.commands.empty()) text += (text.empty() ? "usage: " : "       ") + program + " COMMAND [options]\n";
+  return text;
+}
+
+std::vector<Row> command_rows(const Usage& usage) {
+  std::vector<Row> rows;
+  for (const Command& command : usage.commands) rows.emplace_back(joined(command.name, command.argument), command.help);
+  return rows;
+}
+
+std::vector<Row> option_rows(const Usage& usage) {
+  std::vector<Row> rows;
+  for (const Option& option : usage.options)
+    rows.emplace_back("--" + joined(option.name, option.argument),
+                      joined(option.help, option.initial.empty() ? "" : "[" + std::string(option.initial) + "]"));
+  rows.emplace_back("-h, --help", "print this and leave");
+  rows.emplace_back("--version", "print version, commit and formats, and leave");
+  return rows;
+}
+
+}  // namespace
+
+std::string help_text(const Usage& usage) {
+  std::string text = wrapped(std::string(usage.program) + ": " + std::string(usage.purpose), 0, 0) + "\n";
+  text += usage_lines(usage);
+  const bool own_help = std::any_of(usage.commands.begin(), usage.commands.end(),
+                                    [](const Command& command) { return command.run != nullptr; });
+  if (!usage.commands.empty())
+    text += table(own_help ? "commands (COMMAND --help tells more)" : "commands", command_rows(usage));
+  return text + table("options", option_rows(usage)) + "\nexample: " + std::string(usage.example) + "\n";
+}
+
+std::string version_text(std::string_view program) {
+  const std::string commit_text = *commit() == '\0' ? "unknown" : commit();
+  return std::string(program.substr(0, program.find(' '))) + " " + version() + ", commit " + commit_text +
+         "\nwire protocol " + std::to_string(kWireProtocolVersion) + ", depth codec " +
+         std::to_string(kDepthPacketVersion) + ", MCAP " + std::to_string(kMcapVersion) + "\n";
+}
+
+}  // namespace telepalp::program
