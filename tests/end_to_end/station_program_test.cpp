@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <stdlib.h>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -99,6 +100,22 @@ TEST_F(StationProgram, EndsWhenNoServerAnswersForAsLongAsItIsAskedToWait) {
   EXPECT_EQ(run({"--connect", "127.0.0.1:9", "--seconds", "1", "--patience", "0.5"}), 1) << text_of(log());
   EXPECT_NE(text_of(log()).find("error: 127.0.0.1:9: does not answer. fix: start telepalp-server"), std::string::npos)
       << text_of(log());
+}
+
+TEST_F(StationProgram, RunsWithoutItsControlSocketWhereAnotherPutALinkButNotIfTheSocketWasAskedFor) {
+  const fs::path victim = folder_.path() / "victim";
+  fs::create_directory(victim);
+  fs::create_directory_symlink(victim, folder_.path() / "telepalp");
+  ::setenv("XDG_RUNTIME_DIR", folder_.path().c_str(), 1);
+  EXPECT_EQ(run({"--connect", "127.0.0.1:9", "--patience", "0.3"}), 1);
+  EXPECT_NE(text_of(log()).find("no control socket, and so no telepalp-station rearm"), std::string::npos);
+  EXPECT_NE(text_of(log()).find("does not answer"), std::string::npos) << "it went on";
+  const std::string asked = (folder_.path() / "telepalp" / "control").string();
+  EXPECT_EQ(run({"--connect", "127.0.0.1:9", "--patience", "0.3", "--control", asked}), 1);
+  EXPECT_EQ(text_of(log()).find("does not answer"), std::string::npos) << text_of(log());
+  EXPECT_NE(text_of(log()).find("is a symbolic link"), std::string::npos) << text_of(log());
+  EXPECT_TRUE(fs::is_empty(victim));
+  ::unsetenv("XDG_RUNTIME_DIR");
 }
 
 /// What stands at the server's address, and speaks the protocol after ours.
