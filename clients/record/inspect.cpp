@@ -6,6 +6,7 @@
 
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/reader.h"
+#include "support/program/json.h"
 #include "support/program/log.h"
 
 namespace telepalp::record {
