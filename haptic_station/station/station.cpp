@@ -9,6 +9,7 @@
 #include "haptic_station/station/rigs/scene_rig.h"
 #include "haptic_station/station/threads/bill.h"
 #include "haptic_station/station/threads/cost_clock.h"
+#include "haptic_station/station/threads/timer_check.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/viewer_hand.h"
 #include "support/program/ending.h"
@@ -112,10 +113,10 @@ Result<void> Station::run() {
     program::end_within(program::kTimeToEnd, "telepalp-station: did not end in time");
     stop("asked to end");
   });
-  if (const Result<void> listening = faults_.listen(); !listening) {
-    if (options_.control_is_asked_for) return listening.error();
-    say("no control socket, and so no telepalp-station rearm: " + to_string(listening.error()));
-  }
+  if (const Result<void> listening = faults_.listen(); !listening) return listening.error();
+  const msg::TimerCheck idle_timer = watch_idle_timer(kTimerWatched);
+  say(in_words(idle_timer));
+  telemetry_.set_idle_timer(idle_timer);
   started_ = std::chrono::steady_clock::now();
   link_.start();
   if (options_.model) touch_model();

@@ -53,6 +53,7 @@ void TelemetryPublisher::tell_totals(SessionTime now, const HapticCounts& counts
   msg::StationStats stats = totals_.message();
   stats.set_stamp_ns(stamp(now));
   stats.set_realtime(realtime);
+  if (idle_timer_) *stats.mutable_idle_timer() = *idle_timer_;
   for (const msg::EffectCost& cost : bill) *stats.add_bill() = cost;
   publish_(wire::make_message(wire::kStationStats, now, stats));
 }

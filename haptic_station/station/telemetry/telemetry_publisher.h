@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "haptic_station/station/telemetry/telemetry.h"
@@ -25,7 +26,10 @@ class TelemetryPublisher {
   void tell_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped, bool realtime,
                    const std::vector<msg::EffectCost>& bill);
 
-  /// Publishes an event other than a phase change.
+  /// From now on the totals tell of it.
+  void set_idle_timer(const msg::TimerCheck& check) { idle_timer_ = check; }
+
+  /// Something else happened.
   void tell_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
   void frame_received() noexcept { totals_.frame_received(); }
@@ -39,6 +43,7 @@ class TelemetryPublisher {
   RunTotals totals_;
   std::vector<TickSample> batch_;
   TickSample last_;
+  std::optional<msg::TimerCheck> idle_timer_;
   bool has_ticked_ = false;
 };
 
