@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/asio/post.hpp>
 #include <limits>
+#include <random>
 #include <utility>
 
 #include "proto/words/demand.h"
@@ -20,6 +21,11 @@ constexpr auto kConnectDeadline = 3s;
 constexpr int kEagerProbes = 8;  // quickly, so that the clock is good when the first image comes
 constexpr auto kEagerProbePeriod = 20ms;
 constexpr auto kProbePeriod = 1s;
+
+std::uint64_t random_number() {
+  std::random_device random;
+  return (std::uint64_t{random()} << 32U) | random();
+}
 
 bool waits_for_a_connection(const Topic& topic) noexcept { return topic.name == kStationEvents.name; }
 
@@ -58,6 +64,7 @@ ClientLink::ClientLink(boost::asio::io_context& io, Options options, Handlers ha
     : io_(io),
       options_(std::move(options)),
       handlers_(std::move(handlers)),
+      run_(random_number()),
       resolver_(io),
       connecting_(io),
       retry_(io),
@@ -152,7 +159,9 @@ void ClientLink::connect_to(const tcp::endpoint& endpoint) {
         ConnectionOwner& owner = *this;
         connection_ = std::make_shared<Connection>(
             plain_tcp(std::move(connecting_)),
-            Connection::Options{.name = options_.name, .role = options_.role, .publishes = options_.publishes}, owner);
+            Connection::Options{
+                .name = options_.name, .role = options_.role, .run = run_, .publishes = options_.publishes},
+            owner);
         connection_->start();
       }));
 }

@@ -123,6 +123,7 @@ class ClientLink : private ConnectionOwner {
   boost::asio::io_context& io_;
   Options options_;
   Handlers handlers_;
+  const std::uint64_t run_;  // by it a server knows this link again after a reconnection
   LinkState state_ = LinkState::Stopped;
   std::shared_ptr<Connection> connection_;  // shared with its pending operations; null between connections
   std::string peer_name_;

@@ -36,11 +36,12 @@ std::uint32_t channel_of(const std::vector<Topic>& publishes, const Topic& topic
   return static_cast<std::uint32_t>(found - publishes.begin()) + 1;
 }
 
-msg::Control hello(const std::string& name, const std::string& role) {
+msg::Control hello(const std::string& name, const std::string& role, std::uint64_t run) {
   msg::Control control;
   control.mutable_hello()->set_protocol(kProtocolVersion);
   control.mutable_hello()->set_name(name);
   control.mutable_hello()->set_role(role);
+  control.mutable_hello()->set_run(run);
   return control;
 }
 
@@ -67,7 +68,7 @@ Connection::Connection(std::unique_ptr<ByteStream> stream, Options options, Conn
       parser_(kMaxHelloBytes) {}
 
 void Connection::start() {
-  send(hello(options_.name, options_.role));
+  send(hello(options_.name, options_.role, options_.run));
   send(advertise(options_.publishes));
   watch(kHandshakeDeadline, "no Hello within 5 s");
   read();

@@ -59,6 +59,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   struct Options {
     std::string name{};                                ///< of the program, told to the peer
     std::string role{};                                ///< technician, doctor, viewer, qa, server
+    std::uint64_t run = 0;                             ///< random number of this run of the program; 0: none
     std::vector<Topic> publishes{};                    ///< the topics that next_to_send() may give
     std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< taken from this peer once its Hello has come
     /// More is left in the kernel until its time comes, so that the peer is held up and nobody else; 0: no limit.

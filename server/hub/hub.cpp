@@ -23,10 +23,11 @@ bool is_latched(std::string_view topic) noexcept {
 
 }  // namespace
 
-SubscriberId Hub::join(std::string name, std::string address, std::function<void()> wake) {
+SubscriberId Hub::join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender) {
   Subscriber subscriber;
   subscriber.count.name = std::move(name);
   subscriber.count.address = std::move(address);
+  subscriber.count.sender = sender;
   subscriber.wake = std::move(wake);
   subscribers_.emplace(++last_id_, std::move(subscriber));
   return last_id_;

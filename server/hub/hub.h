@@ -32,7 +32,8 @@ class Hub {
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
 
   /// `wake` is called, on the publishing call, when the subscriber's queue stops being empty.
-  SubscriberId join(std::string name, std::string address, std::function<void()> wake);
+  /// `sender`: the number of this peer in what it publishes; 0: it publishes nothing.
+  SubscriberId join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender = 0);
   void leave(SubscriberId subscriber);
 
   /// Replaces what the subscriber listens to. A name ending in '*' is a prefix; unknown names are kept, for a
@@ -70,6 +71,7 @@ class Hub {
   struct SubscriberCount {
     std::string name;
     std::string address;
+    std::uint32_t sender = 0;
     TopicCounts topics;
     [[nodiscard]] std::uint64_t sent() const noexcept;
     [[nodiscard]] std::uint64_t dropped() const noexcept;

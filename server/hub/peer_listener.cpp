@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
+#include <random>
 #include <utility>
 
 #include "server/hub/peer.h"
@@ -45,6 +46,71 @@ Result<asio::ip::address> loopback_address(const std::string& address) {
                  .fix = "bind 127.0.0.1 or ::1, and carry it to the other site through a tunnel such as ssh -L"};
   return parsed;
 }
+
+/// One peer: its connection on one side, its place in the hub on the other.
+class PeerListener::Peer : public wire::ConnectionOwner {
+ public:
+  Peer(PeerListener& listener, PeerNumber number, tcp::socket socket)
+      : listener_(listener),
+        number_(number),
+        connection_(std::make_shared<wire::Connection>(
+            wire::plain_tcp(std::move(socket)),
+            wire::Connection::Options{.name = listener.options_.name,
+                                      .role = "server",
+                                      .publishes = {wire::kTopics.begin(), wire::kTopics.end()},
+                                      .max_payload_bytes = kMaxUpstreamBytes},
+            *this)) {
+    connection_->start();
+  }
+  ~Peer() override {
+    if (subscriber_) listener_.hub_.leave(subscriber_);
+    connection_->abandon();
+  }
+
+  void close(const std::string& reason) { connection_->close(reason); }
+  [[nodiscard]] std::uint32_t sender() const noexcept { return sender_; }
+
+ private:
+  bool accepts(const wire::Topic& topic) override { return may_publish_upstream(topic); }
+
+  void on_ready(const msg::Hello& peer) override {
+    name_ = peer.name();
+    sender_ = listener_.sender_number(peer.run());
+    subscriber_ = listener_.hub_.join(
+        name_, connection_->peer(), [this] { connection_->wake(); }, sender_);
+    listener_.note(name_ + " (" + peer.role() + ") joined from " + connection_->peer());
+  }
+  void on_subscribe(std::vector<std::string> topics) override { listener_.hub_.subscribe(subscriber_, topics); }
+  void on_message(wire::Message message) override {
+    if (is_valid_upstream(message)) return listener_.hub_.publish(with_sender(std::move(message), sender_));
+    ++listener_.counts_.invalid_messages;
+  }
+  void on_want_key(const wire::Topic& topic, SessionTime published) override {
+    listener_.hub_.want_key(subscriber_, topic, published);
+  }
+  void on_clock(const wire::ClockSample&) override {}  // a server's clock is the session's: it asks nobody
+  void on_closed(const std::string& reason) override {
+    leave_hub();
+    listener_.note((name_.empty() ? "a stranger" : name_) + " at " + connection_->peer() + " left: " + reason);
+    listener_.forget(number_);
+  }
+  std::optional<wire::Message> next_to_send() override { return listener_.hub_.next(subscriber_); }
+  SessionTime session_now() override { return listener_.clock_.now(); }
+
+  void leave_hub() {
+    if (!subscriber_) return;
+    if (listener_.options_.on_leaving) listener_.options_.on_leaving();
+    listener_.hub_.leave(std::exchange(subscriber_, 0));
+    sender_ = 0;  // free for this peer when it comes back
+  }
+
+  PeerListener& listener_;
+  PeerNumber number_;
+  std::string name_;
+  std::uint32_t sender_ = 0;                      // 0: it has not said Hello
+  SubscriberId subscriber_ = 0;                   // 0: not in the hub
+  std::shared_ptr<wire::Connection> connection_;  // shared with its pending operations
+};
 
 Result<std::unique_ptr<PeerListener>> PeerListener::listen(asio::io_context& io, Hub& hub,
                                                            const wire::SessionClock& clock, Options options) {
@@ -92,6 +158,17 @@ void PeerListener::admit(tcp::socket socket) {
   ++counts_.accepted;
   const PeerNumber number = ++last_number_;
   peers_.emplace(number, std::make_unique<Peer>(*this, number, std::move(socket)));
+}
+
+/// A peer that comes back keeps its number; two that are here at once never share one, whatever they say.
+std::uint32_t PeerListener::sender_number(std::uint64_t run) const {
+  const auto is_free = [this](std::uint32_t number) {
+    return number != 0 && std::none_of(peers_.begin(), peers_.end(),
+                                       [&](const auto& peer) { return peer.second->sender() == number; });
+  };
+  auto number = static_cast<std::uint32_t>(run ^ (run >> 32U));
+  for (std::random_device random; !is_free(number);) number = random();
+  return number;
 }
 
 void PeerListener::forget(PeerNumber number) {

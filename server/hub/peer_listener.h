@@ -63,6 +63,7 @@ class PeerListener {
   void accept();
   void admit(boost::asio::ip::tcp::socket socket);
   void forget(PeerNumber number);
+  [[nodiscard]] std::uint32_t sender_number(std::uint64_t run) const;
   void note(const std::string& text) const;
   void note_refusal(const std::string& text);
   [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: strangers

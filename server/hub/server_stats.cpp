@@ -21,6 +21,7 @@ msg::ServerStats server_stats(const Hub& hub, SessionTime now) {
     msg::ServerStats::PerSubscriber& row = *stats.add_subscribers();
     row.set_name(subscriber.name);
     row.set_address(subscriber.address);
+    row.set_sender(subscriber.sender);
     row.set_sent(subscriber.sent());
     row.set_dropped(subscriber.dropped());
     for (const auto& [topic, count] : subscriber.topics) fill(*row.add_topics(), topic, count);

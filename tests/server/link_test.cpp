@@ -54,6 +54,48 @@ TEST(Link, WhatAStationPublishesComesToTheOtherSubscribers) {
   EXPECT_EQ(viewer.messages[0].published, session_time(42));
 }
 
+std::uint32_t sender_of(const wire::Message& message) {
+  msg::StationState state;
+  EXPECT_TRUE(state.ParseFromString(*message.payload));
+  return state.sender();
+}
+
+TEST(Link, EachPeersMessagesCarryItsOwnNumberWhateverItWrites) {
+  Site site;
+  Client station(site, {}, "station");
+  Client forger(site, {}, "forger");
+  Client viewer(site, {"/station/*"}, "viewer");
+  ASSERT_TRUE(site.run_until([&] { return station.connected() && forger.connected() && viewer.connected(); }));
+  EXPECT_TRUE(station.link.publish(station_state(1)));
+  ASSERT_TRUE(site.run_until([&] { return viewer.messages.size() == 1; }));
+  const std::uint32_t number = sender_of(viewer.messages[0]);
+  EXPECT_NE(number, 0U);
+  msg::StationState forged;
+  forged.set_sender(number);
+  EXPECT_TRUE(forger.link.publish(wire::make_message(wire::kStationState, session_time(2), forged)));
+  ASSERT_TRUE(site.run_until([&] { return viewer.messages.size() == 2; }));
+  EXPECT_NE(sender_of(viewer.messages[1]), number);
+  const auto subscribers = site.hub.subscriber_counts();
+  EXPECT_TRUE(std::any_of(subscribers.begin(), subscribers.end(),
+                          [&](const auto& count) { return count.name == "station" && count.sender == number; }));
+}
+
+TEST(Link, APeerThatComesBackHasTheSameNumber) {
+  Site site;
+  Client station(site, {"/station/*"}, "station");
+  ASSERT_TRUE(site.run_until([&] { return station.connected(); }));
+  EXPECT_TRUE(station.link.publish(station_state(1)));
+  ASSERT_TRUE(site.run_until([&] { return station.messages.size() == 1; }));
+  const std::uint16_t port = site.listener->port();
+  site.listener->close("stopped for the test");
+  ASSERT_TRUE(site.run_until([&] { return site.listener->peers() == 0 && !station.connected(); }));
+  site.listener = site.listen(port);
+  ASSERT_TRUE(site.run_until([&] { return station.connected(); }));
+  EXPECT_TRUE(station.link.publish(station_state(2)));
+  ASSERT_TRUE(site.run_until([&] { return station.messages.size() == 2; }));
+  EXPECT_EQ(sender_of(station.messages[1]), sender_of(station.messages[0]));
+}
+
 TEST(Link, ALateJoinerIsGivenTheCameraModelAndStatus) {
   Site site;
   site.hub.publish(message(wire::kCameraInfo, "info"));
