@@ -46,7 +46,7 @@ std::string check_card(const Check& check) {
 
 std::string first_screen(const Session& session, const Summary& summary, const Verdict& verdict) {
   std::string out = "<h1>telepalp: report of a run</h1>\n<p class=\"from\">" + escaped(session.name) +
-                    (session.origin.empty() ? "" : " · " + escaped(session.origin)) + " · " +
+                    (source_of(session).empty() ? "" : " · " + escaped(source_of(session))) + " · " +
                     number(summary.seconds, 1) + " s · " + std::to_string(session.messages) + " messages</p>\n";
   const char* const look = verdict.good ? "" : summary.ticks > 0 ? " look" : " none";
   out += "<div class=\"verdict" + std::string(look) + "\"><div class=\"headline\">" + escaped(verdict.headline) +
@@ -127,6 +127,18 @@ std::string timing_sections(const Session& session, const Summary& summary) {
                        table({"effect", "mean [µs]", "max [µs]", "of the period"}, rows));
 }
 
+std::string senders_section(const Summary& summary) {
+  if (summary.senders.size() < 2) return "";
+  const auto count = [](const std::optional<std::uint64_t>& value) { return value ? std::to_string(*value) : "–"; };
+  std::vector<std::vector<std::string>> rows;
+  for (const SenderSummary& sender : summary.senders)
+    rows.push_back({in_words(sender), std::to_string(sender.messages), std::to_string(sender.ticks),
+                    std::to_string(sender.touches), count(sender.frames_sent), count(sender.frames_received),
+                    count(sender.frames_dropped)});
+  return section("Senders", "Who spoke as a station. All other figures of this page are those of the first alone.",
+                 table({"sender", "messages", "ticks", "touches", "frames sent to it", "received", "dropped"}, rows));
+}
+
 std::string events_section(const Session& session) {
   constexpr std::size_t kMost = 60;
   std::vector<std::vector<std::string>> rows;
@@ -154,8 +166,9 @@ std::string report_html(const Session& session, const Summary& summary, const Ve
   return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>telepalp: " +
          escaped(session.name) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n" +
-         first_screen(session, summary, verdict) + view_section(session, view_png) + motion_sections(session) +
-         states_section(summary) + timing_sections(session, summary) + events_section(session) + "</body></html>\n";
+         first_screen(session, summary, verdict) + senders_section(summary) + view_section(session, view_png) +
+         motion_sections(session) + states_section(summary) + timing_sections(session, summary) +
+         events_section(session) + "</body></html>\n";
 }
 
 }  // namespace telepalp::report

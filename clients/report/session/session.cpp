@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "codec/depth.h"
 #include "foxglove/CompressedImage.pb.h"
@@ -49,16 +50,80 @@ bool add_ticks(Ticks& ticks, const msg::StationTicks& batch) {
 }
 
 /// Reads the payload as `Proto` and hands it to `take`, whose answer says whether it made sense.
+SenderRecord& record_of(Session& session, std::uint32_t sender) {
+  if (session.sent_messages == 0) session.sender = sender;
+  if (session.sender == sender) return session;
+  SenderRecord& other = session.others[sender];
+  other.sender = sender;
+  return other;
+}
+
 template <class Proto, class Take>
 bool read(const wire::Message& message, Take take) {
   Proto proto;
   return proto.ParseFromString(*message.payload) && take(proto);
 }
 
+/// A message of a station, kept in the list `list` of its sender.
 template <class Proto>
-bool keep_all(const wire::Message& message, std::vector<Proto>& list) {
+bool keep_all(Session& session, const wire::Message& message, std::vector<Proto> SenderRecord::*list) {
   return read<Proto>(message, [&](Proto& proto) {
-    list.push_back(std::move(proto));
+    SenderRecord& record = record_of(session, proto.sender());
+    ++record.sent_messages;
+    (record.*list).push_back(std::move(proto));
+    return true;
+  });
+}
+
+bool keep_ticks(Session& session, const wire::Message& message) {
+  return read<msg::StationTicks>(message, [&](const auto& batch) {
+    SenderRecord& record = record_of(session, batch.sender());
+    ++record.sent_messages;
+    return add_ticks(record.ticks, batch);
+  });
+}
+
+/// A station whose ticks take no longer than the recording so far was started while it was recorded.
+bool started_here(const Session& session, std::uint64_t ticks, SessionTime told) {
+  constexpr double kSlack_s = 0.5, kPeriod_s = 5e-4;
+  const double recorded_s = to_seconds(Nanoseconds(to_nanoseconds(told) - session.first_ns.value_or(0)));
+  return static_cast<double>(ticks) * kPeriod_s <= recorded_s + kSlack_s;
+}
+
+bool keep_stats(Session& session, const wire::Message& message) {
+  return read<msg::StationStats>(message, [&](msg::StationStats& stats) {
+    SenderRecord& record = record_of(session, stats.sender());
+    if (!record.station_stats) record.began_here = started_here(session, stats.ticks(), message.published);
+    ++record.sent_messages;
+    record.frames_received.add(stats.frames_received(), record.began_here);
+    record.deadlines_missed.add(stats.deadlines_missed(), record.began_here);
+    record.telemetry_dropped.add(stats.telemetry_dropped(), record.began_here);
+    record.station_stats = std::move(stats);
+    return true;
+  });
+}
+
+void add_subscriber(Session& session, const msg::ServerStats::PerSubscriber& subscriber) {
+  const auto [place, is_new] =
+      session.subscriptions.try_emplace({subscriber.name(), subscriber.address()}, Subscription{});
+  Subscription& known = place->second;
+  known.sender = subscriber.sender();
+  known.name = subscriber.name();
+  known.address = subscriber.address();
+  if (is_new) known.was_there_first = !session.heard_server_stats;
+  for (const msg::ServerStats::PerTopic& topic : subscriber.topics()) {
+    if (topic.topic() != wire::kCameraDepth.name) continue;
+    if (is_new) known.depth_sent_before = topic.sent();
+    if (is_new) known.depth_dropped_before = topic.dropped();
+    known.depth_sent.add(topic.sent(), !known.was_there_first);
+    known.depth_dropped.add(topic.dropped(), !known.was_there_first);
+  }
+}
+
+bool keep_server_stats(Session& session, const wire::Message& message) {
+  return read<msg::ServerStats>(message, [&](const msg::ServerStats& stats) {
+    for (const auto& subscriber : stats.subscribers()) add_subscriber(session, subscriber);
+    session.heard_server_stats = true;
     return true;
   });
 }
@@ -73,14 +138,13 @@ bool keep_last(const wire::Message& message, std::optional<Proto>& last) {
 
 bool add_readable(Session& session, const wire::Message& message) {
   const std::string_view topic = message.topic.name;
-  if (topic == wire::kStationTicks.name)
-    return read<msg::StationTicks>(message, [&](const auto& batch) { return add_ticks(session.ticks, batch); });
-  if (topic == wire::kStationState.name) return keep_all(message, session.states);
-  if (topic == wire::kStationSurface.name) return keep_all(message, session.surfaces);
-  if (topic == wire::kStationCompensation.name) return keep_all(message, session.compensations);
-  if (topic == wire::kStationEvents.name) return keep_all(message, session.events);
-  if (topic == wire::kStationStats.name) return keep_last(message, session.station_stats);
-  if (topic == wire::kServerStats.name) return keep_last(message, session.server_stats);
+  if (topic == wire::kStationTicks.name) return keep_ticks(session, message);
+  if (topic == wire::kStationState.name) return keep_all(session, message, &SenderRecord::states);
+  if (topic == wire::kStationSurface.name) return keep_all(session, message, &SenderRecord::surfaces);
+  if (topic == wire::kStationCompensation.name) return keep_all(session, message, &SenderRecord::compensations);
+  if (topic == wire::kStationEvents.name) return keep_all(session, message, &SenderRecord::events);
+  if (topic == wire::kStationStats.name) return keep_stats(session, message);
+  if (topic == wire::kServerStats.name) return keep_server_stats(session, message);
   if (topic == wire::kCameraStatus.name) return keep_last(message, session.capture);
   if (topic == wire::kCameraInfo.name)
     return read<foxglove::CameraCalibration>(message, [&](const auto& calibration) {
@@ -112,6 +176,29 @@ void add(Session& session, const wire::Message& message) {
   session.last_ns = std::max(session.last_ns.value_or(at), at);
   ++session.messages;
   if (!add_readable(session, message)) ++session.damaged;
+}
+
+void Growth::add(std::uint64_t value, bool began_here) noexcept {
+  if (!last_) grown_ = began_here ? value : 0;
+  if (last_) grown_ += value >= *last_ ? value - *last_ : value;
+  last_ = value;
+}
+
+void settle(Session& session) {
+  const auto weight = [](const SenderRecord& record) { return std::pair(record.ticks.size(), record.states.size()); };
+  SenderRecord* most = &session;
+  for (auto& [sender, other] : session.others)
+    if (weight(other) > weight(*most)) most = &other;
+  if (most == &session) return;
+  SenderRecord chosen = std::move(*most);
+  session.others.erase(chosen.sender);
+  SenderRecord& own = session;
+  SenderRecord before = std::exchange(own, std::move(chosen));
+  session.others.insert_or_assign(before.sender, std::move(before));
+}
+
+std::string source_of(const Session& session) {
+  return session.capture && !session.capture->source().empty() ? session.capture->source() : session.origin;
 }
 
 double seconds(const Session& session) noexcept {

@@ -34,17 +34,49 @@ struct Ticks {
   [[nodiscard]] std::size_t size() const noexcept { return at_ns.size(); }
 };
 
-/// What a session file tells, as values. Pictures are not kept: a long session would not fit into memory.
-struct Session {
-  std::string name;    ///< of the file, without folders
-  std::string origin;  ///< what was recorded, as the file says; empty when it does not
+/// A count that others keep since they started, as it grew while it was recorded. When it falls, it began again at 0.
+class Growth {
+ public:
+  /// `began_here`: the first value was counted within the recording, too.
+  void add(std::uint64_t value, bool began_here) noexcept;
+  [[nodiscard]] std::uint64_t in_recording() const noexcept { return grown_; }
+
+ private:
+  std::uint64_t grown_ = 0;
+  std::optional<std::uint64_t> last_;
+};
+
+/// What one sender told on the topics of a station.
+struct SenderRecord {
+  std::uint32_t sender = 0;  ///< its number, given by the server; 0: the session does not tell
+  std::uint64_t sent_messages = 0;
   Ticks ticks;
   std::vector<msg::StationState> states;
   std::vector<msg::SurfaceReport> surfaces;
   std::vector<msg::StationCompensation> compensations;
   std::vector<msg::StationEvent> events;
-  std::optional<msg::StationStats> station_stats;                   ///< the last
-  std::optional<msg::ServerStats> server_stats;                     ///< the last
+  std::optional<msg::StationStats> station_stats;  ///< the last
+  bool began_here = false;                         ///< it was started while it was recorded
+  Growth frames_received, deadlines_missed, telemetry_dropped;
+};
+
+/// One connection to the server, as /server/stats tells of it.
+struct Subscription {
+  std::uint32_t sender = 0;
+  std::string name, address;
+  bool was_there_first = false;  ///< when the recording began
+  Growth depth_sent, depth_dropped;
+  std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< in the first word of it
+};
+
+/// What a session file tells, as values. Pictures are not kept: a long session would not fit into memory. Its own
+/// SenderRecord is the one that the report is about: after settle(), of the sender with the most ticks.
+struct Session : SenderRecord {
+  std::string name;    ///< of the file, without folders
+  std::string origin;  ///< what was recorded, as the file says; empty when it does not
+  std::map<std::uint32_t, SenderRecord> others;
+  std::map<std::pair<std::string, std::string>, Subscription> subscriptions;  ///< by name and address
+  bool heard_server_stats = false;
   std::optional<msg::CaptureStatus> capture;                        ///< the last
   std::map<std::string, foxglove::CameraCalibration> calibrations;  ///< the last by frame
   std::vector<std::int64_t> depth_captured_ns;
@@ -59,6 +91,12 @@ struct Session {
 
 /// Adds one message to the session. One that cannot be read is counted as damaged.
 void add(Session& session, const wire::Message& message);
+
+/// Call it after the last message.
+void settle(Session& session);
+
+/// What the patient was, by the best that the session knows: the server's source, else the recorder's word.
+[[nodiscard]] std::string source_of(const Session& session);
 
 /// Length of the session [s]; 0 when empty.
 [[nodiscard]] double seconds(const Session& session) noexcept;

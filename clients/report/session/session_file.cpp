@@ -84,6 +84,7 @@ Result<Session> read_session(const std::filesystem::path& file) {
     if (!message.value()) break;
     add(session, **message);
   }
+  settle(session);
   if (session.messages == 0)
     return Error{.what = "holds no message of telepalp",
                  .where = file.string(),

@@ -53,6 +53,42 @@ void add_bill(Json& json, const Summary& summary) {
   json.end_list();
 }
 
+void add_count(Json& json, std::string_view key, const std::optional<std::uint64_t>& count) {
+  if (count)
+    json.add(key, *count);
+  else
+    json.add_null(key);
+}
+
+void add_senders(Json& json, const Summary& summary) {
+  json.begin_list("senders");
+  for (const SenderSummary& sender : summary.senders) {
+    json.begin_object();
+    json.add("sender", std::uint64_t{sender.sender});
+    json.add("name", sender.name);
+    json.add("address", sender.address);
+    json.add("messages", sender.messages);
+    json.add("ticks", sender.ticks);
+    json.add("touches", sender.touches);
+    json.add("force_max_N", sender.force_max_N);
+    json.begin_object("frames");
+    add_count(json, "sent", sender.frames_sent);
+    add_count(json, "received", sender.frames_received);
+    add_count(json, "dropped", sender.frames_dropped);
+    json.end_object();
+    json.end_object();
+  }
+  json.end_list();
+}
+
+void add_idle_timer(Json& json, const Summary& summary) {
+  if (!summary.idle_timer) return json.add_null("idle_timer");
+  json.begin_object("idle_timer");
+  json.add("wakeups", summary.idle_timer->wakeups);
+  json.add("missed", summary.idle_timer->missed);
+  json.end_object();
+}
+
 void add_verdict(Json& json, const Verdict& verdict) {
   json.begin_object("verdict");
   json.add("good", verdict.good);
@@ -80,7 +116,8 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   Json json;
   json.begin_object();
   json.add("session", session.name);
-  json.add("source", session.origin);
+  json.add("source", source_of(session));
+  json.add("recorded_from", session.origin);
   json.add("seconds", summary.seconds);
   json.add("ticks", summary.ticks);
   add_quantiles(json, "tick_us", summary.tick_us, true);
@@ -124,6 +161,8 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.end_object();
   json.add("non_finite", summary.non_finite);
   json.add("damaged_messages", summary.damaged_messages);
+  add_idle_timer(json, summary);
+  add_senders(json, summary);
   add_bill(json, summary);
   add_verdict(json, verdict);
   json.end_object();

@@ -126,9 +126,9 @@ void add_ticks(Summary& summary, const Ticks& ticks) {
 void add_stats(Summary& summary, const Session& session) {
   if (!session.station_stats) return;
   const msg::StationStats& stats = *session.station_stats;
-  summary.deadlines_missed = stats.deadlines_missed();
-  summary.telemetry_dropped = stats.telemetry_dropped();
-  summary.frames_received = stats.frames_received();
+  summary.deadlines_missed = session.deadlines_missed.in_recording();
+  summary.telemetry_dropped = session.telemetry_dropped.in_recording();
+  if (stats.has_idle_timer()) summary.idle_timer = {stats.idle_timer().wakeups(), stats.idle_timer().missed()};
   summary.realtime = stats.realtime();
   summary.bill.assign(stats.bill().begin(), stats.bill().end());
   if (session.ticks.size() > 0) return;
@@ -145,17 +145,53 @@ wire::DepthFidelity depth_of(const Session& session) {
   return touched.mode.empty() && !touched.moved ? session.depth : touched;
 }
 
-void add_frames(Summary& summary, const Session& session) {
-  if (!session.server_stats) return;
-  const auto take = [&](const msg::ServerStats::PerTopic& topic) {
-    if (topic.topic() != wire::kCameraDepth.name) return;
-    summary.frames_sent = topic.sent();
-    summary.frames_dropped = topic.dropped();
-  };
-  for (const auto& topic : session.server_stats->topics()) take(topic);
-  for (const auto& subscriber : session.server_stats->subscribers())
-    if (subscriber.name().find("station") != std::string::npos)
-      for (const auto& topic : subscriber.topics()) take(topic);
+/// Whether the subscription is the sender's; a session of an older server tells only names.
+bool is_of(const Subscription& subscription, std::uint32_t sender) {
+  return sender != 0 ? subscription.sender == sender : subscription.name.find("station") != std::string::npos;
+}
+
+/// Over all connections of the sender: it may have reconnected.
+void add_frames(SenderSummary& summary, const Session& session, const SenderRecord& record) {
+  if (record.station_stats) summary.frames_received = record.frames_received.in_recording();
+  for (const auto& [key, subscription] : session.subscriptions) {
+    if (!is_of(subscription, record.sender)) continue;
+    const bool whole = subscription.was_there_first && record.began_here;
+    summary.name = subscription.name;
+    summary.address = subscription.address;
+    summary.frames_sent = summary.frames_sent.value_or(0) + subscription.depth_sent.in_recording() +
+                          (whole ? subscription.depth_sent_before : 0);
+    summary.frames_dropped = summary.frames_dropped.value_or(0) + subscription.depth_dropped.in_recording() +
+                             (whole ? subscription.depth_dropped_before : 0);
+  }
+}
+
+std::uint64_t touches_of(const Ticks& ticks) {
+  std::uint64_t touches = 0;
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+    if (words_for(ticks.phase[i]).contact && (i == 0 || !words_for(ticks.phase[i - 1]).contact)) ++touches;
+  return touches;
+}
+
+SenderSummary sender_summary(const Session& session, const SenderRecord& record) {
+  SenderSummary summary;
+  summary.sender = record.sender;
+  summary.messages = record.sent_messages;
+  summary.ticks = record.ticks.size();
+  summary.states = record.states.size();
+  summary.touches = touches_of(record.ticks);
+  summary.force_max_N = greatest(force_norm_N(record.ticks));
+  add_frames(summary, session, record);
+  return summary;
+}
+
+void add_senders(Summary& summary, const Session& session) {
+  if (session.sent_messages > 0) summary.senders.push_back(sender_summary(session, session));
+  for (const auto& [sender, other] : session.others) summary.senders.push_back(sender_summary(session, other));
+  if (summary.senders.empty()) return;
+  const SenderSummary& judged = summary.senders.front();
+  summary.frames_sent = judged.frames_sent;
+  summary.frames_received = judged.frames_received;
+  summary.frames_dropped = judged.frames_dropped;
 }
 
 }  // namespace
@@ -183,7 +219,7 @@ Summary summarise(const Session& session) {
   add_latencies(summary, session);
   add_compensation(summary, session);
   add_stats(summary, session);
-  add_frames(summary, session);
+  add_senders(summary, session);
   summary.depth = depth_of(session);
   return summary;
 }

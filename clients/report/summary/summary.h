@@ -16,6 +16,23 @@ struct Dwell {
   double seconds = 0.0;
 };
 
+/// What one sender on the topics of a station did, to tell several apart.
+struct SenderSummary {
+  std::uint32_t sender = 0;
+  std::string name, address;  ///< as the server knew them; empty when the session does not tell
+  std::uint64_t messages = 0, ticks = 0, states = 0, touches = 0;
+  double force_max_N = kUnknown;
+  std::optional<std::uint64_t> frames_sent, frames_received, frames_dropped;
+};
+
+/// The timer of the station's computer while the station only waited, before the run.
+struct IdleTimer {
+  std::uint64_t wakeups = 0, missed = 0;
+  [[nodiscard]] double missed_share() const noexcept {
+    return wakeups > 0 ? static_cast<double>(missed) / static_cast<double>(wakeups) : 0.0;
+  }
+};
+
 /// The figures of a run. kUnknown where the session does not hold what a figure needs.
 struct Summary {
   double seconds = 0.0;
@@ -25,6 +42,8 @@ struct Summary {
   std::optional<std::uint64_t> deadlines_missed;
   std::optional<std::uint64_t> telemetry_dropped;
   std::optional<bool> realtime;
+  std::optional<IdleTimer> idle_timer;
+  std::vector<SenderSummary> senders;  ///< on the topics of a station; the first is the one that the rest tells of
 
   std::optional<std::uint64_t> frames_sent;      ///< depth frames that the hub sent to the station
   std::optional<std::uint64_t> frames_received;  ///< by the station

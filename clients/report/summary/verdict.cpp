@@ -1,5 +1,6 @@
 #include "clients/report/summary/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "clients/report/summary/phases.h"
@@ -27,19 +28,46 @@ Check depth_check(const Summary& s) {
   return {"depth off, at 1 m", told ? off_mm : kUnknown, 0.0, "mm", true, meaning};
 }
 
+double missed_percent(const Summary& s) { return percent(known(s.deadlines_missed), static_cast<double>(s.ticks)); }
+
+/// Late ticks as the computer's timer alone would make them, but not more than there were.
+double of_the_timer_percent(const Summary& s) {
+  return s.idle_timer ? std::min(100.0 * s.idle_timer->missed_share(), missed_percent(s)) : 0.0;
+}
+
+std::string what_to_do(const Summary& s) {
+  const std::string rights = s.realtime && !*s.realtime
+                                 ? "give the station real-time priority (ulimit -r, or LimitRTPRIO of its service), "
+                                 : "";
+  return rights + "close other programs, or take a computer that is not shared";
+}
+
+/// Two checks where the idle timer was measured: what is left for telepalp, and what is the computer's.
+std::vector<Check> deadline_checks(const Summary& s) {
+  constexpr double kBudget = 0.1;
+  const std::string late = "the force was late more often than one tick in a thousand";
+  if (!s.idle_timer) return {{"missed deadlines, of ticks", missed_percent(s), kBudget, "%", true, late}};
+  const double timer = of_the_timer_percent(s);
+  const std::string watched = std::to_string(s.idle_timer->missed) + " of " + std::to_string(s.idle_timer->wakeups);
+  return {{"missed deadlines beyond the idle timer's, of ticks", missed_percent(s) - timer, kBudget, "%", true,
+           late + " beyond what this computer's idle timer explains (" + watched + " wake-ups)"},
+          {"missed by this computer's timer, of ticks", timer, kBudget, "%", true,
+           "its timer is late by itself: " + watched + " wake-ups were missed while the station only waited; " +
+               what_to_do(s),
+           true}};
+}
+
 /// Budgets: the force limit and rates are S1's (§II.A, §II.D); a frame is to be touchable before the next one comes
 /// (33 ms at 30 Hz) and, but for one in a hundred, within the 100 ms in which breathing moves the skin by less than
 /// 1 mm; a handful of late ticks on a machine without real-time rights is not felt: one in a thousand.
 std::vector<Check> checks_of(const Summary& s) {
   const double faulted = s.ticks > 0 ? static_cast<double>(s.dwells.back().entries) : kUnknown;
-  return {
+  std::vector<Check> checks{
       {"largest force", s.force_max_N, 10.0, "N", true, "the device was asked for more than its peak force"},
       {"not a number", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
        "a computation broke down"},
       {"faults", faulted, 0.0, "", true, "the station let go and stayed so"},
       {"control rate", s.ticks_per_s, 1990.0, "Hz", false, "the loop ran slower than its 2 kHz"},
-      {"missed deadlines, of ticks", percent(known(s.deadlines_missed), static_cast<double>(s.ticks)), 0.1, "%", true,
-       "the force was late more often than one tick in a thousand"},
       {"tick time, p99.9", s.tick_us.p999, 500.0, "µs", true, "a tick took longer than its period"},
       {"camera to hand, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
        "frames became touchable after the next one had come"},
@@ -49,6 +77,16 @@ std::vector<Check> checks_of(const Summary& s) {
        "the link or the station did not keep up"},
       depth_check(s),
   };
+  const std::vector<Check> deadlines = deadline_checks(s);
+  checks.insert(checks.begin() + 4, deadlines.begin(), deadlines.end());  // beside the control rate
+  return checks;
+}
+
+std::string timers_part(const Summary& s) {
+  const auto part = std::lround(of_the_timer_percent(s) * 0.01 * static_cast<double>(s.ticks));
+  return (part == 0 ? "none" : "about " + std::to_string(part)) +
+         " of them by this computer's own timer, which missed " + std::to_string(s.idle_timer->missed) + " of " +
+         std::to_string(s.idle_timer->wakeups) + " wake-ups while the station only waited";
 }
 
 std::string account_of(const Summary& s) {
@@ -68,18 +106,31 @@ std::string account_of(const Summary& s) {
   if (std::isfinite(s.surface_age_ms.p50))
     text += " The surface under the hand was typically " + readable(s.surface_age_ms.p50) + " ms old.";
   if (s.deadlines_missed)
-    text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) + " came too late.";
+    text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) + " came too late" +
+            (s.idle_timer && *s.deadlines_missed > 0 ? ", " + timers_part(s) : "") + ".";
   if (s.realtime && !*s.realtime) text += " The station ran without real-time rights.";
   return text;
+}
+
+std::string senders_warning(const Summary& s) {
+  if (s.senders.size() < 2) return "";
+  std::string text = std::to_string(s.senders.size()) + " senders spoke as a station:";
+  for (const SenderSummary& sender : s.senders)
+    text += (&sender == &s.senders.front() ? " " : ", ") + in_words(sender) + " (" + std::to_string(sender.ticks) +
+            " ticks, " + std::to_string(sender.states) + " states)";
+  return text + "; the figures are those of the first alone, and the others may be forged. ";
 }
 
 std::string headline_of(const std::vector<Check>& checks, bool judged) {
   std::string missed;
   int misses = 0;
+  bool only_the_computer = true;
   for (const Check& check : checks)
     if (check.standing() == Standing::Misses) {
       missed += (misses++ > 0 ? "; " : "") + check.meaning;
+      only_the_computer = only_the_computer && check.of_the_computer;
     }
+  if (misses > 0 && only_the_computer) return "Look at this computer, the run itself was good: " + missed + ".";
   if (misses > 0) return "Look at this run: " + missed + ".";
   return judged ? "The run was good: every figure keeps its budget." : "Nothing to judge: no station in this session.";
 }
@@ -91,13 +142,20 @@ Standing Check::standing() const noexcept {
   return (at_most ? value <= budget : value >= budget) ? Standing::Holds : Standing::Misses;
 }
 
+std::string in_words(const SenderSummary& sender) {
+  if (sender.name.empty()) return "sender " + std::to_string(sender.sender);
+  return sender.name + " at " + sender.address;
+}
+
 Verdict judge(const Summary& summary) {
   Verdict verdict;
   verdict.checks = checks_of(summary);
   const bool judged = summary.ticks > 0;
   verdict.good = judged;
   for (const Check& check : verdict.checks) verdict.good = verdict.good && check.standing() != Standing::Misses;
-  verdict.headline = headline_of(verdict.checks, judged);
+  verdict.good = verdict.good && summary.senders.size() < 2;
+  const std::string warning = senders_warning(summary);
+  verdict.headline = (warning.empty() ? "" : "Look at who spoke: " + warning) + headline_of(verdict.checks, judged);
   verdict.account = account_of(summary);
   return verdict;
 }

@@ -16,8 +16,9 @@ struct Check {
   double value = kUnknown;
   double budget = 0.0;
   std::string unit;
-  bool at_most = true;  ///< else the budget is the least that will do
-  std::string meaning;  ///< what it is to the doctor when it misses
+  bool at_most = true;           ///< else the budget is the least that will do
+  std::string meaning;           ///< what it is to the doctor when it misses
+  bool of_the_computer = false;  ///< no doing of telepalp's: the computer that the station runs on
 
   [[nodiscard]] Standing standing() const noexcept;
 };
@@ -29,6 +30,9 @@ struct Verdict {
   std::string account;   ///< what happened, in two or three sentences
   std::vector<Check> checks;
 };
+
+/// "telepalp-station at 127.0.0.1:40112"
+[[nodiscard]] std::string in_words(const SenderSummary& sender);
 
 [[nodiscard]] Verdict judge(const Summary& summary);
 

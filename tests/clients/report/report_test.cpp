@@ -85,6 +85,159 @@ TEST(Summary, FramesAreThoseOfTheStationNotOfEverySubscriber) {
   EXPECT_EQ(s.frames_received, 118U);
 }
 
+msg::StationStats totals(std::uint32_t sender, std::uint64_t ticks, std::uint64_t frames) {
+  msg::StationStats stats;
+  stats.set_sender(sender);
+  stats.set_ticks(ticks);
+  stats.set_frames_received(frames);
+  return stats;
+}
+
+/// What the server says of one connection of the station and of a recorder that is always there.
+msg::ServerStats connection(const std::string& address, std::uint32_t sender, std::uint64_t sent,
+                            std::uint64_t dropped) {
+  msg::ServerStats stats;
+  for (const bool is_station : {false, true}) {
+    msg::ServerStats::PerSubscriber& subscriber = *stats.add_subscribers();
+    subscriber.set_name(is_station ? "telepalp-station" : "telepalp-record");
+    subscriber.set_address(is_station ? address : "127.0.0.1:4000");
+    subscriber.set_sender(is_station ? sender : 99);
+    msg::ServerStats::PerTopic& depth = *subscriber.add_topics();
+    depth.set_topic("/camera/depth");
+    depth.set_sent(sent);
+    depth.set_dropped(dropped);
+    if (address.empty()) break;
+  }
+  return stats;
+}
+
+void tell(Session& session, const wire::Topic& topic, double at_s, const auto& proto) {
+  add(session, wire::make_message(topic, session_time(kMadeStart_ns + static_cast<std::int64_t>(at_s * 1e9)), proto));
+}
+
+TEST(Summary, CountsFramesOfAllConnectionsOfAStationThatCameBack) {
+  Session session;
+  tell(session, wire::kServerStats, 0.0, connection("", 0, 5, 0));
+  tell(session, wire::kServerStats, 10.0, connection("127.0.0.1:5001", 7, 280, 20));
+  tell(session, wire::kStationStats, 10.0, totals(7, 20'000, 279));
+  tell(session, wire::kServerStats, 15.0, connection("127.0.0.1:5002", 7, 83, 0));
+  tell(session, wire::kStationStats, 15.0, totals(7, 30'000, 362));
+  settle(session);
+  const Summary s = summarise(session);
+  EXPECT_EQ(s.frames_sent, 363U);
+  EXPECT_EQ(s.frames_received, 362U);
+  EXPECT_EQ(s.frames_dropped, 20U);
+  EXPECT_EQ(s.senders.size(), 1U) << "a station that comes back is the same sender";
+}
+
+TEST(Summary, CountsOnlyWhatHappenedWhileItWasRecorded) {
+  Session session;
+  tell(session, wire::kServerStats, 0.0, connection("127.0.0.1:5001", 7, 3000, 10));
+  tell(session, wire::kStationStats, 0.5, totals(7, 200'000, 3010));
+  tell(session, wire::kServerStats, 5.0, connection("127.0.0.1:5001", 7, 3150, 12));
+  tell(session, wire::kStationStats, 5.5, totals(7, 210'000, 3160));
+  settle(session);
+  const Summary s = summarise(session);
+  EXPECT_EQ(s.frames_sent, 150U);
+  EXPECT_EQ(s.frames_received, 150U);
+  EXPECT_EQ(s.frames_dropped, 2U);
+}
+
+TEST(Senders, AForgedStateIsToldApartAndIsAWarningOnTheFirstLine) {
+  Session session;
+  msg::StationState forged;
+  forged.set_sender(666);
+  forged.set_phase(msg::PHASE_IN_BODY);
+  forged.set_indentation_m(0.5);
+  tell(session, wire::kStationState, 0.0, forged);  // before the station's first word
+  for (wire::Message message : made_messages({.seconds = 2.0})) {
+    if (message.topic.name.starts_with("/station/")) {
+      msg::Sender sender;
+      sender.set_sender(7);
+      message.payload = std::make_shared<const std::string>(*message.payload + sender.SerializeAsString());
+    }
+    add(session, message);
+  }
+  tell(session, wire::kServerStats, 1.9, connection("127.0.0.1:5001", 7, 60, 0));
+  tell(session, wire::kServerStats, 2.0, connection("127.0.0.1:6660", 666, 0, 0));
+  settle(session);
+  EXPECT_EQ(session.sender, 7U);
+  const Summary s = summarise(session);
+  EXPECT_EQ(s.ticks, 4000U);
+  ASSERT_EQ(s.senders.size(), 2U);
+  EXPECT_EQ(s.senders[1].sender, 666U);
+  EXPECT_EQ(s.senders[1].messages, 1U);
+  const Verdict verdict = judge(s);
+  EXPECT_FALSE(verdict.good);
+  EXPECT_TRUE(
+      verdict.headline.starts_with("Look at who spoke: 2 senders spoke as a station: telepalp-station at "
+                                   "127.0.0.1:5001 (4000 ticks, 200 states), telepalp-station at "
+                                   "127.0.0.1:6660 (0 ticks, 1 states)"))
+      << verdict.headline;
+  EXPECT_NE(html_of(session).find("<h2>Senders"), std::string::npos);
+}
+
+TEST(Senders, TwoStationsAreNotMergedIntoOneVerdict) {
+  Session session;
+  const std::vector<wire::Message> messages = made_messages({.seconds = 4.0});
+  for (const std::uint32_t station : {1U, 2U})
+    for (wire::Message message : messages) {
+      if (!message.topic.name.starts_with("/station/")) continue;
+      msg::Sender sender;
+      sender.set_sender(station);
+      message.payload = std::make_shared<const std::string>(*message.payload + sender.SerializeAsString());
+      add(session, message);
+    }
+  settle(session);
+  const Summary s = summarise(session);
+  EXPECT_EQ(s.touches, 2U);
+  EXPECT_EQ(s.ticks, 8000U);
+  ASSERT_EQ(s.senders.size(), 2U);
+  EXPECT_EQ(s.senders[1].touches, 2U);
+}
+
+TEST(Source, IsWhatTheServerCapturedAndNotWhereTheRecorderConnectedTo) {
+  Session session = session_of({.seconds = 1.0});
+  session.origin = "127.0.0.1:45633";
+  msg::CaptureStatus status;
+  status.set_source("synthetic:torso,amplitude_mm=8");
+  session.capture = status;
+  EXPECT_NE(json_of(session).find("\"source\": \"synthetic:torso,amplitude_mm=8\""), std::string::npos);
+  EXPECT_NE(html_of(session).find("synthetic:torso,amplitude_mm=8"), std::string::npos);
+  session.capture.reset();
+  EXPECT_NE(json_of(session).find("\"source\": \"127.0.0.1:45633\""), std::string::npos);
+}
+
+/// A run of 8000 ticks of which `missed` were late, on a computer whose idle timer missed `idle` of 2000.
+Verdict with_late_ticks(std::uint64_t missed, std::uint64_t idle, bool realtime = false) {
+  Summary summary = summarise(session_of({.seconds = 4.0}));
+  summary.deadlines_missed = missed;
+  summary.idle_timer = IdleTimer{.wakeups = 2000, .missed = idle};
+  summary.realtime = realtime;
+  return judge(summary);
+}
+
+TEST(IdleTimer, ExplainsLateTicksThatAreTheComputersAndSaysWhatToDo) {
+  const Verdict verdict = with_late_ticks(18, 5);
+  EXPECT_TRUE(
+      verdict.headline.starts_with("Look at this computer, the run itself was good: its timer is late by "
+                                   "itself: 5 of 2000 wake-ups"))
+      << verdict.headline;
+  EXPECT_NE(verdict.headline.find("real-time priority"), std::string::npos);
+  EXPECT_NE(verdict.account.find("18 came too late, about 18 of them by this computer's own timer"), std::string::npos)
+      << verdict.account;
+  EXPECT_EQ(with_late_ticks(18, 5, true).headline.find("real-time priority"), std::string::npos);
+}
+
+TEST(IdleTimer, DoesNotExcuseTicksThatTheRunItselfMadeLate) {
+  const Verdict verdict = with_late_ticks(80, 1);
+  EXPECT_TRUE(
+      verdict.headline.starts_with("Look at this run: the force was late more often than one tick in a "
+                                   "thousand beyond what this computer's idle timer explains (1 of 2000"))
+      << verdict.headline;
+  EXPECT_NE(verdict.account.find("about 4 of them"), std::string::npos) << verdict.account;
+}
+
 TEST(Summary, LatencyStagesAddUpToTheWhole) {
   const Summary s = summarise(session_of({}));
   EXPECT_NEAR(s.capture_to_encoded_ms.p50, 3.0, 0.001);
