@@ -113,7 +113,10 @@ Result<void> Station::run() {
     program::end_within(program::kTimeToEnd, "telepalp-station: did not end in time");
     stop("asked to end");
   });
-  if (const Result<void> listening = faults_.listen(); !listening) return listening.error();
+  if (const Result<void> listening = faults_.listen(); !listening) {
+    if (options_.control_is_asked_for) return listening.error();
+    say("no control socket, and so no telepalp-station rearm: " + to_string(listening.error()));
+  }
   const msg::TimerCheck idle_timer = watch_idle_timer(kTimerWatched);
   say(in_words(idle_timer));
   telemetry_.set_idle_timer(idle_timer);

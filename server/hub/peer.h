@@ -37,6 +37,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   }
 
   void close(const std::string& reason) { connection_->close(reason); }
+  [[nodiscard]] std::uint32_t sender() const noexcept { return sender_; }
 
   /// nullopt: it has not greeted yet, or was refused.
   [[nodiscard]] std::optional<PlaceKind> place() const noexcept { return place_; }
@@ -59,7 +60,9 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     const std::size_t places = listener_.options_.places.of(kind);
     if (listener_.taken(kind) >= places) return refuse(full_house(kind, places));
     place_ = kind;
-    subscriber_ = listener_.hub_.join(name_, connection_->peer(), [this] { connection_->wake(); });
+    sender_ = listener_.sender_number(peer.run());
+    subscriber_ = listener_.hub_.join(
+        name_, connection_->peer(), [this] { connection_->wake(); }, sender_);
     listener_.note(name_ + " (" + peer.role() + ") joined from " + connection_->peer());
   }
   void refuse(const std::string& reason) {
@@ -74,7 +77,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   void on_message(wire::Message message) override {
     useful_ = Clock::now();
     if (!rates_.passes(message, useful_)) return on_over_rate(message.topic);
-    if (is_valid_upstream(message)) return listener_.hub_.publish(std::move(message));
+    if (is_valid_upstream(message)) return listener_.hub_.publish(with_sender(std::move(message), sender_));
     ++listener_.counts_.invalid_messages;
   }
   void on_over_rate(const wire::Topic& topic) {
@@ -101,6 +104,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     if (!subscriber_) return;
     if (listener_.options_.on_leaving) listener_.options_.on_leaving();
     listener_.hub_.leave(std::exchange(subscriber_, 0));
+    sender_ = 0;  // free for this peer when it comes back
   }
 
   PeerListener& listener_;
@@ -112,6 +116,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   Clock::time_point useful_{};  // when it last published, subscribed or greeted
   UpstreamRates rates_;
   bool over_rate_noted_ = false;
+  std::uint32_t sender_ = 0;                      // 0: it has not said Hello
   SubscriberId subscriber_ = 0;                   // 0: not in the hub
   std::shared_ptr<wire::Connection> connection_;  // shared with its pending operations
 };

@@ -45,6 +45,24 @@ bool is_valid_upstream(const wire::Message& message) {
   return allowed && message.payload->size() <= kMaxUpstreamBytes && allowed->parses(*message.payload);
 }
 
+Rate upstream_rate(const wire::Topic& topic) {
+  constexpr double kBurstMessages = 512;  // a client's queue holds 256 of a topic
+  constexpr double kLeastBurst = 256 * kKiB;
+  const Allowed* allowed = find(topic);
+  demand(allowed != nullptr, "only what may be published has a rate");
+  return {.messages_per_s = allowed->messages_per_s,
+          .bytes_per_s = allowed->bytes_per_s,
+          .burst_messages = kBurstMessages,
+          .burst_bytes = std::max(kLeastBurst, 2.0 * allowed->bytes_per_s)};
+}
+
+bool UpstreamRates::passes(const wire::Message& message, RateLimiter::TimePoint now) {
+  auto found = limiters_.find(message.topic.name);
+  if (found == limiters_.end())
+    found = limiters_.emplace(message.topic.name, RateLimiter(upstream_rate(message.topic))).first;
+  return found->second.passes(message.payload->size(), now);
+}
+
 wire::Message with_sender(wire::Message message, std::uint32_t sender) {
   msg::Sender field;  // Protobuf: of a field that comes twice, the last one counts
   field.set_sender(sender);

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string_view>
 
 #include "proto/wire/message.h"
 #include "server/hub/rate_limit.h"
@@ -21,6 +23,19 @@ inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 /// Whether `message` is of an allowed topic and its payload really is a message of that topic's type. What does not
 /// parse would otherwise fail at every subscriber and in every recording.
 [[nodiscard]] bool is_valid_upstream(const wire::Message& message);
+
+/// How fast a peer may publish `topic`: over twice what a station does, with room for what waited through 2.5 s without
+/// a network. `topic` may be published.
+[[nodiscard]] Rate upstream_rate(const wire::Topic& topic);
+
+/// Holds one peer to upstream_rate(), topic by topic.
+class UpstreamRates {
+ public:
+  [[nodiscard]] bool passes(const wire::Message& message, RateLimiter::TimePoint now);
+
+ private:
+  std::map<std::string_view, RateLimiter> limiters_;  // by topic
+};
 
 /// `message` with `sender` as its field msg::Sender, whatever the peer wrote there.
 [[nodiscard]] wire::Message with_sender(wire::Message message, std::uint32_t sender);
