@@ -3,35 +3,20 @@
 #include <cmath>
 #include <limits>
 
+#include "proto/words/cubic_b_spline.h"
+
 namespace telepalp::effects {
-namespace {
-
-/// The uniform cubic B-spline's four weights at a share `t` of a cell, and their derivatives by t.
-struct Weights {
-  std::array<double, 4> value;
-  std::array<double, 4> slope;
-};
-
-Weights weights_at(double t) noexcept {
-  const double s = 1.0 - t;
-  return {{s * s * s / 6.0, (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0, (4.0 - 6.0 * s * s + 3.0 * s * s * s) / 6.0,
-           t * t * t / 6.0},
-          {-0.5 * s * s, 1.5 * t * t - 2.0 * t, 2.0 * s - 1.5 * s * s, 0.5 * t * t}};
-}
-
-}  // namespace
-
 DistanceAt distance_at(const DistanceLattice& lattice, const Eigen::Vector3d& point_m) noexcept {
   const Eigen::Vector3d at = (point_m - lattice.origin_m) / lattice.spacing_m;
   std::array<int, 3> cell{};
-  std::array<Weights, 3> weights;
+  std::array<CubicBSpline<double>, 3> weights;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     // Written so that what is not a number is beyond the lattice.
     if (!(at[axis] >= 1.0 && at[axis] < lattice.size[a] - 2))
       return {std::numeric_limits<double>::infinity(), Eigen::Vector3d::Zero()};
     cell[a] = static_cast<int>(at[axis]);
-    weights[a] = weights_at(at[axis] - cell[a]);
+    weights[a] = cubic_b_spline(at[axis] - cell[a]);
   }
   DistanceAt sum;
   for (int k = 0; k < 4; ++k) {
@@ -40,15 +25,15 @@ DistanceAt distance_at(const DistanceLattice& lattice, const Eigen::Vector3d& po
       double along = 0.0;
       double slope = 0.0;
       for (std::size_t i = 0; i < 4; ++i) {
-        along += weights[0].value[i] * row[i];
+        along += weights[0].weight[i] * row[i];
         slope += weights[0].slope[i] * row[i];
       }
       const auto y = static_cast<std::size_t>(j);
       const auto z = static_cast<std::size_t>(k);
-      sum.m += weights[1].value[y] * weights[2].value[z] * along;
-      sum.gradient += Eigen::Vector3d{weights[1].value[y] * weights[2].value[z] * slope,
-                                      weights[1].slope[y] * weights[2].value[z] * along,
-                                      weights[1].value[y] * weights[2].slope[z] * along};
+      sum.m += weights[1].weight[y] * weights[2].weight[z] * along;
+      sum.gradient += Eigen::Vector3d{weights[1].weight[y] * weights[2].weight[z] * slope,
+                                      weights[1].slope[y] * weights[2].weight[z] * along,
+                                      weights[1].weight[y] * weights[2].slope[z] * along};
     }
   }
   sum.gradient /= lattice.spacing_m;

@@ -4,24 +4,18 @@
 #include <cmath>
 
 #include "haptic_station/surface/temporal/filter_rows.h"
+#include "proto/words/cubic_b_spline.h"
 
 namespace telepalp::surface {
 namespace {
 
 constexpr int kCell = CellLattice::kCell_px;
 
-/// The four cubic B-splines that overlap at `t` of the way from one knot to the next.
-constexpr std::array<float, 4> bspline(float t) noexcept {
-  const float s = 1.0F - t;
-  return {s * s * s / 6.0F, (4.0F - 6.0F * t * t + 3.0F * t * t * t) / 6.0F,
-          (4.0F - 6.0F * s * s + 3.0F * s * s * s) / 6.0F, t * t * t / 6.0F};
-}
-
 /// The same at each pixel between two cells' centres, [spline][pixel].
 constexpr auto kByPixel = [] {
   std::array<float, 4 * kCell> by_pixel{};
   for (std::size_t pixel = 0; pixel < kCell; ++pixel) {
-    const auto at = bspline((static_cast<float>(pixel) + 0.5F) / kCell);
+    const auto at = cubic_b_spline((static_cast<float>(pixel) + 0.5F) / kCell).weight;
     for (std::size_t spline = 0; spline < 4; ++spline) by_pixel[spline * kCell + pixel] = at[spline];
   }
   return by_pixel;
@@ -103,7 +97,7 @@ CellLattice lattice_of(int width_px, int height_px) noexcept {
 Knots knots_at(double pixel, int cells) noexcept {
   const double x = std::clamp((pixel + 0.5) / kCell - 0.5, -0.5, static_cast<double>(cells) - 0.5);
   const int first = static_cast<int>(std::floor(x));
-  Knots knots{.cell = {}, .share = bspline(static_cast<float>(x - first))};
+  Knots knots{.cell = {}, .share = cubic_b_spline(static_cast<float>(x - first)).weight};
   for (int k = 0; k < 4; ++k) knots.cell[static_cast<std::size_t>(k)] = std::clamp(first - 1 + k, 0, cells - 1);
   return knots;
 }

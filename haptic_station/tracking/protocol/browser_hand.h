@@ -1,9 +1,9 @@
 #pragma once
 
 #include "haptic_station/ports/tracker.h"
-#include "haptic_station/tracking/protocol/clock_envelope.h"
 #include "haptic_station/tracking/protocol/hand_sightings.h"
 #include "messages/viewer.pb.h"
+#include "proto/words/clock_envelope.h"
 
 namespace telepalp::tracking {
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <optional>
 
-#include "haptic_station/tracking/protocol/clock_envelope.h"
+#include "proto/words/clock_envelope.h"
 #include "proto/words/frames.h"
 #include "proto/words/latest_value.h"
 #include "proto/words/time.h"

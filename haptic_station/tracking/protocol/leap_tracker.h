@@ -8,9 +8,9 @@
 #include "haptic_station/device/protocol/protocol_thread.h"
 #include "haptic_station/device/protocol/websocket_line.h"
 #include "haptic_station/ports/tracker.h"
-#include "haptic_station/tracking/protocol/clock_envelope.h"
 #include "haptic_station/tracking/protocol/followed_hand.h"
 #include "haptic_station/tracking/protocol/hand_sightings.h"
+#include "proto/words/clock_envelope.h"
 
 namespace telepalp::tracking {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "haptic_station/tracking/protocol/clock_envelope.h"
+#include "proto/words/clock_envelope.h"
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/control/controller_scene.h"
 #include "tests/hard_cases/control/loop_scene.h"
@@ -63,7 +63,7 @@ AssertionResult one_stamp_an_hour_on() {
 /// The tracker's own clock is set, and stays so: what its line maps to session time (ClockEnvelope) follows.
 AssertionResult trackers_clock_is_set() {
   for (const double step_s : {1.0, -1.0, -3600.0}) {
-    tracking::ClockEnvelope envelope;
+    ClockEnvelope envelope;
     LoopScene scene;
     scene.tracker = [&](int tick, double now_s, const Point<HapticBase>& hand) {
       if (tick % LoopScene::kTicksPerSample != 0) return std::vector<TrackedHand>{};

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace telepalp {
+
+/// Maps another clock's time to ours from pairs (their stamp, our arrival time). Delivery only delays, so the smallest
+/// difference seen is the truest: the offset follows the lower envelope of the differences. It falls at once and rises
+/// by at most `drift` seconds a second. A difference that changes by more than half a second starts a new mapping.
+class ClockEnvelope {
+ public:
+  using Nanoseconds = std::chrono::nanoseconds;
+  static constexpr Nanoseconds kJump = std::chrono::milliseconds(500);
+  static constexpr double kOscillatorDrift = 200e-6;  ///< more than two quartz oscillators differ
+
+  /// `drift`: larger than the default for a clock that is slewed.
+  explicit ClockEnvelope(double drift = kOscillatorDrift) noexcept : drift_(drift) {}
+
+  /// Our time of the stamp `theirs`, which arrived at `ours`; never later than `ours`.
+  [[nodiscard]] Nanoseconds map(Nanoseconds theirs, Nanoseconds ours) noexcept {
+    const Nanoseconds observed = ours - theirs;
+    if (!offset_ || observed - *offset_ > kJump || *offset_ - observed > kJump) {
+      if (offset_) ++jumps_;
+      offset_ = observed;
+    } else {
+      const Nanoseconds rise(static_cast<Nanoseconds::rep>(static_cast<double>((ours - last_).count()) * drift_));
+      offset_ = std::min(*offset_ + rise, observed);
+    }
+    last_ = ours;
+    return theirs + *offset_;
+  }
+
+  /// Starts a new mapping with the next pair.
+  void restart() noexcept {
+    if (offset_) ++jumps_;
+    offset_.reset();
+  }
+
+  /// Our time minus theirs as of the last map(); zero before the first.
+  [[nodiscard]] Nanoseconds difference() const noexcept { return offset_.value_or(Nanoseconds{0}); }
+
+  /// How often a mapping was replaced by a new one.
+  [[nodiscard]] std::uint64_t jumps() const noexcept { return jumps_; }
+
+ private:
+  double drift_;
+  std::optional<Nanoseconds> offset_;
+  Nanoseconds last_{0};
+  std::uint64_t jumps_ = 0;
+};
+
+}  // namespace telepalp
