@@ -10,10 +10,10 @@
 #include "server/server.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
+#include "support/program/files/ready_file.h"
+#include "support/program/files/shipped.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
-#include "support/program/ready_file.h"
-#include "support/program/shipped.h"
 
 namespace {
 

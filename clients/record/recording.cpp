@@ -15,8 +15,8 @@
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/writer.h"
 #include "support/program/ending.h"
+#include "support/program/files/ready_file.h"
 #include "support/program/log.h"
-#include "support/program/ready_file.h"
 #include "support/program/version.h"
 
 namespace telepalp::record {

@@ -7,8 +7,8 @@
 #include "clients/report/session/session_file.h"
 #include "clients/report/summary/report_json.h"
 #include "support/images/image_file.h"
+#include "support/program/files/whole_file.h"
 #include "support/program/options.h"
-#include "support/program/whole_file.h"
 
 using namespace telepalp;
 

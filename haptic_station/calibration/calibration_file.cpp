@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <ctime>
 
+#include "support/program/files/whole_file.h"
 #include "support/program/text_format.h"
-#include "support/program/whole_file.h"
 
 namespace telepalp::calibration {
 namespace {

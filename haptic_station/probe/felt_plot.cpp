@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "haptic_station/trials/figure.h"
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 
 namespace telepalp::probe {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 
 namespace telepalp::probe {
 namespace {

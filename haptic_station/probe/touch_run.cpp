@@ -8,7 +8,7 @@
 #include <string>
 
 #include "haptic_station/surface/touch/touch.h"
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 
 namespace telepalp::probe {
 namespace {

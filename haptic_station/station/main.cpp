@@ -14,9 +14,9 @@
 #include "haptic_station/trials/trials_command.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"
+#include "support/program/files/shipped.h"
 #include "support/program/options.h"
 #include "support/program/patience.h"
-#include "support/program/shipped.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "haptic_station/trials/figure.h"
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 
 namespace telepalp::trials {
 namespace {

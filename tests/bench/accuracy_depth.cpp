@@ -7,7 +7,7 @@
 #include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/surface/touch/touch.h"
 #include "server/capture/capture_source.h"
-#include "support/program/shipped.h"
+#include "support/program/files/shipped.h"
 #include "tests/bench/accuracy_rms.h"
 #include "tests/bench/accuracy_surface.h"
 #include "tests/bench/distribution.h"

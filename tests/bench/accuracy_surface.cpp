@@ -8,7 +8,7 @@
 #include <random>
 
 #include "haptic_station/surface/touch/touch.h"
-#include "support/program/shipped.h"
+#include "support/program/files/shipped.h"
 #include "tests/bench/distribution.h"
 #include "tests/haptic_station/surface/shape_error.h"
 

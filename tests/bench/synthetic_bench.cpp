@@ -4,7 +4,7 @@
 #include <ctime>
 
 #include "server/capture/synthetic/synthetic_patient.h"
-#include "support/program/shipped.h"
+#include "support/program/files/shipped.h"
 #include "tests/bench/distribution.h"
 
 namespace telepalp::bench {

@@ -14,8 +14,8 @@
 #include "proto/words/formats.h"
 #include "support/program/address.h"
 #include "support/program/ending.h"
+#include "support/program/files/shipped.h"
 #include "support/program/options.h"
-#include "support/program/shipped.h"
 #include "support/program/terminal.h"
 #include "support/program/text_format.h"
 

@@ -1,6 +1,6 @@
 // What every program does when it writes a file that others shall read.
 
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

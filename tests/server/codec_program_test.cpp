@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "support/images/image_file.h"
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 #include "tests/codec/depth_frames.h"
 #include "tests/support/child_process.h"
 #include "where.h"

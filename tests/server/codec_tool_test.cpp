@@ -5,7 +5,7 @@
 #include "codec/depth_stream.h"
 #include "messages/camera.pb.h"
 #include "proto/wire/mcap/writer.h"
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 #include "tests/codec/depth_frames.h"
 #include "tools/codec_tool/depth_files.h"
 #include "tools/codec_tool/pgm.h"

@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "support/images/image_file.h"
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 #include "tools/codec_tool/commands.h"
 #include "tools/codec_tool/depth_files.h"
 #include "tools/codec_tool/pgm.h"

@@ -9,8 +9,8 @@
 #include "haptic_station/station/threads/haptic_thread.h"
 #include "proto/wire/mcap/writer.h"
 #include "proto/words/demand.h"
+#include "support/program/files/whole_file.h"
 #include "support/program/version.h"
-#include "support/program/whole_file.h"
 
 namespace telepalp::station {
 namespace {

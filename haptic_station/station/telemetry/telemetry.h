@@ -6,7 +6,7 @@
 
 #include "haptic_station/loop/compensation.h"
 #include "haptic_station/loop/tick_sample.h"
-#include "haptic_station/station/telemetry/histogram.h"
+#include "haptic_station/station/threads/histogram.h"
 #include "messages/station.pb.h"
 
 namespace telepalp::station {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <thread>
 
-#include "haptic_station/station/telemetry/histogram.h"
 #include "haptic_station/station/threads/haptic_thread.h"
+#include "haptic_station/station/threads/histogram.h"
 #include "haptic_station/station/threads/tick_timer.h"
 
 namespace telepalp::station {

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <tuple>
 
-#include "support/program/shipped.h"
+#include "support/program/files/shipped.h"
 
 namespace telepalp::bench::hand {
 namespace {

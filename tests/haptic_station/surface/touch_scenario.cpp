@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/program/shipped.h"
+#include "support/program/files/shipped.h"
 
 namespace telepalp::testing {
 

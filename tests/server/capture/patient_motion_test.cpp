@@ -6,7 +6,7 @@
 
 #include "server/capture/synthetic/source/synthetic_spec.h"
 #include "server/capture/synthetic/synthetic_patient.h"
-#include "support/program/shipped.h"
+#include "support/program/files/shipped.h"
 
 namespace telepalp::server {
 namespace {

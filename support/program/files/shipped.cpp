@@ -1,4 +1,4 @@
-#include "support/program/shipped.h"
+#include "support/program/files/shipped.h"
 
 #include <cstdlib>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

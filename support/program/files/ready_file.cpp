@@ -1,6 +1,6 @@
-#include "support/program/ready_file.h"
+#include "support/program/files/ready_file.h"
 
-#include "support/program/whole_file.h"
+#include "support/program/files/whole_file.h"
 
 namespace telepalp::program {
 
