@@ -16,6 +16,7 @@ struct Option {
   std::string_view argument;  // "SOURCE"; empty for a flag
   std::string_view help;
   std::string_view initial = {};
+  bool repeatable = false;  // may be given several times: Arguments::all()
 };
 
 /// What a program also does, by its first word. With `run`, the command has options and a help of its own.

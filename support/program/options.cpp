@@ -44,6 +44,11 @@ std::optional<std::string> asked_about(const Usage& usage, const po::option& opt
   return std::nullopt;
 }
 
+bool is_repeatable(const Usage& usage, const std::string& name) {
+  return std::any_of(usage.options.begin(), usage.options.end(),
+                     [&](const Option& option) { return option.name == name && option.repeatable; });
+}
+
 bool takes_words(const Usage& usage) {
   return !usage.positional.empty() || std::any_of(usage.commands.begin(), usage.commands.end(),
                                                   [](const Command& command) { return command.run == nullptr; });
@@ -112,7 +117,8 @@ Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, co
       arguments.positional_.insert(arguments.positional_.end(), option.value.begin(), option.value.end());
       continue;
     }
-    if (arguments.has(option.string_key)) return asked_wrongly(usage, "--" + option.string_key + " is given twice");
+    if (arguments.has(option.string_key) && !is_repeatable(usage, option.string_key))
+      return asked_wrongly(usage, "--" + option.string_key + " is given twice");
     if (!option.value.empty() && option.value.front().empty())
       return asked_wrongly(usage, "--" + option.string_key + " is given an empty value");
     arguments.given_.push_back({option.string_key, option.value.empty() ? "" : option.value.front()});
