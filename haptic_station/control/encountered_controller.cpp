@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "haptic_station/control/parts/input_check.h"
 
@@ -13,14 +14,17 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   const ControlInput in = is_finite(given) ? given : blank_input(given, target_);
   const FaultCause stands = standing_fault(given, settings_.ages);
   plane_.move(in.device, in.contact, dt_s);
+  force_control_.release(hand_is_lost(in, settings_.ages.tracker_in_contact_s), settings_.transitions.contact_release_s,
+                         dt_s);
   // Decide.
   const std::optional<Event> event = phases_.step(seen_of(in, stands), stands, dt_s);
   if (event) enter_phase(*event, in);
   // Act.
-  const Eigen::Vector3d phase_N = drive_N(in, dt_s);
+  HeldForce wanted = phase_force(in, dt_s);
   const bool breaks = phases_.outer_change() || force_control_.contact_changed();
-  const Eigen::Vector3d wanted_N = fade_.step(phase_N, breaks, fade_rate_N_per_s(), dt_s);
-  const Force<HapticBase> force = limited(wanted_N, dt_s);
+  (void)fade_.step(wanted.skin + wanted.drive, breaks, fade_rate_N_per_s(), dt_s);
+  wanted.fade = fade_.fading_N();
+  const Force<HapticBase> force = limited(wanted, dt_s);
 
   ControlOutput out = output();
   out.event = event.value_or(Event::Rearm);
@@ -39,9 +43,8 @@ Seen EncounteredController::seen_of(const ControlInput& in, FaultCause stands) c
   seen.fault_stands = stands != FaultCause::None;
   seen.fault_latched = limiter_.faulted();
   seen.rearm = in.rearm;
-  seen.inputs_stale = is_stale(in, settings_.ages);
+  seen.inputs_stale = inputs_are_stale(in);
   seen.in_body = in.contact.valid && in.contact.in_body;
-  seen.surface_near = in.contact.valid && in.contact.distance_m < settings_.transitions.from_body_within_m;
   seen.below_plane = device_m < plane_.height_m();
   seen.at_plane = device_m >= plane_.target_height_m();
   seen.hand_rose = hand_m > plane_.height_m() + risen_m && hand_m > device_m + risen_m;
@@ -60,17 +63,26 @@ bool EncounteredController::feels_skin(const ControlInput& in) const noexcept {
   return may_feel && in.contact.valid && in.contact.in_body;
 }
 
+/// The skin's force needs the device and the surface alone, so a lost hand does not drop the contact at once: force
+/// control releases it slowly, and only then the input counts as stale.
+bool EncounteredController::inputs_are_stale(const ControlInput& in) const noexcept {
+  const bool holds = force_control_.touching() && !force_control_.released();
+  return surface_is_stale(in, settings_.ages) || (!holds && hand_is_lost(in, settings_.ages.tracker_s));
+}
+
 /// The force of the phase: force control, the lift or position control. In the skin, the skin itself lifts.
-Eigen::Vector3d EncounteredController::drive_N(const ControlInput& in, double dt_s) noexcept {
+HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s) noexcept {
   target_ = in.device;
-  Eigen::Vector3d force_N = force_control_.step(in, feels_skin(in), limiter_.bound_N(), dt_s);
+  HeldForce force;
+  force.skin = force_control_.step(in, feels_skin(in), limiter_.bound_N(), dt_s);
+  if (force_control_.touching()) force.skin += heat_warning_.step(force.skin, limiter_, dt_s);
   if (phases_.phase() == Phase::BodyToPlane && !force_control_.touching())
-    force_N += lift_force_N(in, plane_.target_height_m(), settings_.position);
+    force.drive = lift_force_N(in, plane_.target_height_m(), settings_.position);
   if (phases_.phase() == Phase::OutBody) {
-    force_N += position_control_.step(in, plane_.target_height_m(), dt_s);
+    force.drive = position_control_.step(in, plane_.target_height_m(), dt_s);
     target_ = position_control_.target();
   }
-  return force_N;
+  return force;
 }
 
 /// A station that lets go does so within 30 ms, from whatever force.
@@ -80,9 +92,9 @@ double EncounteredController::fade_rate_N_per_s() const noexcept {
                                      : settings_.transitions.force_fade_N_per_s;
 }
 
-Force<HapticBase> EncounteredController::limited(const Eigen::Vector3d& wanted_N, double dt_s) noexcept {
-  const Force<HapticBase> force = limiter_.limit({wanted_N}, dt_s);
-  force_control_.limited(force.N, wanted_N);
+Force<HapticBase> EncounteredController::limited(const HeldForce& wanted, double dt_s) noexcept {
+  const Force<HapticBase> force = limiter_.limit({wanted.skin + wanted.drive + wanted.fade}, dt_s);
+  force_control_.gave(wanted, force.N);
   return force;
 }
 
@@ -95,6 +107,9 @@ ControlOutput EncounteredController::output() const noexcept {
   out.indentation = force_control_.indentation();
   out.plane_height_m = plane_.height_m();
   out.passivity_J = force_control_.passivity().balance_J();
+  out.hand_excess_J = force_control_.hand_ledger().excess_J();
+  out.drive_J = force_control_.hand_ledger().drive_J();
+  out.yields_in_s = force_control_.touching() ? heat_warning_.yields_in_s() : std::numeric_limits<double>::infinity();
   out.damping = force_control_.damping();
   out.surface_speed_m_per_s = force_control_.shown().surface_speed_m_per_s;
   out.limited = limiter_.limited() || force_control_.withholds();

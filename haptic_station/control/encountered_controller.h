@@ -5,6 +5,7 @@
 #include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/control/parts/displayed_hand.h"
 #include "haptic_station/control/parts/force_control.h"
+#include "haptic_station/control/parts/heat_warning.h"
 #include "haptic_station/control/parts/phase_machine.h"
 #include "haptic_station/control/parts/position_control.h"
 #include "haptic_station/control/parts/transition_fade.h"
@@ -41,9 +42,10 @@ class EncounteredController {
   [[nodiscard]] Seen seen_of(const ControlInput& in, FaultCause stands) const noexcept;
   void enter_phase(Event event, const ControlInput& in) noexcept;
   [[nodiscard]] bool feels_skin(const ControlInput& in) const noexcept;
-  [[nodiscard]] Eigen::Vector3d drive_N(const ControlInput& in, double dt_s) noexcept;
+  [[nodiscard]] bool inputs_are_stale(const ControlInput& in) const noexcept;
+  [[nodiscard]] HeldForce phase_force(const ControlInput& in, double dt_s) noexcept;
   [[nodiscard]] double fade_rate_N_per_s() const noexcept;
-  [[nodiscard]] Force<HapticBase> limited(const Eigen::Vector3d& wanted_N, double dt_s) noexcept;
+  [[nodiscard]] Force<HapticBase> limited(const HeldForce& wanted, double dt_s) noexcept;
   [[nodiscard]] ControlOutput output() const noexcept;
 
   ControlSettings settings_;
@@ -54,6 +56,7 @@ class EncounteredController {
   TransitionFade fade_;
   DisplayedHand displayed_hand_;
   ForceLimiter limiter_;
+  HeatWarning heat_warning_;
   Point<HapticBase> target_;  ///< S1's p_t of the last tick
 };
 

@@ -72,10 +72,15 @@ ObjectTouch EffectBank::touch() const noexcept {
   return nearest;
 }
 
-Vector<HapticBase> EffectBank::indentation() const noexcept {
+const Skin* EffectBank::skin() const noexcept {
   for (std::size_t i = 0; i < count_; ++i)
-    if (const Skin* skin = std::get_if<Skin>(&effects_[i])) return skin->indentation();
-  return {};
+    if (const Skin* skin = std::get_if<Skin>(&effects_[i])) return skin;
+  return nullptr;
+}
+
+Vector<HapticBase> EffectBank::indentation() const noexcept {
+  const Skin* first = skin();
+  return first != nullptr ? first->indentation() : Vector<HapticBase>{};
 }
 
 }  // namespace telepalp::effects

@@ -45,9 +45,9 @@ class EffectBank {
   [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
   /// Upper bound of the combined stiffness of all effects, at forces up to `most_N`.
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;
-  [[nodiscard]] ObjectTouch touch() const noexcept;  ///< the greatest among the inner objects
-  [[nodiscard]] Vector<HapticBase> indentation()
-      const noexcept;  ///< of the first skin effect, S1 eq. (8); zero without a skin
+  [[nodiscard]] ObjectTouch touch() const noexcept;               ///< the greatest among the inner objects
+  [[nodiscard]] const Skin* skin() const noexcept;                ///< the first skin effect; nullptr without a skin
+  [[nodiscard]] Vector<HapticBase> indentation() const noexcept;  ///< of that skin, S1 eq. (8); zero without a skin
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
   [[nodiscard]] static const char* name(const Effect& effect) noexcept;
 

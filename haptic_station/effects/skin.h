@@ -33,6 +33,7 @@ class Skin {
     return skin_stiffest_N_per_m(settings_.law, most_N);
   }
   [[nodiscard]] ObjectTouch touch() const noexcept { return ObjectTouch::None; }
+  [[nodiscard]] const SkinLaw& law() const noexcept { return settings_.law; }
   [[nodiscard]] const Vector<HapticBase>& indentation() const noexcept { return indentation_; }
 
  private:

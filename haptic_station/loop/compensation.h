@@ -27,9 +27,15 @@ struct Compensation {
   double slewed_m = 0.0;         ///< offset that hides the step between two snapshots; it decays to 0
   double support = 0.0;          ///< 1: full contact; falls to 0 on a stale surface and at rims
 
-  // The displayed hand and the passivity controller.
+  // The displayed hand, the energy at the hand and the passivity controller.
   double shown_offset_m = 0.0;  ///< from the tracked hand to the displayed hand (S1 II.E)
+  double hand_excess_J = 0.0;   ///< work on the hand in this contact beyond the measured skin's on the same path
+  double drive_J = 0.0;         ///< work on the hand by lift and position control since the contact began
   double damping_N = 0.0;       ///< magnitude of the passivity controller's damping force
+
+  // Measurements beyond physics that were rejected, since start.
+  std::uint64_t device_jumps = 0;
+  std::uint64_t hand_jumps = 0;
 };
 static_assert(std::is_trivially_copyable_v<Compensation>);
 
@@ -50,6 +56,8 @@ static_assert(std::is_trivially_copyable_v<Compensation>);
   told.surface_sigma_m = touch.uncertainty_m;
   told.slewed_m = displaced.slewed_m;
   told.support = touch.support;
+  told.hand_excess_J = out.hand_excess_J;
+  told.drive_J = out.drive_J;
   told.damping_N = out.damping.N.norm();
   return told;
 }

@@ -56,11 +56,13 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
   last_tick_ = now;
   ticked_ = true;
   // Sense.
-  const surface::TouchSample touch = touch_.step(camera_from_haptic_ * device.at, now, dt_s);
+  const GatedReading gated = device_gate_.step(device, dt_s);
+  const surface::TouchSample touch = touch_.step(camera_from_haptic_ * gated.at, now, dt_s);
   const tracking::HandPrediction hand = hand_.predict(now);
-  const control::ControlInput in{.device = device.at,
-                                 .device_velocity = device.velocity,
+  const control::ControlInput in{.device = gated.at,
+                                 .device_velocity = gated.velocity,
                                  .device_age_s = device.age_s,
+                                 .device_implausible_s = gated.implausible_s,
                                  .hand = hand.at,
                                  .hand_velocity = hand.velocity,
                                  .hand_valid = hand.valid,
@@ -74,17 +76,18 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
   const control::ControlOutput out = controller_.step(in, dt_s);
   last_out_ = out;
   // Act: the caller applies the force.
-  return {.force = out.force, .contact = in.contact, .control = out, .told = tell(device, in, out)};
+  return {.force = out.force, .contact = in.contact, .control = out, .told = tell(in, out)};
 }
 
 Compensation HapticLoop::compensation() const noexcept {
   Compensation told = compensation_of(last_hand_, newest_hand_, last_touch_, touch_.displaced(), last_out_);
   told.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
+  told.device_jumps = device_gate_.jumps();
+  told.hand_jumps = hand_.refused();
   return told;
 }
 
-TickSample HapticLoop::tell(const ports::DeviceReading& device, const control::ControlInput& in,
-                            const control::ControlOutput& out) const noexcept {
+TickSample HapticLoop::tell(const control::ControlInput& in, const control::ControlOutput& out) const noexcept {
   TickSample told;
   told.phase = static_cast<std::uint8_t>(out.phase);
   told.fault = static_cast<std::uint8_t>(out.fault);
@@ -93,18 +96,20 @@ TickSample HapticLoop::tell(const ports::DeviceReading& device, const control::C
   told.surface_stale = !in.contact.valid;
   told.limited = out.limited;
   told.hand = packed(in.hand.m);
-  told.device = packed(device.at.m);
+  told.device = packed(in.device.m);
   told.proxy = packed(in.contact.proxy.m);
   told.normal = packed(in.contact.normal.v);
   told.force = packed_towards_zero(out.force.N);
   told.displayed_hand_camera = packed((camera_from_haptic_ * out.displayed_hand).m);
   told.proxy_camera = packed((camera_from_haptic_ * in.contact.proxy).m);
   told.normal_camera = packed((camera_from_haptic_ * in.contact.normal).v);
-  told.device_camera = packed((camera_from_haptic_ * device.at).m);
+  told.device_camera = packed((camera_from_haptic_ * in.device).m);
   told.force_camera = packed_towards_zero((camera_from_haptic_ * out.force).N);
   told.indentation_m = static_cast<float>(out.indentation.v.norm());
   told.distance_m = static_cast<float>(in.contact.distance_m);
   told.passivity_J = static_cast<float>(out.passivity_J);
+  told.hand_excess_J = static_cast<float>(out.hand_excess_J);
+  told.yields_in_s = static_cast<float>(out.yields_in_s);
   told.device_age_s = static_cast<float>(in.device_age_s);
   told.hand_age_s = static_cast<float>(in.hand_age_s);
   told.surface_age_s = static_cast<float>(in.contact.age_s);

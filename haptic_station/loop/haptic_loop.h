@@ -4,6 +4,7 @@
 
 #include "haptic_station/control/encountered_controller.h"
 #include "haptic_station/loop/compensation.h"
+#include "haptic_station/loop/device_gate.h"
 #include "haptic_station/loop/tick_sample.h"
 #include "haptic_station/ports/rig.h"
 #include "haptic_station/surface/touch/touch.h"
@@ -61,9 +62,9 @@ class HapticLoop {
  private:
   void begin_new_time_line() noexcept;
   [[nodiscard]] ports::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
-  [[nodiscard]] TickSample tell(const ports::DeviceReading& device, const control::ControlInput& in,
-                                const control::ControlOutput& out) const noexcept;
+  [[nodiscard]] TickSample tell(const control::ControlInput& in, const control::ControlOutput& out) const noexcept;
 
+  DeviceGate device_gate_;
   surface::Touch touch_;
   tracking::HandEstimate hand_;
   control::EncounteredController controller_;

@@ -32,8 +32,10 @@ struct TickSample {
   std::array<float, 3> force_camera{};
   float indentation_m = 0.0F;  ///< |d| of S1 eq. (8); 0 out of the body
   float distance_m = 0.0F;     ///< signed distance of the device point; negative inside
-  float passivity_J = 0.0F;
-  float device_age_s = 0.0F;  ///< ages of the three inputs, as the watchdog measured them
+  float passivity_J = 0.0F;    ///< balance of the display's ledger; below zero the display is active
+  float hand_excess_J = 0.0F;  ///< work on the hand in this contact beyond the measured skin's on the same path
+  float yields_in_s = 0.0F;    ///< until warm motors lower the force in contact; infinite: they do not
+  float device_age_s = 0.0F;   ///< ages of the three inputs, as the watchdog measured them
   float hand_age_s = 0.0F;
   float surface_age_s = 0.0F;
   std::int64_t surface_captured_ns = 0;

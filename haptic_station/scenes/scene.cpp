@@ -185,8 +185,6 @@ void read_plane_and_transitions(FieldCheck& check, const msg::Scene& message, co
   TELEPALP_READ(check, "plane.", plane, speed_m_per_s, control.plane.speed_m_per_s, {0, 1, "m/s"});
   const msg::Transitions& change = message.transitions();
   TELEPALP_READ(check, "transitions.", change, dwell_s, control.transitions.dwell_s, {0, 5, "s"});
-  TELEPALP_READ(check, "transitions.", change, from_body_within_m, control.transitions.from_body_within_m,
-                {0.001, 0.5, "m"});
   TELEPALP_READ(check, "transitions.", change, offset_fade_s, control.transitions.offset_fade_s, {0.02, 5, "s"});
   TELEPALP_READ(check, "transitions.", change, hand_rose_m, control.transitions.hand_rose_m, {0.005, 0.3, "m"});
   TELEPALP_READ(check, "transitions.", change, force_fade_n_per_s, control.transitions.force_fade_N_per_s,
@@ -209,6 +207,7 @@ void read_position_control(FieldCheck& check, const msg::PositionControl& messag
 void read_limits(FieldCheck& check, const msg::Scene& message, control::ControlSettings& control) {
   const msg::AgeLimit& age = message.age_limits();
   TELEPALP_READ(check, "age_limits.", age, tracker_s, control.ages.tracker_s, {0.01, 10, "s"});
+  TELEPALP_READ(check, "age_limits.", age, tracker_in_contact_s, control.ages.tracker_in_contact_s, {0.01, 10, "s"});
   TELEPALP_READ(check, "age_limits.", age, surface_s, control.ages.surface_s, {0.01, 10, "s"});
   TELEPALP_READ(check, "age_limits.", age, device_s, control.ages.device_s, {0.001, 1, "s"});
   const msg::ForceLimit& limit = message.limits();

@@ -20,14 +20,14 @@ void EnergyAccount::begin() noexcept {
   withheld_N_.setZero();
 }
 
-Eigen::Vector3d EnergyAccount::step(const Eigen::Vector3d& asked_N, const Exchange& exchange, double bound_N,
-                                    double dt_s) noexcept {
+Eigen::Vector3d EnergyAccount::step(const Eigen::Vector3d& asked_N, double share, const Exchange& exchange,
+                                    double bound_N, double dt_s) noexcept {
   Exchange booked = exchange;
   booked.absorbed_J -= withheld_N_.dot(exchange.moved.v);
   // Bounded before the damping is added: a force beyond the bound would swallow the damping.
-  const Eigen::Vector3d shown_N = at_most(asked_N, bound_N);
+  const Eigen::Vector3d shown_N = at_most(share * asked_N, bound_N);
   withheld_N_ = shown_N - asked_N;
-  booked.stored_J *= deliverable_share(bound_N, asked_N.norm());
+  booked.stored_J *= share * deliverable_share(bound_N, share * asked_N.norm());
   damping_ = passivity_.step(booked, dt_s);
   return shown_N + damping_.N;
 }

@@ -11,10 +11,11 @@ class EnergyAccount {
   /// Contact begins with no energy stored.
   void begin() noexcept;
 
-  /// The force to show for the next tick [N], damping included. `asked_N`: of the effects. `exchange`: what passed
-  /// between them and the hand over the last tick. `bound_N`: the most that the limiter lets through now.
-  [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& asked_N, const Exchange& exchange, double bound_N,
-                                     double dt_s) noexcept;
+  /// The force to show for the next tick [N], damping included. `asked_N`: of the effects. `share`: of it that is
+  /// shown, 1 but for a contact that is being released. `exchange`: what passed between the effects and the hand over
+  /// the last tick. `bound_N`: the most that the limiter lets through now.
+  [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& asked_N, double share, const Exchange& exchange,
+                                     double bound_N, double dt_s) noexcept;
 
   /// The limiter gave `given_N` where `wanted_N` was wanted.
   void limited(const Eigen::Vector3d& given_N, const Eigen::Vector3d& wanted_N) noexcept;

@@ -1,18 +1,29 @@
 #include "haptic_station/control/parts/force_control.h"
 
+#include <algorithm>
+
+#include "haptic_station/control/parts/shortened.h"
+
 namespace telepalp::control {
 
-Eigen::Vector3d ForceControl::step(const ControlInput& in, bool touching, double bound_N, double dt_s) noexcept {
+using Eigen::Vector3d;
+
+Vector3d ForceControl::step(const ControlInput& in, bool touching, double bound_N, double dt_s) noexcept {
   contact_changed_ = touching != touching_;
   touching_ = touching;
   shown_ = in.contact;
-  if (!touching) return Eigen::Vector3d::Zero();
+  moved_m_ = in.device.m - last_device_.m;
+  last_device_ = in.device;
+  if (!touching) {
+    ledger_.book(held_, measured_skin_N(Vector3d::Zero(), bound_N), moved_m_);
+    return Vector3d::Zero();
+  }
   if (contact_changed_) sink_in_.begin(-in.contact.distance_m);
   sink_in_.step(dt_s);
   shown_ = sink_in_.shown(in.contact);
   const effects::EffectInput felt = sink_in_.in_body_frame(in.device, in.device_velocity, shown_);
   if (contact_changed_) begin(felt);
-  return feel(felt, bound_N, dt_s);
+  return feel(felt, in.device_velocity.v, bound_N, dt_s);
 }
 
 void ForceControl::begin(const effects::EffectInput& felt) noexcept {
@@ -20,13 +31,14 @@ void ForceControl::begin(const effects::EffectInput& felt) noexcept {
   coupling_.begin(felt.device);
   last_felt_ = felt.device;
   account_.begin();
+  ledger_.begin();
+  share_ = 1.0;
 }
 
-Eigen::Vector3d ForceControl::feel(effects::EffectInput felt, double bound_N, double dt_s) noexcept {
-  felt.moved.v = felt.device.m - last_felt_.m;
-  last_felt_ = felt.device;
+/// The force that the effects ask for; books in `exchange` what they took from the hand and what they store.
+Force<HapticBase> ForceControl::ask_effects(const effects::EffectInput& felt, Exchange& exchange,
+                                            double dt_s) noexcept {
   Force<HapticBase> force;
-  Exchange exchange;
   if (coupling_.engaged()) {
     force = coupling_.pull(effects_.step(coupling_.at_tool(felt), dt_s, cost_clock_));
     exchange.absorbed_J = coupling_.absorbed_J();
@@ -36,14 +48,49 @@ Eigen::Vector3d ForceControl::feel(effects::EffectInput felt, double bound_N, do
   }
   exchange.absorbed_J += effects_.absorbed_J();
   exchange.stored_J += effects_.energy_J();
-  const Eigen::Vector3d skin_velocity = felt.contact.surface_speed_m_per_s * felt.contact.normal.v;
-  exchange.velocity = {felt.device_velocity.v - skin_velocity};
-  exchange.moved = {felt.moved.v - skin_velocity * dt_s};
-  return account_.step(force.N, exchange, bound_N, dt_s);
+  return force;
 }
 
-void ForceControl::limited(const Eigen::Vector3d& given_N, const Eigen::Vector3d& wanted_N) noexcept {
+Vector3d ForceControl::feel(effects::EffectInput felt, const Vector3d& device_velocity, double bound_N,
+                            double dt_s) noexcept {
+  felt.moved.v = felt.device.m - last_felt_.m;
+  last_felt_ = felt.device;
+  Exchange exchange;
+  const Vector3d asked_N = ask_effects(felt, exchange, dt_s).N;
+  const Vector3d skin_velocity = felt.contact.surface_speed_m_per_s * felt.contact.normal.v;
+  exchange.velocity = {felt.device_velocity.v - skin_velocity};
+  exchange.moved = {felt.moved.v - skin_velocity * dt_s};
+  ledger_.book(held_, measured_skin_N(asked_N, bound_N), moved_m_);
+  exchange.hand_excess_J = ledger_.excess_J();
+  exchange.device_velocity.v = device_velocity;
+  return account_.step(asked_N, share_, exchange, bound_N, dt_s);
+}
+
+/// The force if the skin were where it was measured last [N]: `asked_N` of the effects, changed by what the first skin
+/// gives more or less at that height. Not beyond what the device can give, and released as the contact is.
+Vector3d ForceControl::measured_skin_N(const Vector3d& asked_N, double bound_N) const noexcept {
+  const effects::Skin* skin = effects_.skin();
+  if (!shown_.valid || skin == nullptr) return asked_N;
+  const Vector3d& normal = shown_.normal.v;
+  const Vector3d displayed_m = touching_ ? skin->indentation().v : Vector3d::Zero().eval();
+  const double deeper_m = shown_.support * shown_.measured_above_m - (touching_ ? 0.0 : shown_.distance_m);
+  Vector3d measured_m = displayed_m - deeper_m * normal;
+  measured_m -= std::max(0.0, measured_m.dot(normal)) * normal;  // the skin never pulls
+  const Vector3d change_N =
+      effects::skin_force_N(skin->law(), measured_m) - effects::skin_force_N(skin->law(), displayed_m);
+  return at_most(share_ * (asked_N + change_N), bound_N);
+}
+
+void ForceControl::gave(const HeldForce& wanted, const Vector3d& given_N) noexcept {
+  const Vector3d wanted_N = wanted.skin + wanted.drive + wanted.fade;
+  held_ = wanted;
+  held_.skin += given_N - wanted_N;
   account_.limited(given_N, wanted_N);
+}
+
+void ForceControl::release(bool release, double over_s, double dt_s) noexcept {
+  if (!touching_) return;
+  share_ = std::clamp(share_ + (release ? -dt_s : dt_s) / over_s, 0.0, 1.0);
 }
 
 }  // namespace telepalp::control

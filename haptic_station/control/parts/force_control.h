@@ -1,9 +1,10 @@
 #pragma once
 
-#include "haptic_station/control/values/control_input.h"
 #include "haptic_station/control/parts/energy_account.h"
 #include "haptic_station/control/parts/sink_in.h"
+#include "haptic_station/control/safety/hand_ledger.h"
 #include "haptic_station/control/safety/virtual_coupling.h"
+#include "haptic_station/control/values/control_input.h"
 #include "haptic_station/effects/effect_bank.h"
 
 namespace telepalp::control {
@@ -19,8 +20,13 @@ class ForceControl {
   /// One tick with (`touching`) or without contact with the skin. The force for the device [N]; zero without contact.
   [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, bool touching, double bound_N, double dt_s) noexcept;
 
-  /// The limiter gave `given_N` where `wanted_N` was wanted, until the next step.
-  void limited(const Eigen::Vector3d& given_N, const Eigen::Vector3d& wanted_N) noexcept;
+  /// The whole force on the device until the next step: its parts as wanted, and the limiter's answer to their sum.
+  void gave(const HeldForce& wanted, const Eigen::Vector3d& given_N) noexcept;
+
+  /// The contact is let go of gently (`release`), or taken up again: the share of the skin's force that is shown goes
+  /// to 0 or 1 over `over_s`. Without contact nothing happens.
+  void release(bool release, double over_s, double dt_s) noexcept;
+  [[nodiscard]] bool released() const noexcept { return share_ <= 0.0; }
 
   /// A clock without system calls to measure the effects' cost with; nullptr: their cost is not measured.
   void book_costs_with(effects::CostClock clock) noexcept { cost_clock_ = clock; }
@@ -40,11 +46,16 @@ class ForceControl {
   }
   [[nodiscard]] const effects::EffectBank& effects() const noexcept { return effects_; }
   [[nodiscard]] const PassivityController& passivity() const noexcept { return account_.passivity(); }
+  [[nodiscard]] const HandLedger& hand_ledger() const noexcept { return ledger_; }
   [[nodiscard]] const VirtualCoupling& coupling() const noexcept { return coupling_; }
 
  private:
   void begin(const effects::EffectInput& felt) noexcept;
-  [[nodiscard]] Eigen::Vector3d feel(effects::EffectInput felt, double bound_N, double dt_s) noexcept;
+  [[nodiscard]] Eigen::Vector3d feel(effects::EffectInput felt, const Eigen::Vector3d& device_velocity, double bound_N,
+                                     double dt_s) noexcept;
+  [[nodiscard]] Force<HapticBase> ask_effects(const effects::EffectInput& felt, Exchange& exchange,
+                                              double dt_s) noexcept;
+  [[nodiscard]] Eigen::Vector3d measured_skin_N(const Eigen::Vector3d& asked_N, double bound_N) const noexcept;
 
   effects::EffectBank effects_;
   VirtualCoupling coupling_;
@@ -53,6 +64,11 @@ class ForceControl {
   effects::CostClock cost_clock_ = nullptr;
   ports::SurfaceContact shown_;
   Point<HapticBase> last_felt_;  ///< the end-effector in the body's frame, at the last step in contact
+  HandLedger ledger_;            ///< against the newest measured surface
+  HeldForce held_;               ///< over the tick that ends
+  Eigen::Vector3d moved_m_ = Eigen::Vector3d::Zero();  ///< of the end-effector in H, over the tick that ends
+  Point<HapticBase> last_device_;
+  double share_ = 1.0;  ///< of the skin's force that is shown
   bool touching_ = false;
   bool contact_changed_ = false;
 };

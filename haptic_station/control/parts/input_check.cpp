@@ -7,13 +7,15 @@ namespace {
 
 bool is_finite(const ports::SurfaceContact& contact) noexcept {
   return contact.proxy.m.allFinite() && contact.normal.v.allFinite() && std::isfinite(contact.distance_m) &&
-         std::isfinite(contact.surface_speed_m_per_s);
+         std::isfinite(contact.surface_speed_m_per_s) && std::isfinite(contact.measured_above_m) &&
+         std::isfinite(contact.measured_speed_m_per_s);
 }
 
 }  // namespace
 
 bool is_finite(const ControlInput& in) noexcept {
   return in.device.m.allFinite() && in.device_velocity.v.allFinite() && std::isfinite(in.device_age_s) &&
+         std::isfinite(in.device_implausible_s) &&
          (!in.hand_valid || (in.hand.m.allFinite() && in.hand_velocity.v.allFinite())) &&
          (!in.contact.valid || is_finite(in.contact));
 }
@@ -30,13 +32,17 @@ ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device
 
 FaultCause standing_fault(const ControlInput& in, const AgeLimits& ages) noexcept {
   if (!is_finite(in)) return FaultCause::NotFinite;
-  return in.device_age_s <= ages.device_s ? FaultCause::None : FaultCause::DeviceSilent;
+  if (!(in.device_age_s <= ages.device_s)) return FaultCause::DeviceSilent;
+  return in.device_implausible_s <= ages.implausible_s ? FaultCause::None : FaultCause::DeviceImplausible;
 }
 
-bool is_stale(const ControlInput& in, const AgeLimits& ages) noexcept {
-  // Each comparison is true for a good age only: with NaN it is false.
-  const bool hand_is_fresh = in.hand_age_s <= ages.tracker_s && in.hand_age_s >= -ages.tracker_s;
-  return !(in.hand_valid && hand_is_fresh && in.contact.age_s <= ages.surface_s);
+// Each comparison is true for a good age only: with NaN it is false.
+bool surface_is_stale(const ControlInput& in, const AgeLimits& ages) noexcept {
+  return !(in.contact.age_s <= ages.surface_s);
+}
+
+bool hand_is_lost(const ControlInput& in, double limit_s) noexcept {
+  return !(in.hand_valid && in.hand_age_s <= limit_s && in.hand_age_s >= -limit_s);
 }
 
 }  // namespace telepalp::control

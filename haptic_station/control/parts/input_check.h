@@ -1,8 +1,8 @@
 #pragma once
 
+#include "haptic_station/control/phases/phase.h"
 #include "haptic_station/control/values/control_input.h"
 #include "haptic_station/control/values/encountered_settings.h"
-#include "haptic_station/control/phases/phase.h"
 
 namespace telepalp::control {
 
@@ -16,8 +16,11 @@ namespace telepalp::control {
 /// Why the station must fault at this very tick, if it must.
 [[nodiscard]] FaultCause standing_fault(const ControlInput& in, const AgeLimits& ages) noexcept;
 
-/// True when the tracker or the surface is older than its limit. An age that is NaN counts as too old, and so does a
+/// True when the surface is older than its limit. An age that is NaN counts as too old.
+[[nodiscard]] bool surface_is_stale(const ControlInput& in, const AgeLimits& ages) noexcept;
+
+/// True when the tracker has not seen the hand within `limit_s`. An age that is NaN counts as too old, and so does a
 /// sample from the future, which would never age.
-[[nodiscard]] bool is_stale(const ControlInput& in, const AgeLimits& ages) noexcept;
+[[nodiscard]] bool hand_is_lost(const ControlInput& in, double limit_s) noexcept;
 
 }  // namespace telepalp::control

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "haptic_station/control/parts/critically_damped.h"
 #include "haptic_station/control/values/control_input.h"
 #include "haptic_station/control/values/encountered_settings.h"
-#include "haptic_station/control/parts/critically_damped.h"
 
 namespace telepalp::control {
 

@@ -13,6 +13,9 @@ class TransitionFade {
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& raw_N, bool breaks, double rate_N_per_s,
                                      double dt_s) noexcept;
 
+  /// The part of the last step's force that is left from before the break [N].
+  [[nodiscard]] const Eigen::Vector3d& fading_N() const noexcept { return fading_N_; }
+
  private:
   Eigen::Vector3d last_N_ = Eigen::Vector3d::Zero();    ///< what the last step returned
   Eigen::Vector3d fading_N_ = Eigen::Vector3d::Zero();  ///< the rest of the force from before the last break

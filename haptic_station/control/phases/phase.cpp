@@ -6,35 +6,33 @@ namespace {
 using P = Phase;
 using E = Event;
 
-/// S1 Fig. 4. Contact with the skin never waits for the dwell: a hand that falls fast would be through the skin
-/// before it felt it. Loops are stopped on the way out, where waiting costs nothing. Inner objects never wait
-/// ("simply dependent on the hand position"), nor does letting go.
+/// S1 Fig. 4. The dwell applies to the way out of the body, where waiting costs nothing, and stops loops there. The
+/// skin never waits: a hand that falls fast would be through it before feeling it. So In body begins on the tick that
+/// the hand meets the skin, from Out body too; in Body to plane the hand feels the skin already, and only the name of
+/// the phase waits. Inner objects never wait ("simply dependent on the hand position"), nor does letting go.
 constexpr Row kTransitions[] = {
     {P::InBody, E::FromBody, P::BodyToPlane, true},
-    {P::InBody, E::FarFromBody, P::BodyToPlane, true},
     {P::InBody, E::NearObject, P::AroundObject, false},
     {P::InBody, E::TouchUpper, P::ObjectUpper, false},
     {P::InBody, E::TouchLateral, P::ObjectLateral, false},
     {P::BodyToPlane, E::ToPlane, P::OutBody, true},
     {P::BodyToPlane, E::IntoBody, P::InBody, true},
     {P::OutBody, E::UnderPlane, P::PlaneToBody, true},
+    {P::OutBody, E::IntoBody, P::InBody, false},
     {P::PlaneToBody, E::IntoBody, P::InBody, false},
     {P::PlaneToBody, E::HandRose, P::BodyToPlane, true},
     {P::AroundObject, E::AwayFromObject, P::InBody, false},
     {P::AroundObject, E::TouchUpper, P::ObjectUpper, false},
     {P::AroundObject, E::TouchLateral, P::ObjectLateral, false},
     {P::AroundObject, E::FromBody, P::BodyToPlane, true},
-    {P::AroundObject, E::FarFromBody, P::BodyToPlane, true},
     {P::ObjectUpper, E::NearObject, P::AroundObject, false},
     {P::ObjectUpper, E::AwayFromObject, P::InBody, false},
     {P::ObjectUpper, E::TouchLateral, P::ObjectLateral, false},
     {P::ObjectUpper, E::FromBody, P::BodyToPlane, true},
-    {P::ObjectUpper, E::FarFromBody, P::BodyToPlane, true},
     {P::ObjectLateral, E::NearObject, P::AroundObject, false},
     {P::ObjectLateral, E::AwayFromObject, P::InBody, false},
     {P::ObjectLateral, E::TouchUpper, P::ObjectUpper, false},
     {P::ObjectLateral, E::FromBody, P::BodyToPlane, true},
-    {P::ObjectLateral, E::FarFromBody, P::BodyToPlane, true},
     {P::InBody, E::InputStale, P::Released, false},
     {P::BodyToPlane, E::InputStale, P::Released, false},
     {P::OutBody, E::InputStale, P::Released, false},
@@ -92,8 +90,6 @@ const char* name(Event event) noexcept {
   switch (event) {
     case E::FromBody:
       return "FromBody";
-    case E::FarFromBody:
-      return "FarFromBody";
     case E::ToPlane:
       return "ToPlane";
     case E::UnderPlane:
@@ -129,7 +125,9 @@ const char* name(FaultCause cause) noexcept {
     case FaultCause::DeviceSilent:
       return "the haptic device is silent";
     case FaultCause::NotFinite:
-      return "a number that is none";
+      return "a number that is not finite";
+    case FaultCause::DeviceImplausible:
+      return "the haptic device reports movements beyond physics";
   }
   return "?";
 }

@@ -20,27 +20,27 @@ enum class Phase : std::uint8_t {
 };
 
 enum class Event : std::uint8_t {
-  FromBody,     ///< S1: i_b is false and d_s < d_thr
-  FarFromBody,  ///< i_b is false and the surface is beyond d_thr, or gone
-  ToPlane,      ///< S1: the height of the plane is reached
-  UnderPlane,   ///< S1: the hand has pushed the end-effector below the plane
-  HandRose,     ///< the hand left the waiting end-effector and is above the plane
-  IntoBody,     ///< i_b is true
-  NearObject,   ///< within an inner object's margin
+  FromBody,    ///< S1: i_b is false, however far the surface is
+  ToPlane,     ///< S1: the height of the plane is reached
+  UnderPlane,  ///< S1: the hand has pushed the end-effector below the plane
+  HandRose,    ///< the hand left the waiting end-effector and is above the plane
+  IntoBody,    ///< i_b is true
+  NearObject,  ///< within an inner object's margin
   AwayFromObject,
   TouchUpper,    ///< pressing an inner object, its upper face nearest
   TouchLateral,  ///< pressing an inner object, its side nearest
   InputStale,    ///< tracker or surface older than its limit
   InputsBack,
-  Fault,  ///< device silent, or a number that is not finite
+  Fault,  ///< see FaultCause
   Rearm,  ///< by an operator
 };
 
 /// Why the station must not give force.
 enum class FaultCause : std::uint8_t {
   None,
-  DeviceSilent,  ///< older than its age limit
-  NotFinite,     ///< a number of an input or of the force is none
+  DeviceSilent,       ///< older than its age limit
+  NotFinite,          ///< a number of an input or of the force is NaN or infinite
+  DeviceImplausible,  ///< the device reports movements beyond physics, for longer than a glitch lasts
 };
 
 struct Row {
@@ -51,7 +51,7 @@ struct Row {
 };
 
 inline constexpr std::size_t kPhaseCount = 9;
-inline constexpr std::size_t kEventCount = 14;
+inline constexpr std::size_t kEventCount = 13;
 [[nodiscard]] std::span<const Row> transitions() noexcept;
 
 /// The row for this pair; nullptr: the pair changes nothing.

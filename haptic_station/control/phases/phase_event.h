@@ -9,12 +9,11 @@ namespace telepalp::control {
 
 /// What a tick's inputs say, as far as the phases care.
 struct Seen {
-  bool fault_stands = false;   ///< the device is silent, or a number of the inputs is none
-  bool fault_latched = false;  ///< a force was no number
+  bool fault_stands = false;   ///< a FaultCause stands at this tick
+  bool fault_latched = false;  ///< a force was not finite
   bool rearm = false;          ///< an operator asks for it
   bool inputs_stale = false;   ///< tracker or surface older than its limit
   bool in_body = false;        ///< S1's i_b
-  bool surface_near = false;   ///< S1's d_s < d_thr
   bool below_plane = false;    ///< the end-effector
   bool at_plane = false;       ///< the end-effector, at the height of S1 eq. (5)
   bool hand_rose = false;      ///< clearly above the plane and the end-effector
@@ -48,10 +47,10 @@ struct Seen {
   if (seen.inputs_stale) return Event::InputStale;
   if (is_inside(phase)) {
     if (seen.in_body) return object_event(seen.touch);
-    return seen.surface_near ? Event::FromBody : Event::FarFromBody;
+    return Event::FromBody;
   }
-  if (phase == Phase::OutBody) return when(seen.below_plane, Event::UnderPlane);
   if (seen.in_body) return Event::IntoBody;
+  if (phase == Phase::OutBody) return when(seen.below_plane, Event::UnderPlane);
   if (phase == Phase::BodyToPlane) return when(seen.at_plane, Event::ToPlane);
   return when(seen.hand_rose, Event::HandRose);
 }

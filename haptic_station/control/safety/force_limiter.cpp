@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace telepalp::control {
 namespace {
+
+constexpr double kTaper = 0.6;  // share of the heat range over which the bound comes down
 
 /// `vector` shortened to `length` if it is longer. Scaled by its largest component first, so that a huge vector
 /// does not overflow to infinity; and to a hair less, so that rounding never ends above it.
@@ -19,8 +22,18 @@ Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double length) noexcept
 
 }  // namespace
 
+double ForceLimiter::holds_for_s(double force_N) const noexcept {
+  constexpr double kNever_s = std::numeric_limits<double>::infinity();
+  if (force_N <= limits_.continuous_N || limits_.peak_N <= limits_.continuous_N) return kNever_s;
+  const double full_N2 = limits_.continuous_N * limits_.continuous_N;
+  const double left = (force_N - limits_.continuous_N) / (limits_.peak_N - limits_.continuous_N);
+  const double yields_at_N2 = full_N2 * (1.0 - kTaper * std::min(left, 1.0));
+  if (heat_N2_ >= yields_at_N2) return 0.0;
+  const double square_N2 = force_N * force_N;
+  return limits_.thermal_time_s * std::log((square_N2 - heat_N2_) / (square_N2 - yields_at_N2));
+}
+
 double ForceLimiter::bound_N() const noexcept {
-  constexpr double kTaper = 0.3;  // share of the heat range over which the bound comes down
   const double full_N2 = limits_.continuous_N * limits_.continuous_N;
   const double left = std::clamp((full_N2 - heat_N2_) / (kTaper * full_N2), 0.0, 1.0);
   return limits_.continuous_N + (limits_.peak_N - limits_.continuous_N) * left;

@@ -19,13 +19,15 @@ class ForceLimiter {
   explicit ForceLimiter(const ForceLimits& limits = {}) noexcept : limits_(limits) {}
 
   /// The force to give for the force `wanted`, `dt_s` after the last one. Heat is the mean square force over
-  /// thermal_time_s; the bound falls from peak to continuous as the heat nears that of the continuous force.
+  /// thermal_time_s; the bound falls slowly from peak to continuous as the heat nears that of the continuous force.
   [[nodiscard]] Force<HapticBase> limit(const Force<HapticBase>& wanted, double dt_s) noexcept;
 
   [[nodiscard]] bool limited() const noexcept { return limited_; }
   [[nodiscard]] bool faulted() const noexcept { return faulted_; }
   [[nodiscard]] double heat_N2() const noexcept { return heat_N2_; }
   [[nodiscard]] double bound_N() const noexcept;
+  /// Time until the heat lowers the bound below `force_N`, if that force is held [s]; infinite when it never does.
+  [[nodiscard]] double holds_for_s(double force_N) const noexcept;
   void rearm() noexcept { faulted_ = false; }
 
  private:

@@ -2,31 +2,41 @@
 
 #include <algorithm>
 
+#include "haptic_station/control/parts/shortened.h"
+
 namespace telepalp::control {
+
+double PassivityController::Damper::follow(double excess_J, double speed2_m2_per_s2, double dt_s) noexcept {
+  constexpr double kStill_m2_per_s2 = 1e-8;  // 0.1 mm/s: slower than that nothing can be dissipated
+  double wanted = 0.0;
+  if (excess_J > 0.0)
+    wanted = std::min(most_N_s_per_m, excess_J / (std::max(speed2_m2_per_s2, kStill_m2_per_s2) * reaction_s));
+  const double most_change = most_N_s_per_m * dt_s / reaction_s;
+  now_N_s_per_m += std::clamp(wanted - now_N_s_per_m, -most_change, most_change);
+  return now_N_s_per_m;
+}
 
 void PassivityController::begin(double stored_J) noexcept {
   taken_J_ = stored_J_ = stored_J;
-  coefficient_N_s_per_m_ = 0.0;
+  display_.now_N_s_per_m = hand_.now_N_s_per_m = 0.0;
   damping_ = {};
 }
 
 Force<HapticBase> PassivityController::step(const Exchange& exchange, double dt_s) noexcept {
-  constexpr double kStill_m2_per_s2 = 1e-8;  // 0.1 mm/s: slower than that nothing can be dissipated
   const double damped_J = -damping_.N.dot(exchange.moved.v);
   taken_J_ += exchange.absorbed_J + damped_J;
   dissipated_J_ += damped_J;
   stored_J_ = exchange.stored_J;
   least_J_ = std::min(least_J_, balance_J());
+  if (!settings_.enabled) return damping_ = {};
 
-  const double excess_J = -balance_J() - settings_.tolerance_J;
-  const double speed2 = exchange.velocity.v.squaredNorm();
-  double wanted = 0.0;
-  if (settings_.enabled && excess_J > 0.0)
-    wanted = std::min(settings_.most_damping_N_s_per_m,
-                      excess_J / (std::max(speed2, kStill_m2_per_s2) * settings_.reaction_s));
-  const double most_change = settings_.most_damping_N_s_per_m * dt_s / settings_.reaction_s;
-  coefficient_N_s_per_m_ += std::clamp(wanted - coefficient_N_s_per_m_, -most_change, most_change);
-  damping_.N = -coefficient_N_s_per_m_ * exchange.velocity.v;
+  const Eigen::Vector3d& relative = exchange.velocity.v;
+  const Eigen::Vector3d& absolute = exchange.device_velocity.v;
+  const double display_excess_J = -balance_J() - settings_.tolerance_J;
+  const double hand_excess_J = exchange.hand_excess_J - settings_.hand_tolerance_J;
+  const Eigen::Vector3d wanted_N = -display_.follow(display_excess_J, relative.squaredNorm(), dt_s) * relative -
+                                   hand_.follow(hand_excess_J, absolute.squaredNorm(), dt_s) * absolute;
+  damping_.N += at_most(wanted_N - damping_.N, settings_.slew_N_per_s * dt_s);
   return damping_;
 }
 

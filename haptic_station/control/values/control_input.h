@@ -10,6 +10,7 @@ struct ControlInput {
   Point<HapticBase> device;            ///< the end-effector, S1's H_pH_E
   Vector<HapticBase> device_velocity;  ///< [m/s]
   double device_age_s = 0.0;           ///< since the device last answered
+  double device_implausible_s = 0.0;   ///< the device has reported movements beyond physics for so long; 0: plausible
   Point<HapticBase> hand;              ///< as tracked and predicted to now, S1's H_pL_h
   Vector<HapticBase> hand_velocity;    ///< [m/s]
   bool hand_valid = false;             ///< false: the tracker has not seen a hand yet; `hand` means nothing

@@ -16,6 +16,9 @@ struct ControlOutput {
   Vector<HapticBase> indentation;    ///< S1's d, eq. (8); zero out of the body
   double plane_height_m = 0.0;
   double passivity_J = 0.0;                    ///< balance of the passivity ledger
+  double hand_excess_J = 0.0;                  ///< HandLedger::excess_J() of this contact, against the measured skin
+  double drive_J = 0.0;                        ///< work on the hand by lift and position control since it began
+  double yields_in_s = 0.0;                    ///< until warm motors lower the force in contact; infinite: they do not
   Force<HapticBase> damping;                   ///< part of `force` that the passivity controller added
   double surface_speed_m_per_s = 0.0;          ///< of the skin as felt, along its normal
   bool limited = false;                        ///< the limiter changed the force

@@ -15,10 +15,10 @@ struct PlaneSettings {
 
 struct TransitionSettings {
   double dwell_s = 0.3;              ///< S1: at least so long in each state
-  double from_body_within_m = 0.05;  ///< d_thr
   double offset_fade_s = 0.15;       ///< time constant of the fading offsets: eq. (5)'s and the shown hand's
   double hand_rose_m = 0.02;         ///< so far above plane and end-effector, a hand has left
   double force_fade_N_per_s = 40.0;  ///< a force that a transition ends fades at this rate
+  double contact_release_s = 2.0;    ///< the skin fades over this time when the tracker is silent for too long
 };
 
 /// The low-level position control of the free end-effector, and the lift away from the body.
@@ -32,11 +32,13 @@ struct PositionControlSettings {
   double lift_most_N = 1.0;
 };
 
-/// Older than this, an input is no input.
+/// An input that is older than its limit counts as missing.
 struct AgeLimits {
-  double tracker_s = 0.1;
+  double tracker_s = 0.1;             ///< out of the body, where the end-effector follows the tracked hand
+  double tracker_in_contact_s = 3.0;  ///< in contact, where the skin's force depends on the device alone
   double surface_s = 1.0;
   double device_s = 0.1;
+  double implausible_s = 0.008;  ///< of device readings beyond physics; longer is a fault
 };
 
 struct ControlSettings {

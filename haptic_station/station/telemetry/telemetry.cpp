@@ -58,6 +58,8 @@ msg::StationState state_message(const TickSample& sample) {
   state.set_surface_stale(sample.surface_stale);
   state.set_limited(sample.limited);
   state.set_passivity_j(sample.passivity_J);
+  state.set_hand_excess_j(sample.hand_excess_J);
+  state.set_yields_in_s(sample.yields_in_s);
   return state;
 }
 
@@ -75,6 +77,10 @@ msg::StationCompensation compensation_message(const Compensation& compensation) 
   out.set_support(compensation.support);
   out.set_shown_offset_m(compensation.shown_offset_m);
   out.set_damping_n(compensation.damping_N);
+  out.set_hand_excess_j(compensation.hand_excess_J);
+  out.set_drive_j(compensation.drive_J);
+  out.set_device_jumps(compensation.device_jumps);
+  out.set_hand_jumps(compensation.hand_jumps);
   return out;
 }
 

@@ -1,5 +1,7 @@
 #include "haptic_station/station/telemetry/telemetry_publisher.h"
 
+#include <cmath>
+
 namespace telepalp::station {
 namespace {
 
@@ -33,7 +35,19 @@ void TelemetryPublisher::drain(SessionTime now) {
     has_ticked_ = true;
     publish_(wire::make_message(wire::kStationTicks, now, ticks_message(batch_, kPeriod_ns)));
     publish_(wire::make_message(wire::kStationState, now, state_message(last_)));
+    watch_heat(now);
   }
+}
+
+void TelemetryPublisher::watch_heat(SessionTime now) {
+  constexpr float kTold_s = 4.0F;  // as the hand feels it
+  const bool near = last_.yields_in_s < kTold_s && last_.phase != 0;
+  if (near && !heat_told_)
+    tell_event(
+        now, msg::EVENT_KIND_HEAT,
+        "the device's motors are warm: within 4 s the force falls slowly to what they can hold. fix: press less");
+  // Told again only after the motors could have held the force for good.
+  if (near || std::isinf(last_.yields_in_s)) heat_told_ = near;
 }
 
 void TelemetryPublisher::tell_event(SessionTime now, msg::EventKind kind, const std::string& text) {

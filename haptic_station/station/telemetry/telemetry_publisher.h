@@ -32,6 +32,9 @@ class TelemetryPublisher {
   /// Something else happened.
   void tell_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
+  /// Warns once when warm motors are about to lower the force in contact.
+  void watch_heat(SessionTime now);
+
   void frame_received() noexcept { totals_.frame_received(); }
   [[nodiscard]] const TickSample& last() const noexcept { return last_; }
   [[nodiscard]] bool has_ticked() const noexcept { return has_ticked_; }
@@ -45,6 +48,7 @@ class TelemetryPublisher {
   TickSample last_;
   std::optional<msg::TimerCheck> idle_timer_;
   bool has_ticked_ = false;
+  bool heat_told_ = false;
 };
 
 }  // namespace telepalp::station

@@ -172,7 +172,7 @@ TEST(EncounteredController, AStaleInputLetsGoWithinFiftyMilliseconds) {
     double force_N = 0.0;
     for (int i = 0; i < 100; ++i) {  // 50 ms
       fed.in.contact = fed.skin(fed.in.device, 0.0);
-      if (which == 0) fed.in.hand_age_s = 0.1001;
+      if (which == 0) fed.in.hand_age_s = 0.1001, fed.in.contact.in_body = false;
       if (which == 1) fed.in.contact.age_s = 1.0001;
       if (which == 2) fed.in.device_age_s = 0.1001;
       force_N = fed.controller.step(fed.in, 0.0005).force.N.norm();

@@ -94,11 +94,12 @@ struct Silence {
 std::ostream& operator<<(std::ostream& out, const Silence& one) { return out << one.what; }
 
 const control::AgeLimits kDefault;
+const double kTrackerInContact_s = kDefault.tracker_in_contact_s + control::TransitionSettings{}.contact_release_s;
 const Silence kSilences[] = {
-    {"tracker", kTracker, kDefault.tracker_s, Phase::Released},
+    {"tracker", kTracker, kTrackerInContact_s, Phase::Released},
     {"surface", kSurface, kDefault.surface_s, Phase::Released},
     {"device", kDevice, kDefault.device_s, Phase::Faulted},
-    {"tracker and surface", kTracker | kSurface, kDefault.tracker_s, Phase::Released},
+    {"tracker and surface", kTracker | kSurface, kDefault.surface_s, Phase::Released},
     {"everything at once", kTracker | kSurface | kDevice, kDefault.device_s, Phase::Faulted},
 };
 
@@ -159,7 +160,7 @@ const ClockStep kClockSteps[] = {
     {"an hour back", -std::chrono::hours(1), true},
     {"an hour on", std::chrono::hours(1), true},
     {"a second back", -std::chrono::seconds(1), true},
-    {"200 ms on, as after a stall", std::chrono::milliseconds(200), true},
+    {"200 ms on, as after a stall", std::chrono::milliseconds(200), false},
     {"20 ms back", -std::chrono::milliseconds(20), false},
     {"20 ms on", std::chrono::milliseconds(20), false},
 };
@@ -199,7 +200,8 @@ TEST(WatchdogClock, AfterAStepBackTheWatchdogStillSeesSilence) {
 
 TEST(WatchdogLimits, AreTheScenes) {
   control::ControlSettings settings;
-  settings.ages = {.tracker_s = 0.05, .surface_s = 0.2, .device_s = 0.02};
+  settings.ages = {.tracker_s = 0.05, .tracker_in_contact_s = 0.05, .surface_s = 0.2, .device_s = 0.02};
+  settings.transitions.contact_release_s = 0.02;
   const std::pair<Part, double> limits[] = {{kTracker, 0.05}, {kSurface, 0.2}, {kDevice, 0.02}};
   for (const auto& [part, limit_s] : limits) {
     Bench bench(settings);

@@ -121,7 +121,7 @@ AssertionResult begins_inside() {
   scene.seconds = 8.0;
   scene.person = presses_to(0.045);
   scene.spoil = [](control::ControlInput& in, double now_s) {
-    if (now_s > 2.5 && now_s < 4.0) in.hand_age_s = 1.0;
+    if (now_s > 2.5 && now_s < 4.0) in.contact.age_s = 2.0;
   };
   double begun_N = 0.0;
   double least_J = 0.0;

@@ -1,5 +1,6 @@
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/control/controller_scene.h"
+#include "tests/hard_cases/control/loop_scene.h"
 #include "tests/hard_cases/control/rows.h"
 
 namespace telepalp::hard_cases {
@@ -45,7 +46,7 @@ AssertionResult hot_motors() {
   const Felt felt = feel(scene);
   return all_of({{limited, "limited"},
                  below_N("to what it may hold", hot_N, 4.05),
-                 below_N("no wind-up: off the law by", wind_up_N, 0.05),
+                 below_N("no wind-up: off the law, but for the vibration of the warning, by", wind_up_N, 0.15),
                  below_mJ("energy given", felt.energy_out_J, 1.0),
                  above("and more again when cool", cooled_N, 6.0, 1.0, "N")});
 }
@@ -81,6 +82,56 @@ AssertionResult device_that_is_no_number() {
                  below_N("step", felt.worst_step_N, 0.25)});
 }
 
+constexpr double kGlitch_s = 2.5;  // in contact
+
+/// A hand that presses 30 mm deep and moves, with encoders that are off by `off_m(now_s)`.
+struct WrongEncoders {
+  Felt felt;
+  double step_N = 0.0;           ///< of the force, from the fault on, beside the step that the movement makes
+  double least_balance_J = 0.0;  ///< of the display's ledger, from the fault on
+};
+WrongEncoders with_encoders(const std::function<double(double)>& off_m, double seconds) {
+  LoopScene scene;
+  scene.effects = the_skin({.law = effects::linear_law(500.0)});
+  scene.seconds = seconds;
+  scene.person = [](const device::TrialView& view) {
+    device::Intention aim = presses_to(0.03)(view);
+    if (view.time_s > 1.5) aim.at.m.y() += 0.006 * std::sin(2.0 * std::numbers::pi * (view.time_s - 1.5));
+    return aim;
+  };
+  scene.encoders = [&](double now_s, ports::DeviceReading& reading) { reading.at.m.y() += off_m(now_s); };
+  WrongEncoders seen;
+  Eigen::Vector3d before_N = Eigen::Vector3d::Zero();
+  scene.watch = [&](const station::HapticLoop::Act& act, double now_s, const auto&, const auto&) {
+    if (now_s > kGlitch_s - 0.001) {
+      seen.step_N = std::max(seen.step_N, (act.force.N - before_N).norm());
+      seen.least_balance_J = std::min(seen.least_balance_J, act.control.passivity_J);
+    }
+    before_N = act.force.N;
+  };
+  seen.felt = feel(scene);
+  return seen;
+}
+
+AssertionResult encoder_glitch() {
+  for (const double off_m : {0.0003, -0.0003, 0.002, -0.002}) {
+    const WrongEncoders seen = with_encoders(
+        [=](double now_s) { return now_s >= kGlitch_s && now_s < kGlitch_s + 0.0004 ? off_m : 0.0; }, 4.0);
+    const AssertionResult result = all_of({below_N("step", seen.step_N, 0.1),
+                                           below_mJ("the ledger's error", -seen.least_balance_J, 1.0),
+                                           {!seen.felt.faulted && seen.felt.let_gos == 0, "contact holds"}});
+    if (!result || off_m < -0.001) return result;
+  }
+  return ::testing::AssertionFailure() << "no glitch was tried";
+}
+
+AssertionResult encoder_offset() {
+  const WrongEncoders seen = with_encoders([](double now_s) { return now_s >= kGlitch_s ? -0.03 : 0.0; }, 3.5);
+  return all_of({{seen.felt.last.fault == control::FaultCause::DeviceImplausible, "a fault, latched"},
+                 below_N("step", seen.step_N, 0.25),
+                 {seen.felt.last.force.N.norm() == 0.0, "no force on an unknown place"}});
+}
+
 }  // namespace
 
 std::vector<HardCase> device_rows() {
@@ -88,6 +139,9 @@ std::vector<HardCase> device_rows() {
       {"device gives 2 N of 10", "the force is not what was asked", "stable, contact holds", weak_motors},
       {"device hot after a minute", "the limiter holds 4 N of 9", "comes out by the law, no wind-up", hot_motors},
       {"device falls silent", "the force acts on an unknown place", "fault, latched until re-armed", silent_device},
+      {"one encoder reading is off", "a force at a place where no hand is", "bridged: step 0.1 N, 1 mJ",
+       encoder_glitch},
+      {"encoders are off by 30 mm for good", "6.6 N within 10 ms", "held, then a fault", encoder_offset},
       {"device that is no number", "NaN spreads", "fault, finite force", device_that_is_no_number},
   };
 }

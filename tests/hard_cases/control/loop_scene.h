@@ -48,6 +48,8 @@ struct LoopScene {
       [](int tick, double now_s, const Point<HapticBase>& hand) {
         return tick % kTicksPerSample == 0 ? std::vector<TrackedHand>{{now_s, hand}} : std::vector<TrackedHand>{};
       };
+  /// What the device's encoders say at `now_s`, in place of the truth.
+  std::function<void(double now_s, ports::DeviceReading&)> encoders = [](double, ports::DeviceReading&) {};
   std::function<void(const station::HapticLoop::Act&, double now_s, const station::HapticLoop&,
                      const device::SimulatedPair&)>
       watch = [](const station::HapticLoop::Act&, double, const station::HapticLoop&, const device::SimulatedPair&) {};
@@ -72,8 +74,9 @@ inline Felt feel(const LoopScene& scene) {
     }
     for (const TrackedHand& one : scene.tracker(tick, now_s, pair.true_hand()))
       loop.hand_sampled(at_s(one.at_s), one.hand);
-    const auto act =
-        loop.tick({.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0}, at_s(now_s), scene.kTick_s);
+    ports::DeviceReading reading{.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0};
+    scene.encoders(now_s, reading);
+    const auto act = loop.tick(reading, at_s(now_s), scene.kTick_s);
     const device::SimulatedPair before = pair;
     pair.step(act.force, scene.person({now_s, act.contact, pair.device()}), LoopScene::kTick_s);
     felt.add(act.control, before, pair, LoopScene::kTick_s);

@@ -22,7 +22,7 @@ Exchange outwards(double gave_J) {
 TEST(EnergyAccount, ShowsTheForceThatIsAskedForWhileNothingIsGivenAway) {
   EnergyAccount account;
   account.begin();
-  EXPECT_EQ(account.step(Vector3d(0.0, 3.0, 0.0), {}, kBound_N, kTick_s), Vector3d(0.0, 3.0, 0.0));
+  EXPECT_EQ(account.step(Vector3d(0.0, 3.0, 0.0), 1.0, {}, kBound_N, kTick_s), Vector3d(0.0, 3.0, 0.0));
   EXPECT_FALSE(account.withholds());
 }
 
@@ -31,7 +31,7 @@ TEST(EnergyAccount, DampsEnergyThatNobodyPaidFor) {
   account.begin();
   Vector3d force_N = Vector3d::Zero();
   for (int tick = 0; tick < 10; ++tick)
-    force_N = account.step(Vector3d(0.0, 3.0, 0.0), outwards(1e-4), kBound_N, kTick_s);
+    force_N = account.step(Vector3d(0.0, 3.0, 0.0), 1.0, outwards(1e-4), kBound_N, kTick_s);
   EXPECT_LT(account.passivity().balance_J(), 0.0);
   EXPECT_LT(force_N.y(), 3.0);
   EXPECT_LT(account.damping().N.y(), 0.0) << "against the movement";
@@ -40,20 +40,27 @@ TEST(EnergyAccount, DampsEnergyThatNobodyPaidFor) {
 TEST(EnergyAccount, BooksWhatTheDeviceCannotGiveAsNotGiven) {
   EnergyAccount account;
   account.begin();
-  EXPECT_EQ(account.step(Vector3d(0.0, 25.0, 0.0), {}, kBound_N, kTick_s), Vector3d(0.0, 10.0, 0.0));
+  EXPECT_EQ(account.step(Vector3d(0.0, 25.0, 0.0), 1.0, {}, kBound_N, kTick_s), Vector3d(0.0, 10.0, 0.0));
   EXPECT_TRUE(account.withholds());
   // The effects gave 25 N over 0.1 mm, the device 10 N of it: 1.5 mJ stay.
-  (void)account.step(Vector3d::Zero(), outwards(25.0 * 1e-4), kBound_N, kTick_s);
+  (void)account.step(Vector3d::Zero(), 1.0, outwards(25.0 * 1e-4), kBound_N, kTick_s);
   EXPECT_NEAR(account.passivity().balance_J(), -10.0 * 1e-4, 1e-12);
+}
+
+TEST(EnergyAccount, ShowsTheShareOfAContactThatIsReleased) {
+  EnergyAccount account;
+  account.begin();
+  EXPECT_EQ(account.step(Vector3d(0.0, 4.0, 0.0), 0.25, {}, kBound_N, kTick_s), Vector3d(0.0, 1.0, 0.0));
+  EXPECT_TRUE(account.withholds());
 }
 
 TEST(EnergyAccount, BooksWhatTheLimiterTook) {
   EnergyAccount account;
   account.begin();
-  (void)account.step(Vector3d(0.0, 4.0, 0.0), {}, kBound_N, kTick_s);
+  (void)account.step(Vector3d(0.0, 4.0, 0.0), 1.0, {}, kBound_N, kTick_s);
   account.limited(Vector3d(0.0, 1.0, 0.0), Vector3d(0.0, 4.0, 0.0));
   EXPECT_TRUE(account.withholds());
-  (void)account.step(Vector3d::Zero(), outwards(4.0 * 1e-4), kBound_N, kTick_s);
+  (void)account.step(Vector3d::Zero(), 1.0, outwards(4.0 * 1e-4), kBound_N, kTick_s);
   EXPECT_NEAR(account.passivity().balance_J(), -1e-4, 1e-12);
 }
 

@@ -53,6 +53,32 @@ TEST(ForceControl, AContactThatBeginsAtDepthBeginsWithoutForce) {
   EXPECT_NEAR(control.shown().distance_m, 0.0, 1e-4);
 }
 
+TEST(ForceControl, ReleasesAContactSlowlyAndTakesItUpAgain) {
+  ForceControl control = over_a_skin_of(300.0);
+  (void)pressed_to(control, 0.01);
+  for (int tick = 0; tick < 2000; ++tick) control.release(true, 2.0, kTick_s);
+  EXPECT_NEAR(control.step(at_height(-0.01), true, kBound_N, kTick_s).y(), 1.5, 0.02) << "half of 2 s";
+  EXPECT_FALSE(control.released());
+  for (int tick = 0; tick < 2100; ++tick) control.release(true, 2.0, kTick_s);
+  EXPECT_TRUE(control.released());
+  for (int tick = 0; tick < 4100; ++tick) control.release(false, 2.0, kTick_s);
+  EXPECT_NEAR(control.step(at_height(-0.01), true, kBound_N, kTick_s).y(), 3.0, 0.02);
+}
+
+TEST(ForceControl, TheLedgerAtTheHandSeesThatTheMeasuredSkinHasGone) {
+  ForceControl control = over_a_skin_of(300.0);
+  (void)pressed_to(control, 0.01);
+  const double before_J = control.hand_ledger().excess_J();
+  // The displayed skin stays, the measured one is 10 mm lower. The hand comes out against a force of 3 N to 0.
+  for (double at_m = 0.01; at_m > 0.0; at_m -= 5e-5) {
+    ControlInput in = at_height(-at_m);
+    in.contact.measured_above_m = -0.01;
+    const Eigen::Vector3d force_N = control.step(in, true, kBound_N, kTick_s);
+    control.gave({.skin = force_N}, force_N);
+  }
+  EXPECT_NEAR(control.hand_ledger().excess_J() - before_J, 0.5 * 300.0 * 0.01 * 0.01, 1e-3);
+}
+
 TEST(ForceControl, StiffSkinIsMetThroughTheCoupling) {
   ForceControl control = over_a_skin_of(20'000.0);
   ASSERT_TRUE(control.coupling().engaged());

@@ -31,7 +31,8 @@ TEST(InputCheck, ABlankInputIsFiniteStaleAndKeepsTheOperatorsRequest) {
   in.rearm = true;
   const ControlInput blank = blank_input(in, {{0.0, 0.1, 0.0}});
   EXPECT_TRUE(is_finite(blank));
-  EXPECT_TRUE(is_stale(blank, {}));
+  EXPECT_TRUE(surface_is_stale(blank, {}));
+  EXPECT_TRUE(hand_is_lost(blank, 3.0));
   EXPECT_TRUE(blank.rearm);
   EXPECT_EQ(blank.device.m.y(), 0.1);
 }
@@ -43,18 +44,24 @@ TEST(InputCheck, NamesTheCauseOfAFault) {
   EXPECT_EQ(standing_fault(in, {}), FaultCause::DeviceSilent);
   in.device_age_s = kNaN;
   EXPECT_EQ(standing_fault(in, {}), FaultCause::NotFinite);
+  in.device_age_s = 0.0;
+  in.device_implausible_s = 0.004;
+  EXPECT_EQ(standing_fault(in, {}), FaultCause::None) << "a glitch is bridged";
+  in.device_implausible_s = 0.009;
+  EXPECT_EQ(standing_fault(in, {}), FaultCause::DeviceImplausible);
 }
 
 TEST(InputCheck, AnAgeThatIsNaNOrFarInTheFutureIsStale) {
   for (const double age_s : {0.2, -0.2, kNaN}) {
     ControlInput in = good();
     in.hand_age_s = age_s;
-    EXPECT_TRUE(is_stale(in, {})) << age_s;
+    EXPECT_TRUE(hand_is_lost(in, 0.1)) << age_s;
   }
   ControlInput in = good();
-  EXPECT_FALSE(is_stale(in, {}));
+  EXPECT_FALSE(hand_is_lost(in, 0.1));
+  EXPECT_FALSE(surface_is_stale(in, {}));
   in.contact.age_s = kNaN;
-  EXPECT_TRUE(is_stale(in, {}));
+  EXPECT_TRUE(surface_is_stale(in, {}));
 }
 
 }  // namespace

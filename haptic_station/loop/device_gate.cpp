@@ -1,0 +1,94 @@
+#include "haptic_station/loop/device_gate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace telepalp::station {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSpeedFilter_rad_per_s = 2.0 * std::numbers::pi * 150.0;
+constexpr double kHoldDecay_s = 0.005;  // while held, the last velocity dies away
+constexpr double kLongestGap_s = 0.02;  // after a longer silence the readings begin anew
+constexpr double kSpeedTolerance_m_per_s = 0.05;
+constexpr double kSpeedToleranceShare = 0.3;
+
+}  // namespace
+
+double DeviceGate::allowed_m(double speed_m_per_s, double since_s) const noexcept {
+  return settings_.encoder_noise_m + settings_.timing_error * speed_m_per_s * since_s +
+         settings_.most_acceleration_m_per_s2 * since_s * since_s;
+}
+
+void DeviceGate::start(const ports::DeviceReading& reading) noexcept {
+  at_m_ = reading.at.m;
+  speed_ = raw_speed_ = reading.velocity.v;
+  offset_m_.setZero();
+  implausible_s_ = agree_s_ = 0.0;
+  last_ = reading;
+  started_ = true;
+}
+
+void DeviceGate::accept(const ports::DeviceReading& reading, double since_s, double dt_s) noexcept {
+  const double offset_m = offset_m_.norm();
+  if (offset_m > 0.0) {
+    const double absorbed_m = std::min(offset_m * dt_s / settings_.absorbed_over_s, settings_.absorbed_m_per_s * dt_s);
+    offset_m_ *= offset_m < 1e-7 ? 0.0 : 1.0 - absorbed_m / offset_m;
+  }
+  const Vector3d at_m = reading.at.m + offset_m_;
+  speed_ += ((at_m - at_m_) / since_s - speed_) * (1.0 - std::exp(-kSpeedFilter_rad_per_s * since_s));
+  at_m_ = at_m;
+  implausible_s_ = 0.0;
+}
+
+/// Readings that agree with each other are another truth: taken up with the offset to where the end-effector was
+/// carried, if that is small, or anew after a long while.
+void DeviceGate::hold(const ports::DeviceReading& reading, double dt_s) noexcept {
+  if (implausible_s_ <= 0.0) ++jumps_;
+  implausible_s_ += dt_s;
+  at_m_ += speed_ * dt_s;
+  speed_ *= std::exp(-dt_s / kHoldDecay_s);
+  const Vector3d slip_m = at_m_ - reading.at.m;
+  if (agree_s_ >= settings_.rebased_after_s) return start(reading);
+  if (agree_s_ < settings_.believed_after_s || slip_m.norm() > settings_.slip_m) return;
+  offset_m_ = slip_m;
+  speed_ = raw_speed_;
+  implausible_s_ = 0.0;
+}
+
+GatedReading DeviceGate::answer(const ports::DeviceReading& reading) const noexcept {
+  const double wrong = (reading.velocity.v - speed_).norm();
+  const bool believed =
+      implausible_s_ <= 0.0 && wrong <= kSpeedTolerance_m_per_s + kSpeedToleranceShare * speed_.norm();
+  return {.at = {at_m_}, .velocity = {believed ? reading.velocity.v : speed_}, .implausible_s = implausible_s_};
+}
+
+GatedReading DeviceGate::step(const ports::DeviceReading& reading, double dt_s) noexcept {
+  // The controller faults on what is not finite and on silence: neither is this gate's to judge.
+  if (!reading.at.m.allFinite() || !reading.velocity.v.allFinite() || !std::isfinite(reading.age_s) || !(dt_s > 0.0))
+    return {.at = reading.at, .velocity = reading.velocity, .implausible_s = implausible_s_};
+  const double since_s = dt_s + last_.age_s - reading.age_s;  // between the last two readings
+  if (!started_ || !(since_s < kLongestGap_s)) {
+    start(reading);
+    return answer(reading);
+  }
+  if (since_s <= 0.0 || (reading.age_s > last_.age_s && reading.at.m == last_.at.m)) {  // nothing new was read
+    last_.age_s = reading.age_s;
+    return answer(reading);
+  }
+  const Vector3d raw_speed = (reading.at.m - last_.at.m) / since_s;
+  const bool agrees = (raw_speed - raw_speed_).norm() * since_s <= allowed_m(raw_speed_.norm(), since_s);
+  agree_s_ = agrees ? agree_s_ + dt_s : 0.0;
+  raw_speed_ = raw_speed;
+  last_ = reading;
+  const double surprise_m = (reading.at.m + offset_m_ - at_m_ - speed_ * since_s).norm();
+  if (surprise_m <= allowed_m(speed_.norm(), since_s))
+    accept(reading, since_s, dt_s);
+  else
+    hold(reading, dt_s);
+  return answer(reading);
+}
+
+}  // namespace telepalp::station
