@@ -1,6 +1,6 @@
 #include "haptic_station/control/parts/transition_fade.h"
 
-#include "haptic_station/control/parts/shortened.h"
+#include "haptic_station/control/safety/shortened.h"
 
 namespace telepalp::control {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "haptic_station/control/parts/shortened.h"
+#include "haptic_station/control/safety/shortened.h"
 
 namespace telepalp::control {
 
