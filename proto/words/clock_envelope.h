@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <optional>
 
 namespace telepalp {
 
@@ -22,32 +21,34 @@ class ClockEnvelope {
   /// Our time of the stamp `theirs`, which arrived at `ours`; never later than `ours`.
   [[nodiscard]] Nanoseconds map(Nanoseconds theirs, Nanoseconds ours) noexcept {
     const Nanoseconds observed = ours - theirs;
-    if (!offset_ || observed - *offset_ > kJump || *offset_ - observed > kJump) {
-      if (offset_) ++jumps_;
+    if (!started_ || observed - offset_ > kJump || offset_ - observed > kJump) {
+      if (started_) ++jumps_;
       offset_ = observed;
+      started_ = true;
     } else {
       const Nanoseconds rise(static_cast<Nanoseconds::rep>(static_cast<double>((ours - last_).count()) * drift_));
-      offset_ = std::min(*offset_ + rise, observed);
+      offset_ = std::min(offset_ + rise, observed);
     }
     last_ = ours;
-    return theirs + *offset_;
+    return theirs + offset_;
   }
 
   /// Starts a new mapping with the next pair.
   void restart() noexcept {
-    if (offset_) ++jumps_;
-    offset_.reset();
+    if (started_) ++jumps_;
+    started_ = false;
   }
 
   /// Our time minus theirs as of the last map(); zero before the first.
-  [[nodiscard]] Nanoseconds difference() const noexcept { return offset_.value_or(Nanoseconds{0}); }
+  [[nodiscard]] Nanoseconds difference() const noexcept { return offset_; }
 
   /// How often a mapping was replaced by a new one.
   [[nodiscard]] std::uint64_t jumps() const noexcept { return jumps_; }
 
  private:
   double drift_;
-  std::optional<Nanoseconds> offset_;
+  bool started_ = false;
+  Nanoseconds offset_{0};
   Nanoseconds last_{0};
   std::uint64_t jumps_ = 0;
 };
