@@ -192,6 +192,45 @@ test('a held hand stays with its viewer through silence, another one asks, and w
   }
 });
 
+test('the page that holds the hand shows that another viewer asks, and its button passes the hand on', async () => {
+  const workplace = new Workplace('browser_hand_asked');
+  let browser;
+  try {
+    const {http_port} = await start(workplace, 'browser');
+    const other = await connect(http_port);
+    browser = await openBrowser(workplace.folder, {width: 700, height: 520});
+    const {page, problems} = browser;
+    await page.goto(`http://127.0.0.1:${http_port}/`);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 10_000);
+    await page.click('#hold-hand');
+    await page.mouse.move(350, 270);
+    await until('the page holds the hand', () => Number(other.heard.holder?.viewer ?? 0) > 0);
+    const holder = Number(other.heard.holder.viewer);
+    assert.notEqual(holder, other.number);
+    const notice = page.locator('.hand-notice');
+    assert.equal(await notice.isVisible(), false, 'nobody asks yet');
+    await until('the page shows who asks', async () => {
+      other.tell(0, 0, 0.63);
+      return await notice.isVisible();
+    });
+    assert.match(await notice.innerText(), /Another viewer asks for the hand/);
+    await page.screenshot({path: join(workplace.folder, 'asked.png')});
+    await page.click('.hand-notice button');
+    await until('the hand has passed', () => {
+      other.tell(0, 0, 0.63);
+      return Number(other.heard.holder.viewer) === other.number;
+    });
+    await page.click('#hold-hand');
+    await until('the page says that another viewer holds it', async () =>
+      await notice.isVisible() && /Another viewer holds the hand/.test(await notice.innerText()));
+    assert.deepEqual(problems, []);
+    other.client.close();
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
 test('what a hostile viewer sends never becomes a hand, and an honest one is served beside it', async () => {
   const workplace = new Workplace('browser_hand_hostile');
   try {
