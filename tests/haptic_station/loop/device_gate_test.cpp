@@ -73,13 +73,13 @@ TEST(DeviceGate, ALargeLastingOffsetStaysImplausibleUntilItIsTheNewTruth) {
   EXPECT_EQ(bench.run(1100, 0.03).implausible_s, 0.0) << "so that an operator can re-arm";
 }
 
-TEST(DeviceGate, ASuddenMovementIsFollowedWithinMilliseconds) {
+TEST(DeviceGate, ASuddenMovementIsFollowedAtOnceAndItsSlipIsAbsorbedWithinATenthOfASecond) {
   DeviceGate gate;
   ports::DeviceReading reading;
   GatedReading got;
   for (int tick = 0; tick < 100; ++tick) got = gate.step(reading, kTick_s);
   reading.velocity.v.y() = -1.0;  // from rest to 1 m/s in a tick
-  for (int tick = 0; tick < 60; ++tick) {
+  for (int tick = 0; tick < 200; ++tick) {
     reading.at.m.y() -= 1.0 * kTick_s;
     got = gate.step(reading, kTick_s);
     EXPECT_LT(got.implausible_s, 0.003);
