@@ -10,8 +10,8 @@
 
 namespace telepalp::wire {
 
-/// A reliable stream of bytes between two ends. The seam where TLS goes: a Connection knows only this, so that a
-/// TLS stream, once its handshake is done, takes the place of plain TCP without a change above it.
+/// A reliable, bidirectional stream of bytes. Connection uses only this interface, so that a TLS stream can replace
+/// plain TCP without changes in Connection.
 /// Owner: the thread of its io_context. At most one read and one write are pending at a time.
 class ByteStream {
  public:
@@ -19,19 +19,19 @@ class ByteStream {
 
   virtual ~ByteStream() = default;
   virtual void async_read_some(boost::asio::mutable_buffer into, Done done) = 0;
-  /// Writes all of `from`, whose memory stays valid until `done`.
+  /// Writes all of `from`. The caller keeps its memory valid until `done` is called.
   virtual void async_write(const std::vector<boost::asio::const_buffer>& from, Done done) = 0;
-  /// Tells the peer that nothing more is written; reading goes on, so that the last words are not lost to a reset.
+  /// Shuts down the sending direction. Reading continues, so that the peer's last messages are not lost to a TCP reset.
   virtual void end_writing() noexcept = 0;
-  /// Ends what is pending with operation_aborted. May be called again.
+  /// Closes the stream; pending operations end with operation_aborted. May be called repeatedly.
   virtual void close() noexcept = 0;
   [[nodiscard]] virtual boost::asio::any_io_executor executor() = 0;
-  /// "127.0.0.1:4711", for people.
+  /// Address of the peer for log lines, for example "127.0.0.1:4711".
   [[nodiscard]] virtual std::string peer() const = 0;
 };
 
-/// Plain TCP: no delay for small messages, and little unsent data in the kernel, since what waits there can no
-/// longer be overtaken by something newer.
+/// A stream over plain TCP. Nagle's algorithm is off, and the kernel's send buffer is small: a message that waits in
+/// the kernel cannot be replaced by a newer one.
 [[nodiscard]] std::unique_ptr<ByteStream> plain_tcp(boost::asio::ip::tcp::socket socket);
 
 }  // namespace telepalp::wire

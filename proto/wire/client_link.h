@@ -22,20 +22,20 @@
 namespace telepalp::wire {
 
 enum class LinkState {
-  Connecting,  ///< trying; again and again, with back-off
-  Connected,   ///< greeted, subscribed, and the session clock is known
-  Lost,        ///< was Connected; Connecting follows by itself
+  Connecting,  ///< trying to connect, with back-off between attempts
+  Connected,   ///< handshake done, subscribed, session clock synchronised
+  Lost,        ///< the connection was lost; Connecting follows automatically
   Refused,     ///< the server speaks another protocol version; nothing follows but Stopped
-  Stopped,     ///< stop() was called; nothing follows
+  Stopped,     ///< stop() was called; the final state
 };
 [[nodiscard]] std::string_view name(LinkState state) noexcept;
 
 /// Why a program ends at LinkState::Refused. `detail` is the state's, `server` its HOST:PORT.
 [[nodiscard]] Error refused_error(const std::string& detail, const std::string& server);
 
-/// What a station, a recorder or a tool holds of a server: connects, subscribes, keeps the session clock, publishes
-/// its own topics upstream, and comes back by itself when the server does. Runs on the io_context's one thread;
-/// every method is called on it, but clock(), which any thread may ask.
+/// A client's link to the server, for station, recorder and tools. It connects, subscribes, synchronises the session
+/// clock, publishes the client's topics, and reconnects when the server returns. It runs on the io_context's one
+/// thread; all methods are called there, except clock(), which any thread may call.
 ///
 ///   wire::ClientLink link(io, {.port = 4711, .name = "telepalp-record", .subscribes = {"*"}},
 ///                         {.on_message = [&](const wire::Message& message) { … }});
@@ -46,20 +46,20 @@ class ClientLink : private ConnectionOwner {
   struct Options {
     std::string host = "127.0.0.1";
     std::uint16_t port = 0;
-    std::string name{};                     ///< of this program; the server's statistics list it
+    std::string name{};                     ///< of this program; appears in the server's statistics
     std::string role = "viewer";            ///< doctor, recorder, technician, qa, viewer: what place it is given
     std::vector<std::string> subscribes{};  ///< topic names; one ending in '*' is a prefix
-    std::vector<Topic> publishes{};         ///< what publish() may be given; the server takes only /station/…
+    std::vector<Topic> publishes{};         ///< topics that publish() accepts; the server accepts only /station/…
   };
   struct Handlers {
     std::function<void(const Message&)> on_message{};
-    /// `detail` is for people: whom it is connected to, or why not.
+    /// `detail`: text for a log line with the peer's address, or the reason why there is no connection.
     std::function<void(LinkState, const std::string& detail)> on_state{};
   };
   struct Counts {
-    std::uint64_t connections = 0;  ///< times that Connected was reached
-    std::uint64_t published = 0;    ///< handed to the socket
-    std::uint64_t not_sent = 0;     ///< overtaken in the queue, or published while there was no connection
+    std::uint64_t connections = 0;  ///< number of times that the state became Connected
+    std::uint64_t published = 0;    ///< messages written to the socket
+    std::uint64_t not_sent = 0;     ///< messages dropped from the queue or published without a connection
   };
 
   ClientLink(boost::asio::io_context& io, Options options, Handlers handlers);
@@ -68,42 +68,43 @@ class ClientLink : private ConnectionOwner {
   ClientLink& operator=(const ClientLink&) = delete;
 
   void start();
-  /// Sends what is queued, says Goodbye and tries no more; all that within half a second, then io_context::run() ends.
+  /// Sends queued messages and a Goodbye, and closes the link, within 0.5 s; then no work is left in the io_context.
   void stop(const std::string& reason = "done");
 
-  void subscribe(std::vector<std::string> topics);  ///< replaces; kept over reconnections
+  void subscribe(std::vector<std::string> topics);  ///< replaces the subscription; persists over reconnections
 
-  /// Sends `message` upstream, numbered by topic. False: there is no connection; only /station/events wait for the
-  /// next one, since a state that is seconds old serves nobody.
+  /// Sends `message` to the server with the topic's next sequence number. Returns false without a connection. Then the
+  /// message is dropped, because a state that is seconds old is useless; only messages of /station/events are kept for
+  /// the next connection.
   bool publish(Message message);
 
-  /// Tells the server that `unreadable`, as on_message gave it, cannot be read without the one before it, which is not
-  /// at hand. One that stands alone follows soon. Nothing while there is no connection: after one, it comes anyway.
+  /// Requests a key frame: `unreadable` (from on_message) cannot be decoded because its reference frame is missing.
+  /// Without a connection it does nothing, because the first frame of a new connection is a key frame.
   void want_key(const Message& unreadable);
 
-  /// The session clock as known now; before the first connection, this machine's wall-clock guess. Any thread.
-  /// Ask again for each reading: the offset within is slewed, and so changes with time.
+  /// The current estimate of the session clock; before the first connection, this machine's wall clock. Any thread.
+  /// Call clock() for each reading, because the offset is slewed.
   [[nodiscard]] SessionClock clock() const noexcept;
-  /// How far clock() may be from the truth.
+  /// Bound on the error of clock().
   [[nodiscard]] Nanoseconds clock_uncertainty() const noexcept { return clock_sync_.uncertainty(); }
 
   [[nodiscard]] LinkState state() const noexcept { return state_; }
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
-  /// By topic, over all connections.
+  /// Received and missed messages by topic, over all connections.
   [[nodiscard]] std::map<std::string_view, ReceivedCount> received() const;
 
  private:
   bool accepts(const Topic&) override { return true; }
   void on_ready(const msg::Hello& peer) override;
   void on_message(Message message) override;
-  void on_subscribe(std::vector<std::string>) override {}  // a server takes what it is sent
+  void on_subscribe(std::vector<std::string>) override {}  // a server does not subscribe
   void on_clock(const ClockSample& sample) override;
-  void on_want_key(const Topic&, SessionTime) override {}  // what a client publishes stands alone
+  void on_want_key(const Topic&, SessionTime) override {}  // clients publish no predicted frames
   void on_closed(const std::string& reason) override;
   std::optional<Message> next_to_send() override;
   SessionTime session_now() override { return clock().now(); }
 
-  /// `handler`, made to do nothing once this link is gone: the io_context may still hold it then.
+  /// Wraps `handler` so that it does nothing after this link is destroyed: the io_context may still hold it.
   template <class Handler>
   auto while_alive(Handler handler) {
     return [alive = std::weak_ptr<const bool>(alive_), handler = std::move(handler)](const auto&... arguments) {
@@ -119,13 +120,13 @@ class ClientLink : private ConnectionOwner {
   void probe_later();
   void become(LinkState state, const std::string& detail);
 
-  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // shared with pending handlers, as a sign
+  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending handlers hold weak_ptrs to it
   boost::asio::io_context& io_;
   Options options_;
   Handlers handlers_;
   const std::uint64_t run_;  // by it a server knows this link again after a reconnection
   LinkState state_ = LinkState::Stopped;
-  std::shared_ptr<Connection> connection_;  // shared with its pending operations; null between connections
+  std::shared_ptr<Connection> connection_;  // shared with pending operations; null without a connection
   std::string peer_name_;
   boost::asio::ip::tcp::resolver resolver_;
   boost::asio::ip::tcp::socket connecting_;
@@ -133,11 +134,11 @@ class ClientLink : private ConnectionOwner {
   boost::asio::steady_timer probe_;
   std::chrono::milliseconds back_off_;
   ClockSync clock_sync_;
-  std::atomic<std::int64_t> offset_target_ns_;           // SlewedOffset, written by the network thread, read by any:
-  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // written before the target and read after it
-  int probes_ = 0;                                       // on this connection
+  std::atomic<std::int64_t> offset_target_ns_;           // a SlewedOffset; written by the network thread,
+  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // read by any; written before the target, read after it
+  int probes_ = 0;                                       // number of clock probes sent on this connection
   SendQueue outgoing_;
-  std::map<std::string_view, std::uint64_t> sequences_;  // last number given, by topic
+  std::map<std::string_view, std::uint64_t> sequences_;  // last sequence number by topic
   std::map<std::string_view, ReceivedCount> received_before_;
   Counts counts_;
 };

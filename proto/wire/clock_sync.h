@@ -9,47 +9,47 @@
 
 namespace telepalp::wire {
 
-/// NTP's four stamps of one probe: two of the prober's steady clock, two of the peer's session clock.
+/// The four NTP time stamps of one clock probe: two on the prober's steady clock, two on the peer's session clock.
 struct ClockSample {
-  Nanoseconds asked;     ///< local
-  Nanoseconds received;  ///< session
-  Nanoseconds replied;   ///< session
-  Nanoseconds heard;     ///< local
+  Nanoseconds asked;     ///< request sent, local time
+  Nanoseconds received;  ///< request received, session time
+  Nanoseconds replied;   ///< reply sent, session time
+  Nanoseconds heard;     ///< reply received, local time
 
-  /// Time on the way, both ways, without the peer's own delay.
+  /// Network delay of request and reply, without the peer's processing time.
   [[nodiscard]] Nanoseconds round_trip() const noexcept { return (heard - asked) - (replied - received); }
-  /// Session minus local if both ways took equally long; the truth lies within half a round trip of it.
+  /// Session minus local time, exact if both directions took equally long. The error is at most half the round trip.
   [[nodiscard]] Nanoseconds offset() const noexcept { return ((received - asked) + (replied - heard)) / 2; }
 };
 
-/// Session minus local time as a function of local time: `target`, or, above it, a line that falls by half. Time
-/// read through it never runs backwards: a second here is at least half a second there.
+/// Session minus local time as a function of local time: the maximum of `target` and a line with slope -1/2. The slope
+/// makes session time advance at least half as fast as local time, so it never runs backwards.
 struct SlewedOffset {
   Nanoseconds target{0};
-  Nanoseconds line_at_zero{0};  ///< what the falling line would be at local time 0
+  Nanoseconds line_at_zero{0};  ///< value of the falling line at local time 0
 
   [[nodiscard]] Nanoseconds at(Nanoseconds local) const noexcept { return std::max(target, line_at_zero - local / 2); }
 };
 
-/// Estimates session time minus local steady time from probes. Pure: it is told what time it is.
+/// Estimates session time minus local steady time from probes. Pure: it reads no clock.
 ///
-/// The sample of the shortest round trip among the recent ones is believed: queueing only ever lengthens a round
-/// trip, so that sample has the least room for asymmetry. Age counts against it, since crystals drift (NTP's clock
-/// filter and distance, RFC 5905 §10 and §11.2.1). A correction upwards is taken at once; one downwards is slewed, so
-/// that time never runs backwards; one of a second or more is another time line, and is taken at once.
+/// The estimate is the recent sample with the shortest round trip: queueing lengthens a round trip, so this sample has
+/// the smallest bound on asymmetry. Age adds to a sample's distance, because oscillators drift (NTP's clock filter and
+/// root distance, RFC 5905 §10 and §11.2.1). An upward correction applies at once. A downward correction is slewed, so
+/// that time never runs backwards; one of 1 s or more means a restarted session and applies at once.
 class ClockSync {
  public:
-  /// False: the sample contradicts itself (time ran backwards) and is dropped.
+  /// Adds a sample. False: the sample is inconsistent (time ran backwards) and is dropped.
   bool add(const ClockSample& sample);
 
-  /// Forgets the samples, as after a reconnection; the offset given out stays continuous.
+  /// Discards the samples, for example after a reconnection; offset() stays continuous.
   void forget_samples() noexcept { window_.clear(); }
 
-  /// Session minus local, as given out; nullopt before the first sample.
+  /// The slewed estimate of session minus local time; nullopt before the first sample.
   [[nodiscard]] const std::optional<SlewedOffset>& offset() const noexcept { return given_; }
-  /// How far the estimate may be from the truth: half its round trip, and what crystals may have drifted since.
+  /// Bound on the estimate's error: half its round trip plus the largest drift of the oscillators since.
   [[nodiscard]] Nanoseconds uncertainty() const noexcept;
-  /// Changes that were taken at once, after the first.
+  /// Number of corrections that were applied at once, without the first.
   [[nodiscard]] std::uint64_t steps() const noexcept { return steps_; }
 
  private:

@@ -20,64 +20,64 @@
 
 namespace telepalp::wire {
 
-inline constexpr std::chrono::seconds kHandshakeDeadline{5};  ///< from the first byte possible to the peer's Hello
-inline constexpr std::chrono::seconds kSilenceDeadline{5};    ///< between two whole frames of a peer
+inline constexpr std::chrono::seconds kHandshakeDeadline{5};  ///< from the start of the connection to the peer's Hello
+inline constexpr std::chrono::seconds kSilenceDeadline{5};    ///< longest time between two complete frames of the peer
 
-/// What a Connection tells its owner, and asks of it. All calls come on the connection's thread.
+/// Callbacks of a Connection. All are called on the connection's thread.
 class ConnectionOwner {
  public:
   virtual ~ConnectionOwner() = default;
-  /// Whether this peer may publish `topic` at all; a peer that advertises another one is left.
+  /// True if this peer may publish `topic`. A peer that advertises a forbidden topic is disconnected.
   virtual bool accepts(const Topic& topic) = 0;
-  /// The peer's Hello has come and fits. Messages may follow.
+  /// A valid Hello has arrived from the peer. Messages may follow.
   virtual void on_ready(const msg::Hello& peer) = 0;
   virtual void on_message(Message message) = 0;
   virtual void on_subscribe(std::vector<std::string> topics) = 0;
   virtual void on_clock(const ClockSample& sample) = 0;
-  /// The peer could not read the message of `topic` published at `published`, for want of the one before it.
+  /// The peer requests a key frame: it could not decode the message of `topic` published at `published`.
   virtual void on_want_key(const Topic& topic, SessionTime published) = 0;
-  /// The last call: nothing is asked or told after it. `reason` is for people.
+  /// The connection has ended; no callback follows. `reason`: text for a log line.
   virtual void on_closed(const std::string& reason) = 0;
-  /// The next message to send; nullopt: none now, and wake() follows when there is one. The owner's bounded
-  /// queue is the only one: the connection holds just the message that it is writing.
+  /// Returns the next message to send; nullopt: no message waits, and the owner calls wake() when there is one. The
+  /// owner holds the bounded queue; the connection holds only the message being written.
   virtual std::optional<Message> next_to_send() = 0;
-  /// The session time with which the peer's clock probes are answered.
+  /// Current session time, for the replies to the peer's clock probes.
   virtual SessionTime session_now() = 0;
 };
 
-/// What a connection has seen of one topic.
+/// Received messages of one topic.
 struct ReceivedCount {
   std::uint64_t messages = 0;
-  std::uint64_t missed = 0;  ///< gaps in the numbers: what the sender dropped for us
+  std::uint64_t missed = 0;  ///< messages that the sender dropped: gaps in the sequence numbers
 };
 
-/// One conversation of WIRE.md with one peer, over any ByteStream. Owner: the stream's thread; no locks.
-/// Held by shared_ptr because operations pending in the io_context outlive the owner's wish to be rid of it: each
-/// keeps the connection alive until it has ended.
+/// One connection to one peer with the protocol of WIRE.md, over any ByteStream. Owner: the stream's thread; no locks.
+/// It is held by shared_ptr because pending Asio operations may outlive the owner's reference; each keeps the
+/// connection alive until it ends.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   struct Options {
-    std::string name{};                                ///< of the program, told to the peer
+    std::string name{};                                ///< name of the program, sent to the peer
     std::string role{};                                ///< technician, doctor, viewer, qa, server
     std::uint64_t run = 0;                             ///< random number of this run of the program; 0: none
-    std::vector<Topic> publishes{};                    ///< the topics that next_to_send() may give
-    std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< taken from this peer once its Hello has come
+    std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
+    std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello
     /// More is left in the kernel until its time comes, so that the peer is held up and nobody else; 0: no limit.
     std::size_t max_read_bytes_per_s = 0;
   };
 
-  /// `owner` outlives the connection's on_closed(), or calls abandon() first.
+  /// `owner` must live until on_closed() was called, or call abandon() first.
   Connection(std::unique_ptr<ByteStream> stream, Options options, ConnectionOwner& owner);
 
-  void start();                                            ///< greets, reads, watches the deadlines
-  void wake();                                             ///< there is something to send
-  void subscribe(const std::vector<std::string>& topics);  ///< replaces what was asked for before
+  void start();                                            ///< sends Hello, reads, and checks the deadlines
+  void wake();                                             ///< call it when next_to_send() has a message again
+  void subscribe(const std::vector<std::string>& topics);  ///< replaces the earlier subscription
   void probe_clock();
-  /// Asks the peer for a message that stands alone, since `unreadable` does not.
+  /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.
   void want_key(const Message& unreadable);
-  /// Sends what next_to_send() still has, says Goodbye and closes, at the latest after half a second.
+  /// Sends the remaining messages of next_to_send() and a Goodbye, and closes, within 0.5 s.
   void close(const std::string& reason);
-  /// Closes at once; the owner hears nothing more.
+  /// Closes at once; no callback follows.
   void abandon() noexcept;
 
   [[nodiscard]] bool ready() const noexcept { return phase_ == Phase::Open; }
@@ -89,7 +89,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
  private:
   enum class Phase { Greeting, Open, Leaving, Closed };
   struct Incoming {
-    std::optional<Topic> topic;  ///< none: a topic that this end does not know; its messages are passed over
+    std::optional<Topic> topic;  ///< nullopt: an unknown topic, whose messages are ignored
     std::uint64_t last_sequence = 0;
   };
 
@@ -108,7 +108,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void write();
   void write_control(msg::Control control);
   void write_frame(FrameHeader header, std::shared_ptr<const std::string> payload);
-  void leave(const std::string& reason);  ///< the same without sending what is queued: the peer is not to be trusted
+  void leave(const std::string& reason);  ///< sends only a Goodbye and closes: the peer has violated the protocol
   void watch(std::chrono::steady_clock::duration patience, std::string reason);
   void finish(const std::string& reason) noexcept;
   void on_lost(const boost::system::error_code& code) noexcept;
@@ -128,14 +128,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::map<std::uint32_t, Incoming> channels_;
   std::map<std::string_view, ReceivedCount> received_;
 
-  std::deque<msg::Control> control_;  // bounded: a peer that asks and does not listen is left
+  std::deque<msg::Control> control_;  // bounded: a peer that sends requests without reading replies is disconnected
   std::uint64_t control_sequence_ = 0;
   bool writing_ = false;
-  bool drains_ = false;  // while leaving: the owner's queue goes out before the Goodbye
+  bool drains_ = false;  // while leaving: the owner's queue is sent before the Goodbye
   bool said_goodbye_ = false;
   HeaderBytes header_being_written_{};
   std::shared_ptr<const std::string> payload_being_written_;
-  std::deque<Nanoseconds> asked_;  // of the clock probes under way, oldest first; bounded
+  std::deque<Nanoseconds> asked_;  // send times of unanswered clock probes, oldest first; bounded
 };
 
 }  // namespace telepalp::wire

@@ -9,31 +9,31 @@
 
 namespace telepalp::wire {
 
-/// What a message tells of its depth: how it was compressed, and how far that took it from what the camera measured.
+/// How a message's depth was compressed, and the bound on its error against the camera's measurement.
 struct DepthFidelity {
-  std::string mode;                         ///< of the codec; empty: not told
-  bool moved = false;                       ///< whether depth may be other than measured
-  std::optional<msg::DepthBound> within{};  ///< nullopt though moved: nobody tells by how much
+  std::string mode;                         ///< mode of the depth codec; empty: unknown
+  bool moved = false;                       ///< true: near-lossless, depth may differ from the measurement
+  std::optional<msg::DepthBound> within{};  ///< nullopt with `moved`: the bound is unknown
 };
 
-/// A bound that is negative, not finite, or beyond a metre is as good as none; that depth was moved is believed all the
-/// same.
+/// Reads the fidelity from a message. A bound that is negative, not finite, or above 1 m counts as unknown; `moved` is
+/// kept.
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::DepthImage& image);
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::SurfaceReport& report);
 
-/// The same for whoever compresses such depth again; nullopt: it is as measured.
+/// The bound in the form that the depth encoder needs, for depth that is compressed again; nullopt: lossless.
 [[nodiscard]] std::optional<DepthLoss> loss_of(const DepthFidelity& told) noexcept;
 
-/// The one of which less may be expected; of two alike the newer one.
+/// The fidelity with the looser bound; of two equal ones the newer.
 [[nodiscard]] DepthFidelity less_exact(const DepthFidelity& older, const DepthFidelity& newer);
 
-/// For people: "as measured", "off by up to 2.85 mm at 1 m".
+/// Text for reports: "as measured", "off by up to 2.85 mm at 1 m".
 [[nodiscard]] std::string how_far(const DepthFidelity& told);
 
-/// With the mode before it: "bounded, off by up to 2.85 mm at 1 m".
+/// Text for reports with the mode first: "bounded, off by up to 2.85 mm at 1 m".
 [[nodiscard]] std::string in_words(const DepthFidelity& told);
 
-/// The furthest that depth at 1 m may be off [mm].
+/// The bound on the error of a depth of 1 m [mm].
 [[nodiscard]] double at_1_m_mm(const msg::DepthBound& bound) noexcept;
 
 }  // namespace telepalp::wire

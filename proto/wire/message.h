@@ -10,19 +10,19 @@
 
 namespace telepalp::wire {
 
-/// The most that one message may weigh on any channel; a frame that declares more is refused before allocation.
+/// Largest payload of a message; a frame that declares more is refused before memory is allocated.
 inline constexpr std::size_t kMaxPayloadBytes = std::size_t{8} << 20;
 
-/// One timestamped message on a topic. The payload is a serialised Protobuf message of the topic's schema; it is
-/// shared because it is encoded once and handed, unchanged, to every subscriber and the recorder.
+/// One time-stamped message on a topic. The payload is a serialised Protobuf message of the topic's type. It is a
+/// shared_ptr because it is encoded once and sent to all subscribers.
 struct Message {
   Topic topic;
   SessionTime published;
   std::shared_ptr<const std::string> payload;
-  std::uint64_t sequence = 0;  ///< counts the topic's messages at whoever sends them on, from 1; a gap is a loss.
+  std::uint64_t sequence = 0;  ///< number within the topic, from 1, given by the sender; a gap means lost messages.
                                ///< 0: not numbered yet
-  bool stands_alone = true;    ///< false: of use only to who has the topic's message before it. Its publisher's word;
-                               ///< not on the wire
+  bool stands_alone = true;    ///< false: decoding needs the topic's message before this one. Set by the publisher;
+                               ///< not sent on the wire
 };
 
 /// Serialises `proto` as a message of `topic`.

@@ -24,9 +24,9 @@ struct QueueLimit {
 /// own oldest messages and cannot push out a small one. It is the only queue of messages between publisher and socket.
 class SendQueue {
  public:
-  /// Adds `message`. Returns what could not stay: the topic's oldest, with those that depend on it; or `message`
-  /// itself, when it depends on one that waits and there is no room, for making room would take away what it depends
-  /// on.
+  /// Adds `message` and returns the dropped messages: the topic's oldest one with the messages predicted from it. If
+  /// `message` itself is predicted from a queued message and there is no room, `message` is dropped, because dropping
+  /// older ones would remove its reference.
   std::vector<Message> push(const Message& message);
 
   /// The next message to send. Messages of /camera/... go first, oldest first. The other topics, oldest first, get a
@@ -42,7 +42,7 @@ class SendQueue {
   /// Bytes of the topics outside /camera/...: what peers publish is among them.
   [[nodiscard]] std::size_t other_bytes() const noexcept { return other_bytes_; }
 
-  /// Takes out what `matches`; returns how many.
+  /// Removes all messages for which `matches` is true; returns their number.
   template <class Matches>
   std::size_t remove_if(Matches matches) {
     const auto remove = [&](const Message& message) {

@@ -4,15 +4,15 @@
 
 namespace telepalp::wire {
 
-/// The session's clock, read at the edge and never inside pure code. Monotone: the steady clock, shifted so that
-/// the server's start reads as its wall-clock time; a wall clock that jumps later changes nothing.
-/// A client's copy is the server's clock plus the offset that ClockSync estimates.
+/// The session clock; pure code never reads it. It is monotonic: the server's steady clock plus an offset, so that it
+/// equals the wall clock at the server's start; later jumps of the wall clock have no effect. A client uses its own
+/// steady clock plus the offset that ClockSync estimates.
 class SessionClock {
  public:
-  /// A clock for the server: anchored to the wall clock now.
+  /// The server's clock; it reads the wall clock now and never again.
   [[nodiscard]] static SessionClock anchored_to_wall_clock();
 
-  /// A clock for a client: `offset` is session time minus this machine's steady clock.
+  /// A client's clock. `offset` is session time minus this machine's steady clock.
   explicit SessionClock(Nanoseconds offset) noexcept : offset_(offset) {}
 
   [[nodiscard]] SessionTime now() const noexcept;

@@ -32,7 +32,7 @@ inline constexpr std::array kTopics{kCameraColor,  kCameraDepth,         kCamera
                                     kServerStats,  kStationState,        kStationTicks, kStationSurface, kStationEvents,
                                     kStationStats, kStationCompensation, kViewerHand, kHandHolder, kCameraColorInfo};
 
-/// The topic of that name, if it is one of ours.
+/// The topic of this name; nullopt if telepalp has no such topic.
 [[nodiscard]] std::optional<Topic> find_topic(std::string_view name) noexcept;
 
 }  // namespace telepalp::wire

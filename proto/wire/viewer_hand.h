@@ -7,11 +7,11 @@
 
 namespace telepalp::wire {
 
-/// The most that a /viewer/hand message weighs.
+/// Largest payload of a message on /viewer/hand.
 inline constexpr std::size_t kMaxViewerHandBytes = 128;
 
-/// A viewer's hand from its bytes; nullopt when they are too many, no such message, or its place is missing, not finite
-/// or further than 10 m from the camera.
+/// Parses a message of /viewer/hand; nullopt when it is too large, is malformed, or its position is missing, not finite
+/// or more than 10 m from the camera.
 [[nodiscard]] std::optional<msg::ViewerHand> read_viewer_hand(const std::string& payload);
 
 }  // namespace telepalp::wire

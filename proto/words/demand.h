@@ -6,8 +6,8 @@
 
 namespace telepalp {
 
-/// Our own bug if `holds` is false: says where, and aborts, in release builds too.
-/// Never for what a peer, a file or a device did (that is a Result), never on the haptic thread.
+/// An assertion that is active in release builds too: if `holds` is false, prints its position and aborts. It is for
+/// bugs in telepalp only. Errors of a peer, a file or a device return a Result. Never used on the haptic thread.
 inline void demand(bool holds, const char* claim, const std::source_location& at = std::source_location::current()) {
   if (holds) [[likely]]
     return;

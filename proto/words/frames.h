@@ -4,13 +4,13 @@
 
 namespace telepalp {
 
-/// The frames of the system, each an empty tag. Right-handed, metres.
+/// Frames of reference, each an empty tag type. All are right-handed, in metres.
 ///
 /// DepthCamera (K)  origin at the depth sensor's pinhole; x right, y down in the image, z into the scene.
 /// HandTracker (L)  origin at the tracker; as its maker defines it (Leap: x right, y away from it, z to the user).
 /// HapticBase  (H)  origin at the haptic device's base; y up, away from the patient; x and z span the plane
-///                  above the body on which the free device moves (S1 II.D).
-/// Viewer      (V)  what the person looks at the scene from.
+///                  above the body in which the end-effector waits (S1 II.D).
+/// Viewer      (V)  the viewpoint of the person who looks at the scene.
 /// Body        (B)  fixed to the patient or the static model.
 struct DepthCamera {};
 struct HandTracker {};
@@ -45,7 +45,8 @@ template <class Frame>
   return {from.m + by.v};
 }
 
-/// A rigid motion named target-from-source: `haptic_from_camera * point_in_camera` is a point in haptic.
+/// A rigid motion named target-from-source: `haptic_from_camera * point_in_camera` is a point in the haptic base's
+/// frame.
 template <class To, class From>
 struct Transform {
   Eigen::Isometry3d iso = Eigen::Isometry3d::Identity();

@@ -8,10 +8,10 @@
 
 namespace telepalp {
 
-/// Hands the newest value from one producer thread to one consumer thread; older ones are overwritten.
-/// Wait-free at both ends: three slots, of which the writer owns one, the reader one, and the third is
-/// exchanged. Neither side allocates; a value is destroyed by the thread that writes over its slot, so the
-/// reader never frees what the writer made.
+/// Hands the newest value from one producer thread to one consumer thread; a newer value replaces an older one that was
+/// not taken. Wait-free on both sides: of three slots, the producer owns one, the consumer owns one, and the third is
+/// exchanged atomically. Neither side allocates. The producer destroys a value when it overwrites its slot, so the
+/// consumer never frees memory that the producer allocated.
 template <class T>
 class LatestValue {
  public:
@@ -21,14 +21,14 @@ class LatestValue {
     back_ = shared_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
   }
 
-  /// Consumer thread only. True when a value newer than the last taken has become `current()`.
+  /// Consumer thread only. True when there is a newer value, which becomes `current()`.
   bool take() noexcept {
     if ((shared_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     front_ = shared_.exchange(front_, std::memory_order_acq_rel) & kIndex;
     return true;
   }
 
-  /// Consumer thread only. Valid until the next take(); a default value before the first.
+  /// Consumer thread only. Valid until the next take(). Before the first take() it is a default value.
   [[nodiscard]] T& current() noexcept { return slots_[front_]; }
 
  private:

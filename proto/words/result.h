@@ -9,11 +9,11 @@
 
 namespace telepalp {
 
-/// A failure caused by the outside world, in words for the person who must fix it.
+/// A failure caused by the outside world, described for the person who must fix it.
 struct Error {
   std::string what;   ///< what happened
-  std::string where;  ///< the file, line, address or function it happened at
-  std::string fix;    ///< what to do about it
+  std::string where;  ///< file, line, address or function where it happened
+  std::string fix;    ///< how to fix it
 };
 
 /// One line for stderr: `where: what. fix: fix`.
@@ -23,7 +23,7 @@ struct Error {
   return line;
 }
 
-/// A value, or the reason why there is none. Asking for the one that is absent is our own bug.
+/// A value or an error. Calling value() on an error or error() on a value aborts: it is a bug of the caller.
 template <class T>
 class [[nodiscard]] Result {
  public:

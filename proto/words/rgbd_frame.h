@@ -10,10 +10,10 @@
 
 namespace telepalp {
 
-/// The largest image side that any part of telepalp accepts; bounds every allocation made for a peer.
+/// The largest image width and height that telepalp accepts; it bounds allocations for images from peers and files.
 inline constexpr int kMaxImageSide = 4096;
 
-/// Depth along the optical axis. `samples[row * width + column] * unit_m` is z in metres; 0 is "not measured".
+/// Depth along the optical axis. `samples[row * width + column] * unit_m` is z in metres; 0 means "not measured".
 struct DepthImage {
   int width = 0;
   int height = 0;
@@ -25,7 +25,7 @@ struct DepthImage {
   }
 };
 
-/// 8-bit RGB, rows top to bottom, three bytes a pixel, no padding. Empty when a source has no colour.
+/// 8-bit RGB, rows top to bottom, three bytes a pixel, no padding. Empty when the camera has no colour.
 struct ColorImage {
   int width = 0;
   int height = 0;
@@ -42,27 +42,27 @@ struct Intrinsics {
   double cy = 0.0;
 };
 
-/// What is needed to place pixels in space.
+/// Intrinsics of an RGB-D camera.
 struct CameraModel {
   Intrinsics depth;
-  Intrinsics color;              ///< equal to `depth` where the driver registers the two images
-  bool color_registered = true;  ///< colour pixel (u, v) sees what depth pixel (u, v) sees
+  Intrinsics color;              ///< equal to `depth` when colour is registered to depth
+  bool color_registered = true;  ///< colour pixel (u, v) and depth pixel (u, v) show one point
 };
 
-/// How far depth may lie from what was measured: max(least_m, per_m z²) metres at a depth of z. Infinite: nobody knows.
+/// Bound on the compression error of depth: max(least_m, per_m z²) metres at depth z [m]. Infinite: unknown.
 struct DepthLoss {
   double least_m = std::numeric_limits<double>::infinity();
   double per_m = std::numeric_limits<double>::infinity();
 };
 
-/// One instant seen by an RGB-D camera. `captured` is as close to the exposure as the driver lets us.
+/// One frame of an RGB-D camera. `captured` is the time of exposure, as accurately as the driver reports it.
 struct RgbdFrame {
   SessionTime captured;
   std::uint64_t sequence = 0;
   CameraModel camera;
   DepthImage depth;
   ColorImage color;
-  std::optional<DepthLoss> loss = {};  ///< of depth that was compressed with loss before it came here
+  std::optional<DepthLoss> loss = {};  ///< set when the depth was compressed near-losslessly
 };
 
 /// True when the sizes agree with each other, lie within kMaxImageSide, and the intrinsics are finite and positive.

@@ -7,8 +7,8 @@
 
 namespace telepalp {
 
-/// Hands every value from one producer thread to one consumer thread, in order. When full, try_push() says no
-/// and the producer counts the loss and carries on. Wait-free, no allocation after construction.
+/// Hands every value from one producer thread to one consumer thread, in order. When the ring is full, try_push()
+/// returns false; the producer counts the loss and continues. Wait-free, without allocation after construction.
 template <class T, std::size_t N>
 class SpscRing {
   static_assert((N & (N - 1)) == 0, "capacity is a power of two, so that the index wraps by masking");

@@ -5,8 +5,8 @@
 
 namespace telepalp {
 
-/// The session's time line: nanoseconds, monotone, equal at both sites once a link is synchronised.
-/// Only a type: nothing pure may ask what time it is (wire/session_clock.h does, at the edge).
+/// Clock type of session time: nanoseconds, monotonic, equal at both sites once the clocks are synchronised. It has no
+/// now(), so that pure code cannot read a clock; SessionClock in proto/wire/session_clock.h reads it.
 struct SessionEpoch {
   using rep = std::int64_t;
   using period = std::nano;

@@ -1,14 +1,16 @@
 #pragma once
 
-/// Before a function: it is compiled twice, for any x86-64 and for one with AVX2 (x86-64-v3), and the loader picks by
-/// the processor it meets. Once only under the thread sanitizer, whose runtime is not awake yet when the loader asks.
+/// Put before a function to compile it twice, for every x86-64 and for x86-64-v3 (AVX2); the dynamic loader selects the
+/// version for the processor. With the thread sanitizer it is compiled once: the sanitizer's runtime is not initialised
+/// yet when the loader runs the selection.
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
 #define TELEPALP_VECTORISED __attribute__((target_clones("default", "arch=x86-64-v3")))
 #else
 #define TELEPALP_VECTORISED
 #endif
 
-/// Before a loop: no turn of it reads what another writes, so the compiler need not ask at run time. clang asks anyway.
+/// Put before a loop whose iterations are independent, so that GCC omits the run-time check for overlapping arrays.
+/// clang keeps the check.
 #if defined(__clang__)
 #define TELEPALP_INDEPENDENT_TURNS
 #else

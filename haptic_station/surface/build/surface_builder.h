@@ -9,15 +9,15 @@
 
 namespace telepalp::surface {
 
-/// What the builder did since it was made.
+/// Numbers of frames that the builder used and dropped.
 struct BuilderCounts {
   std::uint64_t built = 0;
   std::uint64_t not_newer = 0;  ///< duplicates and frames out of order, dropped
   std::uint64_t malformed = 0;  ///< images or cameras that are not well formed, dropped
 };
 
-/// Makes touchable snapshots of a stream of depth images and keeps what passes from frame to frame: the average of what
-/// is still, the motion of what is not. Owner: the surface thread.
+/// Makes touchable snapshots from a stream of depth images. Between frames it keeps the temporal average of static skin
+/// and the estimated motion of moving skin. Owner: surface thread.
 class SurfaceBuilder {
  public:
   explicit SurfaceBuilder(SurfaceSettings settings);
@@ -25,19 +25,20 @@ class SurfaceBuilder {
   SurfaceBuilder(SurfaceBuilder&&) noexcept;
   SurfaceBuilder& operator=(SurfaceBuilder&&) noexcept;
 
-  /// The surface as of `captured`. `reach`: what the hand can reach before the next frame; none: everything. nullptr
-  /// when the frame is not newer than the last or not well formed; it is then counted and nothing changes.
-  /// A shared_ptr because the 2 kHz thread reads what this thread made and must not be the one to free it.
+  /// Makes the surface at the time `captured`. `reach`: the sphere that the hand can reach before the next frame;
+  /// nullopt: the whole image is used. Returns nullptr when the frame is not newer than the last one or is not well
+  /// formed; the frame is then counted and ignored. Returns a shared_ptr because the 2 kHz thread reads the snapshot
+  /// and must not free it.
   [[nodiscard]] std::shared_ptr<const SurfaceSnapshot> add(const DepthImage& depth, const Intrinsics& camera,
                                                            SessionTime captured, const std::optional<Reach>& reach);
 
   [[nodiscard]] const BuilderCounts& counts() const noexcept;
   [[nodiscard]] const SurfaceSettings& settings() const noexcept;
 
-  /// The next snapshot is made by `settings`; what was seen stays.
+  /// Uses `settings` from the next snapshot on; average and motion are kept.
   void use(const SurfaceSettings& settings);
 
-  /// Forgets everything seen: another camera, or the same one moved.
+  /// Discards average and motion. Call it when the camera is replaced or moved.
   void restart();
 
  private:
@@ -45,7 +46,7 @@ class SurfaceBuilder {
   std::unique_ptr<State> state_;
 };
 
-/// One frame alone, without memory.
+/// Makes a snapshot from one frame, without temporal average or motion.
 [[nodiscard]] std::shared_ptr<const SurfaceSnapshot> build_snapshot(const DepthImage& depth, const Intrinsics& camera,
                                                                     SessionTime captured,
                                                                     const std::optional<Reach>& reach,

@@ -8,10 +8,10 @@
 
 namespace telepalp::surface {
 
-/// A cloud with normals that owns its points and index. Does not age: a model, or one unorganised capture.
+/// A cloud with normals that owns its points and index. Its geometry is static: a model, or one unorganised capture.
 class CloudSnapshot final : public CloudSurface {
  public:
-  /// `support_m` of 0: three times the cloud's own spacing.
+  /// A `support_m` of 0 selects three times the cloud's spacing.
   CloudSnapshot(std::vector<CloudPoint> cloud, const CloudShape& shape, Index index);
   CloudSnapshot(const CloudSnapshot&) = delete;
   CloudSnapshot& operator=(const CloudSnapshot&) = delete;
@@ -25,12 +25,11 @@ class CloudSnapshot final : public CloudSurface {
   std::shared_ptr<const NeighborIndex> owned_index_;
 };
 
-/// Median distance to the sixth neighbour over √6, of up to 500 points: the side of the cell that a point has to
-/// itself.
+/// Mean spacing of a cloud: the median distance to the sixth neighbour, over up to 500 points, divided by √6.
 [[nodiscard]] double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& index);
 
-/// A normal for each finite point from its `neighbors` nearest by principal components, towards `viewpoint`; points in
-/// one place or on a line are left out.
+/// Estimates a normal for each finite point by principal component analysis of its `neighbors` nearest points, oriented
+/// towards `viewpoint`. Points whose neighbours coincide or are collinear are left out.
 [[nodiscard]] std::vector<CloudPoint> with_normals(const std::vector<Eigen::Vector3f>& points, int neighbors,
                                                    const Eigen::Vector3f& viewpoint);
 

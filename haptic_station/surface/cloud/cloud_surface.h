@@ -15,15 +15,15 @@ struct CloudPoint {
 
 struct CloudShape {
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
-  double support_m = 0.02;     ///< radius of the weights; the farthest that counts where `neighbors` is set
-  std::size_t neighbors = 0;   ///< 0: fixed support; else the support ends at this neighbour's distance
-  double seed_radius_m = 0.3;  ///< how far the nearest point is looked for
+  double support_m = 0.02;     ///< radius of the weights; its upper limit when `neighbors` is set
+  std::size_t neighbors = 0;   ///< 0: fixed support; k: the radius is the distance of the k-th neighbour
+  double seed_radius_m = 0.3;  ///< search radius for the nearest point
 };
 
-/// The point-set surface with a metric support: for clouds without a lattice. The same mean of tangent planes as
-/// GridSurface. Points whose normal turns away from `facing` belong to the other side of a sheet and are left out,
-/// fading. With a k-th neighbour support f is continuous but its gradient neglects the support's own change. Borrows
-/// points and index.
+/// A point-set surface for unorganised clouds: a weighted mean of tangent planes with a support in metres, the implicit
+/// function of GridSurface. Points whose normals point away from `facing` belong to the other side of a thin sheet;
+/// their weights fade to zero. With a k-th neighbour support, f is continuous, but the gradient neglects the change of
+/// the support radius. Does not own points or index.
 class CloudSurface : public SurfaceSnapshot {
  public:
   [[nodiscard]] FieldSample evaluate(const Eigen::Vector3d& query, const Eigen::Vector3d& facing,

@@ -9,17 +9,18 @@
 
 namespace telepalp::surface {
 
-/// Points of a cloud, and, where they come from a depth image, its width (0: no order; not measured points are NaN).
+/// Points of a cloud. `width`: width of the depth image that they come from, with NaN for unmeasured pixels; 0: an
+/// unorganised cloud.
 struct IndexedPoints {
   std::vector<Eigen::Vector3f> at_m;
   int width = 0;
 };
 
-/// Builds an index over `points`, which it copies or keeps. PclOrganized asks for a width; without one it is a tree.
-/// A shared_ptr, so that the deleter of the index's own type travels with it.
+/// Builds an index over a copy of `points`. PclOrganized needs a width; without one a k-d tree is built. Returns a
+/// shared_ptr because NeighborIndex has no public destructor: the shared_ptr keeps the deleter of the concrete type.
 [[nodiscard]] std::shared_ptr<const NeighborIndex> make_index(Index kind, const IndexedPoints& points);
 
-/// The parts of make_index, each in its own translation unit, since their headers are heavy.
+/// One function per kind of index, each in its own translation unit because the library headers are slow to compile.
 [[nodiscard]] std::shared_ptr<const NeighborIndex> make_nanoflann_index(const IndexedPoints& points);
 [[nodiscard]] std::shared_ptr<const NeighborIndex> make_pcl_kdtree_index(const IndexedPoints& points);
 [[nodiscard]] std::shared_ptr<const NeighborIndex> make_pcl_organized_index(const IndexedPoints& points);

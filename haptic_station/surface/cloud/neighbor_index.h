@@ -11,18 +11,19 @@ struct Neighbor {
   float squared_m2 = 0.0F;
 };
 
-/// The one concept behind every index over points in space. Immutable once built.
+/// Interface of every index for neighbour queries over 3-D points. Immutable after construction.
 class NeighborIndex {
  public:
-  /// Writes the points within `radius_m` of `query` to `found`, in no order; when more than fit, the nearest. How many.
+  /// Writes the points within `radius_m` of `query` to `found`, unordered; when there are more than fit, the nearest.
+  /// Returns their number.
   [[nodiscard]] virtual std::size_t within(const Eigen::Vector3f& query, float radius_m,
                                            std::span<Neighbor> found) const noexcept = 0;
   [[nodiscard]] virtual const char* name() const noexcept = 0;
-  /// Whether within() keeps to the real-time rules.
+  /// True when within() never allocates, locks or throws.
   [[nodiscard]] virtual bool realtime_safe() const noexcept = 0;
 
  protected:
-  ~NeighborIndex() = default;  // never destroyed through this type
+  ~NeighborIndex() = default;  // protected: objects are never deleted through this type
 };
 
 }  // namespace telepalp::surface

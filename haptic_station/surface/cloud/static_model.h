@@ -13,16 +13,16 @@ struct StaticModelSettings {
   double spacing_m = 0.0;   ///< between a mesh's samples; 0: as its area and smallest features need
   bool anyway = false;      ///< accept samples that are too coarse for the mesh
   std::uint64_t seed = 1;
-  int normal_neighbors = 16;                              ///< of clouds without normals
-  Eigen::Vector3d viewpoint_m = Eigen::Vector3d::Zero();  ///< where normals of such clouds look to
-  double support_m = 0.0;                                 ///< 0: three times the spacing
-  bool flip_normals = false;                              ///< the other side is outside
+  int normal_neighbors = 16;  ///< neighbours per estimated normal, for clouds without normals
+  Eigen::Vector3d viewpoint_m = Eigen::Vector3d::Zero();  ///< estimated normals point towards this point
+  double support_m = 0.0;     ///< radius of the weights; 0: three times the spacing of the points
+  bool flip_normals = false;  ///< reverse all normals
 };
 
-/// What became of a model, for the person who gave it.
+/// The surface of a model, with remarks for the user.
 struct StaticModel {
   std::shared_ptr<const CloudSnapshot> snapshot;
-  std::string remarks;   ///< open, inverted, without normals …; empty when there is nothing to say
+  std::string remarks;   ///< for example: mesh is open, was inverted, had no normals; may be empty
   std::string sampling;  ///< of a mesh: how far its samples are apart, and what that costs
 };
 
@@ -34,12 +34,12 @@ struct StaticModel {
 [[nodiscard]] Result<StaticModel> make_static_model(const models::PointModel& model,
                                                     const StaticModelSettings& settings);
 
-/// Whether a model has three finite points that are neither in one place nor on one line.
+/// True when the model has three finite points that are not collinear.
 [[nodiscard]] bool spans_a_surface(const models::PointModel& model);
 [[nodiscard]] Error no_surface();
 
-/// `count` points on the triangles, no two nearer than a blue-noise spacing allows: four times as many random points by
-/// area, thinned by dropping the most crowded first. Source: Yuksel 2015, sample elimination.
+/// Samples `count` points on the triangles with Poisson-disk spacing: draws 4 × `count` area-weighted random points and
+/// removes the most crowded ones first. Source: Yuksel 2015, sample elimination.
 [[nodiscard]] std::vector<CloudPoint> poisson_disk_samples(const models::PointModel& model, std::size_t count,
                                                            std::uint64_t seed);
 

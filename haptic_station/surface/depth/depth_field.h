@@ -19,19 +19,19 @@ struct PixelBox {
   [[nodiscard]] bool empty() const noexcept { return right <= left || bottom <= top; }
 };
 
-/// Depth in metres as floats, a whole image; 0 is "not measured".
+/// A depth image in metres; 0 means "not measured".
 struct DepthField {
   int width = 0;
   int height = 0;
   std::vector<float> z_m;
-  std::vector<float> weight;  ///< how many frames stand behind each pixel; empty: one each
+  std::vector<float> weight;  ///< number of frames averaged at each pixel; empty: one frame
 
   [[nodiscard]] std::size_t index(int column, int row) const noexcept {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
   }
 };
 
-/// What the hand can reach before the next frame.
+/// The sphere that the hand can reach before the next depth frame.
 struct Reach {
   Point<DepthCamera> centre;
   double radius_m = 0.1;
@@ -39,11 +39,12 @@ struct Reach {
 
 [[nodiscard]] DepthField to_depth_field(const DepthImage& depth);
 
-/// Pixels on which anything within `reach` can lie, grown by `margin_px`; the whole image when there is no reach or the
-/// reach holds the camera; empty when it is behind the camera or beside the image.
+/// The bounding box of `reach` projected into the image, grown by `margin_px`. The whole image when `reach` is nullopt
+/// or contains the camera; empty when the sphere lies behind the camera or outside the image.
 [[nodiscard]] PixelBox box_in_reach(const Intrinsics& camera, const std::optional<Reach>& reach, int margin_px);
 
-/// The depth step between neighbouring pixels that ends a surface. Noise and slant both grow with distance.
+/// The depth step between neighbouring pixels that counts as a depth break. It grows with depth, because noise and the
+/// step of a slanted surface do.
 [[nodiscard]] inline float break_at(float z_m, float break_at_1m) noexcept {
   return break_at_1m * (0.5F + 0.5F * z_m * z_m);
 }

@@ -19,7 +19,8 @@ class GridSnapshot final : public GridSurface {
   GridSnapshot& operator=(const GridSnapshot&) = delete;
   ~GridSnapshot() = default;
 
-  /// For the builder, before the snapshot is shared: gives each node the motion seen at its pixel, along its normal.
+  /// Sets each node's motion along its normal from the motion field at its pixel. Called by the surface builder before
+  /// the snapshot is shared with other threads.
   void carry_forward(const MotionField& field);
 
  private:

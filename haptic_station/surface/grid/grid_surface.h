@@ -7,18 +7,18 @@
 
 namespace telepalp::surface {
 
-/// One point of the organised surface, one cache line: a smoothed point, its normal and how it moves.
+/// One node of the organised surface, in one cache line: a smoothed point with its normal and its motion.
 struct alignas(64) GridNode {
   std::array<float, 3> at_m{};    ///< relative to the grid's origin
   float confidence = 0.0F;        ///< 0: no surface at this node
   std::array<float, 3> normal{};  ///< unit, towards the camera
-  float deviation_m = 0.0F;       ///< 1-sigma of the position along the normal
+  float deviation_m = 0.0F;       ///< standard deviation of the position along the normal
   MotionTerms motion{};           ///< [m/s, m, m, m, m] along the normal
   std::array<float, 3> spare{};
 };
 static_assert(sizeof(GridNode) == 64);
 
-/// Where the nodes lie: every `step` pixels from (left, top) of the camera's image.
+/// The lattice of nodes: every `step_px` pixels from (`left_px`, `top_px`) of the camera's image.
 struct GridLayout {
   Intrinsics camera;
   double left_px = 0.0;
@@ -27,17 +27,19 @@ struct GridLayout {
   int columns = 0;
   int rows = 0;
   double support_nodes = 2.5;  ///< radius of the weights, in nodes
-  double gate_m = 0.02;        ///< a node whose tangent plane is farther than this from the query is another surface
+  double gate_m = 0.02;        ///< a node is ignored when its tangent plane is farther than this from the query
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
 };
 
-/// The organised index: a depth image already is a spatial one. Neighbours are the nodes around the query's pixel, so a
-/// query costs the same wherever it is, and slanted skin is met with the density it was seen with.
+/// An implicit surface over a depth image, whose pixel grid serves as the spatial index. The neighbours of a query are
+/// the nodes around its pixel, so every query costs the same, and slanted skin has the density with which the camera
+/// sampled it.
 ///
-/// Each node's tangent plane is averaged with the mean plane, f = Σ w ½(n_i + n̄)·(x − p_i) / Σ w: exact on any quadric
-/// to third order where either alone is off by curvature × support² / 4 (for a sphere chord and bisecting normal are at
-/// right angles). C1: the weights fade in the image plane, whose coordinates are smooth in x.
-/// Borrows `nodes`; whoever owns this keeps them alive.
+/// Each node's tangent plane is averaged with the mean plane: f = Σ w ½(n_i + n̄)·(x − p_i) / Σ w. On any quadric this
+/// is exact to third order, while the node planes or the mean plane alone are off by curvature × support² / 4 (for a
+/// sphere, the chord is perpendicular to the bisecting normal). f is C1: the weights fade smoothly in the image plane,
+/// whose coordinates are smooth functions of x.
+/// Does not own `nodes`; the derived class keeps them alive.
 class GridSurface : public SurfaceSnapshot {
  public:
   [[nodiscard]] FieldSample evaluate(const Eigen::Vector3d& query, const Eigen::Vector3d& facing,

@@ -7,7 +7,7 @@
 
 namespace telepalp::surface {
 
-/// How nodes are fitted to pixels.
+/// Parameters of the fit of nodes to pixels.
 struct FitSettings {
   int step_px = 2;
   int radius_px = 6;
@@ -15,10 +15,11 @@ struct FitSettings {
   int bridge_px = 2;
 };
 
-/// Nodes on a lattice over `box`, each with the position, normal and confidence of a weighted quadratic in inverse
-/// depth over its window (in inverse depth a plane is linear in the pixels, so planes are exact). Windows without hole
-/// or break cost three separable sums; others gather the pixels connected to their centre and solve by least squares.
-/// `box` in the image; fills layout's lattice (columns, rows, left, top, step, origin) and the nodes.
+/// Fits nodes on a lattice over `box`, a rectangle inside the image. Position, normal and confidence of a node come
+/// from a weighted quadratic fit of inverse depth over its window; in inverse depth a plane is linear in the pixel
+/// coordinates, so planes are exact. A window without hole or depth break costs three separable sums; any other gathers
+/// the pixels connected to its centre and solves by least squares. Writes the lattice in `layout` (columns, rows, left,
+/// top, step, origin) and the nodes.
 void fit_nodes(const DepthField& depth, const Intrinsics& camera, const PixelBox& box, const FitSettings& settings,
                GridLayout& layout, std::vector<GridNode>& nodes);
 

@@ -7,35 +7,35 @@
 
 namespace telepalp::surface {
 
-/// One row of nodes, as arrays: what the fits say and what follows from it. Vectorised.
+/// One row of nodes as arrays, for vectorised code: inputs are the window fits, outputs are the nodes' geometry.
 struct NodeRow {
   explicit NodeRow(std::size_t nodes);
 
-  // in
-  std::vector<float> wide_at, wide_across, wide_down;        ///< of the wide window; inverse depth less the reference
-  std::vector<float> narrow_at, narrow_across, narrow_down;  ///< of the narrow one
-  std::vector<float> wide;                                   ///< 1 where the wide window is whole, else 0
-  std::vector<float> frames;                                 ///< behind the node's pixel, at least 1
-  std::vector<float> ray_x;                                  ///< of the node's ray at 1 m
+  // inputs
+  std::vector<float> wide_at, wide_across, wide_down;  ///< wide window's fit: inverse depth - reference, and its slopes
+  std::vector<float> narrow_at, narrow_across, narrow_down;  ///< narrow window's fit
+  std::vector<float> wide;                                   ///< 1 where the wide window has no hole or break, else 0
+  std::vector<float> frames;                                 ///< number of frames averaged at the node's pixel, >= 1
+  std::vector<float> ray_x;                                  ///< x of the node's ray at 1 m depth
 
-  // out
-  std::vector<float> x, y, z;  ///< relative to the origin
+  // outputs
+  std::vector<float> x, y, z;  ///< relative to the grid's origin [m]
   std::vector<float> normal_x, normal_y, normal_z;
   std::vector<float> deviation;
 };
 
-/// What is the same for a whole row.
+/// Values that all nodes of a row share.
 struct NodeRowView {
   float fx = 1.0F, fy = 1.0F;  ///< focal lengths [px]
-  float ray_y = 0.0F;          ///< of the row's rays at 1 m
+  float ray_y = 0.0F;          ///< y of the row's rays at 1 m depth
   float origin_x = 0.0F, origin_y = 0.0F, origin_z = 0.0F;
   float reference_per_m = 0.0F;
-  float wide_gain = 0.0F, narrow_gain = 0.0F;  ///< variance of a fit's centre over a pixel's
+  float wide_gain = 0.0F, narrow_gain = 0.0F;  ///< variance of the fit at the centre / variance of a pixel
 };
 
-/// Blends the windows by slant and makes each node's place, normal and deviation. A window of pixels covers more of a
-/// slanted surface, up to beyond its silhouette, while the noise along the normal falls with the same cosine: so the
-/// window shrinks as the surface turns away.
+/// Blends the two windows' fits by slant and computes position, normal and deviation of each node. On a slanted
+/// surface, a window of pixels covers more area, perhaps beyond the silhouette, while the noise along the normal falls
+/// with the cosine of the slant. So the narrow window's weight grows with the slant.
 void make_nodes(NodeRow& row, const NodeRowView& view);
 
 }  // namespace telepalp::surface

@@ -9,7 +9,7 @@
 
 namespace telepalp::surface {
 
-/// A surface in inverse depth around a pixel: ρ ≈ at + across·du + down·dv [1/m, 1/(m·px)].
+/// Tangent plane in inverse depth around a pixel: ρ ≈ at + across·du + down·dv [1/m, 1/(m·px)].
 struct InverseDepthPlane {
   double at = 0.0;
   double across = 0.0;
@@ -19,20 +19,21 @@ struct InverseDepthPlane {
 /// A fit over a window with holes or depth breaks.
 struct WindowFit {
   InverseDepthPlane plane;
-  double share = 0.0;  ///< of the window's weight that belongs to the centre's surface
+  double share = 0.0;  ///< share of the window's weight on pixels connected to the centre
 };
 
-inline constexpr std::uint8_t kBrokenRight = 1;  ///< a mark: a surface ends towards the right neighbour
-inline constexpr std::uint8_t kBrokenBelow = 2;  ///< towards the one below
-inline constexpr std::uint8_t kMeasured = 4;
+inline constexpr std::uint8_t kBrokenRight = 1;  ///< flag: depth break between this pixel and its right neighbour
+inline constexpr std::uint8_t kBrokenBelow = 2;  ///< flag: depth break between this pixel and the one below
+inline constexpr std::uint8_t kMeasured = 4;     ///< flag: the pixel has a depth
 
-/// One bit for each pixel of a crop, rows of whole words, with a word of zeros before and after each.
+/// A bitmap with one bit per pixel of a crop. Each row is padded to whole words and has a word of zeros before and
+/// after it.
 class BitRows {
  public:
   BitRows(int width, int height);
 
   [[nodiscard]] std::uint64_t* row(int at) noexcept { return &words_[index(at)]; }
-  /// Bits of `row` from `column` on, as many as a word has; columns may lie up to 64 outside.
+  /// The 32 bits of `row` from `column` on. `column` may lie up to 64 pixels outside; those bits are zero.
   [[nodiscard]] std::uint32_t from(int column, int row) const noexcept {
     const auto bit = static_cast<unsigned>(column + 64);
     const std::uint64_t* words = &words_[index(row) - 1 + bit / 64];
@@ -47,20 +48,21 @@ class BitRows {
   std::vector<std::uint64_t> words_;
 };
 
-/// Pixels of inverse depth with what links them to a surface.
+/// A crop of inverse depth, with bitmaps of measured pixels and of links between neighbours on one surface.
 struct InverseDepthView {
   int width = 0;
   int height = 0;
-  std::span<const float> per_m;  ///< 1/z less a reference
+  std::span<const float> per_m;  ///< 1/z - reference_per_m
   const BitRows& measured;
-  const BitRows& right;  ///< linked to the right neighbour
-  const BitRows& below;  ///< linked to the one below
+  const BitRows& right;  ///< pixel and right neighbour are on one surface
+  const BitRows& below;  ///< pixel and the one below are on one surface
   float reference_per_m = 0.0F;
 };
 
-/// Fits the window around (column, row): only pixels connected to the centre without crossing a break take part. A
-/// centre that was not measured stands on the nearest pixel within `bridge_px`, and only where at least half of the
-/// window is there. Quadratic, or linear where a side is missing; nullopt where neither is determined.
+/// Fits the window around (column, row) to the pixels that are connected to its centre without crossing a depth break.
+/// If the centre is not measured, the nearest measured pixel within `bridge_px` replaces it, provided that at least
+/// half of the window is measured. The fit is quadratic, or linear where one side of the window is missing; nullopt
+/// where neither is determined.
 [[nodiscard]] std::optional<WindowFit> fit_window(const InverseDepthView& view, int column, int row,
                                                   const AxisWeights& axis, int bridge_px);
 

@@ -9,11 +9,11 @@
 
 namespace telepalp::surface {
 
-/// S1 §II.C to the letter, the slow reference that everything else is measured against: up to N points within R of the
-/// query; a normal for each from its own search with the same N and R, by principal components, towards the camera;
-/// Adamson and Alexa's implicit function f = n̄·(x − ā) over weighted means, with Wyvill's soft-object weights of
-/// influence radius R. The normal stands for the gradient, as there. Error: f jumps whenever the N-th neighbour
-/// changes, since its weight is far from zero there (telepalp-bench surface). Allocates in its searches:
+/// The surface exactly as S1 §II.C defines it: the slow reference for the other surfaces. A query uses up to N points
+/// within R. Each of these points gets a normal, towards the camera, by principal component analysis of its own N
+/// neighbours within R. The implicit function is Adamson and Alexa's f = n̄·(x − ā) over weighted means, with Wyvill's
+/// soft-object weights of influence radius R. As in S1, the normal replaces the gradient. Error: f jumps when the N-th
+/// neighbour changes, because its weight is not zero (telepalp-bench surface measures this). The searches allocate:
 /// realtime_safe() is false.
 class PaperSurface final : public SurfaceSnapshot {
  public:
@@ -38,7 +38,7 @@ class PaperSurface final : public SurfaceSnapshot {
   double radius_m_;
 };
 
-/// Every pixel as a point in the camera's frame, NaN where nothing was measured.
+/// Back-projects every pixel to a point in the depth camera's frame; unmeasured pixels become NaN.
 [[nodiscard]] IndexedPoints to_points(const DepthField& depth, const Intrinsics& camera);
 
 }  // namespace telepalp::surface

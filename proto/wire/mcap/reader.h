@@ -12,39 +12,39 @@
 
 namespace telepalp::wire {
 
-/// Which messages are wanted. Empty topics: all. A name ending in '*' is a prefix. Times are [from, until).
+/// Selects messages by topic and time. Empty `topics`: all. A name ending in '*' is a prefix. Times are [from, until).
 struct McapSelection {
   std::vector<std::string> topics = {};
   std::optional<SessionTime> from = {};
   std::optional<SessionTime> until = {};
 };
 
-/// Reads a complete session file through its index: only the chunks that hold what is wanted, messages in order of
-/// log time (of two with the same time, the one written first). Keeps in memory the chunks whose times overlap.
+/// Reads a complete session file through its index. Only chunks with selected messages are read. Messages come in order
+/// of log time; of two with equal time, the one written first. Memory holds only the chunks whose times overlap.
 class McapReader {
  public:
   [[nodiscard]] static Result<McapReader> open(const std::filesystem::path& file);
   [[nodiscard]] static Result<McapReader> open(std::unique_ptr<mcap::ByteSource> source);
 
   [[nodiscard]] const mcap::Summary& summary() const noexcept { return summary_; }
-  /// What the file says of its making; empty texts where it says nothing.
+  /// The file's metadata about its recording; missing texts are empty.
   [[nodiscard]] Result<SessionInfo> session();
   [[nodiscard]] Result<mcap::Metadata> read(const mcap::MetadataIndex& index);
   [[nodiscard]] Result<mcap::Attachment> read(const mcap::AttachmentIndex& index);
 
-  /// Starts again, with other wishes. After open() everything is selected.
+  /// Restarts at the beginning with a new selection. After open() all messages are selected.
   void select(const McapSelection& selection);
 
-  /// The next message on one of telepalp's topics; others are passed over. nullopt at the end. An error speaks of
-  /// one chunk ("session.mcap: chunk 812: …"); asking again goes on behind it.
+  /// The next message on one of telepalp's topics; other topics are skipped. nullopt at the end. An error concerns one
+  /// chunk ("session.mcap: chunk 812: …"); the next call continues after it.
   [[nodiscard]] Result<std::optional<Message>> next();
-  /// The next message, whatever its topic.
+  /// The next message on any topic.
   [[nodiscard]] Result<std::optional<mcap::StoredMessage>> next_stored();
 
  private:
   struct OpenChunk {
     std::string records;
-    std::vector<mcap::MessageRecord> messages;  // views into `records`, the next one last
+    std::vector<mcap::MessageRecord> messages;  // views into `records`; the last entry is the next message
   };
   struct Next {  // orders the open chunks by their next message
     std::uint64_t log_time;
@@ -60,14 +60,14 @@ class McapReader {
 
   std::unique_ptr<mcap::ByteSource> source_;
   mcap::Summary summary_;
-  std::set<std::uint16_t> channels_;  // wanted
+  std::set<std::uint16_t> channels_;  // selected channel ids
   std::uint64_t from_ = 0;
   std::uint64_t last_ = UINT64_MAX;
-  std::vector<std::size_t> to_open_;  // numbers of wanted chunks, earliest last
+  std::vector<std::size_t> to_open_;  // numbers of selected chunks, earliest last
   std::map<std::size_t, std::unique_ptr<OpenChunk>> open_;
   std::set<Next> order_;
   std::uint64_t open_bytes_ = 0;
-  std::unique_ptr<OpenChunk> spent_;  // holds the message given last
+  std::unique_ptr<OpenChunk> spent_;  // holds the message that was returned last
 };
 
 }  // namespace telepalp::wire

@@ -13,23 +13,23 @@
 
 namespace telepalp::wire {
 
-/// What a session file says of its making: the metadata record "telepalp.session".
+/// How a session file was recorded; stored in the metadata record "telepalp.session".
 struct SessionInfo {
   std::string program;  ///< "telepalp-record"
   std::string version;
   std::string commit;
-  std::string source;  ///< what was recorded: "127.0.0.1:7000", or a file
+  std::string source;  ///< address of the recorded server ("127.0.0.1:7000"), or a file
   std::string scene;   ///< text of the scene file, or empty
 };
 inline constexpr std::string_view kSessionMetadata = "telepalp.session";
-inline constexpr std::string_view kRecordingMetadata =
-    "telepalp.recording";  ///< what the recorder found out by its end
+inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  ///< results known at the recording's end
 
-/// Reads that record; empty texts where it says nothing.
+/// Parses the record "telepalp.session"; missing texts are empty.
 [[nodiscard]] SessionInfo session_info(const mcap::Metadata& metadata);
 
-/// Writes a session file. Owner: one thread, which may block on the disk. The file grows as NAME.partial, in which
-/// every flushed chunk survives a crash, and gets its name at close(). Leaving scope closes too, errors unseen.
+/// Writes a session file. Owner: one thread, which may block on the disk. While it grows, the file is called
+/// NAME.partial, and every flushed chunk survives a crash. close() renames it to NAME. The destructor also closes, but
+/// its errors are lost.
 class McapWriter {
  public:
   [[nodiscard]] static Result<McapWriter> open(const std::filesystem::path& name, const SessionInfo& info,
@@ -38,27 +38,27 @@ class McapWriter {
   McapWriter& operator=(McapWriter&&) = delete;
   ~McapWriter();
 
-  /// Logged at the time it was published (a time before the epoch as 0), with its sequence number, so that a loss
-  /// on the way shows as a gap; one that is not numbered gets the next of its topic. After a failed write (a full
-  /// disk) the same error comes again, and close() still makes a whole file of what was safe.
+  /// Writes a message. Its log time is its publishing time (0 for a time before the epoch). Its sequence number is
+  /// kept, so that lost messages show as gaps; an unnumbered message gets the topic's next number. After a failed write
+  /// (a full disk) each call returns the same error, and close() still completes the file with the data written before.
   [[nodiscard]] Result<void> write(const Message& message);
 
-  /// A message of any schema, as another file holds it; the ids in the records are replaced by this file's.
-  /// `schema` null: the channel has none.
+  /// Copies a message of any schema from another file; the ids in the records are replaced by this file's ids.
+  /// `schema`: nullptr if the channel has no schema.
   [[nodiscard]] Result<void> copy(const mcap::Schema* schema, const mcap::Channel& channel,
                                   const mcap::MessageRecord& message);
   [[nodiscard]] Result<void> add(const mcap::Metadata& metadata);
   [[nodiscard]] Result<void> add(const mcap::Attachment& attachment);
 
-  /// Hands the open chunk to the operating system, so that a crash of this program cannot lose it.
+  /// Closes the open chunk and passes it to the operating system, so that it survives a crash of this program.
   [[nodiscard]] Result<void> flush();
-  /// Summary, fsync, final name.
+  /// Writes the summary, calls fsync and renames the file to its final name.
   [[nodiscard]] Result<void> close();
 
-  /// Removes the file: there was nothing to write.
+  /// Removes the unfinished file.
   void discard() noexcept { file_.discard(); }
 
-  /// Bytes and messages in finished chunks; after close(), in all.
+  /// Bytes in finished chunks; after close(), the file's size.
   [[nodiscard]] std::uint64_t bytes() const noexcept {
     return final_bytes_ > 0 ? final_bytes_ : encoder_.committed_bytes();
   }
@@ -75,12 +75,12 @@ class McapWriter {
   };
   mcap::OutputFile file_;
   mcap::Encoder encoder_;
-  std::string ready_;  // encoded, not yet in the file
+  std::string ready_;  // encoded bytes, not yet in the file
   std::optional<Error> failed_;
   std::uint64_t final_bytes_ = 0;
-  std::map<std::string_view, Known> topics_;  // keys live in wire::kTopics
+  std::map<std::string_view, Known> topics_;  // keys point to the names in wire::kTopics
   std::map<std::string, std::uint16_t> schemas_;
-  std::map<std::string, std::uint16_t> copied_channels_;  // by the channel's own bytes
+  std::map<std::string, std::uint16_t> copied_channels_;  // key: the encoded channel record
 };
 
 }  // namespace telepalp::wire

@@ -32,8 +32,8 @@ class ByteAppender {
   std::string& out_;
 };
 
-/// Reads MCAP's primitives from bytes that may lie. After the first read past the end, ok() is false and every
-/// further read gives zero or nothing, so that a parser asks once, at its end.
+/// Reads MCAP's primitives from untrusted bytes. After a read past the end, ok() is false and further reads return zero
+/// or an empty view, so that a parser needs only one check, at its end.
 class ByteCursor {
  public:
   explicit ByteCursor(std::string_view bytes) noexcept : rest_(bytes) {}
@@ -46,7 +46,7 @@ class ByteCursor {
   std::uint16_t u16() noexcept { return whole<std::uint16_t>(); }
   std::uint32_t u32() noexcept { return whole<std::uint32_t>(); }
   std::uint64_t u64() noexcept { return whole<std::uint64_t>(); }
-  /// `length` bytes, as a view into the input.
+  /// Reads `length` bytes and returns them as a view into the input.
   std::string_view raw(std::uint64_t length) noexcept {
     if (!ok_ || length > rest_.size()) {
       fail();

@@ -9,13 +9,13 @@
 
 namespace telepalp::wire::mcap {
 
-/// Bytes that can be read anywhere: a file, or memory in a test.
+/// Random access to bytes: a file, or memory in a test.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
-  [[nodiscard]] virtual const std::string& name() const noexcept = 0;  // for errors
+  [[nodiscard]] virtual const std::string& name() const noexcept = 0;  // for error messages
   [[nodiscard]] virtual std::uint64_t size() const noexcept = 0;
-  /// Exactly `length` bytes from `offset`, which the caller has checked against size(); false if the medium fails.
+  /// Reads exactly `length` bytes at `offset`; the caller has checked both against size(). False on an I/O error.
   [[nodiscard]] virtual bool read(std::uint64_t offset, std::size_t length, std::string& into) = 0;
 };
 

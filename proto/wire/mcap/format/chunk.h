@@ -9,11 +9,11 @@
 
 namespace telepalp::wire::mcap {
 
-/// The records of a chunk, unpacked and checked against its CRC; at most kMaxChunkBytes. Errors name no
-/// file; one without a fix is a damage.
+/// Decompresses the records of a chunk, at most kMaxChunkBytes, and checks the CRC. Errors do not name the file. An
+/// error without `fix` means that the chunk is damaged.
 [[nodiscard]] Result<std::string> unpack(const ChunkRecord& chunk);
 
-/// Goes through the records of an unpacked chunk, which must outlive it.
+/// Iterates over the records of a decompressed chunk, which must outlive this object.
 class ChunkWalk {
  public:
   struct Entry {
@@ -22,8 +22,8 @@ class ChunkWalk {
   };
   explicit ChunkWalk(std::string_view records) noexcept : rest_(records) {}
 
-  /// nullopt at the end. A record that may not stand in a chunk (another chunk above all) or reaches past the end
-  /// is an error, after which there is no going on. Errors name no file.
+  /// The next record; nullopt at the end. Error: a record type that is not allowed in a chunk (for example a nested
+  /// chunk), or a record that reaches past the end; the iteration cannot continue. Errors do not name the file.
   [[nodiscard]] Result<std::optional<Entry>> next();
 
  private:

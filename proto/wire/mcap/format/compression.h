@@ -7,13 +7,14 @@
 
 namespace telepalp::wire::mcap {
 
-/// CRC-32 (ISO 3309, as zlib's) of `bytes`, continuing from `before`.
+/// CRC-32 (ISO 3309, equal to zlib's) of `bytes`, continued from the CRC `before`.
 [[nodiscard]] std::uint32_t crc32(std::string_view bytes, std::uint32_t before = 0) noexcept;
 
-/// zstd at its quickest level: what fills a session is compressed already by its codecs.
+/// Compresses with zstd at its fastest level, because most data in a session (depth, JPEG) is compressed already.
 [[nodiscard]] std::string zstd_compress(std::string_view bytes);
 
-/// Exactly `size` bytes, or nullopt. Allocates `size` and no more, whatever the frame declares.
+/// Decompresses to exactly `size` bytes; nullopt if that fails. Allocates only `size` bytes, whatever the zstd frame
+/// declares.
 [[nodiscard]] std::optional<std::string> zstd_decompress(std::string_view bytes, std::size_t size);
 
 }  // namespace telepalp::wire::mcap

@@ -10,31 +10,31 @@
 
 namespace telepalp::wire::mcap {
 
-/// When a chunk is closed: at this size, or when one channel's messages in it span this time, whichever is first.
-/// What is in an open chunk is what a crash may lose.
+/// A chunk is closed when it reaches this size or when the messages of one channel in it span this time. A crash loses
+/// at most the open chunk.
 struct ChunkLimits {
   std::size_t bytes = std::size_t{1} << 20;
   std::uint64_t span_ns = 1'000'000'000;
 };
 
-/// Turns messages into the bytes of an MCAP file, in memory: the same input gives the same bytes. Each call appends
-/// what is ready to `out`; its bytes belong at the file's end. Knows nothing of files but that a write can fail:
-/// commit() after bytes are safe, rollback() when those since the last commit are not.
+/// Encodes messages as the bytes of an MCAP file, in memory and deterministically. Each call appends finished bytes to
+/// `out`; the caller appends them to the file. After a successful write the caller calls commit(); after a failed write
+/// it calls rollback(), which forgets the bytes since the last commit().
 class Encoder {
  public:
   explicit Encoder(ChunkLimits limits) noexcept : limits_(limits) {}
 
   void begin(std::string& out, const Header& header);
-  /// Schemas and channels stand outside the chunks, so that one damaged chunk never hides what the others mean.
-  /// The id in the record is replaced by the one returned; a schema id of 0 in a channel means none.
+  /// Schemas and channels are written outside the chunks, so that a damaged chunk does not make others unreadable. The
+  /// id in the record is replaced by the returned id. A channel with schema id 0 has no schema.
   std::uint16_t add(std::string& out, Schema schema);
   std::uint16_t add(std::string& out, Channel channel);
   void add(std::string& out, const MessageRecord& message);
   void add(std::string& out, const Metadata& metadata);
   void add(std::string& out, const Attachment& attachment);
-  /// Closes the open chunk, if it holds anything.
+  /// Closes the open chunk unless it is empty.
   void flush(std::string& out);
-  /// The summary and the footer. The file is complete after it.
+  /// Writes the summary and the footer; the file is then complete.
   void end(std::string& out);
 
   void commit();

@@ -10,33 +10,33 @@
 
 namespace telepalp::wire::mcap {
 
-/// No chunk may declare more than this, unpacked, and no record that is read whole may be larger: what a hostile
-/// file can make a reader allocate. telepalp's own chunks hold 1 MiB and at most one message more.
+/// Upper limit of a chunk's declared decompressed size and of any record that is read into memory: it bounds the
+/// allocations that a malicious file can cause. telepalp's own chunks hold 1 MiB plus at most one message.
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{64} << 20;
 
 struct RecordHead {
   Opcode opcode{};
-  std::uint64_t offset = 0;  // of the head
-  std::uint64_t length = 0;  // of the content
+  std::uint64_t offset = 0;  // of the record's head
+  std::uint64_t length = 0;  // of the record's content
   [[nodiscard]] std::uint64_t content() const noexcept { return offset + kRecordHeadBytes; }
   [[nodiscard]] std::uint64_t end() const noexcept { return content() + length; }
 };
 
-/// An error in `source` that a repair gets around.
+/// An error about damage in `source` that `telepalp-record --repair` can skip.
 [[nodiscard]] Error damaged(const ByteSource& source, std::string what);
-/// An error in `source` that a repair does not get around.
+/// An error about `source` that a repair cannot solve.
 [[nodiscard]] Error refused(const ByteSource& source, std::string what, std::string fix);
 
-/// The head at `offset`; an error if it, or the content it declares, reaches past `end`.
+/// Reads the record head at `offset`. Error: the head or its declared content reaches past `end`.
 [[nodiscard]] Result<RecordHead> read_head(ByteSource& source, std::uint64_t offset, std::uint64_t end);
 
-/// The content of a record, no larger than kMaxChunkBytes and a little.
+/// Reads the content of a record. Error: larger than kMaxChunkBytes plus a chunk's header.
 [[nodiscard]] Result<void> read_content(ByteSource& source, const RecordHead& head, std::string& into);
 
-/// An error unless `source` starts as an MCAP file does.
+/// Error: `source` does not start with MCAP's magic bytes.
 [[nodiscard]] Result<void> check_magic(ByteSource& source);
 
-/// `error`, which names no file, told of chunk `number` of `source`: "session.mcap: chunk 812: truncated".
+/// Prefixes `error` with the file's name and the chunk's number: "session.mcap: chunk 812: truncated".
 [[nodiscard]] Error in_chunk(const ByteSource& source, std::uint64_t number, const Error& error);
 
 }  // namespace telepalp::wire::mcap

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// The records of an MCAP file as plain values, and their bytes. Field names and order are those of the MCAP
-/// specification, version 0 ("Records"); times are nanoseconds. A view in a record points into the bytes it was read
-/// from.
+/// The records of an MCAP file as plain values, with encoder and parser. Field names and order follow the MCAP
+/// specification, version 0 ("Records"); times are in nanoseconds. A string_view in a parsed record points into the
+/// parsed bytes.
 namespace telepalp::wire::mcap {
 
 inline constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
@@ -52,7 +52,7 @@ struct Schema {
 };
 struct Channel {
   std::uint16_t id = 0;
-  std::uint16_t schema_id = 0;  // 0: none
+  std::uint16_t schema_id = 0;  // 0: no schema
   std::string topic;
   std::string message_encoding;
   TextMap metadata;
@@ -75,7 +75,7 @@ struct ChunkRecord {
 struct MessageIndex {
   struct Entry {
     std::uint64_t log_time = 0;
-    std::uint64_t offset = 0;  // of the message record in the uncompressed chunk
+    std::uint64_t offset = 0;  // offset of the message record in the uncompressed chunk
   };
   std::uint16_t channel_id = 0;
   std::vector<Entry> entries;
@@ -84,7 +84,7 @@ struct ChunkIndex {
   std::uint64_t message_start_time = 0;
   std::uint64_t message_end_time = 0;
   std::uint64_t chunk_start_offset = 0;
-  std::uint64_t chunk_length = 0;  // with its 9-byte head
+  std::uint64_t chunk_length = 0;  // includes the 9-byte record head
   std::map<std::uint16_t, std::uint64_t> message_index_offsets;
   std::uint64_t message_index_length = 0;
   std::string compression;
@@ -136,7 +136,7 @@ struct DataEnd {
   std::uint32_t data_section_crc = 0;  // 0: not computed
 };
 
-/// Appends the whole record, head included, and returns how many bytes it took.
+/// Appends the record with its head and returns the number of bytes.
 std::size_t append(std::string& out, const Header& header);
 std::size_t append(std::string& out, const Footer& footer);
 std::size_t append(std::string& out, const Schema& schema);
@@ -153,8 +153,8 @@ std::size_t append(std::string& out, const MetadataIndex& index);
 std::size_t append(std::string& out, const SummaryOffset& offset);
 std::size_t append(std::string& out, const DataEnd& end);
 
-/// Reads a record's content (without its head); nullopt if the content is not what its type says. Bytes beyond the
-/// fields known to us are skipped, as the specification asks. Allocates no more than the content's own size.
+/// Parses a record's content (without its head); nullopt if it is malformed. Bytes after the known fields are skipped,
+/// as the specification requires. Allocates no more than the size of `content`.
 template <class Record>
 [[nodiscard]] std::optional<Record> parse(std::string_view content);
 template <>
@@ -174,7 +174,7 @@ std::optional<MessageIndex> parse(std::string_view content);
 template <>
 std::optional<ChunkIndex> parse(std::string_view content);
 template <>
-std::optional<Attachment> parse(std::string_view content);  // nullopt also when its CRC does not hold
+std::optional<Attachment> parse(std::string_view content);  // nullopt also for a wrong CRC
 template <>
 std::optional<AttachmentIndex> parse(std::string_view content);
 template <>

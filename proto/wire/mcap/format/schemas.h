@@ -8,11 +8,11 @@
 
 namespace telepalp::wire {
 
-/// The Protobuf type of `topic`'s messages. Every topic of kTopics has one; another topic is our own bug.
+/// The Protobuf type of a topic's messages. `topic` must be in kTopics; otherwise the process aborts.
 [[nodiscard]] const google::protobuf::Descriptor* descriptor_of(const Topic& topic);
 
-/// A serialised FileDescriptorSet with the file of `type` and all that it imports, imports first: what MCAP and the
-/// Foxglove WebSocket protocol call a "protobuf" schema's data. The same bytes in every run.
+/// A serialised FileDescriptorSet with the file of `type` and all its imports, imports first. MCAP and the Foxglove
+/// WebSocket protocol use it as the data of a "protobuf" schema. Deterministic.
 [[nodiscard]] std::string file_descriptor_set(const google::protobuf::Descriptor& type);
 
 }  // namespace telepalp::wire

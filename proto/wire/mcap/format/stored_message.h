@@ -10,18 +10,18 @@
 
 namespace telepalp::wire::mcap {
 
-/// A channel with its schema, as a file holds them.
+/// A channel of a file with its schema.
 struct StoredChannel {
   Channel channel;
   const Schema* schema = nullptr;  ///< null: the channel has none
-  std::optional<Topic> topic;      ///< set if it is one of telepalp's, with the same type
+  std::optional<Topic> topic;      ///< set if name and type match one of telepalp's topics
 };
 
-/// The channels and schemas of a file, by id. Addresses of what it holds do not change.
+/// The channels and schemas of a file, by id. References to its entries stay valid.
 class ChannelTable {
  public:
-  /// False if the record may not stand in a file: a schema id of 0, a schema that is not there, an id that already
-  /// means something else.
+  /// False if the record is invalid: a schema id of 0, a reference to an unknown schema, or an id that is already used
+  /// for a different record.
   [[nodiscard]] bool add(Schema schema);
   [[nodiscard]] bool add(Channel channel);
 
@@ -33,14 +33,14 @@ class ChannelTable {
   std::map<std::uint16_t, StoredChannel> channels_;
 };
 
-/// One message of a file. Valid until the reader that gave it is asked for the next.
+/// One message of a file. Valid until the reader's next call.
 struct StoredMessage {
   const StoredChannel* channel = nullptr;
   MessageRecord record;
 };
 
-/// The message as it was published; nullopt if its topic is not one of ours, it is too large for the wire, or its
-/// time is beyond the year 2262.
+/// Converts to the published message; nullopt if its topic is not one of telepalp's, it exceeds the wire's limit, or
+/// its time is after the year 2262 (the end of 64-bit nanoseconds).
 [[nodiscard]] std::optional<Message> to_message(const StoredMessage& stored);
 
 }  // namespace telepalp::wire::mcap

@@ -13,23 +13,23 @@
 
 namespace telepalp::wire {
 
-/// Reads an MCAP file from front to back, in the order written, without needing its summary: for a file that was
-/// cut off, or is being written. McapReader is quicker and in order of time.
+/// Reads an MCAP file sequentially, in the order of writing, without its summary: for a file that was truncated or is
+/// still being written. McapReader is faster and returns messages in order of time.
 class McapStreamReader {
  public:
   [[nodiscard]] static Result<McapStreamReader> open(const std::filesystem::path& file);
   [[nodiscard]] static Result<McapStreamReader> open(std::unique_ptr<mcap::ByteSource> source);
 
-  /// The next message; nullopt at the end. An error speaks of one place (a chunk whose CRC does not match, the
-  /// point where the file was cut off); asking again goes on behind it, as far as there is a way on.
+  /// The next message; nullopt at the end. An error concerns one place (a chunk with a wrong CRC, or the point of
+  /// truncation); the next call continues after it, if possible.
   [[nodiscard]] Result<std::optional<mcap::StoredMessage>> next();
 
-  /// What has been met so far.
+  /// Channels read so far.
   [[nodiscard]] const mcap::ChannelTable& channels() const noexcept { return channels_; }
   [[nodiscard]] const std::vector<mcap::Metadata>& metadata() const noexcept { return metadata_; }
   [[nodiscard]] const std::vector<mcap::RecordHead>& attachments() const noexcept { return attachments_; }
   [[nodiscard]] std::uint64_t chunks() const noexcept { return chunks_; }
-  /// The data's end was reached, rather than the file's.
+  /// True when the end of the data section was reached, false when the file ended before it.
   [[nodiscard]] bool complete() const noexcept { return complete_; }
 
   [[nodiscard]] Result<mcap::Attachment> read(const mcap::RecordHead& attachment);
@@ -46,11 +46,11 @@ class McapStreamReader {
   std::uint64_t offset_ = mcap::kMagic.size();
   bool ended_ = false;
   bool complete_ = false;
-  std::uint64_t chunks_ = 0;                    // entered so far, the damaged among them
-  std::unique_ptr<const std::string> records_;  // of the chunk that walk_ is in; on the heap, so that a move keeps it
+  std::uint64_t chunks_ = 0;                    // number read so far, including damaged ones
+  std::unique_ptr<const std::string> records_;  // records of walk_'s chunk; on the heap, so that views survive a move
   std::optional<mcap::ChunkWalk> walk_;
-  std::string content_;                  // of the record outside of chunks that was read last
-  std::optional<mcap::Opcode> waiting_;  // content_ is to be taken
+  std::string content_;                  // content of the last record outside chunks
+  std::optional<mcap::Opcode> waiting_;  // type of the record in content_ that is not processed yet
   mcap::ChannelTable channels_;
   std::vector<mcap::Metadata> metadata_;
   std::vector<mcap::RecordHead> attachments_;

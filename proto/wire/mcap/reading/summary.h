@@ -9,7 +9,7 @@
 
 namespace telepalp::wire::mcap {
 
-/// What the end of a complete file says of the rest. Every offset has been checked to lie in the data section.
+/// The summary section at the end of a complete file. All offsets have been checked to lie in the data section.
 struct Summary {
   ChannelTable channels;
   Statistics statistics;
@@ -18,8 +18,7 @@ struct Summary {
   std::vector<MetadataIndex> metadata;
 };
 
-/// Finds, checks (CRC, bounds) and reads the summary. A file without one, or with messages that no chunk index
-/// reaches, is an error that says so.
+/// Finds, checks (CRC, bounds) and reads the summary. Error: no summary, or messages that no chunk index covers.
 [[nodiscard]] Result<Summary> read_summary(ByteSource& source);
 
 }  // namespace telepalp::wire::mcap

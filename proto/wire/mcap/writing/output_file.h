@@ -8,25 +8,26 @@
 
 namespace telepalp::wire::mcap {
 
-/// 0, or -1 with the reason in errno: an existing `to` is refused. Where a file system cannot refuse, it is replaced.
+/// Renames atomically unless `to` exists. Returns 0, or -1 with errno set. On file systems without such a rename, an
+/// existing `to` is replaced.
 [[nodiscard]] int rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// A file that appears under its name only when it is complete: it grows as `NAME.partial` and is renamed at the
-/// end. Neither name may exist before; nothing of anyone's is ever overwritten. While it grows it is locked (flock), so
-/// that others can tell a file that is being written from one whose writer died.
+/// A file that gets its name only when it is complete: it grows as `NAME.partial` and is renamed at the end. create()
+/// fails if either name exists, so no file is ever overwritten. While it grows it is locked with flock, so that other
+/// programs can distinguish a file being written from one whose writer has died.
 class OutputFile {
  public:
   [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& name);
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
-  ~OutputFile();  // closes; what was not published stays as NAME.partial
+  ~OutputFile();  // closes; an unpublished file stays as NAME.partial
 
   [[nodiscard]] Result<void> append(std::string_view bytes);
-  /// Cuts back to `size` after an append that failed half-way.
+  /// Truncates to `size` after a partial append.
   void cut(std::uint64_t size) noexcept;
-  /// Puts it on the disk and gives it its name.
+  /// Calls fsync and renames the file to its final name.
   [[nodiscard]] Result<void> publish();
-  /// Closes and removes it.
+  /// Closes and removes the file.
   void discard() noexcept;
 
   [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }
