@@ -10,11 +10,11 @@
 
 namespace telepalp::ar {
 
-/// What the station touched at the moment of the picture.
+/// State of the touch at the time of the picture.
 struct Touch {
-  Point<DepthCamera> hand;  ///< where the avatar's pads are drawn: displaced to the proxy in contact (S1 §II.E)
+  Point<DepthCamera> hand;  ///< position of the avatar's fingertips; in contact, displaced to the proxy (S1 §II.E)
   Point<DepthCamera> proxy;
-  Point<DepthCamera> device;  ///< centre of the ball
+  Point<DepthCamera> device;  ///< centre of the drawn ball
   Force<DepthCamera> force;   ///< on the doctor's hand
   double indentation_m = 0.0;
   bool in_body = false;
@@ -22,13 +22,13 @@ struct Touch {
 
 struct AugmentedView {
   const RgbdFrame& frame;
-  std::optional<Touch> touch;      ///< none: only the patient is drawn
-  std::vector<PanelLine> figures;  ///< state, force, age: as words
+  std::optional<Touch> touch;      ///< nullopt: only the patient is drawn
+  std::vector<PanelLine> figures;  ///< text of the panel: state, force, age
   int width_px = 1280;
   int height_px = 960;
 };
 
-/// The picture. The frame must be well formed; a touch that is not finite is not drawn.
+/// Renders the picture. The frame must be well formed; a touch with non-finite values is not drawn.
 [[nodiscard]] ColorImage draw(const AugmentedView& view);
 
 }  // namespace telepalp::ar

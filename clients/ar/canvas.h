@@ -9,24 +9,24 @@
 
 namespace telepalp::ar {
 
-/// How a mesh is painted.
+/// Material of a mesh.
 struct Paint {
-  float opacity = 1.0F;    ///< where it is in front of all else; at 1 it also hides what comes behind it
-  float behind = 0.0F;     ///< opacity where something hides it: how it shimmers through
-  float shine = 0.0F;      ///< strength of the highlight
-  float rim = 0.0F;        ///< opacity added at the silhouette: glass
-  bool two_sided = false;  ///< seen from behind too; else only faces whose normal looks at the eye
+  float opacity = 1.0F;    ///< where the mesh is visible; at 1 it also hides meshes behind it
+  float behind = 0.0F;     ///< opacity where another mesh hides it
+  float shine = 0.0F;      ///< strength of the specular highlight
+  float rim = 0.0F;        ///< opacity added at the silhouette, for a look of glass
+  bool two_sided = false;  ///< draw back faces too
   bool takes_shadow = true;
 };
 
-/// Lights of the scene, directions towards them, unit, in the depth camera's frame.
+/// Lights of the scene, as unit directions towards the light in the depth camera's frame.
 struct Lights {
   Eigen::Vector3f key;
   Eigen::Vector3f up;
 };
 
-/// An image with a z-buffer that meshes are drawn on by the processor: no graphics card is asked for. Drawn at twice
-/// the size in each direction and averaged at the end, in linear light.
+/// A software renderer with a z-buffer; it needs no graphics card. It renders at twice the size in both directions and
+/// averages in linear light at the end.
 class Canvas {
  public:
   Canvas(int width_px, int height_px, const Eigen::Vector3f& top, const Eigen::Vector3f& bottom);
@@ -34,15 +34,15 @@ class Canvas {
   void draw(const Mesh& mesh, const ViewCamera& camera, const Lights& lights, const ShadowMap& shadow,
             const Paint& paint);
 
-  /// The finished picture, 8-bit sRGB.
+  /// The finished picture in 8-bit sRGB.
   [[nodiscard]] ColorImage resolved() const;
 
-  /// The camera for this canvas' own pixels.
+  /// The camera scaled to the supersampled pixels of this canvas.
   [[nodiscard]] ViewCamera supersampled(ViewCamera camera) const noexcept;
 
  private:
-  static constexpr int kSamples = 2;  // a side
-  int width_;                         ///< in samples
+  static constexpr int kSamples = 2;  // per pixel side
+  int width_;                         ///< in supersampled pixels
   int height_;
   std::vector<Eigen::Vector3f> light_;
   std::vector<float> depth_;

@@ -8,10 +8,11 @@
 
 namespace telepalp::ar {
 
-/// A signed distance, or anything that is negative inside and grows outwards.
+/// An implicit function: negative inside, increasing outwards, for example a signed distance.
 using Field = std::function<float(const Eigen::Vector3f&)>;
 
-/// The surface field = 0 within `box`, sampled every `cell_m`, normals from the field's gradient. White.
+/// Extracts the surface field = 0 within `box` on a grid of `cell_m`, with normals from the field's gradient. The mesh
+/// is white.
 /// Source: Gibson, "Constrained elastic surface nets", 1998, without the relaxation.
 [[nodiscard]] Mesh isosurface(const Field& field, const Eigen::AlignedBox3f& box, float cell_m);
 

@@ -7,7 +7,7 @@
 
 namespace telepalp::ar {
 
-/// A triangle mesh in the depth camera's frame. Floats: it is looked at, nothing is computed from it.
+/// A triangle mesh in the depth camera's frame. It is only displayed, so float precision suffices.
 struct Mesh {
   struct Vertex {
     Eigen::Vector3f at;      ///< [m]
@@ -21,13 +21,13 @@ struct Mesh {
 /// Adds the triangles of `more` to `mesh`.
 void append(Mesh& mesh, const Mesh& more);
 
-/// Moves a mesh by rotation and translation.
+/// The mesh after a rotation and a translation.
 [[nodiscard]] Mesh moved(Mesh mesh, const Eigen::Matrix3f& rotation, const Eigen::Vector3f& translation);
 
-/// The same mesh in one colour.
+/// The mesh with all vertices in one colour.
 [[nodiscard]] Mesh painted(Mesh mesh, const Eigen::Vector3f& color);
 
-/// 8-bit sRGB to linear light and back. Source: IEC 61966-2-1, with its power approximated by 2.2.
+/// Convert 8-bit sRGB to linear light and back. Source: IEC 61966-2-1, with its power approximated by 2.2.
 [[nodiscard]] Eigen::Vector3f linear_from_srgb(int red, int green, int blue) noexcept;
 [[nodiscard]] std::uint8_t srgb_from_linear(float value) noexcept;
 

@@ -7,8 +7,9 @@
 
 namespace telepalp::ar {
 
-/// Calls `pixel(x, y, a, b, c)` for every pixel of a `width` x `height` image whose centre lies in the triangle, with
-/// its barycentric weights. Nothing for a triangle that reaches behind the near plane or has no area.
+/// Rasterises a triangle: calls `pixel(x, y, a, b, c)` with the barycentric weights for each pixel of a `width` ×
+/// `height` image whose centre lies in the triangle. A triangle that reaches behind the near plane or has no area is
+/// not drawn.
 template <class PixelFunction>
 void scan(const Projected& a, const Projected& b, const Projected& c, int width, int height, PixelFunction pixel) {
   if (!a.visible || !b.visible || !c.visible) return;

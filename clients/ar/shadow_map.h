@@ -6,16 +6,16 @@
 
 namespace telepalp::ar {
 
-/// What a distant light sees first, so that the hand casts a shadow on the body: the eye judges height by it.
+/// A shadow map of a distant light. The hand's shadow on the body shows the height of the hand.
 class ShadowMap {
  public:
-  /// Covers `reach_m` around `centre`. `light` is the unit direction towards the light.
+  /// The map covers `reach_m` around `centre`. `light`: unit direction towards the light.
   ShadowMap(const Eigen::Vector3f& centre, const Eigen::Vector3f& light, float reach_m);
 
-  /// Adds something that casts a shadow.
+  /// Adds a mesh that casts a shadow.
   void add(const Mesh& caster);
 
-  /// How much light reaches `at`: 0 in full shadow, 1 in full light; softened at the rim.
+  /// Share of the light that reaches `at`: 0 in full shadow, 1 in full light, in between at the shadow's rim.
   [[nodiscard]] float light_at(const Eigen::Vector3f& at) const noexcept;
 
  private:
@@ -23,7 +23,7 @@ class ShadowMap {
   [[nodiscard]] Eigen::Vector3f to_map(const Eigen::Vector3f& at) const noexcept;
 
   Eigen::Vector3f centre_;
-  Eigen::Matrix3f map_from_scene_;  ///< rows: two axes of the map, and away from the light
+  Eigen::Matrix3f map_from_scene_;  ///< rows: the two axes of the map, and the direction away from the light
   float px_per_m_;
   std::vector<float> depth_;
 };

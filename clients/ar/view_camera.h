@@ -4,7 +4,7 @@
 
 namespace telepalp::ar {
 
-/// A vertex on the image: pixels, and the depth that the z-buffer compares (smaller is nearer).
+/// A vertex projected to the image: pixel coordinates, and the z-buffer's depth (smaller is nearer).
 struct Projected {
   float x = 0.0F;
   float y = 0.0F;
@@ -12,7 +12,7 @@ struct Projected {
   bool visible = false;  ///< in front of the near plane
 };
 
-/// From where the scene is looked at: a pinhole. All vectors are in the depth camera's frame.
+/// The pinhole camera of the rendered view. All vectors are in the depth camera's frame.
 struct ViewCamera {
   Eigen::Vector3f eye;
   Eigen::Matrix3f view_from_scene;  ///< rows: right, down, forward
@@ -23,7 +23,7 @@ struct ViewCamera {
   [[nodiscard]] Projected project(const Eigen::Vector3f& at) const noexcept;
 };
 
-/// Looks from `eye` to `target` with `up` upright. `height_rad` is the vertical angle of view.
+/// A camera at `eye` that looks at `target`, with `up` vertical in the image. `height_rad`: vertical field of view.
 [[nodiscard]] ViewCamera look_at(const Eigen::Vector3f& eye, const Eigen::Vector3f& target, const Eigen::Vector3f& up,
                                  float height_rad, int width_px, int height_px);
 

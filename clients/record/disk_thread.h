@@ -16,33 +16,33 @@
 
 namespace telepalp::record {
 
-/// Where messages end up; called on the disk thread only, and allowed to be slow.
+/// Storage for messages. Both functions are called only on the disk thread and may block.
 struct Store {
   std::function<Result<void>(const wire::Message&)> write;
-  std::function<Result<void>()> flush;  ///< when nothing came for a second: what was written shall survive a crash
+  std::function<Result<void>()> flush;  ///< called after 1 s without messages: written data shall survive a crash
 };
 
-/// Takes messages from the network thread and stores them on a thread of its own, so that a slow disk never stalls
-/// the link. What waits is bounded in bytes; a message for which there is no room is dropped and counted by topic.
-/// A mutex, since the disk thread must sleep while there is nothing to do and neither thread is a real-time one.
+/// Takes messages from the network thread and stores them on a separate thread, so that a slow disk never blocks the
+/// network. The queue is bounded in bytes; a message without room is dropped and counted by topic. The class uses a
+/// mutex and a condition variable, because the disk thread must sleep when idle and neither thread is real-time.
 class DiskThread {
  public:
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
 
   explicit DiskThread(Store store, std::size_t max_waiting_bytes = kMaxWaitingBytes);
-  ~DiskThread();  // stores what waits
+  ~DiskThread();  // stores the queued messages
   DiskThread(const DiskThread&) = delete;
   DiskThread& operator=(const DiskThread&) = delete;
 
-  /// Network thread. False: no room, or the store has failed.
+  /// Queues a message. Network thread only. False: no room, or the store has failed.
   bool offer(const wire::Message& message);
 
-  /// Stores what waits and ends the thread. The first error of the store, if there was one.
+  /// Stores the queued messages and ends the thread. Error: the first error of the store.
   [[nodiscard]] Result<void> finish();
 
   struct Counts {
     std::uint64_t stored = 0;
-    std::uint64_t stored_bytes = 0;  ///< payloads
+    std::uint64_t stored_bytes = 0;  ///< sum of the payloads
     std::uint64_t waiting_bytes = 0;
     std::map<std::string_view, std::uint64_t> dropped;
     std::optional<Error> failed;
@@ -54,12 +54,12 @@ class DiskThread {
 
   Store store_;  // disk thread only
   const std::size_t max_waiting_bytes_;
-  mutable std::mutex mutex_;  // guards all below
+  mutable std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   std::deque<wire::Message> waiting_;
   Counts counts_;
   bool finishing_ = false;
-  std::thread thread_;  // last: runs as soon as it is made
+  std::thread thread_;  // last member: the thread starts in the constructor and uses the others
 };
 
 }  // namespace telepalp::record

@@ -17,28 +17,28 @@ struct RecordingOptions {
   program::Address server;
   std::filesystem::path file;
   std::vector<std::string> topics;
-  std::chrono::duration<double> seconds{0.0};  ///< from the first connection on; 0: until it is stopped
-  program::Patience patience;                  ///< for the first connection
-  std::filesystem::path ready_file;            ///< written when the server is subscribed to
-  bool progress = false;                       ///< draw a line on stderr that follows the recording
+  std::chrono::duration<double> seconds{0.0};  ///< duration from the first connection; 0: until a signal
+  program::Patience patience;                  ///< time limit of the first connection
+  std::filesystem::path ready_file;            ///< written after the subscription
+  bool progress = false;                       ///< show a progress line on stderr
 };
 
-/// What became of a recording that ended as it should.
+/// Result of a successful recording.
 struct RecordingReport {
   std::uint64_t messages = 0;
   std::uint64_t file_bytes = 0;
   double seconds = 0.0;       ///< since the first connection
-  std::uint64_t dropped = 0;  ///< because the disk did not keep up
-  std::uint64_t gaps = 0;     ///< times that the server was away
+  std::uint64_t dropped = 0;  ///< messages dropped because the disk was too slow
+  std::uint64_t gaps = 0;     ///< number of times that the connection was lost
   double gap_s = 0.0;
 };
 
-/// Subscribes and writes what comes, until the time is up or SIGINT or SIGTERM arrives. The file is complete and
-/// indexed then, and also if it fails on the way, as far as anything was received. Further signals change nothing; five
-/// seconds after the first one the process ends even if the disk has not taken the rest.
+/// Subscribes and writes the received messages until the time is up or SIGINT or SIGTERM arrives. The file is then
+/// complete and indexed; after an error, too, if any message was received. Further signals have no effect. Five seconds
+/// after the first signal the process ends, even if the disk has not stored everything.
 [[nodiscard]] Result<RecordingReport> record(const RecordingOptions& options);
 
-/// "12.0 s, 3210 messages, 4.5 MB"
+/// The report as text: "12.0 s, 3210 messages, 4.5 MB".
 [[nodiscard]] std::string describe(const RecordingReport& report);
 
 }  // namespace telepalp::record

@@ -10,18 +10,17 @@
 namespace telepalp::record {
 
 struct RepairReport {
-  bool was_whole = false;  ///< nothing was wrong with it, and nothing has been written
+  bool was_whole = false;  ///< the file was intact; no copy was written
   std::filesystem::path file;
-  std::uint64_t messages = 0;  ///< recovered
+  std::uint64_t messages = 0;  ///< number of recovered messages
   std::vector<std::string> damages;
 };
 
-/// Where the repaired copy of `file` goes when nobody says: `session.mcap`, and `session.mcap.partial` too, become
-/// `session.repaired.mcap`.
+/// Default name of the repaired copy: `session.repaired.mcap` for both `session.mcap` and `session.mcap.partial`.
 [[nodiscard]] std::filesystem::path repaired_name(const std::filesystem::path& file);
 
-/// Writes to `out` every message of `file` that can be read, whatever its topic, with an index. `file` is not
-/// changed. An error when nothing can be recovered.
+/// Writes all readable messages of `file`, on any topic, to `out` with an index. `file` is not changed. Error: no
+/// message can be recovered.
 [[nodiscard]] Result<RepairReport> repair(const std::filesystem::path& file, const std::filesystem::path& out);
 
 }  // namespace telepalp::record

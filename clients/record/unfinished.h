@@ -8,16 +8,16 @@
 
 namespace telepalp::record {
 
-/// The recording that was never finished, where `asked` names one: NAME.mcap.partial itself, or NAME.mcap when only its
-/// partial file exists. nullopt: there is nothing to finish.
+/// The unfinished recording that `asked` means: NAME.mcap.partial itself, or NAME.mcap.partial for NAME.mcap if only
+/// the partial file exists. nullopt: `asked` is not an unfinished recording.
 [[nodiscard]] std::optional<std::filesystem::path> unfinished(const std::filesystem::path& asked);
 
-/// Makes a whole NAME.mcap of what can be read of NAME.mcap.partial. The partial file is removed when only its end was
-/// missing; when it was damaged elsewhere, too, it stays. An error, and nothing is touched, while a recorder still
-/// writes it, when NAME.mcap exists or when it holds no message.
+/// Writes the readable messages of NAME.mcap.partial to a complete NAME.mcap. The partial file is removed if only its
+/// end was missing, and kept if it was damaged elsewhere. Error, without any change: a recorder is still writing the
+/// file, NAME.mcap exists, or the file has no message.
 [[nodiscard]] Result<RepairReport> finish(const std::filesystem::path& partial);
 
-/// "session.mcap was not finished by its recorder; finished it now, with 1234 messages"
+/// The result as text: "session.mcap was not finished by its recorder; finished it now, with 1234 messages"
 [[nodiscard]] std::string in_words(const RepairReport& finished);
 
 }  // namespace telepalp::record

@@ -20,23 +20,23 @@ struct GrayImage16 {
   std::vector<std::uint16_t> samples;
 };
 
-/// What an image file holds: depth samples, or a picture. 16-bit gray is the former; 8-bit gray, palette and colour,
-/// with or without alpha, are the latter (alpha is dropped).
+/// The content of an image file. A 16-bit gray file becomes depth samples. An 8-bit gray, palette or colour file
+/// becomes a colour image; its alpha channel is dropped.
 using AnyImage = std::variant<GrayImage16, ColorImage>;
 
-/// The image in `bytes`. `name` stands for the file in errors. Sizes are checked against kMaxImageSide before anything
-/// is allocated; a truncated or damaged image is an error, never half an image.
+/// Decodes `bytes`. `name`: the file's name, for errors. The size is checked against kMaxImageSide before memory is
+/// allocated. Error: a truncated or damaged image.
 [[nodiscard]] Result<AnyImage> decode_png(std::span<const std::byte> bytes, const std::string& name);
 [[nodiscard]] Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string& name);
 
-/// PNG or TIFF, told by its first bytes, from a file of at most 256 MiB.
+/// Reads a PNG or TIFF file, recognised by its first bytes. Error: larger than 256 MiB.
 [[nodiscard]] Result<AnyImage> read_image(const std::filesystem::path& file);
 
-/// The same, when the file must hold depth samples or must hold a picture.
+/// read_image() for one kind of content. Error: the file has the other kind.
 [[nodiscard]] Result<GrayImage16> read_depth_image(const std::filesystem::path& file);
 [[nodiscard]] Result<ColorImage> read_color_image(const std::filesystem::path& file);
 
-/// PNG bytes of a well-formed, not empty image. Depth samples are kept exactly, as 16-bit gray.
+/// Encodes a well-formed, non-empty image as PNG. Depth samples are stored losslessly as 16-bit gray.
 [[nodiscard]] std::string encode_png(const GrayImage16& image);
 [[nodiscard]] std::string encode_png(const ColorImage& image);
 

@@ -4,17 +4,17 @@
 
 namespace telepalp::models {
 
-/// What the readers of PLY and OBJ files share.
+/// Error of the PLY and OBJ readers. `what`: the defect of the file `name`.
 [[nodiscard]] inline Error bad_mesh(const std::string& name, const std::string& what) {
   return {.what = what, .where = name, .fix = "export the model anew, as ascii or binary_little_endian PLY, or OBJ"};
 }
 
-/// A polygon as triangles from its first corner.
+/// Adds a polygon as a fan of triangles around its first corner.
 inline void add_fan(const std::vector<std::uint32_t>& corners, PointModel& model) {
   for (std::size_t k = 2; k < corners.size(); ++k) model.triangles.push_back({corners[0], corners[k - 1], corners[k]});
 }
 
-/// The model, unless a face names a vertex that is not there, or there are too many.
+/// Returns the model. Error: a face refers to a missing vertex, or the model has too many points.
 [[nodiscard]] inline Result<PointModel> checked_mesh(PointModel model, const std::string& name) {
   for (const auto& triangle : model.triangles)
     for (const std::uint32_t corner : triangle)

@@ -6,14 +6,14 @@
 
 namespace telepalp::models {
 
-/// Keeps libpng from inflating more than an image's own rows. libpng reads compressed data to its end even when the
-/// last row is complete, so a file of 400 KB can hold 400 MB behind a small image.
+/// Stops libpng from inflating data after the last row of an image. libpng decompresses the whole stream even when the
+/// last row is complete, so a file of 400 KB can inflate to 400 MB behind a small image.
 struct PngBounds {
   std::size_t bytes_after_last_row = 0;
 };
 
-/// Called before png_read_info. Text, profiles and the like are passed over unread; data behind the last row is an
-/// error of libpng's, not a warning.
+/// Call before png_read_info. Ancillary chunks (text, profiles, …) are skipped, and libpng reports data after the last
+/// row as an error instead of a warning.
 inline void bound_png(png_structp png, png_uint_32 most_pixels_a_side) {
   png_set_user_limits(png, most_pixels_a_side, most_pixels_a_side);
   png_set_chunk_malloc_max(png, 1U << 22U);
@@ -21,11 +21,11 @@ inline void bound_png(png_structp png, png_uint_32 most_pixels_a_side) {
   png_set_benign_errors(png, 0);
 }
 
-/// Called by the read function before it gives `count` bytes. Leaves through png_error when compressed data goes on
-/// behind the last row; libpng has at most 8 KiB in its buffer then, which inflate to 8 MiB.
+/// The read callback calls this before it delivers `count` bytes. Calls png_error when compressed data continues after
+/// the last row. At that time libpng buffers at most 8 KiB, which inflate to at most 8 MiB.
 inline void check_png_bytes(png_structp png, png_infop info, PngBounds& bounds, std::size_t count) {
   constexpr png_uint_32 kImageData = 0x49444154;  // "IDAT"
-  constexpr std::size_t kMostBytes = 1024;        // the end mark of a zlib stream has some ten bytes
+  constexpr std::size_t kMostBytes = 1024;        // the end of a zlib stream takes about ten bytes
   constexpr int kPassesOfInterlacing = 7;
   const bool in_image_data =
       (png_get_io_state(png) & PNG_IO_MASK_LOC) == PNG_IO_CHUNK_DATA && png_get_io_chunk_type(png) == kImageData;

@@ -13,29 +13,30 @@
 
 namespace telepalp::models {
 
-/// What a PCD, PLY or OBJ file holds, as far as touch is concerned; coordinates as they stand in the file.
+/// The content of a PCD, PLY or OBJ file that touch needs. Coordinates are in the unit and frame of the file.
 struct PointModel {
-  std::vector<Eigen::Vector3f> points;              ///< not finite where an organised cloud has a hole
-  std::vector<Eigen::Vector3f> normals;             ///< one a point, or none at all
-  std::vector<std::array<std::uint8_t, 3>> colors;  ///< red, green, blue: of a PCD alone, one a point, or none at all
+  std::vector<Eigen::Vector3f> points;              ///< NaN in the holes of an organised cloud
+  std::vector<Eigen::Vector3f> normals;             ///< one per point, or empty
+  std::vector<std::array<std::uint8_t, 3>> colors;  ///< RGB, one per point, or empty; only from PCD files
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  int width = 0;  ///< of an organised cloud; 0: unorganised
+  int width = 0;  ///< width of an organised cloud; 0: unorganised
 };
 
 inline constexpr std::size_t kMostModelPoints = 20'000'000;
 
-/// Reads a file by its ending: .pcd (ascii, binary, binary_compressed), .ply (ascii, binary_little_endian), .obj. An
-/// OBJ with a group `body` is only that group: MakeHuman's other groups are helpers. A vertex of an OBJ whose corners
-/// have several normals gets their mean. Sizes are checked against the
-/// bytes that are there before anything is allocated; every error names the file and what to do.
+/// Reads a file by its ending: .pcd (ascii, binary, binary_compressed), .ply (ascii, binary_little_endian), .obj. Of an
+/// OBJ file with a group `body`, only that group is read, because the other groups of MakeHuman's files are helper
+/// geometry. A vertex whose corners have different normals gets their mean. Declared sizes are checked against the
+/// file's size before memory is allocated. Each error names the file and a fix.
 [[nodiscard]] Result<PointModel> read_point_model(const std::filesystem::path& file);
 
-/// The parts of read_point_model; `name` stands for the file in errors.
+/// Parsers of one format each. `name`: the file's name, for errors.
 [[nodiscard]] Result<PointModel> parse_pcd(std::span<const std::byte> bytes, const std::string& name);
 [[nodiscard]] Result<PointModel> parse_ply(std::span<const std::byte> bytes, const std::string& name);
 [[nodiscard]] Result<PointModel> parse_obj(std::span<const std::byte> bytes, const std::string& name);
 
-/// A reason to believe that the coordinates are not metres, with the unit that fits a patient; empty when plausible.
+/// Explains why the coordinates cannot be metres and suggests the unit that gives the size of a patient; empty when
+/// metres are plausible.
 [[nodiscard]] std::string unit_complaint(const PointModel& model);
 inline constexpr const char* kSayTheUnit = "say the unit of the file's coordinates: --unit-m, or unit_m in a scene";
 

@@ -8,7 +8,7 @@
 
 namespace telepalp::models {
 
-/// Walks through text line by line and word by word, without copying; numbers do not depend on the locale.
+/// Reads text by lines and words without copying. Numbers have a decimal point in every locale.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text) noexcept : text_(text) {}
@@ -19,7 +19,7 @@ class TextCursor {
   [[nodiscard]] std::size_t offset() const noexcept { return at_; }
   [[nodiscard]] std::size_t line_number() const noexcept { return line_; }
 
-  /// The next line without its end.
+  /// Reads the next line and returns it without its line end.
   std::string_view line() noexcept {
     const std::size_t end = text_.find('\n', at_);
     std::string_view line = text_.substr(at_, end == std::string_view::npos ? end : end - at_);
@@ -29,10 +29,10 @@ class TextCursor {
     return line;
   }
 
-  /// The next word, over ends of lines; empty at the end.
+  /// Reads the next word, also from following lines; empty at the end of the text.
   std::string_view word() noexcept { return take_word(text_, at_); }
 
-  /// The first word of `rest`, which moves behind it.
+  /// Removes the first word from `rest` and returns it.
   static std::string_view word_of(std::string_view& rest) noexcept {
     std::size_t at = 0;
     const std::string_view word = take_word(rest, at);

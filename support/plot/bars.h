@@ -5,7 +5,7 @@
 
 namespace telepalp::plot {
 
-/// A typical value as a bar and a rare one as a whisker: p50 and p99 of a stage.
+/// One bar of a chart: `typical` (p50) is the bar's length, `rare` (p99) the end of its whisker.
 struct Bar {
   std::string name;
   double typical = 0.0;
@@ -13,7 +13,7 @@ struct Bar {
   std::string color;
 };
 
-/// Horizontal bars on one scale that starts at zero, each with its two numbers beside it.
+/// Horizontal bars on a common scale that starts at zero; both numbers are printed beside each bar.
 struct BarChart {
   std::string title;
   std::string unit;  ///< "ms"
@@ -21,7 +21,7 @@ struct BarChart {
   double width_px = 960.0;
 };
 
-/// The chart as a self-contained SVG element. A bar whose value is not finite is drawn empty and says so.
+/// The chart as a self-contained SVG element. A value that is not finite gives an empty bar with a note.
 [[nodiscard]] std::string to_svg(const BarChart& chart);
 
 }  // namespace telepalp::plot

@@ -9,18 +9,18 @@
 
 namespace telepalp::plot {
 
-/// One axis. The range always covers the data; `include` asks for more, e.g. a budget that no value reached.
+/// One axis. Its range covers the data and `include`, for example a budget that no value reached.
 struct Axis {
-  std::string label;  ///< with its unit, "force [N]"
+  std::string label;  ///< with the unit: "force [N]"
   std::optional<Range> include = std::nullopt;
   bool logarithmic = false;
-  std::vector<Tick> ticks = {};  ///< empty: at nice numbers
+  std::vector<Tick> ticks = {};  ///< empty: ticks at round numbers
 };
 
 enum class Style {
-  Line,    ///< x ascends; thinned by column, extremes kept
-  Dashed,  ///< the same, dashed
-  Step,    ///< the same, each value held until the next
+  Line,    ///< x ascends; thinned per pixel column, extremes kept
+  Dashed,  ///< like Line, dashed
+  Step,    ///< like Line, each value held until the next
   Path,    ///< any curve in the plane; thinned by distance
   Area,    ///< a step curve, filled down to the axis
   Dots     ///< one disc for each sample, thinned by distance
@@ -28,23 +28,23 @@ enum class Style {
 
 /// A curve; non-finite samples are gaps. `x` and `y` have equal length.
 struct Series {
-  std::string name;  ///< for the legend; empty: not in it
+  std::string name;  ///< in the legend; empty: not in the legend
   std::vector<double> x;
   std::vector<double> y;
   std::string color;
   Style style = Style::Line;
 };
 
-/// A stretch of the x axis that stands out, e.g. a state of the controller.
+/// A highlighted interval of the x axis, for example one state of the controller.
 struct Band {
   double from = 0.0;
   double to = 0.0;
   std::string color;
-  std::string name;  ///< for the legend: once for each name
-  std::string mark;  ///< short, drawn on top of the band where it fits, so that colour is not needed to read it
+  std::string name;  ///< in the legend, once for each name
+  std::string mark;  ///< short text in the band if it fits, so that the chart can be read without colour
 };
 
-/// A line across the plot, e.g. a budget.
+/// A line across the plot, for example a budget.
 struct Rule {
   double at = 0.0;
   std::string label;
@@ -52,7 +52,7 @@ struct Rule {
   bool vertical = false;
 };
 
-/// A point that stands out and is named on the plot.
+/// A highlighted point with a name on the plot.
 struct Mark {
   double x = 0.0;
   double y = 0.0;
@@ -60,7 +60,7 @@ struct Mark {
   std::string color;
 };
 
-/// A chart as a value.
+/// A chart: curves, bands, lines and marks over two axes.
 struct Chart {
   std::string title;
   Axis x;
@@ -73,8 +73,8 @@ struct Chart {
   double height_px = 300.0;
 };
 
-/// The frame that the curves are drawn in; its left and right edges depend on the width alone, so that charts of equal
-/// width that stand below each other share their time axis.
+/// The rectangle in which the curves are drawn. Its left and right edges depend only on the chart's width, so that the
+/// time axes of stacked charts of equal width are aligned.
 struct Frame {
   Range x_px;
   Range y_px;  ///< `least` is the bottom

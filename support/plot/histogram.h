@@ -5,14 +5,14 @@
 
 namespace telepalp::plot {
 
-/// Counts of values by bin; `edges` has one more entry than `counts`, ascending.
+/// Number of values per bin. `edges` ascends and has one more entry than `counts`.
 struct Histogram {
   std::vector<double> edges;
   std::vector<double> counts;
 };
 
-/// Bins of equal width on a logarithmic scale, `per_decade` each, that cover every finite positive value; values at or
-/// below zero go to the lowest bin. Empty when no value is finite.
+/// A histogram with `per_decade` logarithmic bins per decade that cover all finite positive values. Values <= 0 are
+/// counted in the lowest bin. Empty when no value is finite.
 [[nodiscard]] Histogram logarithmic_histogram(std::span<const double> values, int per_decade);
 
 }  // namespace telepalp::plot

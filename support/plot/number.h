@@ -4,11 +4,11 @@
 
 namespace telepalp::plot {
 
-/// `value` with at most `decimals` digits after the point and no trailing zeros; "0" for what rounds to zero, and
-/// an en dash for what is not finite. Independent of the locale, unlike printf: a decimal comma would break SVG.
+/// Formats `value` with at most `decimals` decimals and without trailing zeros: "0" if it rounds to zero, an en dash if
+/// it is not finite. The decimal point does not depend on the locale, unlike printf's; a comma would break SVG.
 [[nodiscard]] std::string number(double value, int decimals = 2);
 
-/// `value` with about three significant digits, for people: 0.0123, 1.23, 12.3, 1230.
+/// Formats `value` with about three significant digits: 0.0123, 1.23, 12.3, 1230.
 [[nodiscard]] std::string readable(double value);
 
 }  // namespace telepalp::plot

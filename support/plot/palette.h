@@ -4,7 +4,7 @@
 
 namespace telepalp::plot {
 
-/// Colours that people with any common colour blindness can tell apart.
+/// Colours that people with common forms of colour blindness can distinguish.
 /// Source: Okabe and Ito, "Color universal design", 2008.
 inline constexpr std::string_view kBlack = "#222222";
 inline constexpr std::string_view kOrange = "#e69f00";

@@ -6,19 +6,19 @@
 
 namespace telepalp::plot {
 
-/// A closed interval of data or of pixels. In pixels `least` may lie above `most`: y grows downwards on paper.
+/// A closed interval of data or of pixels. For vertical pixels `least` may exceed `most`, because y grows downwards.
 struct Range {
   double least = 0.0;
   double most = 1.0;
 };
 
-/// The smallest range that holds every finite value, or `otherwise` when there is none.
+/// The smallest range with all finite values; `otherwise` when no value is finite.
 [[nodiscard]] Range range_of(std::span<const double> values, Range otherwise);
 
-/// The smallest range that holds both.
+/// The smallest range that contains both ranges.
 [[nodiscard]] Range united(Range a, Range b) noexcept;
 
-/// Where a tick goes and what stands beside it.
+/// A tick of an axis: its value and its label.
 struct Tick {
   double at = 0.0;
   std::string label;
@@ -31,7 +31,7 @@ struct Tick {
 /// Ticks at the powers of ten within `range` (both ends > 0).
 [[nodiscard]] std::vector<Tick> decade_ticks(Range range);
 
-/// Maps data to pixels, linearly or by logarithm. Values at or below zero have no place on a logarithmic scale: NaN.
+/// Maps data to pixels on a linear or logarithmic scale. On a logarithmic scale, values <= 0 give NaN.
 struct Scale {
   Range data;
   Range pixels;

@@ -8,7 +8,7 @@
 
 namespace telepalp::plot {
 
-/// A place on the drawing [px]; y grows downwards.
+/// A position in the drawing [px]; y grows downwards.
 struct Pixel {
   double x = 0.0;
   double y = 0.0;
@@ -16,16 +16,16 @@ struct Pixel {
 
 enum class Anchor { Start, Middle, End };
 
-/// Text with what XML reserves escaped, and without control characters.
+/// Escapes XML's reserved characters and removes control characters.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// SVG text that grows element by element. Coordinates are written with two decimals: a hundredth of a pixel.
+/// Writes an SVG document element by element. Coordinates have two decimals.
 class Svg {
  public:
   Svg(double width, double height, std::string_view title);
 
   void line(Pixel from, Pixel to, std::string_view color, double width, std::string_view dashes = {});
-  /// A curve through the points; one that is not finite breaks it.
+  /// Draws a polyline; a point that is not finite interrupts it.
   void path(const std::vector<Pixel>& points, std::string_view color, double width, std::string_view dashes = {});
   void polygon(const std::vector<Pixel>& points, std::string_view fill, double opacity);
   void rect(Pixel corner, Pixel opposite, std::string_view fill, double opacity = 1.0);

@@ -13,7 +13,7 @@ struct Address {
   std::uint16_t port = 0;
 };
 
-/// Reads `HOST:PORT`; an IPv6 host stands in brackets. `where` names the option in errors.
+/// Parses `HOST:PORT`, with an IPv6 host in brackets. `where`: the option's name, for errors.
 [[nodiscard]] Result<Address> parse_address(std::string_view text, std::string_view where);
 
 }  // namespace telepalp::program

@@ -5,19 +5,20 @@
 
 namespace telepalp::program {
 
-/// How long a program that was asked to end may take.
+/// Time limit for a program to end after a signal.
 inline constexpr std::chrono::seconds kTimeToEnd{5};
 
-// A terminal sends Ctrl-C to every program of a script, and the script then asks each again: the second signal means
-// the same as the first. So what bounds the ending is time, and not the number of signals.
+// A terminal sends Ctrl-C to every program of a script, and the script then signals each program again. So a second
+// signal must not end the program sooner: time limits the ending, not the number of signals.
 
-/// The process exits with kFailed `limit` from now, unless it has ended by itself. Of several calls the first counts.
+/// Makes the process print `last_words` and exit with kFailed after `limit`, unless it has ended before. Only the first
+/// call has an effect.
 void end_within(std::chrono::seconds limit, std::string_view last_words);
 
-/// From now on SIGINT and SIGTERM call end_within(limit, last_words), and do nothing else.
+/// Installs handlers of SIGINT and SIGTERM that only call end_within(limit, last_words).
 void end_within_when_signalled(std::chrono::seconds limit, std::string_view last_words);
 
-/// All work is done: the limit is lifted, and no signal changes the exit code any more. For the last thread.
+/// Cancels the limit; later signals no longer change the exit code. The last thread calls this when all work is done.
 void work_is_done();
 
 }  // namespace telepalp::program

@@ -10,12 +10,12 @@
 
 namespace telepalp::program {
 
-/// Exit codes of every program: 0 done, 1 failed, 2 asked wrongly.
+/// Exit codes of every program: 0 success, 1 failure, 2 wrong command line.
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kAskedWrongly = 2;
 
-/// The command line, read. A number is checked against its bounds where it is asked for.
+/// The parsed command line. number() and whole() check a value against bounds.
 class Arguments {
  public:
   [[nodiscard]] bool has(std::string_view flag) const;

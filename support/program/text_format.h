@@ -11,8 +11,8 @@
 
 namespace telepalp::program {
 
-/// Where the numbers of a text-format file stand, so that a value out of its bounds is named as precisely as a
-/// misspelt field.
+/// Line and column of each number in a text-format file, so that an error about a value out of range can state its
+/// position.
 class NumberPlaces {
  public:
   struct Place {
@@ -23,20 +23,20 @@ class NumberPlaces {
   };
   explicit NumberPlaces(std::vector<Place> places = {}) : places_(std::move(places)) {}
 
-  /// `file:line:column` of the first field of that name with that value; `file` alone when there is none. Of a path
-  /// as `cylinder.radius_m` the last name counts.
+  /// `file:line:column` of the first field of that name with that value; `file` alone when there is no such field. Of a
+  /// path such as `cylinder.radius_m` only the last name is compared.
   [[nodiscard]] std::string where(const std::string& file, std::string_view field, double value) const;
 
  private:
   std::vector<Place> places_;
 };
 
-/// Reads a Protobuf text-format file (a scene, a camera) into `message`. An unknown field, a wrong type or a
-/// missing brace is an error with the file, line and column. Files over 1 MiB are refused.
+/// Reads a Protobuf text-format file (a scene, a camera) into `message`. Error: an unknown field, a wrong type or a
+/// missing brace, reported with file, line and column; or a file over 1 MiB.
 [[nodiscard]] Result<NumberPlaces> read_text_format(const std::filesystem::path& file,
                                                     google::protobuf::Message& message);
 
-/// The same from text; `name` stands for the file in errors.
+/// Parses text-format text. `name`: the file's name, for errors.
 [[nodiscard]] Result<NumberPlaces> parse_text_format(const std::string& text, const std::string& name,
                                                      google::protobuf::Message& message);
 

@@ -2,7 +2,7 @@
 
 namespace telepalp::program {
 
-/// "0.1.0"
+/// Version of telepalp, for example "0.1.0".
 [[nodiscard]] const char* version() noexcept;
 /// Short hash of the commit that the program was built from, with "-modified" if files differed from it; empty outside
 /// of a repository.

@@ -9,22 +9,22 @@
 
 namespace telepalp::server {
 
-// What telepalp-codec does; each command prints its figures to stdout and how far it is to a terminal.
+// The commands of telepalp-codec. Each prints its results to stdout and its progress to stderr if that is a terminal.
 
 /// Compresses the depth images of `input`, as for_each_depth() finds them, into the session file `output`.
 [[nodiscard]] Result<void> encode_recording(const std::filesystem::path& input, const std::filesystem::path& output,
                                             const codec::DepthStreamSettings& settings, double unit_m);
 
-/// Writes each depth image of `input` to `folder` as a numbered file of `kind`, "png" or "pgm". An image that cannot be
-/// read leaves its number out; an error at the end then, when all others are written.
+/// Writes each depth image of `input` to `folder` as a numbered file of `kind`, "png" or "pgm". The number of an
+/// unreadable image is skipped; after the last image an error then reports the unreadable ones.
 [[nodiscard]] Result<void> decode_recording(const std::filesystem::path& input, const std::filesystem::path& folder,
                                             const std::string& kind);
 
 /// Says how each depth image of the session file `input` is compressed, without decoding any; `json`: for programs.
 [[nodiscard]] Result<void> describe_recording(const std::filesystem::path& input, bool json);
 
-/// Says how far the depth images of `second` lie from those of `first`. With a `bound`: an error unless every pixel
-/// keeps it, and what was measured still is, and nothing else.
+/// Prints the differences between the depth images of `first` and `second`. With a `bound`, it is an error if a pixel
+/// differs by more than the bound, or is measured in only one of them.
 [[nodiscard]] Result<void> compare_recordings(const std::filesystem::path& first, const std::filesystem::path& second,
                                               double unit_m, const std::optional<codec::DepthBound>& bound = {});
 

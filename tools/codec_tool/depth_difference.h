@@ -9,13 +9,13 @@
 
 namespace telepalp::server {
 
-/// How far depth images lie from their originals, over all pixels so far.
+/// Accumulates the differences between depth images and their originals over all pixels.
 class DepthDifference {
  public:
-  /// `bound`: what a pixel may be off, by its original depth; none: nothing is asked.
+  /// `bound`: allowed difference of a pixel, as a function of its original depth; nullopt: no limit.
   explicit DepthDifference(const std::optional<codec::DepthBound>& bound = {}) : bound_(bound) {}
 
-  /// Both are of one size.
+  /// Compares two images of equal size.
   void add(const DepthImage& original, const DepthImage& other);
 
   [[nodiscard]] std::size_t measured() const noexcept { return measured_; }  ///< pixels that both measured
@@ -23,9 +23,10 @@ class DepthDifference {
   [[nodiscard]] double worst_mm() const noexcept { return worst_mm_; }
   [[nodiscard]] double rms_mm() const;
 
-  /// Pixels further off than the bound; with one, a pixel that only one of them measured is one of these.
+  /// Number of pixels beyond the bound, including pixels that only one image measured; 0 without a bound.
   [[nodiscard]] std::size_t beyond() const noexcept { return beyond_; }
-  /// Where the first of these is, and by how much: "frame 3, pixel 17, 20 at 800.0 mm: off by 4.000 mm of 2.850 mm".
+  /// Position and difference of the first pixel beyond the bound: "frame 3, pixel 17, 20 at 800.0 mm: off by 4.000 mm
+  /// of 2.850 mm".
   [[nodiscard]] const std::string& first_beyond() const noexcept { return first_beyond_; }
 
  private:

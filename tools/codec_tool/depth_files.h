@@ -11,24 +11,25 @@
 
 namespace telepalp::server {
 
-/// One depth image of an input, and what it is called there.
+/// One depth image of an input, with its name.
 struct NamedDepth {
   std::string name;  ///< file name, or the number of the frame
   SessionTime captured;
   DepthImage depth;
-  std::optional<DepthLoss> loss = {};  ///< that a recording tells of it
+  std::optional<DepthLoss> loss = {};  ///< bound on its compression error, from the recording
 };
 
-/// Gives each depth image of `input` to `visit`, in order, until one is refused: a 16-bit PNG, TIFF or binary PGM; a
-/// directory of these, at any depth, sorted by path, colour images passed over; a .oni, .pcd or .mcap recording. Image
-/// files do not say their unit: `unit_m` is taken. Samples are given as they lie, none is ignored.
-/// What cannot be decoded in an .mcap, and what is damaged in a .oni, is told to `pass_over`; without one, it is an
-/// error.
+/// Calls `visit` with each depth image of `input` in order, until `visit` returns an error. `input`: a 16-bit PNG, TIFF
+/// or binary PGM; a directory of such files, searched recursively, in order of path, without its colour images; or a
+/// .oni, .pcd or .mcap recording. `unit_m`: the unit of image files, which do not state it. Samples are passed on
+/// unchanged.
+/// `pass_over` is called with an error for each undecodable image of a .mcap and each damaged part of a .oni; if it is
+/// empty, such an error ends the call.
 [[nodiscard]] Result<void> for_each_depth(const std::filesystem::path& input, double unit_m,
                                           const std::function<Result<void>(NamedDepth)>& visit,
                                           const std::function<void(const Error&)>& pass_over = {});
 
-/// How many images that will be; 0 when only reading tells.
+/// Number of images that for_each_depth() will find; 0 if it is unknown before reading.
 [[nodiscard]] std::size_t count_depth_files(const std::filesystem::path& input);
 
 }  // namespace telepalp::server

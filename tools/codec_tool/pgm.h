@@ -7,7 +7,8 @@
 
 namespace telepalp::server {
 
-/// A binary PGM of 16 bits a sample. Sizes are checked against kMaxImageSide before anything is allocated.
+/// Decodes a binary PGM with 16 bits per sample. The size is checked against kMaxImageSide before memory is allocated.
+/// `name`: the file's name, for errors.
 [[nodiscard]] Result<images::GrayImage16> decode_pgm(std::string_view bytes, const std::string& name);
 [[nodiscard]] std::string encode_pgm(const images::GrayImage16& image);
 

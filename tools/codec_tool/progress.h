@@ -9,10 +9,10 @@
 
 namespace telepalp::server {
 
-/// One line on a terminal that says how far the work is; nothing where stderr is a file.
+/// A progress bar on stderr; prints nothing if stderr is not a terminal.
 class Progress {
  public:
-  /// `total`: frames in all; 0: not known.
+  /// `total`: number of all frames; 0: unknown.
   explicit Progress(std::size_t total) : total_(total), shown_(program::takes_progress(stderr)) {}
   ~Progress() {
     if (shown_ && done_ > 0) std::fputc('\n', stderr);

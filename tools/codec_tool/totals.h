@@ -5,7 +5,7 @@
 
 namespace telepalp::server {
 
-/// What a number of compressed images come to.
+/// Total size of compressed images.
 struct Totals {
   std::size_t frames = 0;
   double pixels = 0.0;

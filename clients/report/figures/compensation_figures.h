@@ -7,8 +7,8 @@
 
 namespace telepalp::report {
 
-/// What was done about delay, over time: how old hand and surface were, by how much each was carried forward, with its
-/// 1-sigma, and what was kept back so that nothing stepped. Empty when the session does not tell.
+/// Charts of the delay compensation over time: age of hand and surface, their predicted displacements with standard
+/// deviations, and the offset that hides steps between snapshots. Empty when the session has no compensation messages.
 [[nodiscard]] std::vector<plot::Chart> compensation(const Session& session);
 
 }  // namespace telepalp::report

@@ -8,8 +8,8 @@
 
 namespace telepalp::report {
 
-/// The report for people: one file that needs no script, no network and no other file, and prints well.
-/// `view_png`: the augmented view; empty when there is none.
+/// The report as one self-contained HTML file without scripts, for screen and print.
+/// `view_png`: the augmented view as PNG; empty: no view.
 [[nodiscard]] std::string report_html(const Session& session, const Summary& summary, const Verdict& verdict,
                                       const std::string& view_png);
 

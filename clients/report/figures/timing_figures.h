@@ -9,17 +9,17 @@
 
 namespace telepalp::report {
 
-/// How long ticks took and how late they began, against the period of 500 µs. Counts and times on logarithmic axes:
-/// what matters is the one tick in ten thousand.
+/// Histograms of the duration and the lateness of ticks, with the period of 500 µs marked. Both axes are logarithmic,
+/// so that one slow tick in ten thousand is visible.
 [[nodiscard]] std::vector<plot::Chart> tick_times(const Session& session);
 
-/// A frame's way from the camera to the hand by stage, p50 and p99.
+/// Latency of a frame from camera to hand, by stage: p50 and p99.
 [[nodiscard]] plot::BarChart latency_by_stage(const Summary& summary);
 
-/// Age of the surface that the force came from, over time.
+/// Age over time of the surface from which the force was computed.
 [[nodiscard]] plot::Chart surface_age(const Session& session);
 
-/// Depth and colour frames captured, a second, over time; only what was recorded.
+/// Recorded depth and colour frames per second over time.
 [[nodiscard]] plot::Chart frame_rate(const Session& session);
 
 }  // namespace telepalp::report

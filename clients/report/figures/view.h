@@ -8,11 +8,11 @@
 
 namespace telepalp::report {
 
-/// The instant that says most about a run: the greatest indentation; without contact the last known state; without a
-/// station the middle of the session. [ns of session time]
+/// The instant to be pictured, in session time [ns]: the greatest indentation; without contact, the last state; without
+/// a station, the middle of the session.
 [[nodiscard]] std::int64_t telling_moment_ns(const Session& session);
 
-/// The augmented view at `at_ns` over `frame`.
+/// Renders the augmented view at session time `at_ns` over `frame`.
 [[nodiscard]] ColorImage draw_view(const Session& session, const RgbdFrame& frame, std::int64_t at_ns);
 
 }  // namespace telepalp::report

@@ -16,10 +16,10 @@
 
 namespace telepalp::report {
 
-/// One quantity of every tick, by axis of the haptic base's frame H.
+/// The x, y and z components of a vector at each tick, in the haptic base's frame H.
 using Axes = std::array<std::vector<float>, 3>;
 
-/// Every recorded tick of the 2 kHz loop; all columns have one length.
+/// The recorded ticks of the 2 kHz loop, as columns of equal length.
 struct Ticks {
   std::vector<std::int64_t> at_ns;  ///< session time of the tick's deadline
   std::vector<float> work_us;
@@ -69,27 +69,27 @@ struct Subscription {
   std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< in the first word of it
 };
 
-/// What a session file tells, as values. Pictures are not kept: a long session would not fit into memory. Its own
+/// The content of a session file, without images: the images of a long session do not fit into memory. Its own
 /// SenderRecord is the one that the report is about: after settle(), of the sender with the most ticks.
 struct Session : SenderRecord {
-  std::string name;    ///< of the file, without folders
-  std::string origin;  ///< what was recorded, as the file says; empty when it does not
+  std::string name;    ///< file name without folders
+  std::string origin;  ///< the recorded server or file, from the metadata; empty: not stated
   std::map<std::uint32_t, SenderRecord> others;
   std::map<std::pair<std::string, std::string>, Subscription> subscriptions;  ///< by name and address
   bool heard_server_stats = false;
   std::optional<msg::CaptureStatus> capture;                        ///< the last
-  std::map<std::string, foxglove::CameraCalibration> calibrations;  ///< the last by frame
+  std::map<std::string, foxglove::CameraCalibration> calibrations;  ///< the last one of each frame of reference
   std::vector<std::int64_t> depth_captured_ns;
-  std::vector<std::int64_t> depth_key_ns;  ///< of each of these: when the newest frame that stands alone was logged
+  std::vector<std::int64_t> depth_key_ns;  ///< for each depth frame: log time of the newest key frame
   std::vector<std::int64_t> color_captured_ns;
-  wire::DepthFidelity depth;             ///< of the depth images; the least exact
-  std::optional<std::int64_t> first_ns;  ///< of any message
+  wire::DepthFidelity depth;             ///< the loosest bound among the depth images
+  std::optional<std::int64_t> first_ns;  ///< log time of the first message
   std::optional<std::int64_t> last_ns;
   std::uint64_t messages = 0;
-  std::uint64_t damaged = 0;  ///< messages that could not be read as what their topic says
+  std::uint64_t damaged = 0;  ///< messages that could not be parsed as their topic's type
 };
 
-/// Adds one message to the session. One that cannot be read is counted as damaged.
+/// Adds one message to the session; an unreadable message is counted as damaged.
 void add(Session& session, const wire::Message& message);
 
 /// Call it after the last message.
@@ -98,10 +98,10 @@ void settle(Session& session);
 /// What the patient was, by the best that the session knows: the server's source, else the recorder's word.
 [[nodiscard]] std::string source_of(const Session& session);
 
-/// Length of the session [s]; 0 when empty.
+/// Duration of the session [s]; 0 when empty.
 [[nodiscard]] double seconds(const Session& session) noexcept;
 
-/// Intrinsics of the calibration, nullopt unless it is a 3 x 3 matrix of a usable camera.
+/// Intrinsics from a calibration message; nullopt unless its 3 × 3 matrix is a valid pinhole camera.
 [[nodiscard]] std::optional<Intrinsics> intrinsics(const foxglove::CameraCalibration& calibration);
 
 }  // namespace telepalp::report

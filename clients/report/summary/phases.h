@@ -7,21 +7,21 @@
 
 namespace telepalp::report {
 
-/// A state of S1 Fig. 4 as reports show it.
+/// How reports show a state of S1 Fig. 4.
 struct PhaseWords {
   msg::Phase phase;
   std::string_view key;    ///< in report.json
-  std::string_view words;  ///< for people
+  std::string_view words;  ///< name in report.html
   std::string_view mark;   ///< S1's number s_f; a letter for the two states that S1 does not have
-  double level;            ///< where a timeline draws it
+  double level;            ///< vertical position in the timeline
   std::string_view color;
-  bool contact;  ///< the skin, or what lies under it, gives force
+  bool contact;  ///< true: skin or inner objects give force
 };
 
-/// Every state, from the deepest inside the body to the one furthest from a touch.
+/// All states, ordered from deepest in the body to farthest from contact.
 extern const std::array<PhaseWords, 9> kPhases;
 
-/// The words for `phase`; those of `faulted` for a number that no state has, so that it is seen.
+/// The entry of `phase`; for an unknown number the entry of `faulted`, so that the error is visible.
 [[nodiscard]] const PhaseWords& words_for(msg::Phase phase) noexcept;
 
 }  // namespace telepalp::report

@@ -6,9 +6,9 @@
 
 namespace telepalp::report {
 
-inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  ///< not measured; null in JSON
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  ///< not measured; written as null in JSON
 
-/// A distribution in a few numbers; kUnknown without samples.
+/// Quantiles of a distribution; kUnknown without samples.
 struct Quantiles {
   double p50 = kUnknown;
   double p99 = kUnknown;
@@ -17,7 +17,7 @@ struct Quantiles {
   std::size_t samples = 0;
 };
 
-/// By nearest rank. Samples that are not finite are left out.
+/// Quantiles by the nearest-rank method. Samples that are not finite are left out.
 [[nodiscard]] Quantiles quantiles(std::vector<double> samples);
 
 }  // namespace telepalp::report

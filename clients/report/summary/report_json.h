@@ -8,8 +8,8 @@
 
 namespace telepalp::report {
 
-/// The figures of a run for other programs: docs/report.md names every key. What was not measured is null, never
-/// left out.
+/// The results of a run as JSON, for other programs; docs/report.md lists all keys. A value that was not measured is
+/// null; no key is omitted.
 [[nodiscard]] std::string report_json(const Session& session, const Summary& summary, const Verdict& verdict);
 
 }  // namespace telepalp::report

@@ -10,7 +10,7 @@
 
 namespace telepalp::report {
 
-/// How long and how often the station was in one state.
+/// Total duration and number of entries of one state.
 struct Dwell {
   std::uint64_t entries = 0;
   double seconds = 0.0;
@@ -33,7 +33,7 @@ struct IdleTimer {
   }
 };
 
-/// The figures of a run. kUnknown where the session does not hold what a figure needs.
+/// The results of a run. A value is kUnknown when the session lacks the messages for it.
 struct Summary {
   double seconds = 0.0;
   std::uint64_t ticks = 0;
@@ -46,8 +46,8 @@ struct Summary {
   std::vector<SenderSummary> senders;  ///< on the topics of a station; the first is the one that the rest tells of
 
   std::optional<std::uint64_t> frames_sent;      ///< depth frames that the hub sent to the station
-  std::optional<std::uint64_t> frames_received;  ///< by the station
-  std::optional<std::uint64_t> frames_dropped;   ///< at the hub, overtaken on the way to the station
+  std::optional<std::uint64_t> frames_received;  ///< depth frames that the station received
+  std::optional<std::uint64_t> frames_dropped;   ///< depth frames for the station that the hub dropped
 
   double camera_depth_per_s = kUnknown;
   double camera_color_per_s = kUnknown;
@@ -56,18 +56,18 @@ struct Summary {
 
   Quantiles capture_to_encoded_ms, encoded_to_received_ms, received_to_decoded_ms, decoded_to_touchable_ms;
   Quantiles capture_to_touchable_ms;
-  Quantiles surface_carried_mm, hand_carried_mm;  ///< over the delay, by prediction; without their sign
-  /// How the depth under the hand was compressed, the least exact of it; that of the images where no station tells.
+  Quantiles surface_carried_mm, hand_carried_mm;  ///< magnitude of the predicted displacement
+  /// The loosest bound of the depth that the station touched; without a station, that of the recorded images.
   wire::DepthFidelity depth;
-  Quantiles surface_age_ms;  ///< of the surface that the force came from
+  Quantiles surface_age_ms;  ///< age of the surface from which the force was computed
 
   std::vector<Dwell> dwells;  ///< in the order of kPhases
-  std::uint64_t touches = 0;  ///< times that contact began
+  std::uint64_t touches = 0;  ///< number of contacts
   double contact_s = 0.0;
-  double force_max_N = kUnknown;  ///< in any state; out of the body it moves the free device
+  double force_max_N = kUnknown;  ///< in any state; outside the body, force moves the free device
   double force_in_contact_max_N = kUnknown;
   double indentation_max_mm = kUnknown;
-  std::uint64_t non_finite = 0;  ///< forces, positions or depths that are no numbers
+  std::uint64_t non_finite = 0;  ///< forces, positions or depths that are not finite
   std::uint64_t damaged_messages = 0;
   std::vector<msg::EffectCost> bill;
 };

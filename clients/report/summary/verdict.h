@@ -7,25 +7,25 @@
 
 namespace telepalp::report {
 
-/// Whether a figure keeps its budget.
+/// Result of comparing a value with its budget.
 enum class Standing { Holds, Misses, NotMeasured };
 
-/// One figure against what is asked of it.
+/// One value with its budget.
 struct Check {
   std::string name;  ///< "tick time, p99.9"
   double value = kUnknown;
   double budget = 0.0;
   std::string unit;
-  bool at_most = true;           ///< else the budget is the least that will do
-  std::string meaning;           ///< what it is to the doctor when it misses
+  bool at_most = true;           ///< true: the budget is an upper limit; false: a lower limit
+  std::string meaning;           ///< consequence for the doctor when the budget is missed
   bool of_the_computer = false;  ///< no doing of telepalp's: the computer that the station runs on
 
   [[nodiscard]] Standing standing() const noexcept;
 };
 
-/// A run judged.
+/// The overall assessment of a run.
 struct Verdict {
-  bool good = false;     ///< no check misses, and there was a station to judge
+  bool good = false;     ///< a station took part and no check misses its budget
   std::string headline;  ///< "The run was good."
   std::string account;   ///< what happened, in two or three sentences
   std::vector<Check> checks;

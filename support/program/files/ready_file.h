@@ -7,8 +7,8 @@
 
 namespace telepalp::program {
 
-/// Writes `text`, lines of `key=value`, for whoever waits until this program is ready; in one step, so that no one
-/// reads half of it. An empty `file` asks for nothing.
+/// Writes the lines `key=value` of `text` to `file` atomically: a program that waits for this one to be ready never
+/// reads a partial file. An empty `file` does nothing.
 [[nodiscard]] Result<void> write_ready_file(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace telepalp::program

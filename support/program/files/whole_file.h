@@ -7,18 +7,18 @@
 
 namespace telepalp::program {
 
-/// Who may read what a program writes. Never more than the process's umask allows.
+/// Permissions of written files and folders, further restricted by the umask.
 enum class Readers {
-  Group,   ///< files 0640 in folders 0750: all that shows a patient
-  Anyone,  ///< files 0644 in folders 0755: figures and settings without a patient
+  Group,   ///< files 0640 in folders 0750: for data of a patient
+  Anyone,  ///< files 0644 in folders 0755: for figures and settings without patient data
 };
 
-/// Makes `folder` and each missing folder above it. The mode of a folder that exists already is left as it is.
+/// Creates `folder` and its missing parents. The mode of an existing folder is not changed.
 [[nodiscard]] Result<void> make_folder(const std::filesystem::path& folder, Readers readers);
 
-/// Writes `bytes` to a new file beside `file`, puts it on the disk and renames it to `file`. Nobody ever sees half a
-/// file: after an error `file` is what it was before. A symbolic link at `file` is replaced, not followed; a folder, a
-/// device or a pipe is refused.
+/// Writes `bytes` to a temporary file in the same folder, calls fsync and renames it to `file`, so that `file` is never
+/// partially written and is unchanged after an error. A symbolic link at `file` is replaced, not followed. Error:
+/// `file` is a folder, a device or a pipe.
 [[nodiscard]] Result<void> write_whole_file(const std::filesystem::path& file, std::string_view bytes, Readers readers);
 
 }  // namespace telepalp::program
