@@ -11,32 +11,32 @@
 
 namespace telepalp::server {
 
-/// How a source is doing, as the technician should know it. Mirrors msg.CaptureState.
+/// State of a capture source, as shown to the technician. Equals msg.CaptureState.
 enum class CaptureState { Waiting, Live, Lost, Ended };
 
-/// Where RGB-D frames come from. One thread, the capture thread, owns a source and calls it.
+/// A source of RGB-D frames: a camera, a recording or a simulation. Owner: the capture thread.
 class CaptureSource {
  public:
   virtual ~CaptureSource() = default;
 
-  /// Waits for the next frame, at the source's own pace, at most `patience`. nullopt: none came in that time, and
-  /// state() says whether that is a pause, a lost device or the end of a recording.
+  /// Waits at most `patience` for the next frame. nullopt: no frame came; state() tells whether this is a pause, a lost
+  /// device or the end of a recording.
   [[nodiscard]] virtual std::optional<RgbdFrame> next(Nanoseconds patience) = 0;
 
   [[nodiscard]] virtual CaptureState state() const = 0;
 
-  /// For people: what is being captured, or what went wrong and how to fix it.
+  /// Text for the technician: the captured device or file, or the problem and its fix.
   [[nodiscard]] virtual std::string detail() const = 0;
 
-  /// For people: what of a recording could not be read so far, and where; empty when all of it could.
+  /// Text for the technician: the unreadable parts of a recording so far; empty when all parts were readable.
   [[nodiscard]] virtual std::string complaint() const { return {}; }
 };
 
-/// How any source is opened.
+/// Options of every source.
 struct SourceOptions {
   wire::SessionClock clock{Nanoseconds{0}};
-  bool loop = true;   ///< a recording starts again at its end
-  bool paced = true;  ///< a recording plays at its own speed; false: as fast as it is asked
+  bool loop = true;   ///< a recording restarts at its end
+  bool paced = true;  ///< a recording plays in real time; false: as fast as next() is called
 };
 
 /// Opens `spec`: openni2[:URI], oni:FILE, images:DIR, pcd:FILE, synthetic[:MODEL], session:FILE.mcap.

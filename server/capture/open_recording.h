@@ -7,8 +7,8 @@
 
 namespace telepalp::server {
 
-/// Opens a recording: oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap. Errors as for open_source(). Needs no camera
-/// driver.
+/// Opens a recording: oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap. Needs no camera driver. Error: an unknown
+/// kind of recording, or a file that cannot be read.
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_recording(std::string_view spec,
                                                                     const SourceOptions& options);
 

@@ -9,14 +9,14 @@
 
 namespace telepalp::server {
 
-/// One kind of source: what stands before the colon of --source, and how the rest is opened.
+/// One kind of source: the word before the colon in `--source KIND:REST`, and the function that opens REST.
 struct SourceKind {
   std::string_view name;
   Result<std::unique_ptr<CaptureSource>> (*open)(const std::string& rest, const SourceOptions& options);
   bool needs_rest;  ///< a file or directory must follow the colon
 };
 
-/// Opens `spec` by the kind that it names. `forms`: how to write a source, for errors.
+/// Opens `spec` with the kind whose name it begins with. `forms`: the syntax of all kinds, for errors.
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_by_kind(std::string_view spec,
                                                                   std::span<const SourceKind> kinds,
                                                                   std::string_view forms, const SourceOptions& options);

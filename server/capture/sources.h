@@ -7,7 +7,7 @@
 
 namespace telepalp::server {
 
-/// The kinds of source behind open_source(), each with what stands behind the colon. Errors as there.
+/// Openers of the kinds of source for open_source(). The first argument is the text after the colon.
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_camera(const std::string& uri, const SourceOptions& options);
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_oni(const std::string& file, const SourceOptions& options);
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_synthetic(const std::string& model,

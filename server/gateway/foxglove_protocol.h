@@ -14,10 +14,10 @@
 
 namespace telepalp::server::foxglove {
 
-/// The subprotocols that we speak. What we use of both is the same.
+/// The supported subprotocols. The parts that telepalp uses are equal in both.
 inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1", "foxglove.websocket.v1"};
 
-/// The first of the client's offers (a Sec-WebSocket-Protocol header) that we speak.
+/// The first supported subprotocol in the client's Sec-WebSocket-Protocol header; nullopt if there is none.
 [[nodiscard]] std::optional<std::string_view> choose_subprotocol(std::string_view offered);
 
 /// The topic of a channel: channels are wire::kTopics and then kViewTopics, counted from 1.
@@ -34,7 +34,7 @@ enum class Level : std::uint32_t { Info = 0, Warning = 1, Error = 2 };
 inline constexpr std::size_t kMessageHeaderBytes = 13;
 [[nodiscard]] std::array<std::uint8_t, kMessageHeaderBytes> message_header(std::uint32_t subscription, SessionTime at);
 
-/// What a client's text asks for.
+/// The requests in a client's text message.
 struct Request {
   struct Subscription {
     std::uint32_t id;
@@ -47,7 +47,7 @@ struct Request {
   };
   std::vector<Subscription> subscribe;
   std::vector<std::uint32_t> unsubscribe;
-  std::vector<Channel> advertise;  ///< what the client will publish
+  std::vector<Channel> advertise;  ///< channels on which the client will publish
   std::vector<std::uint32_t> unadvertise;
 };
 
@@ -58,8 +58,8 @@ struct ClientData {
 };
 [[nodiscard]] std::optional<ClientData> read_client_data(std::string_view bytes);
 
-/// Reads a client's text. An error for what is no JSON object of the protocol, or an operation that is not offered.
-/// `text` is bounded by the connection.
+/// Parses a client's text message. Error: not a JSON object of the protocol, or an unsupported operation. The
+/// connection limits the size of `text`.
 [[nodiscard]] Result<Request> read_request(const std::string& text);
 
 }  // namespace telepalp::server::foxglove

@@ -24,39 +24,39 @@ namespace telepalp::server {
 
 struct GatewayOptions {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 8080;             ///< 0: any free one, see Gateway::port()
-  std::filesystem::path viewer_files{};  ///< empty: only the stream is served
+  std::uint16_t port = 8080;             ///< 0: any free port; Gateway::port() returns it
+  std::filesystem::path viewer_files{};  ///< empty: no files, only the WebSocket
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
   std::function<void(const std::string&)> log{};  ///< for the technician: who found no place
   std::size_t max_connections = 64;
-  std::chrono::milliseconds request_timeout{10'000};  ///< to send a request or the upgrade's headers
-  std::chrono::milliseconds idle_timeout{30'000};     ///< a viewer that answers no ping for so long is dropped
+  std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request's headers
+  std::chrono::milliseconds idle_timeout{30'000};     ///< a viewer that does not answer pings is disconnected
 };
 
 class Connection;
 
-/// What all connections of a gateway share. Owner: the server's network thread.
+/// State that all connections of a gateway share. Owner: the server's network thread.
 struct GatewayContext {
   Hub& hub;
   GatewayOptions options;
   StaticFiles files;
   std::function<SessionTime()> now;
-  std::string session_id;                       ///< tells one start of the server from the next
-  std::unordered_set<Connection*> connections;  ///< open ones, at most options.max_connections
+  std::string session_id;                       ///< differs for each start of the server
+  std::unordered_set<Connection*> connections;  ///< open connections, at most options.max_connections
   HandHolder holder{};
   Hub views{};                              ///< kViewTopics, for viewers alone
   std::unique_ptr<ViewMaker> view_maker{};  ///< null once the gateway is gone
 };
 
-/// One accepted socket. It keeps itself alive by its pending reads and writes.
+/// One accepted socket. Its pending reads and writes keep it alive.
 class Connection {
  public:
   explicit Connection(std::shared_ptr<GatewayContext> context);
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
   virtual ~Connection();
-  /// Ends it at once. Afterwards it touches the hub no more.
+  /// Closes the connection at once; it does not use the hub afterwards.
   virtual void close() = 0;
   /// Whether it takes nothing and gives nothing, so that it may be ended when others find no place.
   [[nodiscard]] virtual bool is_idle() const { return false; }
@@ -65,15 +65,16 @@ class Connection {
   [[nodiscard]] const std::shared_ptr<GatewayContext>& context() const noexcept { return context_; }
 
  private:
-  std::shared_ptr<GatewayContext> context_;  // shared: the last handler may run after the gateway is gone
+  std::shared_ptr<GatewayContext> context_;  // shared: the last handler may run after the gateway's destruction
 };
 
-/// The hub for browsers: HTTP for the viewer's files and, on the same port at any path, the Foxglove WebSocket
-/// protocol. Every viewer is a subscriber of the hub with its own bounded queue: one that stalls loses its own frames.
-/// Lives on `io`'s one thread, as the hub does.
+/// Gives browsers access to the hub: HTTP for the viewer's files and, on the same port at any path, the Foxglove
+/// WebSocket protocol. Every viewer is a subscriber of the hub with its own bounded queue, so a slow viewer loses only
+/// its own frames. Runs on `io`'s one thread, like the hub.
 class Gateway {
  public:
-  /// Listens. `now` reads the session clock. An error when the viewer's files or the port cannot be had.
+  /// Starts to listen. `now` reads the session clock. Error: the viewer's files cannot be read or the port cannot be
+  /// opened.
   [[nodiscard]] static Result<std::unique_ptr<Gateway>> open(boost::asio::io_context& io, Hub& hub,
                                                              std::function<SessionTime()> now, GatewayOptions options);
   Gateway(const Gateway&) = delete;
@@ -82,7 +83,7 @@ class Gateway {
   ~Gateway();
 
   [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
-  /// What to open in a browser: "http://127.0.0.1:8080/".
+  /// The address of the viewer for a browser: "http://127.0.0.1:8080/".
   [[nodiscard]] std::string url() const;
   [[nodiscard]] std::size_t connections() const noexcept { return context_->connections.size(); }
 

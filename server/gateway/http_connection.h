@@ -7,7 +7,7 @@
 
 namespace telepalp::server {
 
-/// Serves HTTP requests on `socket` one after the other until it closes, or becomes a viewer by an upgrade.
+/// Serves HTTP requests on `socket` in order, until it closes or an upgrade turns it into a WebSocket.
 void start_http_connection(boost::asio::ip::tcp::socket socket, std::shared_ptr<GatewayContext> context);
 
 }  // namespace telepalp::server

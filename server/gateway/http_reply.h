@@ -11,15 +11,15 @@ namespace telepalp::server {
 using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 using HttpReply = boost::beast::http::response<boost::beast::http::string_body>;
 
-/// What a browser asks beside files: the session clock, as decimal nanoseconds, so that a viewer can tell how old
-/// what it shows is. It measures its own clock's offset by the time that this takes.
+/// Path of the session clock, served as decimal nanoseconds. The viewer uses it to show the age of its data; it
+/// estimates its clock's offset from the round trip of this request.
 inline constexpr std::string_view kClockTarget = "/session_clock";
 
-/// Answers a request that is no WebSocket upgrade. Pure: `now` is what the session clock reads.
+/// Answers a request that is not a WebSocket upgrade. `now`: the current session time. Pure.
 [[nodiscard]] HttpReply reply_to(const HttpRequest& request, const StaticFiles& files, const RequestPolicy& policy,
                                  SessionTime now);
 
-/// A refusal with a line of text for whoever reads it.
+/// An error reply with one line of text as its body.
 [[nodiscard]] HttpReply refuse(const HttpRequest& request, boost::beast::http::status status, std::string_view reason);
 
 }  // namespace telepalp::server

@@ -4,12 +4,12 @@
 
 namespace telepalp::server {
 
-/// Whether an Accept-Encoding header takes gzip: it names gzip or, when it does not, "*", with a weight above 0
-/// (RFC 9110, 12.5.3).
+/// True when an Accept-Encoding header allows gzip: it lists gzip, or else "*", with a weight above 0 (RFC 9110,
+/// 12.5.3).
 [[nodiscard]] bool takes_gzip(std::string_view accept_encoding) noexcept;
 
-/// Whether an If-None-Match header names `etag`; "W/" before a tag changes nothing here, "*" names every tag
-/// (RFC 9110, 13.1.2). Our tags hold no comma.
+/// True when an If-None-Match header lists `etag` or "*". A prefix "W/" of a tag is ignored (RFC 9110, 13.1.2). `etag`
+/// contains no comma.
 [[nodiscard]] bool names_etag(std::string_view if_none_match, std::string_view etag) noexcept;
 
 }  // namespace telepalp::server

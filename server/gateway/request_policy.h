@@ -8,11 +8,12 @@
 
 namespace telepalp::server {
 
-/// Who may talk to the gateway, judged from a request's headers alone.
+/// Access rules of the gateway, applied to a request's headers.
 struct RequestPolicy {
-  /// Names beside IP addresses and "localhost" under which this server is reached, as "host" or "host:port".
+  /// Host names of this server, as "host" or "host:port". IP addresses and "localhost" are always allowed.
   std::vector<std::string> allowed_hosts;
-  /// Origins beside the server's own whose pages may open the stream: "https://viewer.example".
+  /// Further origins whose pages may open the WebSocket, for example "https://viewer.example". The server's own is
+  /// always allowed.
   std::vector<std::string> allowed_origins;
 };
 
@@ -20,12 +21,12 @@ struct RequestPolicy {
 /// errors: any web page, or any file, could then read the patient.
 [[nodiscard]] Result<void> check_origin(std::string_view origin);
 
-/// True for an IP address or "localhost", with or without a port, and for what the policy names. Any other name may
-/// be a foreign page's own name that was made to resolve to this machine (DNS rebinding).
+/// True for an IP address, "localhost" and the policy's host names, with or without a port. Another name may belong to
+/// a foreign web page whose DNS name was made to resolve to this machine (DNS rebinding).
 [[nodiscard]] bool host_is_ours(const RequestPolicy& policy, std::string_view host);
 
-/// True when a page from `origin` may open a WebSocket: the page that `host` itself served, or one that is allowed.
-/// No origin at all comes from no browser; such a tool is let in from this machine only.
+/// True when a page from `origin` may open a WebSocket: `origin` is `host` or is allowed by the policy. A request
+/// without an origin does not come from a browser; it is accepted only from this machine.
 [[nodiscard]] bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,
                                      bool peer_is_loopback);
 

@@ -10,40 +10,40 @@
 
 namespace telepalp::server {
 
-/// One file as it is served.
+/// One file with its HTTP headers.
 struct StaticFile {
   std::string content_type;
   std::string etag;  ///< quoted, changes with the bytes
   std::string bytes;
-  std::string gzip_etag{};  ///< of `gzip_bytes`: the two forms of a file differ, so their tags do too (RFC 9110, 8.8.3)
-  std::string gzip_bytes{};  ///< `bytes` compressed; empty for a file that gzip does not make smaller
+  std::string gzip_etag{};   ///< of `gzip_bytes`: each representation has its own tag (RFC 9110, 8.8.3)
+  std::string gzip_bytes{};  ///< `bytes` compressed; empty if gzip does not reduce the size
 };
 
-/// `bytes` as a gzip file (RFC 1952) of the same bytes in every run.
+/// Compresses `bytes` to a gzip file (RFC 1952), deterministically.
 [[nodiscard]] std::string gzip(const std::string& bytes);
 
-/// The viewer's files, read and compressed once at start. A request is looked up by name and never turned into a path,
-/// so nothing outside the folder can be asked for, whatever the request says.
+/// The viewer's files, read and compressed once at the start. A request's target is looked up in a table and never used
+/// as a path, so no request can reach a file outside the folder.
 class StaticFiles {
  public:
-  static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;  ///< of all files together
+  static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;  ///< limit for the sum of all files
   static constexpr std::size_t kMaxFiles = 256;
 
-  /// No files: every request is answered "not found".
+  /// Without files: every request gets "not found".
   StaticFiles() = default;
 
-  /// Reads all regular files below `folder` whose type is known; links and hidden files are left out.
-  /// An error when there is no such folder, no index.html, or too much in it.
+  /// Reads all regular files of known types below `folder`; links and hidden files are left out. Error: no such folder,
+  /// no index.html, or over kMaxFiles or kMaxBytes.
   [[nodiscard]] static Result<StaticFiles> read(const std::filesystem::path& folder);
 
-  /// The file for a request target: "/" is index.html, a query is ignored. nullptr when there is none.
+  /// The file for a request target: "/" is index.html, a query is ignored. nullptr when there is no such file.
   [[nodiscard]] const StaticFile* find(std::string_view target) const;
 
  private:
   std::map<std::string, StaticFile, std::less<>> files_;  // key: "/viewer.js"
 };
 
-/// The Content-Type for a file's name, empty when the type is not one that a viewer consists of.
+/// The Content-Type for a file name; empty for types that the viewer does not use.
 [[nodiscard]] std::string_view content_type_of(std::string_view file_name) noexcept;
 
 }  // namespace telepalp::server

@@ -23,8 +23,8 @@ class ViewerCommands {
   /// Whether the viewer's binary message says that it gives the hand up.
   [[nodiscard]] bool lets_go(std::string_view bytes) const;
 
-  /// The message that the viewer's binary message becomes, stamped and signed with `viewer`; nullopt when it comes
-  /// within 2 ms of the last one: a hand moves no faster. Error: no such channel, or no hand.
+  /// Converts a viewer's binary message to a message of /viewer/hand with a time stamp and the id `viewer`. nullopt: it
+  /// came within 2 ms of the last one; a hand needs no higher rate. Error: an unknown channel, or an invalid hand.
   [[nodiscard]] Result<std::optional<wire::Message>> hear(std::string_view bytes, std::uint64_t viewer,
                                                           SessionTime now);
 

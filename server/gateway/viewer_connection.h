@@ -9,8 +9,8 @@
 
 namespace telepalp::server {
 
-/// Accepts the WebSocket `upgrade` on `socket` and speaks the Foxglove protocol on it, as a subscriber of the hub.
-/// `subprotocol` is what the two ends agreed on.
+/// Accepts the WebSocket `upgrade` on `socket` and runs the Foxglove protocol on it, as a subscriber of the hub.
+/// `subprotocol`: the negotiated subprotocol.
 void start_viewer_connection(boost::asio::ip::tcp::socket socket, const HttpRequest& upgrade,
                              std::string_view subprotocol, const boost::asio::ip::tcp::endpoint& peer,
                              std::shared_ptr<GatewayContext> context);

@@ -18,41 +18,41 @@ namespace telepalp::server {
 
 using SubscriberId = std::uint64_t;
 
-/// Takes every message published at this server and hands it to whoever asked for its topic. Encodes nothing and
-/// copies nothing: all subscribers share one payload. What waits of the topics outside /camera/... is bounded for each
-/// subscriber (SendQueue) and for all together (kMaxWaitingBytes). A subscriber that does not keep up loses its own
-/// oldest messages, topic by topic, and nobody else notices. Owner: the server's network thread; no locks, no sockets,
-/// no clock. A new subscriber is given the last message of each latched topic (/camera/info,
-/// /camera/color/info, /camera/status, /viewer/hand_holder).
-/// A message that does not stand alone goes only to who has the one before it; whoever lost its place is given nothing
-/// of the topic until a message stands alone again, and the publisher is asked for one.
+/// Distributes each published message to the subscribers of its topic. It does not encode or copy: all subscribers
+/// share one payload. A slow subscriber loses its own oldest messages, topic by topic; other subscribers are not
+/// affected. A new subscriber gets the last message of each latched topic (/camera/info, /camera/status). A predicted
+/// frame goes only to subscribers that have its reference frame. A subscriber that missed a frame gets no message of
+/// that topic until the next key frame, which the hub requests from the publisher. Owner: the server's network thread;
+/// no locks, no sockets, no clock.
 class Hub {
  public:
   /// Of the topics outside /camera/..., over all subscribers; a payload that waits for several counts once for each.
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
 
-  /// `wake` is called, on the publishing call, when the subscriber's queue stops being empty.
+  /// Adds a subscriber. publish() calls `wake` when the subscriber's empty queue gets a message.
   /// `sender`: the number of this peer in what it publishes; 0: it publishes nothing.
   SubscriberId join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender = 0);
   void leave(SubscriberId subscriber);
 
-  /// Replaces what the subscriber listens to. A name ending in '*' is a prefix; unknown names are kept, for a
+  /// Replaces the subscriber's topics. A name ending in '*' is a prefix. Unknown names are kept, because their
   /// publisher may come later.
   void subscribe(SubscriberId subscriber, const std::vector<std::string>& topics);
 
-  /// Numbers `message` within its topic, so that a subscriber sees from the gap what it was not sent.
+  /// Gives `message` the topic's next sequence number and offers it to the subscribers, which see dropped messages as
+  /// gaps.
   void publish(wire::Message message);
 
-  /// The subscriber could not read what was published on `topic` at `unreadable`, for want of the one before it.
+  /// A subscriber requests a key frame: it could not decode the message of `topic` published at `unreadable`.
   void want_key(SubscriberId subscriber, const wire::Topic& topic, SessionTime unreadable);
 
-  /// Is called when somebody waits for a message of a topic that stands alone, once until one comes.
+  /// Sets the function that requests a key frame of a topic from its publisher. It is called once until the key frame
+  /// comes.
   void on_key_wanted(std::function<void(std::string_view topic)> handler) { key_wanted_ = std::move(handler); }
 
-  /// The next message for this subscriber, oldest first; nullopt when none waits.
+  /// Takes the oldest message from the subscriber's queue; nullopt when the queue is empty.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
-  /// True when a subscriber asked for exactly `topic`, not by a prefix, and is not named `other_than`.
+  /// True when a subscriber not named `other_than` has subscribed to `topic` by its full name, not by a prefix.
   [[nodiscard]] bool is_taken(std::string_view topic, std::string_view other_than) const noexcept;
 
   /// Whether a subscriber listens to `topic`.
@@ -62,12 +62,12 @@ class Hub {
   [[nodiscard]] std::size_t waiting_bytes() const noexcept { return waiting_bytes_; }
 
   struct TopicCount {
-    std::uint64_t published = 0;  ///< of a subscriber: offered to it
-    std::uint64_t sent = 0;       ///< taken by a subscriber with next(); published = sent + dropped + still waiting
-    std::uint64_t dropped = 0;    ///< overtaken in a subscriber's queue, waiting there when it left, or of no use to it
-    std::uint64_t bytes = 0;      ///< published; of a subscriber: sent to it
+    std::uint64_t published = 0;  ///< for one subscriber: offered to it
+    std::uint64_t sent = 0;       ///< taken with next(); published = sent + dropped + still queued
+    std::uint64_t dropped = 0;    ///< dropped from a queue, left in it by a leaving subscriber, or not decodable
+    std::uint64_t bytes = 0;      ///< published; for one subscriber: sent to it
   };
-  using TopicCounts = std::map<std::string_view, TopicCount>;  // keys live in wire::kTopics
+  using TopicCounts = std::map<std::string_view, TopicCount>;  // keys point to the names in wire::kTopics
   struct SubscriberCount {
     std::string name;
     std::string address;

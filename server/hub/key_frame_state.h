@@ -6,23 +6,23 @@
 
 namespace telepalp::server {
 
-// Some topics come in groups: a key message that stands alone, then messages that each depend on the one before.
+// Some topics are sent in groups of pictures: a key frame, then frames that are each predicted from the one before.
 
-/// How far one subscriber has followed such a topic.
+/// Position of one subscriber in such a topic.
 struct GroupPosition {
-  std::uint64_t last = 0;  ///< number of the newest message that was put in its queue; 0: it has lost its place
+  std::uint64_t last = 0;  ///< sequence number of the newest queued message; 0: it needs a key frame
 };
 
-/// Whether a subscriber at `place` can make anything of message `sequence`.
+/// True when a subscriber at `place` can decode message `sequence`.
 [[nodiscard]] constexpr bool can_use(const GroupPosition& place, std::uint64_t sequence, bool stands_alone) noexcept {
   return stands_alone || (place.last != 0 && sequence == place.last + 1);
 }
 
-/// What is known of a topic's key messages.
+/// State of a topic's key frames.
 struct KeyFrameState {
-  bool in_groups = false;  ///< a message that depends on another has been published
-  bool pending = false;    ///< the publisher was asked for a key message, and none has come since
-  SessionTime last_key{};  ///< when the newest was published
+  bool in_groups = false;  ///< a predicted frame has been published
+  bool pending = false;    ///< a key frame was requested and has not come yet
+  SessionTime last_key{};  ///< when the newest key frame was published
 };
 
 [[nodiscard]] constexpr KeyFrameState after_publishing(KeyFrameState wish, bool stands_alone,
@@ -31,8 +31,8 @@ struct KeyFrameState {
   return {.in_groups = wish.in_groups, .pending = false, .last_key = published};
 }
 
-/// Whether who could not read what was published at `unreadable` still lacks something: a key message published later
-/// is on its way to it.
+/// True while a subscriber that could not decode the message published at `unreadable` needs a key frame. False when a
+/// key frame has been published since: it is on its way to the subscriber.
 [[nodiscard]] constexpr bool still_lost(const KeyFrameState& wish, SessionTime unreadable) noexcept {
   return unreadable > wish.last_key;
 }

@@ -19,28 +19,28 @@
 
 namespace telepalp::server {
 
-/// `address` as one that this server may listen on. There are no keys yet, so that anything but loopback would show
-/// a patient to the whole network: it is refused.
+/// Parses an address to listen on. Error: not a loopback address. The protocol has no encryption yet, so other
+/// addresses would expose patient data to the network.
 [[nodiscard]] Result<boost::asio::ip::address> loopback_address(const std::string& address);
 
-/// Listens for peers (stations, recorders, tools) and ties each to the hub: what they ask for goes down, what a
-/// station publishes comes up, no faster than upstream_rate(). Owner: the server's network thread.
+/// Accepts peers (stations, recorders, tools) and connects each to the hub: subscribed messages go to the peer,
+/// messages of a station go to the hub. Owner: the server's network thread.
 class PeerListener {
  public:
   struct Options {
     std::string address = "127.0.0.1";
-    std::uint16_t port = 0;  ///< 0: any free one
+    std::uint16_t port = 0;  ///< 0: any free port
     std::string name = "telepalp-server";
     PlaceLimits places{};
     IdleLimits idle{};
-    std::function<void(const std::string&)> on_note{};  ///< who came, who left and why; for the log
-    std::function<void()> on_leaving{};                 ///< a peer is about to leave the hub, its counts with it
+    std::function<void(const std::string&)> on_note{};  ///< log lines: connected, disconnected and why
+    std::function<void()> on_leaving{};                 ///< called before a peer and its counts leave the hub
   };
   struct Counts {
     std::uint64_t accepted = 0;
     std::uint64_t refused = 0;           ///< no place of their kind was left
     std::uint64_t let_go_idle = 0;       ///< took nothing and gave nothing
-    std::uint64_t invalid_messages = 0;  ///< from peers, dropped
+    std::uint64_t invalid_messages = 0;  ///< invalid messages of peers, dropped
     std::uint64_t over_rate = 0;         ///< messages from peers, dropped
   };
 
@@ -52,7 +52,8 @@ class PeerListener {
   [[nodiscard]] std::size_t peers() const noexcept { return peers_.size(); }
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
 
-  /// Listens no more, sends every peer what waits for it and Goodbye. The io_context runs empty within a second.
+  /// Stops listening, and sends every peer its queued messages and a Goodbye. Within 1 s no work is left in the
+  /// io_context.
   void close(const std::string& reason);
 
  private:

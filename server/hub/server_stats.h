@@ -6,7 +6,7 @@
 
 namespace telepalp::server {
 
-/// The hub's counts as /server/stats carries them.
+/// The message of /server/stats with the hub's counts.
 [[nodiscard]] msg::ServerStats server_stats(const Hub& hub, SessionTime now);
 
 }  // namespace telepalp::server

@@ -10,18 +10,18 @@
 
 namespace telepalp::server {
 
-/// The most that one message of a peer may weigh: half a second of ticks is a tenth of it.
+/// Largest payload of a message from a peer: ten times that of half a second of ticks.
 inline constexpr std::size_t kMaxUpstreamBytes = std::size_t{1} << 20;
 
 /// The most that is read from a peer in a second, whatever it sends: four times what a station says.
 inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 
-/// Whether a peer may publish `topic` here. Default deny: the station's topics; the camera, the clock and the
-/// statistics are this server's own word.
+/// True if a peer may publish `topic`. Only the station's topics are allowed; only the server publishes camera, clock
+/// and statistics.
 [[nodiscard]] bool may_publish_upstream(const wire::Topic& topic) noexcept;
 
-/// Whether `message` is of an allowed topic and its payload really is a message of that topic's type. What does not
-/// parse would otherwise fail at every subscriber and in every recording.
+/// True if the topic of `message` is allowed and its payload parses as the topic's type. Otherwise every subscriber and
+/// every recording would get an unreadable message.
 [[nodiscard]] bool is_valid_upstream(const wire::Message& message);
 
 /// How fast a peer may publish `topic`: over twice what a station does, with room for what waited through 2.5 s without

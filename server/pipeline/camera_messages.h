@@ -12,14 +12,16 @@
 
 namespace telepalp::server {
 
-/// The frames of reference named in messages: the depth camera (K), and the colour camera where it is another one.
+/// Names of the frames of reference in messages: the depth camera (K), and the colour camera when it is not registered
+/// to depth.
 inline constexpr std::string_view kDepthFrameId = "camera_depth";
 inline constexpr std::string_view kColorFrameId = "camera_color";
 
-/// The depth of `frame`, which the encoder compressed to `encoded`. The caller, who has a clock, sets `encoded_ns`.
+/// The depth message of `frame`, compressed as `encoded`. The caller sets `encoded_ns`, because this function reads no
+/// clock.
 [[nodiscard]] msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encoded);
 
-/// The colour of `frame` as JPEG. `frame` is well formed and has colour.
+/// The colour message of `frame`, as JPEG. `frame` is well formed and has colour.
 [[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality);
 
 /// The depth camera's model: an undistorted pinhole.

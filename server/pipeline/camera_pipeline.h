@@ -19,19 +19,19 @@ struct EncodeOptions {
   int jpeg_quality = 85;
 };
 
-/// Turns what a source gives into the messages of /camera/…, in the order in which they are worth having: depth,
-/// which the hand feels, before colour. Owner: the capture thread, on which the handlers are called.
+/// Turns the frames of a capture source into the messages of /camera/…. Depth is published before colour, because touch
+/// needs it first. Owner: the capture thread; the handlers are called on it.
 class CameraPipeline {
  public:
   struct Handlers {
-    std::function<bool(wire::Message)> publish;  ///< hands it over; false: it was lost, and nobody will have it
-    std::function<bool()> take_key_wish;         ///< whether somebody has asked for a key frame since the last call
+    std::function<bool(wire::Message)> publish;  ///< hands a message over; false: it was dropped
+    std::function<bool()> take_key_wish;         ///< true if a key frame was requested since the last call
   };
   CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options, wire::SessionClock clock,
                  Handlers handlers);
 
-  /// Waits for one frame, a tenth of a second at most, and publishes it, and the source's state when it is due.
-  /// False: the source has ended, and has said so.
+  /// Waits at most 0.1 s for a frame and publishes it, and the source's state when it is due. False: the source has
+  /// ended and its last state is published.
   [[nodiscard]] bool step();
 
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
@@ -54,11 +54,11 @@ class CameraPipeline {
   KeyFramePacing keys_;
 
   std::uint64_t frames_ = 0;
-  std::string refused_;  // why the last frame could not be sent; empty: it was
+  std::string refused_;  // why the last frame could not be sent; empty: it was sent
   bool color_registered_ = true;
   std::optional<CameraModel> calibration_;  // as last published
   SessionTime calibration_at_{};
-  std::optional<CaptureState> state_;  // as last published
+  std::optional<CaptureState> state_;  // last published one
   std::string detail_;
   SessionTime status_at_{};
   double frames_per_s_ = 0.0;

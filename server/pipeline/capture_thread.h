@@ -23,14 +23,14 @@ class CaptureThread {
 
   CaptureThread(boost::asio::io_context& network, std::unique_ptr<CaptureSource> source, std::string source_name,
                 EncodeOptions options, wire::SessionClock clock, Handlers handlers);
-  /// Stops, within the source's patience.
+  /// Stops the thread; this takes at most as long as one wait for a frame.
   ~CaptureThread();
 
   void stop();
-  /// The next depth frame that may be one shall be a key frame. Any thread.
+  /// Requests a key frame as soon as the pacing allows one. Any thread.
   void want_key() noexcept { key_wanted_ = true; }
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
-  /// Messages that found the network thread too far behind; they are gone.
+  /// Messages dropped because the network thread was too far behind.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
 
  private:
@@ -42,10 +42,10 @@ class CaptureThread {
   Handlers handlers_;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> key_wanted_{false};
-  std::atomic<int> on_the_way_{0};  // posted and not yet taken
+  std::atomic<int> on_the_way_{0};  // messages posted and not yet handled
   std::atomic<std::uint64_t> frames_{0};
   std::atomic<std::uint64_t> dropped_{0};
-  std::thread thread_;  // last: it uses all of the above
+  std::thread thread_;  // last member: the thread uses the others
 };
 
 }  // namespace telepalp::server

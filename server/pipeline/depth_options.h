@@ -9,17 +9,18 @@
 
 namespace telepalp::server {
 
-/// What the two options are called in a program that compresses depth; `--key-every` is called so in each.
+/// Names of a program's options for depth compression. The third option is `--key-every` in every program.
 struct DepthOptionNames {
   std::string_view mode;   ///< "depth-mode"
   std::string_view bound;  ///< "depth-bound"
 };
 
-/// A bound from "LEAST_MM,PER_M2_MM": depth z [m] may move by max(LEAST_MM, PER_M2_MM * z²) millimetres; at most 100
-/// and 20, for beyond that no picture is left. `option` is named in the error.
+/// Parses "LEAST_MM,PER_M2_MM": the error of depth z [m] is at most max(LEAST_MM, PER_M2_MM * z²) millimetres. Error:
+/// values above 100 and 20, which would destroy the image. `option`: the option's name, for errors.
 [[nodiscard]] Result<codec::DepthBound> read_depth_bound(const std::string& text, std::string_view option);
 
-/// How depth shall be compressed. A bound for a mode that moves nothing is an error: whoever gives one expects a loss.
+/// Reads the settings of the depth encoder. Error: a bound together with a lossless mode, because the user then expects
+/// near-lossless coding.
 [[nodiscard]] Result<codec::DepthStreamSettings> read_depth_settings(const program::Arguments& arguments,
                                                                      const DepthOptionNames& names);
 

@@ -8,22 +8,22 @@
 
 namespace telepalp::server {
 
-/// What must be known of a camera to play its images back.
+/// Camera parameters that the playback of image files needs.
 struct RecordedCamera {
   CameraModel model;
   double depth_unit_m = 0.001;
   double frames_per_s = 30.0;
-  std::uint16_t ignore_above = 65535;  ///< samples above this are "not measured"
-  std::string warning;                 ///< not empty when it was assumed rather than read
+  std::uint16_t ignore_above = 65535;  ///< samples above this count as "not measured"
+  std::string warning;                 ///< not empty when the parameters are assumed
 };
 
-/// Reads DIR/camera.textproto (msg.CameraFile) for depth images of the size given. An unknown field is an error with
-/// line and column; a value that is missing or makes no sense names the field.
+/// Reads DIR/camera.textproto (msg.CameraFile) for depth images of the size given. Error: an unknown field, reported
+/// with line and column, or a missing or invalid value, reported with the field's name.
 [[nodiscard]] Result<RecordedCamera> read_camera_file(const std::filesystem::path& file, int width, int height);
 
-/// What is assumed of images without a camera file: focal length 525 pixels at a width of 640, the principal point in
-/// the middle, millimetres, nothing beyond 10 m, colour registered. `warning` says so, with the text to write to
-/// `file`.
+/// Assumed parameters of images without a camera file: focal length 525 pixels at a width of 640, principal point at
+/// the centre, unit 1 mm, range 10 m, colour registered to depth. `warning` states this, with the text that a camera
+/// file at `file` should have.
 [[nodiscard]] RecordedCamera assumed_camera(const std::filesystem::path& file, int width, int height);
 
 }  // namespace telepalp::server

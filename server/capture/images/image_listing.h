@@ -9,19 +9,19 @@
 
 namespace telepalp::server {
 
-/// The files of one recorded instant, relative to the directory.
+/// The depth and colour file of one frame, relative to the directory.
 struct ImagePair {
   std::filesystem::path depth;
   std::optional<std::filesystem::path> color;
 };
 
-/// Orders the images of a directory into a sequence. Understood are
-///   depth/ and rgb/ (or color/) with the same names in both,
+/// Orders the images of a directory into a sequence. Three layouts are recognised:
+///   depth/ and rgb/ (or color/) with equal file names in both,
 ///   depth and colour side by side, told apart by a word in the name: frame_7_depth.tiff, frame_7_rgb.tiff, and
 ///   depth alone: 30.png, 50.png, ….
-/// `files` are relative paths; what is neither PNG nor TIFF is passed over. Names are ordered by their last number,
-/// which must go up in even steps; names with a time of day (…T142255.814212) are ordered as text. `where` names the
-/// directory in errors: no depth image, a number missing or twice, a depth image without its colour.
+/// `files` are relative paths; files other than PNG and TIFF are ignored. Names are ordered by their last number, which
+/// must increase in equal steps; names with a time of day (…T142255.814212) are ordered as text. `where`: the
+/// directory, for errors. Error: no depth image, a missing or repeated number, or a depth image without its colour.
 [[nodiscard]] Result<std::vector<ImagePair>> order_images(const std::vector<std::filesystem::path>& files,
                                                           const std::string& where);
 

@@ -8,12 +8,13 @@
 
 namespace telepalp::server {
 
-/// The `count` samples in a depth image that OpenNI compressed as "16z": differences from sample to sample in four
-/// bits, eight bits or as whole values. nullopt when `packet` holds fewer samples, more, or ends inside one.
+/// Decodes `count` samples of OpenNI's depth codec "16z": differences between consecutive samples in four or eight
+/// bits, or absolute values. nullopt when `packet` does not contain exactly `count` samples.
 [[nodiscard]] std::optional<std::vector<std::uint16_t>> decode_16z(std::span<const std::byte> packet,
                                                                    std::size_t count);
 
-/// The same for "16zT": a table of depth values leads the packet, and the samples are indices into it.
+/// Decodes OpenNI's depth codec "16zT": the packet begins with a table of depth values, and its "16z" samples are
+/// indices into the table.
 [[nodiscard]] std::optional<std::vector<std::uint16_t>> decode_16z_table(std::span<const std::byte> packet,
                                                                          std::size_t count);
 

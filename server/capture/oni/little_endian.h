@@ -8,7 +8,7 @@ namespace telepalp::server {
 
 static_assert(std::endian::native == std::endian::little, "an .oni file is little-endian, and is read as it stands");
 
-/// The number at `at`; `bytes` must reach so far.
+/// The little-endian number at offset `at`, which must lie within `bytes`.
 template <class Number>
 [[nodiscard]] Number little_endian(std::string_view bytes, std::size_t at) {
   Number number{};

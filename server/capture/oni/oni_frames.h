@@ -9,10 +9,10 @@
 
 namespace telepalp::server {
 
-/// The frames of an .oni recording. Depth leads; each gets the colour image nearest to it in time.
+/// The frames of an .oni recording: each depth image with the colour image nearest in time.
 class OniFrames final : public RecordedFrames {
  public:
-  /// Refused: no .oni recording, or one in which no depth image can be decoded.
+  /// Error: not an .oni recording, or no depth image can be decoded.
   [[nodiscard]] static Result<std::unique_ptr<OniFrames>> open(const std::string& file);
 
   std::optional<SessionTime> peek() override;
@@ -33,7 +33,7 @@ class OniFrames final : public RecordedFrames {
   OniRecording recording_;
   CameraModel camera_;
   std::size_t next_ = 0;
-  std::string first_damage_;  // of an image, found when it was read
+  std::string first_damage_;  // first image that could not be decoded
 };
 
 }  // namespace telepalp::server

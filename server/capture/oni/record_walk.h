@@ -9,9 +9,9 @@
 
 namespace telepalp::server {
 
-/// Kinds of record in an .oni file, as OpenNI's recorder numbers them.
+/// Record types of an .oni file, with the numbers of OpenNI's recorder.
 enum class OniRecordKind : std::uint32_t {
-  NodeAdded4 = 2,  ///< by format 1.0.0.4
+  NodeAdded4 = 2,  ///< in format 1.0.0.4
   IntProperty = 3,
   RealProperty = 4,
   StringProperty = 5,
@@ -21,7 +21,7 @@ enum class OniRecordKind : std::uint32_t {
   NodeStateReady = 9,
   NewData = 10,
   End = 11,
-  NodeAdded5 = 12,  ///< by format 1.0.0.5
+  NodeAdded5 = 12,  ///< in format 1.0.0.5
   NodeAdded = 13,
   SeekTable = 14,
 };
@@ -29,26 +29,26 @@ enum class OniRecordKind : std::uint32_t {
 struct OniRecord {
   OniRecordKind kind{};
   std::uint32_t node = 0;
-  std::uint64_t at = 0;  ///< where it begins in the file
+  std::uint64_t at = 0;  ///< file offset of its beginning
   std::string fields;
   std::uint64_t payload_at = 0;
-  std::uint32_t payload_bytes = 0;  ///< all of them lie within the file
+  std::uint32_t payload_bytes = 0;  ///< checked to lie within the file
 };
 
-/// Walks the records of an .oni file. Every size is checked against the file before anything is allocated. A damaged
-/// record is passed over: the walk goes on at the next record mark. The time it takes is linear in the file's size.
+/// Iterates over the records of an .oni file. Sizes are checked against the file's size before memory is allocated. A
+/// damaged record is skipped: the iteration continues at the next record mark. The time is linear in the file's size.
 class OniRecordWalk {
  public:
-  /// `name` stands for the file in errors. Borrows `file`.
+  /// `file` must outlive the object. `name`: the file's name, for errors.
   [[nodiscard]] static Result<OniRecordWalk> open(std::istream& file, const std::string& name);
 
-  /// The next readable record; nullopt at the end record, or where the file ends.
+  /// The next readable record; nullopt at the end record or at the end of the file.
   [[nodiscard]] std::optional<OniRecord> next();
 
   [[nodiscard]] bool reached_end_record() const noexcept { return reached_end_record_; }
   [[nodiscard]] std::uint64_t file_bytes() const noexcept { return file_bytes_; }
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
-  /// Where the first damaged record begins; meaningless without damage.
+  /// File offset of the first damaged record; meaningless if damaged() is 0.
   [[nodiscard]] std::uint64_t first_damage_at() const noexcept { return first_damage_at_; }
 
  private:
@@ -66,7 +66,7 @@ class OniRecordWalk {
   std::uint64_t first_damage_at_ = 0;
 };
 
-/// `count` bytes at `at`; nullopt when the file does not hold them (any more).
+/// Reads `count` bytes at offset `at`; nullopt when the file is too short, for example truncated meanwhile.
 [[nodiscard]] std::optional<std::string> read_at(std::istream& file, std::uint64_t at, std::uint32_t count);
 
 }  // namespace telepalp::server

@@ -11,14 +11,14 @@
 
 namespace telepalp::server {
 
-/// Where one compressed image lies in the file.
+/// Position of one compressed image in the file.
 struct OniImage {
-  std::chrono::microseconds time{};  ///< of the recording's own clock
+  std::chrono::microseconds time{};  ///< on the recording's clock
   std::uint64_t at = 0;
   std::uint32_t bytes = 0;
 };
 
-/// How OpenNI compressed a stream's images.
+/// Codec of a stream's images.
 enum class OniCodec { Uncompressed, Jpeg, Depth16z, Depth16zTable, Unknown };
 
 struct OniStream {
@@ -26,25 +26,25 @@ struct OniStream {
   int width = 0;
   int height = 0;
   double depth_unit_m = 0.001;
-  double horizontal_view_rad = 0.0;  ///< 0: the file does not say
+  double horizontal_view_rad = 0.0;  ///< horizontal field of view; 0: not stated in the file
   double vertical_view_rad = 0.0;
-  bool is_jpeg_or_rgb = true;  ///< of a colour stream
+  bool is_jpeg_or_rgb = true;  ///< true if a colour stream can be decoded
   bool cropped = false;
-  std::vector<OniImage> images;  ///< by time
+  std::vector<OniImage> images;  ///< in order of time
 };
 
-/// What an .oni file holds, and what of it cannot be read.
+/// The streams of an .oni file, with a description of unreadable parts.
 struct OniRecording {
   OniStream depth;
-  OniStream color;        ///< without images when there is none that can be read
-  std::string complaint;  ///< for people: what is damaged or missing, and where; empty when the file is whole
+  OniStream color;        ///< without images when no colour is readable
+  std::string complaint;  ///< text about damaged or missing parts; empty when the file is intact
 };
 
-/// Reads the whole file's records, but not its images. Damage between images leaves the images that can be found, and a
-/// complaint; a file without a depth image that could be decoded is an error.
+/// Reads all records of the file without decoding images. Images around a damaged part are kept, and `complaint`
+/// describes the damage. Error: no depth image can be decoded.
 [[nodiscard]] Result<OniRecording> read_oni_recording(std::istream& file, const std::string& name);
 
-/// The depth image at `image`, decoded; an error names the byte where it lies.
+/// Decodes the depth image at `image`. An error states the file offset.
 [[nodiscard]] Result<DepthImage> read_oni_depth(std::istream& file, const OniStream& depth, const OniImage& image,
                                                 const std::string& name);
 

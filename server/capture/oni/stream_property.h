@@ -8,19 +8,19 @@
 
 namespace telepalp::server {
 
-/// The name and value of a property record: `value` holds the bytes as they stand.
+/// Name and value of a property record. `value` is the undecoded bytes.
 struct OniProperty {
   std::string_view name;
   std::string_view value;
 };
 
-/// nullopt when the record is shorter than it says. Borrows `record`.
+/// Parses a property record; nullopt when it is shorter than it declares. The result points into `record`.
 [[nodiscard]] std::optional<OniProperty> property_in(const OniRecord& record);
 
-/// What a record says of a node (a device or a stream) when it appears.
+/// Content of a record that adds a node (a device or a stream).
 struct OniNode {
   std::uint32_t type = 0;
-  std::string_view codec;  ///< four letters
+  std::string_view codec;  ///< four-letter code
   std::optional<std::uint32_t> frames = std::nullopt;
 };
 

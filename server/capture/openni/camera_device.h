@@ -9,30 +9,31 @@
 
 namespace telepalp::server {
 
-/// A camera that can come and go, as the reconnecting source sees it: OpenNI2 in the product, a script in tests.
+/// A camera that may be unplugged and plugged in again. ReconnectingSource uses it: OpenNI2 in the server, a scripted
+/// device in tests.
 class CameraDevice {
  public:
-  /// A frame as the driver stamped it: `frame.captured` and `frame.sequence` are not set.
+  /// A frame with the driver's time stamp; `frame.captured` and `frame.sequence` are not set.
   struct Frame {
     RgbdFrame frame;
     std::chrono::microseconds driver_time{};
     SessionTime arrival;
   };
-  struct Nothing {};  ///< none came within the patience
+  struct Nothing {};  ///< no frame within `patience`
   struct Gone {
     std::string why;
   };
-  struct Ended {};  ///< a recording came to its end
+  struct Ended {};  ///< end of a recording
   using Read = std::variant<Nothing, Frame, Gone, Ended>;
 
   virtual ~CameraDevice() = default;
 
-  /// Opens the device and starts its streams. After an error, and after close(), it may be called again.
+  /// Opens the device and starts its streams. May be called again after an error or close().
   [[nodiscard]] virtual Result<void> open() = 0;
   [[nodiscard]] virtual Read read(Nanoseconds patience) = 0;
   virtual void close() = 0;
 
-  /// For people: the device's name and what it delivers.
+  /// Text for the technician: the device's name and its streams.
   [[nodiscard]] virtual std::string describe() const = 0;
 };
 

@@ -4,7 +4,7 @@
 
 namespace telepalp::server {
 
-/// How a camera that can come and go is doing, and what moves it.
+/// States and events of a camera that may be unplugged.
 enum class CameraPhase : std::uint8_t { Waiting, Live, Lost, Ended };
 enum class CameraEvent : std::uint8_t { FrameCame, FellSilent, WentAway, CameBack, RecordingEnded };
 
@@ -25,7 +25,7 @@ inline constexpr CameraRow kCameraTransitions[] = {
     {CameraPhase::Lost, CameraEvent::CameBack, CameraPhase::Waiting},
 };
 
-/// A pair that is not listed changes nothing.
+/// The next state; a pair that is not in the table leaves the state unchanged.
 [[nodiscard]] constexpr CameraPhase next(CameraPhase phase, CameraEvent event) noexcept {
   for (const CameraRow& row : kCameraTransitions)
     if (row.from == phase && row.on == event) return row.to;

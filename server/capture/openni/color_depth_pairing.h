@@ -8,15 +8,15 @@
 
 namespace telepalp::server {
 
-/// Joins the two streams of a camera, which arrive each on its own, by their driver timestamps. Depth leads: it is
-/// never dropped for want of colour, only waits for it a little.
+/// Pairs the separate depth and colour streams of a camera by driver time stamps. Depth is never dropped: it waits at
+/// most kWaitForColor for its colour image.
 class ColorDepthPairing {
  public:
   struct Pair {
-    std::chrono::microseconds driver_time{};  ///< of the depth
-    SessionTime arrival;                      ///< of the depth
+    std::chrono::microseconds driver_time{};  ///< of the depth image
+    SessionTime arrival;                      ///< of the depth image
     DepthImage depth;
-    ColorImage color;  ///< empty when there was none within kStaleColor
+    ColorImage color;  ///< empty when no colour image lies within kStaleColor
   };
 
   static constexpr std::chrono::microseconds kSameInstant{17'000};  ///< half a period at 30 Hz
@@ -26,7 +26,7 @@ class ColorDepthPairing {
   void add_color(std::chrono::microseconds driver_time, ColorImage color);
   void add_depth(std::chrono::microseconds driver_time, SessionTime arrival, DepthImage depth);
 
-  /// The pair that is ready at `now`, with its colour, or, when colour does not come, with the last one.
+  /// Returns the depth image with its colour image; when that has not come in time, with the last colour image.
   [[nodiscard]] std::optional<Pair> take(SessionTime now);
 
   /// True while a depth image waits for its colour.

@@ -8,8 +8,8 @@
 
 namespace telepalp::server {
 
-/// A live camera through OpenNI2: depth, colour when there is one, registered when the driver can. `uri` empty: any
-/// connected camera.
+/// A live camera through OpenNI2: depth, and colour if the camera has it, registered to depth if the driver supports
+/// it. `uri` empty: any connected camera.
 [[nodiscard]] std::unique_ptr<CameraDevice> make_openni_device(std::string uri, wire::SessionClock clock);
 
 }  // namespace telepalp::server

@@ -11,20 +11,20 @@
 
 namespace telepalp::server {
 
-/// Time as the reconnecting source needs it: the session clock, or a test's.
+/// Clock and sleep of the reconnecting source: the session clock, or a simulated clock in tests.
 struct SourceTime {
   std::function<SessionTime()> now;
   std::function<void(Nanoseconds)> sleep;
 };
 
-/// A camera that survives being unplugged: while it is lost, it is opened again once a second, and state() and
-/// detail() say so. Driver timestamps become session times.
+/// A camera that may be unplugged: while it is lost, the source tries to open it once a second, and state() and
+/// detail() report this. Driver time stamps are mapped to session time.
 class ReconnectingSource final : public CaptureSource {
  public:
-  static constexpr Nanoseconds kSilence{2'000'000'000};  ///< no frame for so long means lost
+  static constexpr Nanoseconds kSilence{2'000'000'000};  ///< without a frame for so long, the camera is lost
   static constexpr Nanoseconds kRetry{1'000'000'000};
 
-  /// `device` is open already.
+  /// `device` must be open.
   ReconnectingSource(std::unique_ptr<CameraDevice> device, SourceTime time);
 
   std::optional<RgbdFrame> next(Nanoseconds patience) override;
@@ -40,7 +40,7 @@ class ReconnectingSource final : public CaptureSource {
   SourceTime time_;
   TimestampMap timestamps_;
   CameraPhase phase_ = CameraPhase::Waiting;
-  SessionTime last_sign_;  // of life: a frame, or an opening
+  SessionTime last_sign_;  // time of the last frame or opening
   SessionTime last_try_;
   std::string why_lost_;
   std::uint64_t sequence_ = 0;

@@ -7,17 +7,17 @@
 
 namespace telepalp::server {
 
-/// One frame's place in time.
+/// The time slot of one frame.
 struct FrameSlot {
-  std::uint64_t index = 0;  ///< counts periods since the first frame
-  SessionTime due;          ///< the instant it stands for
+  std::uint64_t index = 0;  ///< number of periods since the first frame
+  SessionTime due;          ///< when the frame is due
 };
 
-/// Gives the frames of a source without a sensor their pace. Slot 0 is due when first asked for, slot k exactly k
-/// periods later, so that no delay ever adds up. As a camera does, it drops the frames that nobody fetched in time.
+/// Paces the frames of a source without a camera. Slot 0 is due at the first call of next(), slot k exactly k periods
+/// later, so delays do not accumulate. Like a camera, it drops slots that were not fetched in time.
 class FramePacer {
  public:
-  /// `paced` false: every slot is given at once, and none is dropped.
+  /// `paced` false: every slot is due at once, and no slot is dropped.
   FramePacer(wire::SessionClock clock, Nanoseconds period, bool paced) noexcept;
 
   /// Sleeps until the next slot is due, at most `patience`; nullopt when it is not due by then.

@@ -7,24 +7,24 @@
 
 namespace telepalp::server {
 
-/// The frames of a recording in order, with the times at which they were captured then.
+/// The frames of a recording in order, with their recorded capture times.
 class RecordedFrames {
  public:
   virtual ~RecordedFrames() = default;
 
-  /// When the next frame was captured; nullopt at the end. A damaged part is passed over and counted.
+  /// Capture time of the next frame; nullopt at the end. Damaged parts are skipped and counted.
   [[nodiscard]] virtual std::optional<SessionTime> peek() = 0;
 
-  /// The next frame, decoded; nullopt when it turns out to be damaged. Only after peek() named it.
+  /// Decodes the next frame; nullopt when it is damaged. Call peek() first.
   [[nodiscard]] virtual std::optional<RgbdFrame> take() = 0;
 
-  /// Passes over the frame that peek() named.
+  /// Skips the frame that peek() announced.
   virtual void skip() = 0;
 
-  /// Starts again from the beginning.
+  /// Restarts at the beginning.
   virtual void rewind() = 0;
 
-  /// For people: what is wrong with the recording so far; empty when nothing is.
+  /// Text for the technician: damage found so far; empty when no damage was found.
   [[nodiscard]] virtual std::string complaint() const = 0;
 };
 

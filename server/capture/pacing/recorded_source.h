@@ -8,8 +8,8 @@
 
 namespace telepalp::server {
 
-/// A recording as a camera: its frames at the pace at which they were captured, stamped with now's time. `description`
-/// is for people.
+/// Plays a recording like a camera: at the recorded pace, with current time stamps. `description`: text for the
+/// technician.
 [[nodiscard]] std::unique_ptr<CaptureSource> play_recorded(std::unique_ptr<RecordedFrames> frames,
                                                            std::string description, const SourceOptions& options);
 

@@ -8,16 +8,16 @@
 
 namespace telepalp::server {
 
-/// Frames that lie ready, by number; `captured` and `sequence` are set when they are played.
+/// A sequence of frames that are loaded by number. play() sets their `captured` and `sequence`.
 struct FrameSequence {
   std::size_t count = 0;
   Nanoseconds period{};
   std::function<Result<RgbdFrame>(std::size_t number)> load;
-  std::string description;  ///< for people; warnings included
+  std::string description;  ///< text for the technician, with warnings
 };
 
-/// Plays a sequence as a camera would: each frame at its time, those that nobody fetched in time dropped. A frame that
-/// cannot be loaded ends the source, and detail() says why.
+/// Plays a sequence like a camera: each frame at its time; frames that were not fetched in time are dropped. When a
+/// frame cannot be loaded, the source ends and detail() gives the reason.
 [[nodiscard]] std::unique_ptr<CaptureSource> play(FrameSequence sequence, const SourceOptions& options);
 
 }  // namespace telepalp::server

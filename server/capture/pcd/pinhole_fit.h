@@ -8,10 +8,10 @@
 
 namespace telepalp::server {
 
-/// An organised cloud (one point a pixel, rows top to bottom; not finite: not measured) as the image that it came from:
-/// intrinsics fitted to where the points lie, depth in steps of 0.1 mm (1 mm when some point is further than 6.5 m).
-/// `captured` and `sequence` are not set. Refused: a cloud that is not organised, and points that no pinhole camera put
-/// on the pixels that they stand for (RMS beyond 0.7 pixel). `name` stands for the file in errors.
+/// Converts an organised cloud (one point per pixel, rows from top to bottom, NaN where not measured) back to an RGB-D
+/// frame: fits the intrinsics to the points and stores depth in steps of 0.1 mm (1 mm when a point is farther than 6.5
+/// m). `captured` and `sequence` are not set. `name`: the file's name, for errors. Error: an unorganised cloud, or
+/// points that do not fit a pinhole camera (RMS above 0.7 pixels).
 [[nodiscard]] Result<RgbdFrame> frame_of(const models::PointModel& cloud, const std::string& name);
 
 }  // namespace telepalp::server

@@ -12,16 +12,16 @@
 
 namespace telepalp::server {
 
-/// The frames of a recorded session. Depth leads; each gets the colour of the same capture, and the camera model last
-/// published.
+/// The frames of a recorded session: each depth image with the colour image of equal capture time and the last camera
+/// model before it.
 class SessionFrames final : public RecordedFrames {
  public:
-  /// Refused: no session file, one without depth, or one without a camera model.
+  /// Error: not a session file, no depth, or no camera model.
   [[nodiscard]] static Result<SessionFrames> open(const std::filesystem::path& file);
 
   std::optional<SessionTime> peek() override;
   std::optional<RgbdFrame> take() override;
-  /// The skipped frame's depth is decoded only if a frame that is taken depends on it.
+  /// Skips a frame. Its depth is decoded only if a frame that is taken later is predicted from it.
   void skip() override;
   void rewind() override;
   [[nodiscard]] std::string complaint() const override;
@@ -39,8 +39,8 @@ class SessionFrames final : public RecordedFrames {
   };
   wire::McapReader reader_;
   std::optional<Intrinsics> pinhole_;
-  std::optional<foxglove::CompressedImage> color_;  // the last one seen
-  std::optional<Encoded> gathering_;                // a depth image whose colour may still come
+  std::optional<foxglove::CompressedImage> color_;  // last colour message
+  std::optional<Encoded> gathering_;                // depth image whose colour may follow
   std::optional<Encoded> next_;
   codec::DepthReader depth_;
   std::uint64_t damaged_ = 0;

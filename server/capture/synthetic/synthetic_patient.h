@@ -9,8 +9,8 @@
 
 namespace telepalp::server {
 
-/// A patient lying on a table under a depth camera, breathing. Frames and the truth behind them are pure functions of
-/// time: the same mesh, settings and time give the same bytes, in any order, on any thread.
+/// A simulated, breathing patient on a table under an RGB-D camera. Frames and true surfaces are pure functions of
+/// mesh, settings and time: they are reproducible, in any order and on any thread.
 ///
 ///   const auto mesh = read_mesh(...);
 ///   const auto patient = SyntheticPatient::make(*mesh, {.noise = DepthNoise::None, .disparity_steps = false});
@@ -18,19 +18,19 @@ namespace telepalp::server {
 ///   const TrueSurface truth = patient->true_surface(time);
 class SyntheticPatient {
  public:
-  /// `where` names the mesh in errors. Refused: settings out of their bounds, a mesh that is no patient.
+  /// `where`: the mesh's name, for errors. Error: a setting out of its range, or a mesh without the size of a patient.
   [[nodiscard]] static Result<SyntheticPatient> make(const TriangleMesh& mesh, const SyntheticSettings& settings,
                                                      const std::string& where = "synthetic patient");
 
-  /// What the camera delivers for an exposure at `time`; `captured` is `time`. Colour is registered to depth.
+  /// The camera's frame for an exposure at `time`; `captured` is `time`. Colour is registered to depth.
   [[nodiscard]] RgbdFrame frame_at(SessionTime time, std::uint64_t sequence) const;
 
-  /// The same of a pose that the caller gives, for scripted motions; `time` names the frame's noise.
+  /// The camera's frame of a given pose, for scripted motions. `time` selects the noise.
   [[nodiscard]] RgbdFrame frame_of(const PatientPose& pose, SessionTime time, std::uint64_t sequence) const;
   [[nodiscard]] DepthImage depth_of(const PatientPose& pose, SessionTime time) const;  ///< without colour
   [[nodiscard]] TrueSurface surface_of(const PatientPose& pose) const noexcept;
 
-  /// The surface that frame_at(time) measured.
+  /// The noise-free surface of frame_at(time).
   [[nodiscard]] TrueSurface true_surface(SessionTime time) const noexcept;
 
   [[nodiscard]] const SyntheticSettings& settings() const noexcept { return settings_; }
@@ -40,7 +40,7 @@ class SyntheticPatient {
   SyntheticPatient(const SyntheticSettings& settings, RestShape rest);
 
   SyntheticSettings settings_;
-  std::shared_ptr<const RestShape> rest_;  // shared with every TrueSurface handed out
+  std::shared_ptr<const RestShape> rest_;  // shared with each returned TrueSurface
   SensorModel sensor_;
   PatientMotion motion_;
   ColorImage picture_;

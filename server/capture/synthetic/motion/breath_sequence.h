@@ -7,26 +7,27 @@
 
 namespace telepalp::server {
 
-/// How much breaths differ, and what they look like. Shares are of one breath's time.
+/// Parameters of a random sequence of breaths. Shares are relative to one breath's duration.
 struct BreathStyle {
   double amplitude_m = 0.005;
   double rate_hz = 0.25;
-  double period_spread = 0.2;     ///< each period is within this share of the mean
-  double amplitude_spread = 0.3;  ///< and each amplitude
-  double least_inhale = 0.3;      ///< share of the breath spent inhaling, drawn for each breath
+  double period_spread = 0.2;     ///< each period lies within this share of the mean
+  double amplitude_spread = 0.3;  ///< each amplitude lies within this share of the mean
+  double least_inhale = 0.3;      ///< least share of inhaling; the share is drawn for each breath
   double most_inhale = 0.45;
-  double most_pause = 0.15;  ///< share spent at rest after exhaling, drawn from 0
-  double ripple_m = 0.0;     ///< of the syllables of a patient who speaks while exhaling
+  double most_pause = 0.15;  ///< greatest share of the pause after exhaling; the share is drawn from 0
+  double ripple_m = 0.0;     ///< amplitude of the syllables of a patient who speaks
 };
 
-/// Breaths that are drawn one by one: period, amplitude, the level that the exhale ends at, the shares of inhale and
-/// pause, and how the exhale is skewed. A sequence of 256 breaths that repeats, so that every instant is a pure
-/// function of time. Continuous with its rate.
+/// A random sequence of breaths. Each breath has its own period, amplitude, end level, shares of inhale and pause, and
+/// skew of the exhale. The sequence has 256 breaths and repeats, so the breath is a pure function of time. It is
+/// continuously differentiable.
 class BreathSequence {
  public:
   BreathSequence(const BreathStyle& style, std::uint64_t seed);
 
-  /// `time_s` from the sequence's beginning, any; `speed`: of that time itself, 0 while the breath is held.
+  /// The breath at `time_s` from the sequence's beginning; any value. `speed`: rate of `time_s` against real time, 0
+  /// while the breath is held.
   [[nodiscard]] Breath at(double time_s, double speed = 1.0) const noexcept;
   [[nodiscard]] double duration_s() const noexcept { return ends_s_.empty() ? 0.0 : ends_s_.back(); }
 

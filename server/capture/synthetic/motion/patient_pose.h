@@ -6,27 +6,29 @@
 
 namespace telepalp::server {
 
-/// How the patient lies at one instant, and how fast that changes. All zero: at rest, at full exhale.
+/// Pose of the patient at one instant, with its rate of change. All zero: at rest at full exhale.
 struct PatientPose {
   Breath breath;
-  Eigen::Vector2d slide_m = Eigen::Vector2d::Zero();  ///< of the body across the image: towards head, and right side
+  Eigen::Vector2d slide_m =
+      Eigen::Vector2d::Zero();  ///< across the image: towards head, right side
   Eigen::Vector2d slide_m_per_s = Eigen::Vector2d::Zero();
-  double rise_m = 0.0;  ///< of the whole body towards the camera
+  double rise_m = 0.0;  ///< displacement of the whole body towards the camera
   double rise_m_per_s = 0.0;
-  double tilt = 0.0;  ///< sitting up: rise per metre from the hips towards the head
+  double tilt = 0.0;  ///< of a patient who sits up: rise per metre from the hips towards the head
   double tilt_per_s = 0.0;
 
   [[nodiscard]] bool slides() const noexcept { return !slide_m.isZero(); }
   [[nodiscard]] bool rises() const noexcept { return rise_m != 0.0 || tilt != 0.0; }
 };
 
-/// Metres towards the camera that `pose` lifts the place `towards_head_m` from the image's middle, without the breath;
-/// its rate, and its slope along the body.
+/// Displacement of a point of the body towards the camera [m], without breathing, with its rate of change and its slope
+/// along the body.
 struct BodyRise {
   double m = 0.0;
   double per_s = 0.0;
   double per_m = 0.0;
 };
+/// The rise of the point that lies `towards_head_m` from the image's middle.
 [[nodiscard]] BodyRise body_rise(const PatientPose& pose, double towards_head_m) noexcept;
 
 }  // namespace telepalp::server

@@ -4,8 +4,8 @@
 
 namespace telepalp::server {
 
-/// Uniform in [least, most): a pure function of (seed, event, which), so that any event of a motion can be drawn
-/// without the ones before it. The mixer is SplitMix64's.
+/// A random number, uniform in [least, most), as a pure function of (seed, event, which): any event of a motion can be
+/// drawn without the events before it. The mixing function is SplitMix64's.
 [[nodiscard]] inline double seeded_draw(std::uint64_t seed, std::int64_t event, std::uint64_t which, double least,
                                         double most) noexcept {
   std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(event) * 0xD1B54A32D192ED03ULL +

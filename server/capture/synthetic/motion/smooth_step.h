@@ -10,7 +10,7 @@ struct Changing {
   double rate = 0.0;
 };
 
-/// 0 before `t` = 0, 1 after `t` = 1, twice continuously differentiable; the rate is per unit of `t`.
+/// A smooth step: 0 for t <= 0, 1 for t >= 1, twice continuously differentiable. The rate is the derivative by `t`.
 [[nodiscard]] inline Changing smooth_step(double t) noexcept {
   const double x = std::clamp(t, 0.0, 1.0);
   return {.value = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x), .rate = 30.0 * x * x * (1.0 - x) * (1.0 - x)};

@@ -7,9 +7,9 @@
 
 namespace telepalp::server {
 
-/// Random bits that are a pure function of (seed, instant, pixel): any pixel of any frame, in any order, at a few
-/// multiplications. The mixer is a 32-bit finaliser of full avalanche; the key enters twice, so that the streams of two
-/// frames are not shifted copies of each other.
+/// Random bits as a pure function of (seed, instant, pixel), so pixels can be evaluated in any order, for the cost of a
+/// few multiplications. The mixing function is a 32-bit finaliser with full avalanche. The key enters twice, so that
+/// the streams of two frames are not shifted copies of each other.
 class PixelNoise {
  public:
   PixelNoise(std::uint64_t seed, std::int64_t instant) noexcept {
@@ -32,7 +32,7 @@ class PixelNoise {
   std::uint32_t second_;
 };
 
-/// A table that turns kGaussianBits uniform bits into a normal variate of variance 1, cut at 3.7 sigma.
+/// A table that maps kGaussianBits uniform random bits to a standard normal variate, truncated at 3.7 sigma.
 inline constexpr unsigned kGaussianBits = 12;
 using GaussianTable = std::array<float, std::size_t{1} << kGaussianBits>;
 [[nodiscard]] const GaussianTable& gaussian_table();

@@ -10,19 +10,19 @@
 
 namespace telepalp::server {
 
-/// What the simulated sensor needs at each pixel, worked out once: depth moves by a multiplication, and whether a pixel
-/// is measured is one comparison.
+/// Simulates the depth sensor. Per-pixel tables are computed once, so that a frame costs one multiplication and one
+/// comparison per pixel.
 class SensorModel {
  public:
-  /// `rest` is shared with the patient's TrueSurface: both see the same immutable shape.
+  /// `rest` is shared with the patient's TrueSurface, so that both use one immutable shape.
   SensorModel(std::shared_ptr<const RestShape> rest, const SyntheticSettings& settings);
 
-  /// The depth samples seen of a patient in `pose`. `instant` names the frame: the same instant and seed give the same
-  /// noise. `out` has one value a pixel; 0 is "not measured".
+  /// Measures a patient in `pose`. `instant` selects the noise: equal instant and seed give equal noise. `out`: one
+  /// sample per pixel; 0 means "not measured".
   void measure(const PatientPose& pose, std::int64_t instant, std::vector<std::uint16_t>& out) const;
 
  private:
-  /// What measure() reads at each pixel, where the body has slid or risen.
+  /// Per-pixel tables for a body that has slid or risen.
   struct Moved {
     std::vector<float> depth_m;  ///< without the breath
     std::vector<float> lift_share;
@@ -34,11 +34,11 @@ class SensorModel {
   SyntheticSettings settings_;
   std::vector<float> rest_depth_m_;
   std::vector<float> lift_share_;
-  std::vector<std::uint8_t> hole_of_256_;    ///< a pixel is missing in this many of 256 frames; 255 means always
+  std::vector<std::uint8_t> hole_of_256_;    ///< number of 256 frames without a measurement; 255: never measured
   std::vector<std::uint16_t> level_sample_;  ///< disparity level -> sample
 };
 
-/// Adds a sensor's brightness noise, at most 3 of 255, to a picture; the same `instant` and seed give the same noise.
+/// Adds brightness noise of at most 3 of 255 to a colour image; equal `instant` and `seed` give equal noise.
 void add_color_noise(std::vector<std::uint8_t>& rgb, std::int64_t instant, std::uint64_t seed);
 
 }  // namespace telepalp::server

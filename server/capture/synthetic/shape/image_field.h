@@ -5,8 +5,8 @@
 
 namespace telepalp::server {
 
-/// A smooth scalar over the image plane: a uniform cubic B-spline (twice continuously differentiable) whose control
-/// values stand on the pixel centres. Beyond the border the outermost control value repeats.
+/// A smooth scalar over the image plane: a uniform cubic B-spline (twice continuously differentiable) with its control
+/// values at the pixel centres. Beyond the border the nearest border value is used.
 class ImageField {
  public:
   struct Sample {
@@ -18,7 +18,7 @@ class ImageField {
   ImageField() = default;
   ImageField(int width, int height, std::vector<float> control);
 
-  /// At pixel coordinates (u, v), pixel centres at whole numbers. `u` and `v` finite.
+  /// Evaluates the field at finite pixel coordinates (u, v); pixel centres have integer coordinates.
   [[nodiscard]] Sample at(double u, double v) const noexcept;
 
   [[nodiscard]] int width() const noexcept { return width_; }

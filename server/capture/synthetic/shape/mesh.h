@@ -18,13 +18,13 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
-/// The triangles of a model. An error when there are none, or a vertex is not finite; `name` stands for the file.
+/// The triangles of a model. `name`: the file's name, for errors. Error: no triangles, or a vertex that is not finite.
 [[nodiscard]] Result<TriangleMesh> mesh_of(models::PointModel model, const std::string& name);
 
-/// The same from a PLY or OBJ file.
+/// Reads a triangle mesh from a PLY or OBJ file.
 [[nodiscard]] Result<TriangleMesh> read_mesh(const std::filesystem::path& file);
 
-/// One unit normal for each vertex, the mean of its triangles' weighted by area; zero for a vertex without triangles.
+/// One unit normal per vertex: the area-weighted mean of its triangles' normals; zero for a vertex without triangles.
 [[nodiscard]] std::vector<Eigen::Vector3f> vertex_normals(const TriangleMesh& mesh);
 
 }  // namespace telepalp::server

@@ -7,9 +7,8 @@
 
 namespace telepalp::server {
 
-/// The nearest depth [m] that each pixel's ray meets on `mesh`, given in the camera's frame; 0 where it meets nothing.
-/// Between its corners a triangle bulges as its vertex normals ask. Source: Boubekeur, Alexa 2008, Phong tessellation,
-/// with their shape factor 3/4.
+/// Renders the depth [m] of `mesh`, which is in the camera's frame; 0 where a ray misses the mesh. Triangles are curved
+/// to match their vertex normals. Source: Boubekeur, Alexa 2008, Phong tessellation, with shape factor 3/4.
 [[nodiscard]] std::vector<float> rasterise(const TriangleMesh& mesh, const Intrinsics& camera);
 
 }  // namespace telepalp::server

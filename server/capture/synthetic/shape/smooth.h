@@ -10,10 +10,10 @@ struct ImageSize {
   int height = 0;
 };
 
-/// Gaussian blur of `sigma_px`, the border repeated.
+/// Gaussian blur of `sigma_px`; beyond the border, the border pixels repeat.
 [[nodiscard]] std::vector<float> blur(std::vector<float> image, ImageSize size, double sigma_px);
 
-/// Gaussian blur of those pixels whose `mask` is 1, spread a few pixels beyond them; `elsewhere` where none is near.
+/// Gaussian blur of the pixels with `mask` 1, extended a few pixels beyond them; all other pixels become `elsewhere`.
 [[nodiscard]] std::vector<float> masked_blur(const std::vector<float>& image, const std::vector<float>& mask,
                                              ImageSize size, double sigma_px, float elsewhere);
 

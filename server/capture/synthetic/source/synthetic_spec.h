@@ -7,14 +7,14 @@
 
 namespace telepalp::server {
 
-/// What `synthetic:…` asks for.
+/// The parsed source `synthetic:…`.
 struct SyntheticSpec {
-  std::string model = "torso";  ///< the shipped torso, or the path of a PLY file
+  std::string model = "torso";  ///< "torso": the installed model; else the path of a PLY file
   SyntheticSettings settings;
 };
 
-/// Reads MODEL[,key=value…], both parts optional. An unknown key is answered with all there are; a value out of bounds
-/// with its bounds.
+/// Parses MODEL[,key=value…]; both parts are optional. Error: an unknown key, reported with the list of keys, or a
+/// value out of range, reported with the range.
 [[nodiscard]] Result<SyntheticSpec> parse_synthetic_spec(const std::string& text);
 
 }  // namespace telepalp::server
