@@ -18,31 +18,31 @@
 
 namespace telepalp::server {
 
-/// The whole server but its command line: a source, the hub, and the listener. Lives on `io`'s one thread, which
-/// is the network thread; the capture thread is its own.
+/// The server without its command line: capture source, hub and listener. Runs on `io`'s one thread, the network
+/// thread; capturing runs on a separate thread.
 class Server {
  public:
   struct Options {
     std::string name = "telepalp-server";
     std::string bind = "127.0.0.1";
-    std::uint16_t port = 0;  ///< 0: any free one
+    std::uint16_t port = 0;  ///< 0: any free port
     EncodeOptions encode{};
-    std::function<void(const std::string&)> log{};  ///< for the technician: who comes and goes, what the camera does
+    std::function<void(const std::string&)> log{};  ///< log lines about peers and the camera's state
   };
 
-  /// Listens; nothing is published before start().
+  /// Opens the port. Messages are published only after start().
   [[nodiscard]] static Result<std::unique_ptr<Server>> listen(boost::asio::io_context& io, Options options);
 
-  /// Captures from `source`, called `source_name`. `on_end` is called once when the source has come to its end.
+  /// Starts to capture from `source`. `source_name` appears in messages. `on_end` is called once when the source ends.
   void start(std::unique_ptr<CaptureSource> source, const std::string& source_name, std::function<void()> on_end);
 
-  /// Captures no more, sends what is queued, says Goodbye with `reason`. io.run() then returns within a second.
+  /// Stops capturing, sends queued messages and a Goodbye with `reason`. io.run() then returns within 1 s.
   void stop(const std::string& reason);
 
   [[nodiscard]] std::uint16_t port() const noexcept { return listener_->port(); }
   [[nodiscard]] const wire::SessionClock& clock() const noexcept { return clock_; }
   [[nodiscard]] Hub& hub() noexcept { return hub_; }
-  /// One line about what was done, for the end.
+  /// One line with the run's totals, for the end of the program.
   [[nodiscard]] std::string summary() const;
 
  private:
@@ -60,9 +60,9 @@ class Server {
   Hub hub_;
   std::unique_ptr<PeerListener> listener_;
   boost::asio::steady_timer second_;
-  bool stopped_ = false;                // a timer that has fired cannot be cancelled: its handler looks here
-  std::string last_state_;              // as last logged
-  std::size_t most_waiting_bytes_ = 0;  // in the hub, since memory was last given back
+  bool stopped_ = false;                // checked by timer handlers: a timer that has expired cannot be cancelled
+  std::string last_state_;              // last logged state
+  std::size_t most_waiting_bytes_ = 0;  // peak of the hub's queues since memory was last released
   std::chrono::steady_clock::time_point started_{};
   std::unique_ptr<CaptureThread> capture_;
 };

@@ -9,7 +9,7 @@
 
 namespace telepalp::record {
 
-/// What a session file holds. All text in it is as the file has it: escape it before it is shown.
+/// Description of a session file. Its texts come unchecked from the file: escape them before printing.
 struct SessionFacts {
   struct Topic {
     std::string name;
@@ -22,21 +22,21 @@ struct SessionFacts {
   std::uint64_t messages = 0;
   std::uint64_t chunks = 0;
   std::uint64_t bytes = 0;
-  std::string program;  ///< that wrote it; empty: the file does not say
+  std::string program;  ///< program that wrote the file; empty: not stated
   std::string version;
   std::string commit;
-  std::string source;         ///< that was recorded
-  std::string depth;          ///< how exact depth is, in words; empty: the file holds none
-  std::vector<Topic> topics;  ///< by name
+  std::string source;         ///< the recorded server or file
+  std::string depth;          ///< bound on the depth error, as text; empty: no depth
+  std::vector<Topic> topics;  ///< sorted by name
 };
 
 /// Reads the file's index, and at most one image.
 [[nodiscard]] Result<SessionFacts> inspect(const std::filesystem::path& file);
 
-/// For people.
+/// The description as text for a terminal.
 [[nodiscard]] std::string in_words(const SessionFacts& facts);
 
-/// For programs.
+/// The description as JSON.
 [[nodiscard]] std::string in_json(const SessionFacts& facts);
 
 }  // namespace telepalp::record

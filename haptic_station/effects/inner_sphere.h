@@ -12,7 +12,7 @@ struct InnerSphereSettings {
 };
 
 /// A sphere inside the body (S1 II.D): F = k (r - |x - c|), outwards. touch() is Upper when the sphere is pressed from
-/// within 45 degrees of the vertical.
+/// within 45 degrees of the upward vertical.
 class InnerSphere {
  public:
   static constexpr const char* kName = "sphere";

@@ -11,17 +11,18 @@
 
 namespace telepalp::wire {
 
-/// How much of one topic may wait for one peer. A single message may wait whatever its size.
+/// Limits of one topic's queue to one peer. One message is always accepted, whatever its size.
 struct QueueLimit {
   std::size_t messages;
   std::size_t bytes;
 };
 
-/// Images are worth only their newest; small topics are worth a short history.
+/// The limits of a topic. Of images only the newest are useful; small topics keep a short history.
 [[nodiscard]] QueueLimit queue_limit(std::string_view topic) noexcept;
 
-/// What waits to be sent to one peer. Bounded by topic, in messages and bytes: a large topic that backs up loses its
-/// own oldest messages and cannot push out a small one. It is the only queue of messages between publisher and socket.
+/// The queue of messages to one peer. It is bounded by topic, in messages and bytes: at a topic's limit its own oldest
+/// messages are dropped, so a large topic cannot displace a small one. It is the only message queue between publisher
+/// and socket.
 class SendQueue {
  public:
   /// Adds `message` and returns the dropped messages: the topic's oldest one with the messages predicted from it. If
@@ -33,13 +34,13 @@ class SendQueue {
   /// quarter of the camera's bytes while both wait, so that neither stops the other.
   std::optional<Message> pop();
 
-  /// Takes out the oldest message of the topic outside /camera/... that has the most bytes here.
+  /// Removes the oldest message of that topic outside /camera/... that occupies the most bytes in the queue.
   std::optional<Message> drop_of_largest();
 
   [[nodiscard]] std::size_t waiting(const Topic& topic) const;
   [[nodiscard]] bool empty() const noexcept { return camera_.empty() && others_.empty(); }
   [[nodiscard]] std::size_t size() const noexcept { return camera_.size() + others_.size(); }
-  /// Bytes of the topics outside /camera/...: what peers publish is among them.
+  /// Queued bytes of the topics outside /camera/..., which include all messages that peers publish.
   [[nodiscard]] std::size_t other_bytes() const noexcept { return other_bytes_; }
 
   /// Removes all messages for which `matches` is true; returns their number.

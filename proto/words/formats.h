@@ -4,13 +4,13 @@
 
 namespace telepalp {
 
-// Versions of the formats that telepalp speaks. `--version` of every program prints them.
+// Versions of telepalp's formats. `--version` of every program prints them.
 
-/// Of WIRE.md: in every frame on the network, and in msg.Hello.
+/// Version of the protocol in WIRE.md; sent in every network frame and in msg.Hello.
 inline constexpr std::uint8_t kWireProtocolVersion = 1;
-/// Of a compressed depth packet: the digit after "TPD".
+/// Version of a compressed depth packet: the digit after "TPD".
 inline constexpr std::uint8_t kDepthPacketVersion = 3;
-/// Of the MCAP specification that session files follow: the digit in the file's magic.
+/// Version of the MCAP specification for session files: the digit in the file's magic bytes.
 inline constexpr std::uint8_t kMcapVersion = 0;
 
 }  // namespace telepalp

@@ -20,11 +20,10 @@ inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1"
 /// The first supported subprotocol in the client's Sec-WebSocket-Protocol header; nullopt if there is none.
 [[nodiscard]] std::optional<std::string_view> choose_subprotocol(std::string_view offered);
 
-/// The topic of a channel: channels are wire::kTopics and then kViewTopics, counted from 1.
+/// The topic of a channel. Channel ids count the entries of wire::kTopics and then of kViewTopics, from 1.
 [[nodiscard]] std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept;
 
-/// The texts that a server sends. `session_id` tells one start of the server from the next, `viewer` one client from
-/// the next.
+/// Text messages from the server. `session_id` differs for each start of the server, `viewer` for each client.
 [[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer);
 [[nodiscard]] std::string advertise_all_topics();
 enum class Level : std::uint32_t { Info = 0, Warning = 1, Error = 2 };

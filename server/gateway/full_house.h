@@ -5,8 +5,8 @@
 
 namespace telepalp::server {
 
-/// Answers whoever connects with 503 and `reason`, and closes within half a second. At most 16 such answers are under
-/// way; beyond them the socket is closed at once.
+/// Replies to a new connection with HTTP status 503 and `reason`, and closes it within 0.5 s. At most 16 replies are
+/// pending; further sockets are closed without a reply.
 void refuse_full_house(boost::asio::ip::tcp::socket socket, const std::string& reason);
 
 }  // namespace telepalp::server

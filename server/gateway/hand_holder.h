@@ -9,22 +9,23 @@
 
 namespace telepalp::server {
 
-/// Which viewer holds the hand. The first that moves one holds it, through any silence, until it lets go or is gone;
-/// the others ask by moving theirs. Pure; owner: the server's network thread.
+/// Decides which viewer controls the hand. The first viewer that moves its hand gets control and keeps it, even without
+/// messages, until it lets go or disconnects. Other viewers request control by moving their hands. Pure; owner: the
+/// server's network thread.
 class HandHolder {
  public:
-  /// `viewer` moved its hand at `now`. True: it holds the hand, and the station may follow.
+  /// Call it when `viewer` moves its hand. True: the viewer has control, and the message may go to the station.
   [[nodiscard]] bool moves(std::uint64_t viewer, SessionTime now);
 
-  /// `viewer` gives the hand up, or is gone. No other viewer gets it before it moves its hand again.
+  /// Call it when `viewer` lets go or disconnects. Another viewer gets control when it next moves its hand.
   void let_go(std::uint64_t viewer);
 
-  /// Who holds the hand and who asks, when that is not what was last told; nullopt else.
+  /// The controlling and the requesting viewers, if they changed since the last call; otherwise nullopt.
   [[nodiscard]] std::optional<msg::HandHolder> news(SessionTime now);
 
  private:
-  std::uint64_t holder_ = 0;                     // 0: nobody
-  std::map<std::uint64_t, SessionTime> asking_;  // by viewer: when it last moved its hand
+  std::uint64_t holder_ = 0;                     // 0: no viewer
+  std::map<std::uint64_t, SessionTime> asking_;  // key: viewer; value: when it last moved its hand
   msg::HandHolder told_;
 };
 

@@ -12,15 +12,15 @@
 
 namespace telepalp::server {
 
-/// What one viewer may say here: where it holds its hand, or that it lets go (/viewer/hand), and nothing else. Default
-/// deny. Pure; owner: the server's network thread.
+/// Accepts the messages of one viewer. Only its hand position and letting go (/viewer/hand) are allowed. Pure; owner:
+/// the server's network thread.
 class ViewerCommands {
  public:
   /// Error: another topic than /viewer/hand, another encoding, or too many channels.
   [[nodiscard]] Result<void> advertise(const foxglove::Request::Channel& channel);
   void unadvertise(std::uint32_t channel) { channels_.erase(channel); }
 
-  /// Whether the viewer's binary message says that it gives the hand up.
+  /// True if the viewer's binary message lets go of the hand.
   [[nodiscard]] bool lets_go(std::string_view bytes) const;
 
   /// Converts a viewer's binary message to a message of /viewer/hand with a time stamp and the id `viewer`. nullopt: it

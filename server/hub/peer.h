@@ -13,7 +13,7 @@
 
 namespace telepalp::server {
 
-/// One peer: its connection on one side, its place in the hub on the other.
+/// One peer: connects its network connection with its subscription in the hub.
 class PeerListener::Peer : public wire::ConnectionOwner {
  public:
   using Clock = std::chrono::steady_clock;
@@ -39,7 +39,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   void close(const std::string& reason) { connection_->close(reason); }
   [[nodiscard]] std::uint32_t sender() const noexcept { return sender_; }
 
-  /// nullopt: it has not greeted yet, or was refused.
+  /// The kind of place that the peer occupies; nullopt: no Hello yet, or refused.
   [[nodiscard]] std::optional<PlaceKind> place() const noexcept { return place_; }
 
   [[nodiscard]] bool is_idle(Clock::time_point now) const noexcept {
@@ -91,7 +91,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   void on_want_key(const wire::Topic& topic, SessionTime published) override {
     listener_.hub_.want_key(subscriber_, topic, published);
   }
-  void on_clock(const wire::ClockSample&) override {}  // a server's clock is the session's: it asks nobody
+  void on_clock(const wire::ClockSample&) override {}  // the server's clock is the session clock: it sends no probes
   void on_closed(const std::string& reason) override {
     leave_hub();
     listener_.note((name_.empty() ? "a stranger" : name_) + " at " + connection_->peer() + " left: " + reason);
@@ -104,19 +104,19 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     if (!subscriber_) return;
     if (listener_.options_.on_leaving) listener_.options_.on_leaving();
     listener_.hub_.leave(std::exchange(subscriber_, 0));
-    sender_ = 0;  // free for this peer when it comes back
+    sender_ = 0;  // the number is free for this peer's next connection
   }
 
   PeerListener& listener_;
   PeerNumber number_;
   std::string name_;
   std::optional<PlaceKind> place_;
-  bool advertised_ = false;     // a topic that it may publish
-  bool subscribed_ = false;     // to anything
+  bool advertised_ = false;     // the peer has advertised an allowed topic
+  bool subscribed_ = false;     // the peer is subscribed to at least one topic
   Clock::time_point useful_{};  // when it last published, subscribed or greeted
   UpstreamRates rates_;
   bool over_rate_noted_ = false;
-  std::uint32_t sender_ = 0;                      // 0: it has not said Hello
+  std::uint32_t sender_ = 0;                      // 0: no Hello yet
   SubscriberId subscriber_ = 0;                   // 0: not in the hub
   std::shared_ptr<wire::Connection> connection_;  // shared with its pending operations
 };

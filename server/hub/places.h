@@ -8,11 +8,11 @@
 
 namespace telepalp::server {
 
-/// A server's places are kept apart by role, so that no number of viewers can take a station's.
+/// The server limits connections by role, so that many viewers cannot take the place of a station.
 enum class PlaceKind { Station, Recorder, Viewer };
 inline constexpr std::array kPlaceKinds{PlaceKind::Station, PlaceKind::Recorder, PlaceKind::Viewer};
 
-/// The kind of place for a peer that greets with `role`; an unknown role is a viewer's.
+/// The kind of place for a peer with this `role` in its Hello; an unknown role counts as a viewer.
 [[nodiscard]] constexpr PlaceKind place_for(std::string_view role) noexcept {
   if (role == "doctor") return PlaceKind::Station;
   if (role == "recorder" || role == "technician" || role == "qa") return PlaceKind::Recorder;
@@ -23,7 +23,7 @@ struct PlaceLimits {
   std::size_t stations = 8;    ///< role doctor
   std::size_t recorders = 8;   ///< roles recorder, technician, qa
   std::size_t viewers = 48;    ///< any other role
-  std::size_t strangers = 32;  ///< connections that have not greeted yet, or were refused and have not closed yet
+  std::size_t strangers = 32;  ///< connections without a Hello yet, or refused and not closed yet
 
   [[nodiscard]] constexpr std::size_t of(PlaceKind kind) const noexcept {
     if (kind == PlaceKind::Station) return stations;
@@ -31,7 +31,7 @@ struct PlaceLimits {
   }
 };
 
-/// What a peer is told that finds all places of its kind taken.
+/// The error text for a peer when all places of its kind are taken.
 [[nodiscard]] inline std::string full_house(PlaceKind kind, std::size_t places) {
   const char* const who = kind == PlaceKind::Station    ? "stations"
                           : kind == PlaceKind::Recorder ? "recorders"
@@ -40,10 +40,10 @@ struct PlaceLimits {
          " are taken. fix: end one of them, then connect again";
 }
 
-/// When a peer is let go that takes nothing and gives nothing.
+/// Time limits after which a peer that neither receives nor publishes is disconnected.
 struct IdleLimits {
-  std::chrono::milliseconds without_topics{5'000};  ///< it neither subscribed nor advertised what it may publish
-  std::chrono::milliseconds silent{60'000};         ///< it did advertise, and publishes nothing
+  std::chrono::milliseconds without_topics{5'000};  ///< for a peer without subscription and advertised topic
+  std::chrono::milliseconds silent{60'000};         ///< for a peer that has advertised a topic and publishes nothing
 };
 
 }  // namespace telepalp::server

@@ -6,7 +6,7 @@
 
 namespace telepalp::server {
 
-/// How much may come on average, and at once after a pause.
+/// Average rate and burst size of messages and bytes.
 struct Rate {
   double messages_per_s;
   double bytes_per_s;
@@ -22,7 +22,7 @@ class RateLimiter {
   explicit RateLimiter(const Rate& rate) noexcept
       : rate_(rate), messages_(rate.burst_messages), bytes_(rate.burst_bytes) {}
 
-  /// Whether a message of `bytes` passes at `now`, which never decreases.
+  /// True if a message of `bytes` may pass at `now`; `now` must not decrease between calls.
   [[nodiscard]] bool passes(std::size_t bytes, TimePoint now) noexcept {
     refill(now);
     const auto size = static_cast<double>(bytes);

@@ -6,7 +6,7 @@
 
 namespace telepalp::server {
 
-/// The depth camera's frame of reference, as /camera/info and /camera/depth name it.
+/// Name of the depth camera's frame of reference in /camera/info and /camera/depth.
 inline constexpr const char* kDepthFrame = "camera_depth";
 
 inline void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {

@@ -9,13 +9,13 @@
 
 namespace telepalp::server {
 
-/// The depth camera in the frame "patient_site", whose z points up when the camera looks down, and the station's hand,
-/// proxy and device in the camera's frame; the camera alone without a `station`.
+/// Transforms of the depth camera in the frame "patient_site", whose z axis points up when the camera looks down, and
+/// of the station's hand, proxy and device in the camera's frame. Without a `station`, only the camera.
 [[nodiscard]] foxglove::FrameTransforms transforms_view(const std::optional<msg::StationState>& station,
                                                         SessionTime now);
 
-/// The hand, the device, the proxy and the force as an arrow of 2 cm for each newton, in the depth camera's frame.
-/// Parts that the state does not tell are deleted, and all of it fades 1 s after the station's last word.
+/// Hand, device and proxy, and the force as an arrow of 2 cm per newton, in the depth camera's frame. Parts without a
+/// value in `station` are deleted; all parts disappear 1 s after the station's last message.
 [[nodiscard]] foxglove::SceneUpdate scene_view(const msg::StationState& station);
 
 }  // namespace telepalp::server

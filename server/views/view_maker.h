@@ -16,9 +16,10 @@
 
 namespace telepalp::server {
 
-/// Makes kViewTopics from what `source` is given, and publishes them at `views`. It is a subscriber of `source` while
-/// somebody at `views` wants one of them, and else costs nothing. Depth is decoded on a thread of its own, one image at
-/// a time: what comes meanwhile is dropped by the hub, and the network thread goes on. Owner: the network thread.
+/// Makes the messages of kViewTopics from the messages of the hub `source` and publishes them at the hub `views`. It
+/// subscribes to `source` only while `views` has a subscriber of a view topic. A separate thread decodes depth, one
+/// image at a time; the hub drops images that arrive meanwhile, so the network thread never waits. Owner: the network
+/// thread.
 class ViewMaker {
  public:
   ViewMaker(boost::asio::io_context& io, Hub& source, Hub& views);
@@ -26,10 +27,10 @@ class ViewMaker {
   ViewMaker(const ViewMaker&) = delete;
   ViewMaker& operator=(const ViewMaker&) = delete;
 
-  /// Somebody at `views` subscribed, unsubscribed or left.
+  /// Call it after a client of `views` has subscribed, unsubscribed or left.
   void wishes_changed();
 
-  /// Images decoded since the start.
+  /// Number of images decoded since the start.
   [[nodiscard]] std::uint64_t decoded() const noexcept { return decoded_; }
 
  private:
@@ -53,13 +54,13 @@ class ViewMaker {
   boost::asio::io_context& io_;
   Hub& source_;
   Hub& views_;
-  SubscriberId subscriber_ = 0;  // 0: nobody wants a view
+  SubscriberId subscriber_ = 0;  // 0: `views` has no subscriber of a view topic
   std::vector<std::string> topics_;
   std::optional<Intrinsics> camera_;
   bool decoding_ = false;
   std::uint64_t decoded_ = 0;
   codec::DepthDecoder decoder_;                                             // owner: the pool's one thread
-  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // shared with posted results, as a sign
+  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // posted results hold weak_ptrs to it
   boost::asio::thread_pool pool_{1};
 };
 

@@ -8,8 +8,8 @@
 
 namespace telepalp::server {
 
-// What tools such as Foxglove and Lichtblick show by themselves. Each is made from our own topics, while somebody at
-// the gateway subscribes to it; recorders and stations are not offered any.
+// Topics in formats that tools such as Foxglove and Lichtblick display without extensions. Each is derived from
+// telepalp's topics while a client of the gateway subscribes to it. Recorders and stations cannot subscribe to them.
 
 inline constexpr wire::Topic kDepthView{"/camera/depth/image", "foxglove.RawImage"};
 inline constexpr wire::Topic kCloudView{"/camera/points", "foxglove.PointCloud"};

@@ -4,13 +4,13 @@
 
 namespace telepalp::program {
 
-// The ports of telepalp that a user need not name. A test holds scripts and documents against these.
+// Default ports. A test checks that scripts and documents state these values.
 
-/// `telepalp-server --port`: stations and recorders.
+/// Default of `telepalp-server --port`, for stations and recorders.
 inline constexpr std::string_view kServerPort = "7400";
-/// `deploy/demo --http-port`: browsers.
+/// Default of `deploy/demo --http-port`, for browsers.
 inline constexpr std::string_view kViewerPort = "8765";
-/// Where every program looks for a server.
+/// Default server address of every client program.
 inline constexpr std::string_view kServerAddress = "127.0.0.1:7400";
 static_assert(kServerAddress.ends_with(kServerPort));
 

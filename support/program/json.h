@@ -8,7 +8,7 @@
 
 namespace telepalp::program {
 
-/// JSON text that grows member by member, indented. A number that is not finite is written as null: JSON has no NaN.
+/// Writes indented JSON member by member. A number that is not finite is written as null, because JSON has no NaN.
 class Json {
  public:
   void begin_object(std::string_view key = {}) { begin(key, '{'); }

@@ -36,11 +36,12 @@ class Arguments {
   std::vector<std::string> positional_;
 };
 
-/// Reads argv. An option given twice, or with an empty value, is an error. nullopt: `--help` or `--version` was asked
-/// and has been printed to stdout; leave with kDone.
+/// Reads argv. An option given twice, or with an empty value, is an error. nullopt: `--help` or `--version` was given
+/// and its text has been printed to stdout; exit with kDone.
 [[nodiscard]] Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv);
 
-/// The exit code of the command with a help of its own that argv's first word names; nullopt: it names none of them.
+/// Runs the command of argv's first word if that command has its own help, and returns its exit code; otherwise
+/// nullopt.
 [[nodiscard]] std::optional<int> run_command(const Usage& usage, int argc, const char* const* argv);
 
 /// Prints `error: …` to stderr and returns `code`, for `return fail(error)` in main.

@@ -8,12 +8,12 @@
 
 namespace telepalp::program {
 
-using Patience = std::optional<std::chrono::duration<double>>;  ///< nullopt: for ever
+using Patience = std::optional<std::chrono::duration<double>>;  ///< time limit; nullopt: unlimited
 
-/// What stands for it where a number is needed: four months.
+/// Replaces "unlimited" where a number is needed: about four months.
 inline constexpr std::chrono::duration<double> kForEver{1e7};
 
-/// `--patience S`: how long a program that connects waits for its peer. `help` tells what it waits for.
+/// The option `--patience S`: how long a program waits for its peer. `help`: the option's help text.
 [[nodiscard]] Option patience_option(std::string_view help, std::string_view initial_s = "30");
 
 [[nodiscard]] Result<Patience> patience_of(const Arguments& arguments);

@@ -20,7 +20,7 @@ namespace telepalp::server {
 [[nodiscard]] Result<void> decode_recording(const std::filesystem::path& input, const std::filesystem::path& folder,
                                             const std::string& kind);
 
-/// Says how each depth image of the session file `input` is compressed, without decoding any; `json`: for programs.
+/// Prints how each depth image of the session file `input` is compressed, without decoding it. `json`: print JSON.
 [[nodiscard]] Result<void> describe_recording(const std::filesystem::path& input, bool json);
 
 /// Prints the differences between the depth images of `first` and `second`. With a `bound`, it is an error if a pixel

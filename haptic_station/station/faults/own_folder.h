@@ -10,19 +10,19 @@
 
 namespace telepalp::station {
 
-/// A folder in which nobody but this user can make, replace or remove a file. It is held by a descriptor: what is
-/// looked at is what is used, even if somebody renames the path meanwhile.
+/// A folder in which only this user can create, replace or remove files. It is held by a file descriptor, so that the
+/// checked folder is the one that is used, even if its path is renamed meanwhile.
 class OwnFolder {
  public:
-  /// Opens `folder`; with `make`, a missing one is made, for this user alone. A folder that exists is never changed: an
-  /// error if it is a symbolic link, another user's, or writable by others (as /tmp is).
+  /// Opens `folder`. With `make`, a missing folder is created with access for this user only. An existing folder is
+  /// never changed. Error: a symbolic link, a folder of another user, or one that others may write to (such as /tmp).
   [[nodiscard]] static Result<OwnFolder> open(const std::filesystem::path& folder, bool make);
 
   OwnFolder(OwnFolder&& other) noexcept;
   OwnFolder& operator=(OwnFolder&& other) noexcept;
   ~OwnFolder();
 
-  /// What stands at a name in the folder; a symbolic link is not followed.
+  /// File status of a directory entry; symbolic links are not followed.
   struct Entry {
     mode_t mode;
     uid_t owner;
@@ -30,13 +30,13 @@ class OwnFolder {
     ino_t inode;
     [[nodiscard]] bool is(const Entry& other) const noexcept { return device == other.device && inode == other.inode; }
   };
-  /// nullopt: nothing stands there.
+  /// The entry of this name; nullopt: no such entry.
   [[nodiscard]] std::optional<Entry> entry(const std::string& name) const;
   void remove(const std::string& name) const noexcept;
-  /// Between lock() and unlock(), no other process of telepalp is between its own two.
+  /// Locks the folder against other telepalp processes until unlock().
   void lock() const noexcept;
   void unlock() const noexcept;
-  /// A path to `name` through the descriptor, for system calls that take no descriptor of a folder.
+  /// A path to `name` via the descriptor, for system calls that have no parameter for a directory's descriptor.
   [[nodiscard]] std::string through_descriptor(const std::string& name) const;
 
  private:

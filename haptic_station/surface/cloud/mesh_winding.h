@@ -6,15 +6,15 @@
 
 namespace telepalp::surface {
 
-/// What was found and mended when a mesh's faces were made to agree.
+/// Result of make_faces_agree().
 struct Winding {
-  std::size_t open_edges = 0;  ///< of one face alone
-  std::size_t turned = 0;      ///< faces that looked the other way than their neighbours
+  std::size_t open_edges = 0;  ///< edges that belong to one face only
+  std::size_t turned = 0;      ///< faces whose orientation was reversed
 };
 
-/// Turns triangles so that those that share an edge look the same way. A piece in which any was turned, and that has no
-/// open edge, then looks outwards; any other piece keeps the way in which most of its faces looked. Vertices in one
-/// place count as one, since exporters double them along seams.
+/// Reverses triangles until neighbours have equal orientation. A connected piece that was changed and has no open edge
+/// is then oriented outwards; any other piece keeps the orientation of most of its faces. Vertices at equal positions
+/// are merged first, because exporters duplicate vertices along seams.
 Winding make_faces_agree(models::PointModel& mesh);
 
 }  // namespace telepalp::surface

@@ -18,7 +18,8 @@ namespace telepalp::server {
 ///   const TrueSurface truth = patient->true_surface(time);
 class SyntheticPatient {
  public:
-  /// `where`: the mesh's name, for errors. Error: a setting out of its range, or a mesh without the size of a patient.
+  /// `where`: the mesh's name, for errors. Error: a setting out of its range, or a mesh that cannot be laid on the
+  /// table as a patient.
   [[nodiscard]] static Result<SyntheticPatient> make(const TriangleMesh& mesh, const SyntheticSettings& settings,
                                                      const std::string& where = "synthetic patient");
 
