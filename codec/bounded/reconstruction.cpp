@@ -15,19 +15,19 @@ namespace telepalp::codec {
 namespace {
 
 constexpr int kSamples = 65536;
-constexpr int kMostAcross = 6;                 // ranks
-constexpr std::size_t kPixelsPerLevel = 1024;  // of which one is worth a neighbour's difference: what a level costs
+constexpr int kMostAcross = 6;                 // largest rank difference that is counted by itself
+constexpr std::size_t kPixelsPerLevel = 1024;  // one level costs as much as one unequal neighbour per so many pixels
 constexpr std::size_t kRowsPerCounted = 2;
 
-/// How often a pixel of each rank has a neighbour so many ranks farther away, as far as every other row tells. Those
-/// further apart than kMostAcross, counted as one more, lie on either side of an edge, which is dear whatever stands in
-/// for them; what is said of rank 0, of holes, means nothing.
+/// For each rank, how many neighbour pairs differ by 0, 1, … kMostAcross ranks; the last entry counts larger
+/// differences, which are edges and cost the same with any reconstruction levels. Every other row is counted. The
+/// entries of rank 0 (holes) have no meaning.
 using Neighbours = std::vector<std::array<std::int32_t, kMostAcross + 2>>;
 
 Neighbours neighbours_of(const DepthImage& depth, const LevelPalette& palette) {
   const RankOfLevel rank_of = ranks_of(palette);
   Neighbours neighbours(palette.size());
-  const auto count = [&](std::uint16_t a, std::uint16_t b) {  // without a branch, as it would be guessed wrong
+  const auto count = [&](std::uint16_t a, std::uint16_t b) {  // without a branch: it would be mispredicted
     ++neighbours[std::min(a, b)][static_cast<std::size_t>(std::min(std::abs(a - b), kMostAcross + 1))];
   };
   const auto width = static_cast<std::size_t>(depth.width);
@@ -42,7 +42,7 @@ Neighbours neighbours_of(const DepthImage& depth, const LevelPalette& palette) {
   return neighbours;
 }
 
-/// A frame's levels, ascending and without 0, each with the depths that it may become.
+/// The frame's levels, ascending and without 0, each with the range of depths within its error bound.
 struct Reach {
   std::vector<int> level;
   std::vector<int> nearest;
@@ -61,8 +61,7 @@ Reach reach_of(const LevelPalette& palette, const BoundInUnits& bound_at) {
   return reach;
 }
 
-/// Neighbouring pixels, one of level `from` and one of `first_apart` or beyond, that could have become the same, and
-/// no longer can.
+/// Counts the neighbour pairs that the cut between `from` and `first_apart` separates although their bounds overlap.
 std::int64_t parted(const Reach& reach, const Neighbours& neighbours, std::size_t from, std::size_t first_apart) {
   std::int64_t sum = 0;
   for (std::size_t across = first_apart - from; across <= std::size_t{kMostAcross}; ++across) {
@@ -73,9 +72,9 @@ std::int64_t parted(const Reach& reach, const Neighbours& neighbours, std::size_
   return sum;
 }
 
-/// Levels of which every level can become the farthest depth of one: of all such sets the one that parts the fewest
-/// neighbours, where each depth costs as much as `level_cost` of them. No other depths serve better than those farthest
-/// ones, so least cost by dynamic programming over them, from each on to the next.
+/// Chooses levels by dynamic programming. Candidates are the farthest depths of the levels' bounds, which suffice:
+/// every level must have a chosen candidate within its bound. The cost is the number of separated neighbour pairs plus
+/// `level_cost` for each chosen candidate. Returns indices into `reach`.
 std::vector<std::size_t> best_depths(const Reach& reach, const Neighbours& neighbours, std::int64_t level_cost) {
   const std::size_t count = reach.nearest.size();
   constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
@@ -83,7 +82,7 @@ std::vector<std::size_t> best_depths(const Reach& reach, const Neighbours& neigh
   std::vector<std::int64_t> cost(count, kNever);
   std::vector<std::size_t> before(count, kNone);
   if (count > 0) cost[0] = level_cost;
-  std::size_t unreachable = 0;  // first level that cannot become the depth at hand
+  std::size_t unreachable = 0;  // first level that cannot take the current candidate
   std::size_t best_last = kNone;
   for (std::size_t last = 0; last < count; ++last) {
     while (unreachable < count && reach.nearest[unreachable] <= reach.farthest[last]) ++unreachable;
@@ -91,7 +90,7 @@ std::vector<std::size_t> best_depths(const Reach& reach, const Neighbours& neigh
     if (unreachable == count && (best_last == kNone || cost[last] < cost[best_last])) best_last = last;
     std::int64_t with_next = cost[last] + level_cost;
     const std::size_t first_parting =
-        unreachable - std::min(unreachable, kMostAcross + std::size_t{1});  // none before parts any
+        unreachable - std::min(unreachable, kMostAcross + std::size_t{1});  // earlier candidates separate no pairs
     for (std::size_t next = std::max(last + 1, first_parting); next <= std::min(unreachable, count - 1); ++next) {
       if (with_next < cost[next]) {
         cost[next] = with_next;
@@ -106,21 +105,22 @@ std::vector<std::size_t> best_depths(const Reach& reach, const Neighbours& neigh
   return farthest_of;
 }
 
-/// The depth in the middle of all levels that can become the farthest of one, and which they still can become: so that
-/// none is moved further than it must, and as many to either side.
+/// Centres a chosen candidate among the levels that can take it, as far as their bounds allow, so that errors are small
+/// and balanced.
 int centred(const Reach& reach, std::size_t farthest_of) {
   const int farthest = reach.farthest[farthest_of];
   const auto past_last = std::upper_bound(reach.nearest.begin(), reach.nearest.end(), farthest);
   const auto last = static_cast<std::size_t>(past_last - reach.nearest.begin()) - 1;
   const int twice = reach.level[farthest_of] + reach.level[last];
-  const int middle = twice / 2 + (twice / 2 & twice & 1);  // halves to the even, else all would lie too near
+  const int middle = twice / 2 + (twice / 2 & twice &
+                                  1);  // round half to even: rounding down would bias all levels towards the camera
   return std::clamp(middle, reach.nearest[last], farthest);
 }
 
-/// Stand-ins for those of a frame's levels that have none.
+/// Adds a reconstruction level for each level of the frame that has none within its bound.
 void complete(ReconstructionLevels& reconstruction, const LevelPalette& present) {
   std::vector<std::uint16_t>& levels = reconstruction.levels.levels;
-  auto next = levels.begin() + 1;  // the first that is not too near
+  auto next = levels.begin() + 1;  // first reconstruction level that is not too near
   for (std::size_t rank = 1; rank < present.size(); ++rank) {
     const int level = present.levels[rank];
     const int bound = reconstruction.bound(level);
@@ -130,7 +130,7 @@ void complete(ReconstructionLevels& reconstruction, const LevelPalette& present)
   }
 }
 
-/// From the nearest to the farthest stand-in of each level of a frame.
+/// For each level of a frame, its nearest and its farthest allowed reconstruction level, as indices.
 struct Choice {
   std::vector<std::size_t> least;
   std::vector<std::size_t> most;
@@ -152,7 +152,7 @@ Choice choice_of(const LevelPalette& present, const ReconstructionLevels& recons
   return choice;
 }
 
-/// The stand-ins that some level may become, and the rank of each.
+/// Puts the reconstruction levels that some level may take into `palette`, and returns the rank of each.
 std::vector<std::uint16_t> rank_those_of(const Choice& choice, const ReconstructionLevels& reconstruction,
                                          LevelPalette& palette) {
   std::vector<std::uint16_t> rank_of(reconstruction.levels.size());
@@ -186,7 +186,8 @@ RankedFrame within_bounds(const DepthImage& depth, const LevelPalette& present, 
   const Choice choice = choice_of(present, reconstruction);
   RankedFrame frame;
   const std::vector<std::uint16_t> rank_of = rank_those_of(choice, reconstruction, frame.palette);
-  std::vector<std::uint32_t> ranks_of_sample(kSamples);  // the last above the first: one look-up for both
+  std::vector<std::uint32_t> ranks_of_sample(
+      kSamples);  // greatest rank in the high half, least rank in the low half: one look-up for both
   ranks_of_sample[0] = 0xffff0000;
   for (std::size_t i = 1; i < present.size(); ++i)
     ranks_of_sample[present.levels[i]] = std::uint32_t{rank_of[choice.most[i]]} << 16 | rank_of[choice.least[i]];

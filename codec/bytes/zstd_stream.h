@@ -12,11 +12,11 @@ namespace telepalp::codec {
 
 /// How much effort zstd spends on matches.
 enum class ZstdEffort {
-  Entropy,  ///< next to none: what is left in our tokens is not repetition
+  Entropy,  ///< entropy coding only: tokens hardly repeat
   Matches,  ///< zstd's level 1
 };
 
-/// Appends `plain` as: size, size once compressed (0: kept as it is), bytes.
+/// Appends `plain` as: its size, its compressed size (0: stored uncompressed), the bytes.
 void append_zstd_stream(std::string& packet, std::string_view plain, ZstdEffort effort);
 
 /// Reads one such stream. nullopt when it is damaged, or longer than `most_bytes`, which is checked first.

@@ -2,33 +2,33 @@
 
 #include "codec/context/interleaved_slices.h"
 
-// Encoding where each pixel may have one of several ranks: of those it takes the one that its model finds cheapest, of
-// four slices at once. Internal linkage for the same reason as in range_coder.h.
+// Near-lossless encoding of four slices in lockstep: each pixel may take one of several ranks and takes the one that
+// its model codes in the fewest bits. Internal linkage: see range_coder.h.
 
 namespace telepalp::codec {
 namespace {
 
-/// Symbols of four steps.
+/// The symbols that code four steps from the prediction.
 inline LaneVector symbols_for(LaneVector steps) {
   const LaneVector size = greatest(steps, -steps);
   const LaneVector near = size + size - (steps < 0);
   return size > int{kLargestStep} ? LaneVector{} + int{kFarther} : near;
 }
 
-/// What one row of all slices may become: 0 and 65 535, so anything, where nothing was measured.
+/// The least and the greatest rank that each pixel of one interleaved row may take. Gaps have 0 and 65 535: any rank.
 struct RankBounds {
   uint16_t* least = nullptr;
   uint16_t* most = nullptr;
 };
 
-/// 1 where the bounds do not have a rank.
+/// 1 where `rank` lies outside the bounds, else 0.
 inline RowVector missed(RowVector rank, const RankBounds& bounds, int at) {
   const auto outside = (rank < row_vector_at(bounds.least + at)) | (rank > row_vector_at(bounds.most + at));
   return reinterpret_cast<RowVector>(outside) & 1;
 }
 
-/// How often the share of each pixel's least rank is doubled before it is compared, and in the upper half that of its
-/// most: twice, less once for each neighbour, to the east and to the south, that cannot have the same.
+/// For each pixel, how often the probability of its least rank (low byte) and of its greatest rank (high byte) is
+/// doubled before the comparison: twice, minus once for each neighbour (east, south) that cannot take the same rank.
 inline void weigh(const RankBounds& here, const RankBounds& south, uint16_t* weights, int width) {
   for (int i = 0; i < kLanes * width; i += kRowVectorPixels) {
     const auto weight = [&](RowVector rank) { return 2 - missed(rank, here, i + kLanes) - missed(rank, south, i); };
@@ -37,14 +37,15 @@ inline void weigh(const RankBounds& here, const RankBounds& south, uint16_t* wei
   }
 }
 
-/// The two ranks that four pixels may take, and their symbols, the first's in the lower byte.
+/// The two candidate ranks of four pixels, and their symbols: the first candidate's in the low byte.
 struct RankChoices {
   LaneVector first, second;
   LaneVector symbols;
   LaneVector is_measured;
 };
 
-/// The ends of what is possible; or twice what was predicted, where that lies between them, or nothing was measured.
+/// The candidates are the two bounds. Where the prediction lies between the bounds, or in a gap, both candidates are
+/// the prediction.
 inline RankChoices rank_choices(LaneVector predicted, const RankBounds& bounds, int x) {
   RankChoices offers{};
   const LaneVector lowest = lanes_at(bounds.least + kLanes * x);
@@ -58,12 +59,12 @@ inline RankChoices rank_choices(LaneVector predicted, const RankBounds& bounds, 
   return offers;
 }
 
-/// LaneVector pixels' models.
+/// The models of four pixels, one per lane.
 struct LaneModels {
   Model* of[kLanes];
 };
 
-/// EightPixels of the first symbol offered to each, or of the second.
+/// The cumulative ranges of each lane's first candidate symbol (kShift = 0) or second one (kShift = 8).
 template <int kShift>
 inline LaneShares cumulative_range(const LaneModels& models, const PerLane& offered) {
   const auto places = [&](int lane) { return cumulative_range(*models.of[lane], offered.of[lane] >> kShift & 0xff); };
@@ -81,7 +82,7 @@ struct ChoosingEncoder {
   Model far_models[kLanes] = {kFlatModel, kFlatModel, kFlatModel, kFlatModel};
   uint8_t nowhere[16];
 
-  /// A lane of which nothing is kept.
+  /// Points a lane without a slice at a dummy buffer; its output is discarded.
   void idle(int lane) {
     coders[lane] = RangeEncoder{};
     coders[lane].start(nowhere, sizeof nowhere);
@@ -108,8 +109,8 @@ struct ChoosingEncoder {
     return found;
   }
 
-  /// Each pixel becomes the likelier of the two ranks that it may take, of which one is worth half for each neighbour
-  /// that cannot have the same, as that one will differ.
+  /// Each pixel takes the likelier of its two candidate ranks. A candidate's likelihood is halved for each neighbour
+  /// that cannot take the same rank, because that neighbour will need a step.
   template <bool kDependent, int kRate>
   void encode_row(const InterleavedRows& rows, const RankBounds& bounds, const uint16_t* weights, int width,
                   const uint8_t* group_of) {
@@ -163,7 +164,7 @@ inline PaddingRows take_padding_rows(uint8_t*& scratch, int width) {
   return taken;
 }
 
-/// One row of each slice, as the caller has them.
+/// One row of each slice, in the caller's layout.
 struct LaneRows {
   const uint16_t* least[kLanes];
   const uint16_t* most[kLanes];
@@ -225,7 +226,7 @@ void choose_and_encode(EncodeSlice* slices, int count, int width, const ContextT
   }
 }
 
-/// As encode(), or, where slices say what most their pixels may be, with that choice made.
+/// Encodes losslessly, or near-losslessly where the slices state greatest ranks.
 template <class Vector>
 void encode_or_choose(EncodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch) {
   if (slices[0].most == nullptr) return encode<Vector>(slices, count, width, tables, scratch);

@@ -13,7 +13,7 @@ namespace telepalp::codec {
 namespace {
 
 constexpr int kPixelsWorthASlice = 16384;
-constexpr int kPixelsOfFourSlices = 1 << 20;  // above, four slices for each so many
+constexpr int kPixelsOfFourSlices = 1 << 20;  // larger images have four slices for each so many pixels
 constexpr int kMostSlices = 64;
 
 struct Free {
@@ -33,7 +33,7 @@ std::size_t first_pixel(const Slicing& slicing, int slice, int width) noexcept {
   return static_cast<std::size_t>(slice) * static_cast<std::size_t>(slicing.rows) * static_cast<std::size_t>(width);
 }
 
-/// Of one slice; none where there are no ranks.
+/// The ranks of one slice; nullptr when `ranks` is empty.
 const std::uint16_t* band(const Ranks& ranks, const Slicing& slicing, int slice, int width) noexcept {
   return ranks.empty() ? nullptr : ranks.data() + first_pixel(slicing, slice, width);
 }

@@ -10,39 +10,39 @@
 
 namespace telepalp::codec {
 
-/// The best kernel that this processor runs.
+/// The fastest kernel that this processor supports.
 [[nodiscard]] const ContextKernel& context_kernel();
 
-/// Bands of equal height, but for the last, that a frame is cut into. Why: they decode side by side, within one core
-/// and across several.
+/// How a frame is cut into slices: bands of rows, equal in height except the last. Why: slices are independent, so one
+/// core codes four of them in lockstep.
 struct Slicing {
   int slices = 1;
-  int rows = 0;  ///< of each but the last
+  int rows = 0;  ///< of each slice except the last
 
-  /// LaneVector for a frame of any size worth cutting, more for large ones; a slice's models start from the trained
+  /// Four slices for a frame of any size worth cutting, more for large ones; a slice's models start from the trained
   /// tables.
   [[nodiscard]] static Slicing for_frame(int width, int height) noexcept;
-  /// nullopt when so many slices cannot be had of so many rows.
+  /// The slicing that a packet declares. nullopt: `height` rows cannot be cut into `slices` slices.
   [[nodiscard]] static std::optional<Slicing> declared(int height, int slices) noexcept;
   [[nodiscard]] int rows_of(int slice, int height) const noexcept;
 };
 
-/// What a frame is coded against.
+/// The reference frame that a frame is predicted from.
 struct FrameBefore {
-  std::span<const std::uint16_t> samples;  ///< of the same size; empty: the frame stands alone
-  const LevelPalette* palette = nullptr;   ///< of `samples`, where it is at hand
+  std::span<const std::uint16_t> samples;  ///< of the same size; empty: a key frame
+  const LevelPalette* palette = nullptr;   ///< of `samples`; nullptr: not known
 };
 
-/// Palette and slices of a frame. Where its pixels may have one of several ranks, `frame.ranks` become those that are
-/// written. nullopt when that takes more bytes than its samples.
+/// Codes a frame's palette and slices. In near-lossless coding, where pixels may take one of several ranks,
+/// `frame.ranks` receives the chosen ranks. nullopt: the result would be larger than the raw samples.
 [[nodiscard]] std::optional<std::string> encode_contexts(RankedFrame& frame, int width, const FrameBefore& before,
                                                          const Slicing& slicing, const ContextKernel& kernel);
 
-/// Samples from ranks. One beyond the palette, which only a damaged packet has, is as if not measured: the frame's crc
-/// tells.
+/// Converts ranks to samples. A rank beyond the palette, which only a damaged packet contains, becomes "not measured";
+/// the frame's CRC then fails.
 void put_levels(const Ranks& ranks, const LevelPalette& palette, std::span<std::uint16_t> samples);
 
-/// Fills `samples` from such a body, and gives its palette. nullopt when it is damaged.
+/// Decodes a body of encode_contexts() into `samples` and returns its palette. nullopt: the body is damaged.
 [[nodiscard]] std::optional<LevelPalette> decode_contexts(const Packet& packet, const FrameBefore& before,
                                                           std::span<std::uint16_t> samples,
                                                           const ContextKernel& kernel);

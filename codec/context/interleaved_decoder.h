@@ -2,8 +2,8 @@
 
 #include "codec/context/interleaved_slices.h"
 
-// Decoding four slices of equal height at once, of which only the symbols are found one by one. Internal linkage for
-// the same reason as in range_coder.h.
+// Decodes four slices of equal height in lockstep. Predictions and contexts are computed for four lanes at once; only
+// the symbols are decoded lane by lane. Internal linkage: see range_coder.h.
 
 namespace telepalp::codec {
 namespace {
@@ -84,7 +84,7 @@ void decode_interleaved_slices(DecodeSlice* slices, int width, const ContextTabl
   }
 }
 
-/// As decode(), quicker for four slices of equal height.
+/// Decodes any number of slices; four slices of equal height take the fast interleaved path.
 template <class Vector>
 void decode_interleaved(DecodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch) {
   if (count < kLanes || slices[kLanes - 1].rows != slices[0].rows)

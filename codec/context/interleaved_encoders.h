@@ -3,7 +3,7 @@
 #include "codec/context/kernel.h"
 #include "codec/simd/lane_vector.h"
 
-// LaneVector range coders at work as one. Internal linkage for the same reason as in range_coder.h.
+// Four range encoders in lockstep, their state in SIMD registers. Internal linkage: see range_coder.h.
 
 namespace telepalp::codec {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using LaneShares [[gnu::vector_size(16)]] = uint32_t;
 using LaneWide [[gnu::vector_size(32)]] = uint64_t;
 
-/// A symbol's two places in its model, the upper one in the upper half.
+/// The cumulative frequencies on both sides of a symbol: the lower one in the low half, the upper one in the high half.
 inline uint32_t cumulative_range(const Model& model, uint32_t symbol) {
   uint32_t places = 0;
   memcpy(&places, model.cdf + symbol, sizeof places);
@@ -21,27 +21,27 @@ inline uint32_t cumulative_range(const Model& model, uint32_t symbol) {
   return places;
 }
 
-/// Zero bits in front of each of four numbers of 16 bits that are not 0: as their exponents tell.
+/// Leading zero bits of four nonzero 16-bit numbers, read off the exponents of their float conversions.
 inline LaneShares leading_zeros16(LaneShares numbers) {
   using Floats [[gnu::vector_size(16)]] = float;
   const auto floats = __builtin_convertvector(reinterpret_cast<LaneVector>(numbers), Floats);
   return 15 + 127 - (reinterpret_cast<LaneShares>(floats) >> 23);
 }
 
-/// A step too far for a symbol of its own, behind the symbol that says so.
+/// Encodes the size and sign of a step beyond kLargestStep, after the symbol kFarther.
 [[gnu::noinline]] void encode_far(RangeEncoder& coder, Model& model, int step) {
   const int size = step < 0 ? -step : step;
   encode_number(coder, model, static_cast<uint32_t>(size - kLargestStep - 1));
   coder.encode_bits(step < 0 ? 1 : 0, 1);
 }
 
-/// Where four coders are addressed one by one.
+/// The four encoders and their models for far steps, addressed lane by lane.
 struct LaneEncoders {
   RangeEncoder* coders[kLanes];
   Model* far_models[kLanes];
 };
 
-/// What four coders carry from symbol to symbol, in three registers: the same arithmetic, hence the same bytes.
+/// The state of four encoders in three registers. The arithmetic is RangeEncoder's, so the bytes are the same.
 struct InterleavedEncoders {
   LaneShares range;
   LaneShares pending;
@@ -63,7 +63,8 @@ struct InterleavedEncoders {
     }
   }
 
-  /// One symbol each, by cumulative_range() it. Whether some coder has a word to put before the next.
+  /// Encodes one symbol per lane, given by its cumulative_range(). True: some encoder must output a word before the
+  /// next symbol.
   bool encode(LaneShares places) {
     const LaneShares twice = range + range;
     const LaneShares skipped = (twice * (places & 0xffff)) >> 16;
@@ -76,7 +77,7 @@ struct InterleavedEncoders {
   }
 };
 
-// Both give what they were given, gone on: so that it need not be in memory but for their sake.
+// Both return the advanced encoder state by value, so that it stays in registers.
 
 [[gnu::noinline]] InterleavedEncoders with_words_put(const InterleavedEncoders& together,
                                                      const LaneEncoders& encoders) {
@@ -88,7 +89,7 @@ struct InterleavedEncoders {
   return after;
 }
 
-/// Encodes those of four steps that are too far for a symbol of their own.
+/// Encodes, lane by lane, the steps beyond kLargestStep.
 [[gnu::noinline]] InterleavedEncoders with_far_steps(const InterleavedEncoders& together, const LaneEncoders& encoders,
                                                      LaneVector steps) {
   together.store(encoders);
@@ -100,7 +101,7 @@ struct InterleavedEncoders {
   return after;
 }
 
-/// Whether some of four symbols is kFarther, the last there is.
+/// True when one of four symbols is kFarther, which ends at the model's total frequency.
 inline bool any_farther(LaneShares places) {
   return any(reinterpret_cast<LaneVector>(places >> 16) == int{kModelTotal});
 }

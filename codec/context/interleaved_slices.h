@@ -4,16 +4,16 @@
 #include "codec/simd/lane_vector.h"
 #include "codec/simd/row_interleave.h"
 
-// LaneVector slices at once, for those who decode and those who choose: their neighbours, predictions and contexts lie
-// in one register each, and the rows that they look back to side by side. Internal linkage for the same reason as in
-// range_coder.h.
+// Four slices in lockstep, shared by the interleaved decoder and the near-lossless encoder. Neighbours, predictions and
+// contexts of four lanes lie in one register each; the rows above are interleaved, four numbers a pixel. Internal
+// linkage: see range_coder.h.
 
 namespace telepalp::codec {
 namespace {
 
 static_assert(kLanes == 4 && kWestClass == 5);
 
-/// Rows of all four slices in one: four numbers a pixel.
+/// Takes an interleaved row, four numbers a pixel, from scratch memory and fills it with `value`.
 inline uint16_t* take_interleaved_rows(uint8_t*& scratch, int width, uint16_t value) {
   const size_t numbers = kLanes * row_bytes(width) / sizeof(uint16_t);
   auto* const rows = reinterpret_cast<uint16_t*>(scratch);
@@ -28,25 +28,25 @@ inline LaneVector before_classes(LaneVector before, LaneVector predicted, LaneVe
   return (away + away + 1 - west_stayed) & (before != 0);
 }
 
-/// What four slices carry from pixel to pixel. Flags are all bits or none.
+/// The neighbours of the current pixel in four slices. Flags are masks: all bits or none.
 struct Neighbours {
   LaneVector west, west_west, north_west;
   LaneVector west_measured, west_stayed;
 };
 
-/// One row of each slice, four numbers a pixel.
+/// The interleaved rows that one row of four slices is coded with, four numbers a pixel.
 struct InterleavedRows {
-  const uint16_t* above = nullptr;  ///< filled
+  const uint16_t* above = nullptr;  ///< the row above, gaps filled with predictions
   const uint32_t* context_above = nullptr;
-  const uint16_t* before = nullptr;  ///< in the frame before
-  uint16_t* filled = nullptr;        ///< written, as is:
+  const uint16_t* before = nullptr;  ///< this row of the reference frame
+  uint16_t* filled = nullptr;        ///< output: ranks, gaps filled; `measured` is output too
   uint16_t* measured = nullptr;
 };
 
-/// What four pixels' models follow from.
+/// Prediction and context of four pixels, which select their models.
 struct PixelPrediction {
   LaneVector predicted, contexts, classes;
-  LaneVector was;  ///< in the frame before
+  LaneVector was;  ///< ranks in the reference frame
 };
 
 template <bool kDependent>
@@ -55,7 +55,8 @@ inline PixelPrediction predict_pixel(const Neighbours& at, const InterleavedRows
   PixelPrediction out{};
   out.predicted = predict(at.west, north, at.north_west);
   const LaneVector from_north = bounded_by_two(at.west - at.north_west);
-  const LaneVector five_from_north = (from_north << 2) + from_north;  // shorter than to multiply, and all wait for it
+  const LaneVector five_from_north =
+      (from_north << 2) + from_north;  // a shift and an add: shorter than a multiplication on the critical path
   out.contexts = wide_lanes_at(rows.context_above + kLanes * x) + (2 + 2 * kWestClass) +
                  (at.west_measured & kWestMeasured) + bounded_by_two(at.west_west - at.west) + five_from_north;
   if constexpr (kDependent) {
@@ -65,7 +66,7 @@ inline PixelPrediction predict_pixel(const Neighbours& at, const InterleavedRows
   return out;
 }
 
-/// Writes four pixels down and goes on to the east.
+/// Stores four pixels and moves the neighbours one pixel to the east.
 inline void step_east(Neighbours& at, const InterleavedRows& rows, int x, LaneVector value, LaneVector is_measured,
                       LaneVector was) {
   const LaneVector rank = value & is_measured;
@@ -74,13 +75,13 @@ inline void step_east(Neighbours& at, const InterleavedRows& rows, int x, LaneVe
   at = {value, at.west, lanes_at(rows.above + kLanes * x), is_measured, rank == was};
 }
 
-/// Before a row, whose first pixels have the one to the north for all neighbours.
+/// The neighbours before a row's first pixel: its northern neighbour stands in for all of them.
 inline Neighbours neighbours_at_start(const InterleavedRows& rows) {
   const LaneVector start = lanes_at(rows.above);
   return {start, start, start, LaneVector{}, LaneVector{}};
 }
 
-/// The row that four slices are at, and those above.
+/// The interleaved current row of four slices and the rows above it.
 struct InterleavedHistory {
   uint16_t* above = nullptr;  // filled
   uint16_t* two_above = nullptr;
@@ -103,7 +104,7 @@ inline InterleavedHistory take_history(uint8_t*& scratch, int width) {
   return taken;
 }
 
-/// What a row is coded from; `before`: the same rows of the frame before, none where frames stand alone.
+/// Prepares the next row. `before`: the same rows of the reference frame; nullptr: key frame.
 inline InterleavedRows begin_rows(const InterleavedHistory& history, const uint16_t* const (*before)[kLanes],
                                   int width) {
   classify_above<kLanes>({history.above, history.two_above, history.measured_above}, history.contexts, kLanes * width);
@@ -111,7 +112,7 @@ inline InterleavedRows begin_rows(const InterleavedHistory& history, const uint1
   return {history.above, history.contexts, history.before, history.filled, history.measured};
 }
 
-/// A row is done, and can be looked back to, beyond both ends as well.
+/// Finishes a row: pads both ends and makes it the row above.
 inline void end_rows(InterleavedHistory& history, int width) {
   uint16_t* const filled = history.filled;
   for (int i = 0; i < kLanes; ++i) {

@@ -7,31 +7,33 @@
 
 namespace telepalp::codec {
 
-/// How many slices a kernel works on at once: what one waits for, another does meanwhile.
+/// The number of slices that a kernel codes in lockstep, one per SIMD lane: each slice waits for its own last pixel.
 inline constexpr int kLanes = 4;
 
-/// A band of whole rows, coded apart from the others.
+/// One slice for the encoder: a band of whole rows, coded independently.
 struct EncodeSlice {
-  uint16_t* ranks = nullptr;         ///< rows x width; 0 is "not measured"
-  const uint16_t* most = nullptr;    ///< none; or each pixel may be from `ranks` to this, and `ranks` become the choice
-  const uint16_t* before = nullptr;  ///< the same band of the frame before, in ranks of this one; or none
+  uint16_t* ranks = nullptr;       ///< rows x width; 0 is "not measured"
+  const uint16_t* most = nullptr;  ///< nullptr: lossless; else each pixel may take a rank from `ranks` to `most`, and
+                                   ///< `ranks` gets the choice
+  const uint16_t* before =
+      nullptr;  ///< the same band of the reference frame, in ranks of this frame; nullptr: key frame
   int rows = 0;
-  uint8_t* bytes = nullptr;  ///< written here
+  uint8_t* bytes = nullptr;  ///< output buffer
   size_t room = 0;
-  size_t size = 0;  ///< bytes written; 0 when there was no room
+  size_t size = 0;  ///< bytes written; 0: the buffer was too small
 };
 
 struct DecodeSlice {
   const uint8_t* bytes = nullptr;
   size_t size = 0;
-  uint16_t* ranks = nullptr;         ///< rows x width, written here; any number when the bytes are damaged
+  uint16_t* ranks = nullptr;         ///< rows x width, output; arbitrary when the bytes are damaged
   const uint16_t* before = nullptr;  ///< as for the encoder
   int rows = 0;
 };
 
-/// One implementation of the coder. All give the same bytes for the same ranks. At most kLanes slices at once, of
-/// equal `rows` but for the last, which may have fewer; all with a frame before them, or none. `scratch` has
-/// scratch_bytes(), aligned to 32.
+/// One implementation of the coder, for one instruction set. All implementations produce the same bytes. `count` is at
+/// most kLanes; all slices have equal `rows`, except that the last may have fewer; all or none have a reference frame.
+/// `scratch` has scratch_bytes() bytes, aligned to 32.
 struct ContextKernel {
   const char* name;
   void (*encode)(EncodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch);
@@ -42,7 +44,7 @@ struct ContextKernel {
 
 [[nodiscard]] const ContextKernel& portable_context_kernel();
 
-/// nullptr where the build or the processor has none.
+/// nullptr: the build or the processor does not support x86-64-v3.
 [[nodiscard]] const ContextKernel* v3_context_kernel();
 
 }  // namespace telepalp::codec

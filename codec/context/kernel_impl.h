@@ -4,13 +4,13 @@
 #include "codec/context/slice_state.h"
 #include "proto/words/vectorised.h"
 
-// The coder's inner loop, once for each instruction set: `Vector` finds and learns symbols its own way. Internal
-// linkage for the same reason as in range_coder.h.
+// The coder's inner loop, compiled once for each instruction set: `Vector` supplies symbol search and model update.
+// Internal linkage: see range_coder.h.
 
 namespace telepalp::codec {
 namespace {
 
-/// Plain loops, which a compiler turns into whatever vectors its target has.
+/// Symbol search and model update without instruction-set extensions.
 struct Plain {
   static int decode(RangeDecoder& coder, const Model& model) { return coder.decode(model); }
   template <int kRate>
@@ -19,12 +19,12 @@ struct Plain {
   }
 };
 
-/// What the encoder knows of a row before it codes it, a place a pixel.
+/// Contexts, predictions and symbols of a whole row, computed before the row is coded.
 struct RowPlan {
   uint32_t* context = nullptr;
   uint16_t* predicted = nullptr;
   uint16_t* symbol = nullptr;
-  uint16_t* before_class = nullptr;  // in dependent frames
+  uint16_t* before_class = nullptr;  // of frames with a reference frame
 };
 
 template <bool kDependent, class Coder>
@@ -53,7 +53,7 @@ inline void step_east(Lane<Coder>& lane, int x, int filled, bool is_measured) {
   return coder.decode_bits(1) != 0 ? -size : size;
 }
 
-/// A bit for each of 16 numbers that is zero.
+/// A bit mask of the zeros among 16 numbers.
 inline uint32_t zeros_of(const uint16_t* at) {
 #if defined(__SSE2__)
   const __m128i zero = _mm_setzero_si128();
@@ -67,18 +67,18 @@ inline uint32_t zeros_of(const uint16_t* at) {
 #endif
 }
 
-/// The row with its gaps filled by predictions, one after the other; measured pixels as they are.
+/// Copies the row and fills its gaps with predictions, from west to east.
 inline void fill_gaps(Lane<RangeEncoder>& lane, const uint16_t* ranks, int width) {
   uint16_t* const filled = lane.filled;
   const uint16_t* const above = lane.filled_above;
   memcpy(lane.measured, ranks, static_cast<size_t>(width) * sizeof(uint16_t));
   memcpy(filled, ranks, static_cast<size_t>(width) * sizeof(uint16_t));
-  filled[-1] = filled[-2] = above[0];  // as begin_row() says of the decoder's
+  filled[-1] = filled[-2] = above[0];  // the same start as begin_row() gives the decoder
   for (int from = 0; from < width; from += 16) {
     uint32_t gaps = zeros_of(lane.measured + from);
     if (width - from < 16) gaps &= (1U << (width - from)) - 1;
     const bool is_flat = filled[from - 1] == above[from - 1] && memcmp(above + from - 1, above + from, 32) == 0;
-    if (gaps == 0xffff && is_flat) {  // as in most of an empty frame: no pixel need wait for another
+    if (gaps == 0xffff && is_flat) {  // common in empty frames: all predictions are equal to the row above
       for (int x = from; x < from + 16; ++x) filled[x] = above[x];
       continue;
     }
@@ -89,7 +89,7 @@ inline void fill_gaps(Lane<RangeEncoder>& lane, const uint16_t* ranks, int width
   }
 }
 
-/// All that a row's coding needs, pixel by pixel without waiting for one another, so that compilers make vectors of it.
+/// Computes the plan of a row. No pixel depends on another, so that the compiler vectorises the loop.
 template <bool kDependent>
 inline void plan_row(const Lane<RangeEncoder>& lane, const RowPlan& plan, int width) {
   const uint16_t* const filled = lane.filled;

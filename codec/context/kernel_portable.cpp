@@ -3,7 +3,7 @@
 
 namespace telepalp::codec {
 
-extern const ContextKernel* const kV3ContextKernel;  // context_kernel_v3.cpp; nullptr where the build has none
+extern const ContextKernel* const kV3ContextKernel;  // defined in kernel_v3.cpp; nullptr: not in this build
 
 size_t scratch_bytes(int width, const ContextTables& tables) { return scratch_of_kernels(width, tables); }
 
@@ -14,7 +14,7 @@ const ContextKernel& portable_context_kernel() {
 
 const ContextKernel* v3_context_kernel() {
 #if defined(__x86_64__)
-  // Asked here, not there: that file's own code may already need what is asked about.
+  // The check is here because code in kernel_v3.cpp may already use these instructions.
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2"))
     return kV3ContextKernel;
 #endif

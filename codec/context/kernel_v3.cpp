@@ -1,4 +1,4 @@
-// Compiled with -march=x86-64-v3, alone. Nothing of the C++ library may be included here: see range_coder.h.
+// The only file compiled with -march=x86-64-v3. It must not include the C++ library: see range_coder.h.
 #include "codec/context/choosing_encoder.h"
 #include "codec/context/interleaved_decoder.h"
 
@@ -9,7 +9,7 @@
 namespace telepalp::codec {
 namespace {
 
-/// A model is one register.
+/// Symbol search and model update with AVX2: a model fills one register.
 struct Avx2 {
   static int decode(RangeDecoder& coder, const Model& model) {
     const __m256i cdf = _mm256_load_si256(reinterpret_cast<const __m256i*>(model.cdf));
@@ -19,7 +19,7 @@ struct Avx2 {
     const __m256i not_above = _mm256_cmpeq_epi16(_mm256_subs_epu16(parts, code), _mm256_setzero_si256());
     const auto places = static_cast<uint32_t>(_mm256_movemask_epi8(not_above)) & 0x3fffffffU;  // two bits each
     const auto twice = static_cast<uint32_t>(_mm_popcnt_u32(places)) - 2;
-    alignas(32) uint16_t part_at[16];  // by way of memory: quicker than to multiply once more
+    alignas(32) uint16_t part_at[16];  // through memory: faster than a second multiplication
     _mm256_store_si256(reinterpret_cast<__m256i*>(part_at), parts);
     uint32_t from_and_to = 0;
     memcpy(&from_and_to, reinterpret_cast<const char*>(part_at) + twice, sizeof from_and_to);

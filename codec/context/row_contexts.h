@@ -2,7 +2,7 @@
 
 #include "codec/model/contexts.h"
 
-// What a row's contexts owe to the rows above, many places at once. Internal linkage for the same reason as in
+// The part of a row's contexts that the rows above determine, computed for many pixels at once. Internal linkage: see
 // range_coder.h.
 
 namespace telepalp::codec {
@@ -14,7 +14,7 @@ inline constexpr int kRowVectorPixels = 16;
 inline constexpr int kRowVectorPixels = 8;
 #endif
 
-/// Neighbouring places of a row, in one register. 16 bits do, as differences are bounded without ever being negative.
+/// Consecutive numbers of a row in one register. 16 bits suffice: differences are bounded and kept non-negative.
 using RowVector [[gnu::vector_size(2 * kRowVectorPixels)]] = uint16_t;
 using WideRowVector [[gnu::vector_size(4 * kRowVectorPixels)]] = uint32_t;
 
@@ -24,7 +24,7 @@ inline RowVector row_vector_at(const uint16_t* at) {
   return stretch;
 }
 
-/// bounded(a - b, most) + most.
+/// Computes bounded(a - b, most) + most.
 inline RowVector bounded_difference(RowVector a, RowVector b, uint16_t most) {
   const RowVector higher = a > b ? a : b;
   const RowVector up = higher - b;
@@ -33,18 +33,18 @@ inline RowVector bounded_difference(RowVector a, RowVector b, uint16_t most) {
   return bound + (up < bound ? up : bound) - (down < bound ? down : bound);
 }
 
-/// `value` where something was measured.
+/// `value` for measured pixels, 0 for gaps.
 inline RowVector flag(RowVector measured, uint16_t value) { return (RowVector{} + value) & (measured != 0); }
 
-/// Rows above, filled and as measured; neighbours lie `kStride` numbers apart.
+/// The rows above, with gaps filled and as measured.
 struct RowsAbove {
   const uint16_t* filled = nullptr;
   const uint16_t* filled_two_above = nullptr;
   const uint16_t* measured = nullptr;
 };
 
-/// What the rows above decide of each context, beyond_class() and all, of `count` numbers and up to fifteen behind
-/// them.
+/// Computes the rows' part of `count` contexts, beyond_class() included. Writes up to fifteen numbers past the end.
+/// Horizontal neighbours lie kStride numbers apart: 1 in a plain row, 4 in an interleaved one.
 template <int kStride>
 inline void classify_above(const RowsAbove& rows, uint32_t* context, int count) {
   for (int i = 0; i < count; i += kRowVectorPixels) {

@@ -3,41 +3,41 @@
 #include "codec/context/kernel.h"
 #include "codec/context/row_contexts.h"
 
-// One slice's state in the coder's inner loop, and the rows that it looks back to. Internal linkage for the same reason
-// as in range_coder.h.
+// One slice's state in the coder's inner loop: the range coder, the models and the rows above. Internal linkage: see
+// range_coder.h.
 
 namespace telepalp::codec {
 namespace {
 
-/// EightPixels in front of and behind a row, so that neighbours can be read without asking.
+/// Padding before and after each row, so that neighbours can be read without a bounds check.
 constexpr int kMargin = 16;
 
 constexpr size_t row_bytes(int width) {
   return (static_cast<size_t>(width) + size_t{2} * kMargin + 15) / 16 * 16 * sizeof(uint16_t);
 }
 
-/// What any kernel takes its rows and models from.
+/// Bytes of scratch memory that hold the rows and models of any kernel.
 constexpr size_t scratch_of_kernels(int width, const ContextTables& tables) {
   return kLanes * (static_cast<size_t>(tables.count) * sizeof(Model) + 15 * row_bytes(width));
 }
 
-/// What one slice carries from pixel to pixel.
+/// The state of one slice between pixels.
 template <class Coder>
 struct Lane {
   Coder coder;
   Model* models = nullptr;
   Model far_model = kFlatModel;
-  uint16_t* filled = nullptr;        // this row, gaps filled with predictions
-  uint16_t* filled_above = nullptr;  //
+  uint16_t* filled = nullptr;        // ranks of this row, gaps filled with predictions
+  uint16_t* filled_above = nullptr;  // the same of the row above
   uint16_t* filled_two_above = nullptr;
   uint16_t* measured_above = nullptr;  // ranks of the row above: 0 is a gap
   uint16_t* measured = nullptr;
-  uint32_t* context_above = nullptr;  // share of each pixel's context that the rows above decide
+  uint32_t* context_above = nullptr;  // the part of each pixel's context that the rows above determine
   int west = 0;
   int west_west = 0;
   int north_west = 0;
   bool west_measured = false;
-  const uint16_t* before = nullptr;  // this row in the frame before
+  const uint16_t* before = nullptr;  // this row of the reference frame
   bool west_stayed = false;
 };
 
@@ -53,7 +53,7 @@ inline uint32_t* take_wide_row(uint8_t*& scratch, int width) {
   return row;
 }
 
-/// As they are at the start of a slice.
+/// Copies the trained models into scratch memory: their state at the start of a slice.
 inline Model* take_models(uint8_t*& scratch, const ContextTables& tables) {
   auto* const models = reinterpret_cast<Model*>(scratch);
   const size_t bytes = static_cast<size_t>(tables.count) * sizeof(Model);
@@ -75,7 +75,7 @@ void start(Lane<Coder>& lane, uint8_t*& scratch, int width, const ContextTables&
   for (int x = -kMargin; x < width + kMargin; ++x) lane.filled_above[x] = lane.filled_two_above[x] = 1;
 }
 
-/// Before a row: what those above say, and the neighbours of its first pixel.
+/// Prepares a row: the contexts' part of the rows above, and the neighbours of the first pixel.
 template <class Coder>
 void begin_row(Lane<Coder>& lane, int width) {
   classify_above<1>({lane.filled_above, lane.filled_two_above, lane.measured_above}, lane.context_above, width);

@@ -10,7 +10,7 @@
 #include "codec/entropy/range_coder.h"
 #include "codec/levels/disparity_law.h"
 
-// The levels of a palette, range-coded. Internal linkage, as the range coder that it is written with has.
+// Range coding of a palette's levels. Internal linkage: see range_coder.h.
 
 namespace telepalp::codec {
 namespace {
@@ -19,17 +19,17 @@ using Levels = std::vector<std::uint16_t>;
 
 constexpr std::int64_t kLevels = 65536;
 
-// Steps between levels: the change from the step before.
+// Alphabet for coding by steps: the change from the previous step.
 constexpr int kSmallChange = 6;
-constexpr int kLargeChange = 14;  // a number follows: the step itself
+constexpr int kLargeChange = 14;  // escape: the step itself follows as a number
 
-// Levels by a law: for each of its steps whether there is a level, and how far from the law.
+// Alphabet for coding by a disparity law: for each step of the law, no level, or a level at this offset from the law.
 constexpr int kAbsent = 0;
 constexpr int kOnLaw = 7;
 constexpr int kLargestMiss = 6;
 constexpr int kLawRate = 4;
 
-/// Most steps of a law are levels, and lie on it.
+/// The initial model: most steps of a law have a level exactly on it.
 constexpr Model kLawModel = [] {
   Model model{};
   constexpr int kShares[kSymbols] = {6000, 40, 40, 40, 60, 200, 1500, 23000, 1500, 200, 60, 40, 40, 40, 7};
@@ -42,7 +42,7 @@ constexpr Model kLawModel = [] {
 }();
 static_assert(kLawModel.cdf[kSymbols] == kModelTotal);
 
-/// A number of any size, its bytes as they are.
+/// Codes a number's bytes without a model.
 void encode_bytes(RangeEncoder& coder, std::uint64_t value, int bytes) {
   for (int byte = bytes - 1; byte >= 0; --byte)
     coder.encode_bits(static_cast<std::uint32_t>(value >> (8 * byte)) & 0xff, 8);
@@ -94,7 +94,7 @@ std::optional<Levels> decode_steps(RangeDecoder& coder) {
   return levels;
 }
 
-/// The law's steps from the farthest on; `told` gets the levels that this tells.
+/// Codes the levels along the law's steps, farthest first. `told` receives the levels that the law expresses.
 void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& levels, Levels& told) {
   encode_bytes(coder, law.farthest, 6);
   encode_bytes(coder, law.step, 4);
@@ -106,7 +106,7 @@ void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& l
   for (std::uint32_t n = 0; n <= last; ++n) {
     const auto lawful = static_cast<std::int64_t>(law.level_at(n));
     int symbol = kAbsent;
-    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // the second at one step is told otherwise
+    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // a second level at one step is coded by steps
       const std::int64_t miss = *level - lawful;
       if (symbol != kAbsent || miss < -kLargestMiss || miss > kLargestMiss) continue;
       symbol = kOnLaw + static_cast<int>(miss);
@@ -120,7 +120,7 @@ void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& l
   std::reverse(told.begin(), told.end());
 }
 
-/// Ascending; nullopt when they would not be levels.
+/// The levels in ascending order; nullopt: the bytes are damaged.
 std::optional<Levels> decode_by_law(RangeDecoder& coder) {
   DisparityLaw law;
   law.farthest = decode_bytes(coder, 6);
@@ -144,15 +144,16 @@ std::optional<Levels> decode_by_law(RangeDecoder& coder) {
   return levels;
 }
 
-/// What all levels are multiples of.
+/// The greatest common divisor of all levels.
 std::uint16_t grain_of(std::span<const std::uint16_t> levels) noexcept {
   std::uint16_t grain = 0;
   for (const std::uint16_t level : levels) grain = std::gcd(grain, level);
   return std::max<std::uint16_t>(grain, 1);
 }
 
-/// Range-codes ascending levels that begin with 0, as multiples of their grain: by the law of a disparity sensor and
-/// what it does not tell, or by the steps between them alone. False, and nothing written, when there is no such law.
+/// Range-codes ascending levels that begin with 0, as multiples of their grain. With `by_law`: by the law of a
+/// disparity sensor, and the remaining levels by steps. Without: all by steps. False, and nothing is written: no law
+/// fits.
 bool encode_levels(RangeEncoder& coder, std::span<const std::uint16_t> levels, bool by_law) {
   const std::uint16_t grain = grain_of(levels);
   Levels rest(levels.begin(), levels.end());
@@ -173,7 +174,7 @@ bool encode_levels(RangeEncoder& coder, std::span<const std::uint16_t> levels, b
   return true;
 }
 
-/// nullopt when the bytes are damaged so that a level passes 65 535 or comes twice.
+/// nullopt: the bytes are damaged; a level exceeds 65 535 or occurs twice.
 std::optional<Levels> decode_levels(RangeDecoder& coder) {
   Model grain_model = kFlatModel;
   const std::uint32_t grain = decode_number(coder, grain_model);

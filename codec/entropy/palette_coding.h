@@ -9,11 +9,11 @@
 
 namespace telepalp::codec {
 
-/// Appends a palette, range-coded: which levels of the palette before are kept, then those that are new, as
-/// neighbouring levels lie nearly as far apart as the two before them. `before` has only 0 where there is none.
+/// Appends a range-coded palette: first which levels of the palette `before` are kept, then the new levels as changes
+/// of the step between levels. `before` contains only 0 for a key frame.
 void append_coded_palette(std::string& body, const LevelPalette& palette, const LevelPalette& before);
 
-/// nullopt when the bytes end too soon, or are damaged so that a level passes 65 535 or comes twice.
+/// nullopt: the bytes end too soon, or a level exceeds 65 535 or occurs twice.
 [[nodiscard]] std::optional<LevelPalette> read_coded_palette(ByteReader& reader, const LevelPalette& before);
 
 }  // namespace telepalp::codec

@@ -26,8 +26,8 @@ struct alignas(32) Model {
 
 namespace {
 
-/// Where a model moves to when symbol s is seen: each symbol keeps at least one part in 32 767, as the steps between
-/// the places are at least 1 and rounding down cannot close one.
+/// The cumulative frequencies that a model moves towards when symbol s is coded. Each symbol keeps a frequency of at
+/// least 1 of 32 767: neighbouring targets differ by at least 1, and rounding down cannot close the gap.
 struct alignas(32) ModelTargets {
   int16_t of[16][16];
 };
@@ -53,7 +53,7 @@ constexpr Model kFlatModel = [] {
 /// Half a model, in one register of any processor since 2004.
 using HalfModel [[gnu::vector_size(16), gnu::may_alias]] = int16_t;
 
-/// Moves 1/2^kRate of the way. Why not a loop: not every compiler makes vectors of it.
+/// Moves the model by 2^-kRate towards the symbol. Why not a loop: not every compiler vectorises it.
 template <int kRate>
 inline void learn(Model& model, int symbol) {
   auto* const at = reinterpret_cast<HalfModel*>(model.cdf);
@@ -64,7 +64,7 @@ inline void learn(Model& model, int symbol) {
   at[1] = high + ((target[1] - high) >> kRate);
 }
 
-/// The symbol of a model that a cumulative frequency falls on.
+/// The symbol whose range contains a cumulative frequency.
 inline int symbol_at(const Model& model, uint32_t frequency) {
 #if defined(__SSE2__)
   const auto* const at = reinterpret_cast<const __m128i*>(model.cdf);
@@ -84,15 +84,15 @@ inline int symbol_at(const Model& model, uint32_t frequency) {
 #endif
 }
 
-/// The part of a range of 16 bits that lies below a cumulative frequency.
+/// Scales a cumulative frequency to a 16-bit range.
 inline uint32_t part(uint32_t range, uint32_t frequency) { return (range * 2 * frequency) >> 16; }
 
 inline int leading_zeros16(uint32_t value) { return __builtin_clz(value) - 16; }
 
-/// Writes symbols of known probability, likely ones in a fraction of a bit (range coding: Martin 1979; a range of 16
-/// bits, as in Daala, so that the products of a whole model fit one AVX2 register). One pass, forwards, no division.
+/// Range encoder (Martin 1979) with a 16-bit range, as in Daala, so that the products of a whole model fit one AVX2
+/// register. One forward pass, no division.
 struct RangeEncoder {
-  uint64_t low = 0;  // 16 bits of the present range, above them `pending` bits, above those one for a carry
+  uint64_t low = 0;  // from the low end: 16 bits of the current range, `pending` output bits, one carry bit
   uint32_t range = 0xffff;
   int pending = 0;
   uint8_t* begin = nullptr;
@@ -109,12 +109,14 @@ struct RangeEncoder {
     encode_part(part(range, model.cdf[symbol]), part(range, model.cdf[symbol + 1]));
   }
 
-  /// `count` bits, at most 8, of which nothing is known.
+  /// Codes `count` equiprobable bits, at most 8.
   void encode_bits(uint32_t value, int count) { encode_part((range * value) >> count, (range * (value + 1)) >> count); }
 
-  /// How many bytes were written, once nothing more comes; 0 when they had no room. Zero bits may be thought behind.
+  /// Flushes and returns the number of bytes written; 0: the buffer was too small. A reader may assume zero bits after
+  /// the end.
   size_t finish() {
-    uint64_t rest = (low + 0x7fff) >> 15;  // any number within the range will do: the one with most zeros
+    uint64_t rest =
+        (low + 0x7fff) >> 15;  // any number within the range is valid: take the one with most trailing zeros
     const int bits = pending + 1;
     if ((rest >> bits) != 0) carry();
     rest <<= 64 - bits;
@@ -151,9 +153,9 @@ struct RangeEncoder {
   }
 };
 
-/// Reads what RangeEncoder wrote. A damaged stream gives symbols too: never an over-read, never an end.
+/// Decodes what RangeEncoder wrote. A damaged stream yields arbitrary symbols, but never reads past the end.
 struct RangeDecoder {
-  uint64_t window = 0;  // 16 bits of the code, then `spare` bits that come next
+  uint64_t window = 0;  // from the high end: 16 bits of the code, then `spare` bits read ahead
   uint32_t range = 0xffff;
   int spare = 0;
   const uint8_t* at = nullptr;
@@ -169,7 +171,8 @@ struct RangeDecoder {
   [[nodiscard]] uint32_t code() const { return static_cast<uint32_t>(window >> 48); }
 
   [[nodiscard]] int decode(const Model& model) {
-    const uint32_t frequency = (((code() + 1) << 15) - 1) / range;  // the largest whose part is not above the code
+    const uint32_t frequency =
+        (((code() + 1) << 15) - 1) / range;  // the largest frequency that scales to at most the code
     const int symbol = symbol_at(model, frequency < kModelTotal ? frequency : kModelTotal - 1);
     took(part(range, model.cdf[symbol]), part(range, model.cdf[symbol + 1]));
     return symbol;

@@ -8,16 +8,17 @@
 
 namespace telepalp::codec {
 
-/// A packet's body, and how it is written.
+/// A packet's body and its format.
 struct Body {
   Coding coding = Coding::Stored;
   std::string bytes;
 };
 
-/// The shortest of tokens, plain zstd (when there are more levels than tokens may have) and samples as they are.
+/// Codes as tokens, or by plain zstd when there are too many levels for tokens, or stores raw samples when that is
+/// smaller.
 [[nodiscard]] Body encode_fast(const DepthImage& depth);
 
-/// The samples as they are, which always works.
+/// Stores the raw samples.
 [[nodiscard]] Body stored(const DepthImage& depth);
 
 /// Fills `samples` from a body of Coding::Stored, Zstd or Tokens. False when it is damaged.

@@ -9,7 +9,7 @@
 namespace telepalp::codec {
 namespace {
 
-/// A rank of each row. Sums are made of `Sums`, as those of damaged ranks may overflow.
+/// One rank per row. Additions use the unsigned `Sums`, because damaged ranks may overflow.
 using Ranks [[gnu::vector_size(16)]] = std::int16_t;
 using Sums [[gnu::vector_size(16)]] = std::uint16_t;
 static_assert(sizeof(Ranks) == RankWavefront::kRows * sizeof(std::int16_t));
@@ -23,9 +23,9 @@ Ranks difference(Ranks a, Ranks b) noexcept {
 Ranks least(Ranks a, Ranks b) noexcept { return a < b ? a : b; }
 Ranks greatest(Ranks a, Ranks b) noexcept { return a > b ? a : b; }
 
-/// What lies north of each row's next pixel: the first row's from outside, the others' from the row above.
+/// The northern neighbours of the eight current pixels: `of_first` for the first row, the row above for the others.
 Ranks north_of(Ranks ranks, std::int16_t of_first) noexcept {
-#if defined(__SSE2__)  // two instructions, of which gcc makes thirty
+#if defined(__SSE2__)  // two instructions; GCC's own code takes thirty
   return reinterpret_cast<Ranks>(_mm_insert_epi16(_mm_slli_si128(reinterpret_cast<__m128i>(ranks), 2), of_first, 0));
 #else
   return __builtin_shufflevector(ranks, Ranks{of_first}, 8, 0, 1, 2, 3, 4, 5, 6);

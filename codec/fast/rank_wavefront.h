@@ -6,24 +6,24 @@
 
 namespace telepalp::codec {
 
-/// Turns changes back into ranks, eight rows at once: each row is a step behind the one above, whose ranks it predicts
-/// from, and all eight take each step together, in one register. Why: within a row every pixel waits for the one
-/// before.
+/// Converts prediction errors back into ranks, eight rows in a wavefront: each row is one pixel behind the row above
+/// it, and one register holds the current pixel of all eight. Why: within a row, each pixel waits for the pixel before
+/// it.
 class RankWavefront {
  public:
   static constexpr std::size_t kRows = 8;
-  static constexpr std::int16_t kNotMeasured = INT16_MIN / 2;  ///< the change of a pixel that was not measured
+  static constexpr std::int16_t kNotMeasured = INT16_MIN / 2;  ///< the prediction error of a gap
 
   explicit RankWavefront(std::size_t width)
       : width_(width), changes_(places(width)), above_(places(width)), ranks_(places(width)) {}
 
-  /// Where the change of a pixel goes, to be added to its prediction: 0 but for those put there.
+  /// The prediction error of a pixel, for the caller to set; 0 until then.
   [[nodiscard]] std::int16_t& change(std::size_t row, std::size_t column) noexcept {
     return changes_[place(row, column)];
   }
 
-  /// Makes ranks of the changes, which are then 0 again, and of the eight rows before. The highest rank of all; where
-  /// changes are damaged it may be anything.
+  /// Computes eight rows of ranks from the errors and the eight rows before, then resets the errors to 0. Returns the
+  /// highest rank, which is arbitrary when the errors are damaged.
   [[nodiscard]] std::uint16_t advance() noexcept;
 
   [[nodiscard]] std::int16_t rank(std::size_t row, std::size_t column) const noexcept {

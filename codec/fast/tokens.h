@@ -9,13 +9,12 @@
 
 namespace telepalp::codec {
 
-/// Ranks as tokens. Each pixel is predicted from the three before it (the median edge detector of LOCO-I, out of frame
-/// = not measured). A token says how many predictions in a row came right, and what the pixel after them is:
-/// byte = min(run, 31) * 8 + TokenKind. Tokens lie in four streams, chosen by the kind before: what zstd's Huffman
-/// stage cannot see of the context, the stream says. Longer runs and larger steps go on in `extra`, as varints. A pixel
-/// measured where the prediction says that none is has its rank in `entries`, as the step from the entry before, in
-/// zigzag. Why not as a step from a neighbour: whoever lays tokens out then knows what they change without knowing any
-/// rank, so that many rows are predicted at once.
+/// Ranks as run-length tokens. Each pixel is predicted from three neighbours (the median edge detector of LOCO-I;
+/// outside the frame counts as not measured). A token states how many predictions in a row are right and what the pixel
+/// after them is: byte = min(run, 31) * 8 + TokenKind. The kind of the previous token selects one of four streams, so
+/// that zstd's Huffman coder sees that context. Longer runs and larger steps continue in `extra` as varints. A pixel
+/// that is measured where a gap is predicted has its rank in `entries`, as the zigzag-coded difference from the
+/// previous entry. Why not from a neighbour: token layout then needs no ranks, so that many rows are predicted at once.
 struct TokenStreams {
   std::array<std::string, 4> tokens;
   std::string extra;
@@ -32,7 +31,7 @@ inline constexpr int kFirstFarStep = 3;  ///< Up and Down begin here
   return what < TokenKind::Up2 ? static_cast<std::size_t>(what) : 3;
 }
 
-/// Most levels that tokens may have: the prediction is made in 16 bits.
+/// The largest number of levels that tokens support: predictions are computed in 16 bits.
 inline constexpr std::size_t kMaxTokenLevels = 16384;
 
 /// `samples` must all be in `palette`.

@@ -10,30 +10,32 @@
 
 namespace telepalp::codec {
 
-/// The distinct depths of a frame, ascending; a pixel is then its rank in this list. `levels[0]` is 0, "not measured".
-/// A Kinect-class frame has a few hundred: neighbouring ranks are neighbouring disparities, whatever the distance.
+/// The distinct depths of a frame, ascending. `levels[0]` is 0, "not measured". A pixel's rank is its index in this
+/// list. A Kinect-class frame has a few hundred levels, and neighbouring ranks are neighbouring disparities at any
+/// distance.
 struct LevelPalette {
   std::vector<std::uint16_t> levels{0};
 
   [[nodiscard]] std::size_t size() const noexcept { return levels.size(); }
 };
 
-/// Rank of each of the 65 536 possible samples; only those in the palette mean anything.
+/// The rank of each of the 65 536 possible samples. Entries of samples outside the palette have no meaning.
 using RankOfLevel = std::vector<std::uint16_t>;
 
 [[nodiscard]] LevelPalette palette_of(std::span<const std::uint16_t> samples);
 [[nodiscard]] RankOfLevel ranks_of(const LevelPalette& palette);
 
-/// The same for any sample: the rank of the level nearest to it, the lower of two as near; 0 only for 0.
+/// The rank of the nearest level, for any sample; the lower level of two equally near. Only sample 0 has rank 0.
 [[nodiscard]] RankOfLevel nearest_ranks_of(const LevelPalette& palette);
 
-/// `samples` by such a table.
+/// Looks up the rank of each sample.
 [[nodiscard]] std::vector<std::uint16_t> ranks_by(const RankOfLevel& rank_of, std::span<const std::uint16_t> samples);
 
-/// Writes the count, then each step to the next level less one. Why steps: an order that is wrong cannot be written.
+/// Writes the count, then the differences between levels minus one. Why differences: an unordered palette cannot be
+/// expressed.
 void append_palette(std::string& bytes, const LevelPalette& palette);
 
-/// nullopt when the bytes end too soon, or a level passes 65 535.
+/// nullopt: the bytes end too soon, or a level exceeds 65 535.
 [[nodiscard]] std::optional<LevelPalette> read_palette(ByteReader& reader);
 
 }  // namespace telepalp::codec

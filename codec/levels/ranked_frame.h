@@ -10,16 +10,16 @@ namespace telepalp::codec {
 /// Ranks of a whole frame, rows from top to bottom; 0 is "not measured".
 using Ranks = std::vector<std::uint16_t>;
 
-/// A frame in ranks of a palette: those it has, or those it may have.
+/// A frame as ranks of a palette; in near-lossless coding, as ranges of ranks.
 struct RankedFrame {
   LevelPalette palette;
   Ranks ranks;
-  /// Empty; or the last rank that each pixel may have, of which `ranks` has the first. 65 535 where nothing was
-  /// measured, so that whoever asks whether a pixel could be like its neighbour is not held up by it.
+  /// Empty: lossless. Else the greatest rank that each pixel may take, where `ranks` has the least. 65 535 in gaps, so
+  /// that a gap never looks different from its neighbours.
   Ranks most = {};
 };
 
-/// As it is.
+/// The lossless case.
 [[nodiscard]] inline RankedFrame ranked(LevelPalette palette, std::span<const std::uint16_t> samples) {
   Ranks ranks = ranks_by(ranks_of(palette), samples);
   return {.palette = std::move(palette), .ranks = std::move(ranks)};

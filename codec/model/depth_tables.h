@@ -4,10 +4,10 @@
 
 namespace telepalp::codec {
 
-/// What every slice of a Contexts packet begins with; part of the format.
+/// The tables that every slice of a key frame starts with. They are part of the format.
 [[nodiscard]] const ContextTables& depth_tables();
 
-/// The same for a Dependent packet: fewer clusters, each with kBeforeClasses models.
+/// The tables of frames with a reference frame: fewer groups, each with kBeforeClasses models.
 [[nodiscard]] const ContextTables& dependent_depth_tables();
 
 }  // namespace telepalp::codec

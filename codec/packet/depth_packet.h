@@ -11,23 +11,23 @@
 
 namespace telepalp::codec {
 
-/// Largest image in samples; every allocation made for a packet is bounded by it.
+/// The largest number of samples in an image. It bounds every allocation made for a packet.
 inline constexpr std::size_t kMaxPixels = std::size_t{kMaxImageSide} * kMaxImageSide;
 
-/// How a packet's body is written. Which one a mode uses is the encoder's choice, frame by frame.
+/// The format of a packet's body. The encoder chooses it for each frame.
 enum class Coding : std::uint8_t {
-  Stored = 0,     ///< the samples as they are: nothing else came out smaller
-  Zstd = 1,       ///< the samples as they are, through zstd
-  Tokens = 2,     ///< ranks, runs of right predictions as tokens, through zstd
-  Contexts = 3,   ///< ranks, context-modelled, in slices
-  Dependent = 4,  ///< as Contexts, with the frame before as further context
+  Stored = 0,     ///< raw samples, when no other coding is smaller
+  Zstd = 1,       ///< raw samples, compressed by zstd
+  Tokens = 2,     ///< ranks as run-length tokens, compressed by zstd
+  Contexts = 3,   ///< ranks, context-modelled, in slices; a key frame
+  Dependent = 4,  ///< as Contexts, with a reference frame as further context
 };
 inline constexpr std::uint8_t kLastCoding = 4;
 
-/// The fixed front of every packet, 32 bytes:
+/// The header of every packet, 32 bytes:
 /// "TPD3" | mode u8 | coding u8 | slices u8 | 0 u8 | width u16 | height u16 | crc u32 | unit_m f64 | reference u32 |
 /// since_key u16 | 0 u16, little-endian. `crc` is CRC-32C of these bytes without itself, then of the decoded samples.
-/// Why over the decoded samples: a wrong table or a wrong reference is found as surely as a flipped bit.
+/// Why it covers the decoded samples: a wrong table or a wrong reference frame is detected like a flipped bit.
 struct PacketHeader {
   DepthMode mode = DepthMode::Fast;
   Coding coding = Coding::Stored;
@@ -36,8 +36,8 @@ struct PacketHeader {
   int height = 0;
   std::uint32_t crc = 0;
   double unit_m = 0.001;
-  std::uint32_t reference = 0;  ///< crc of the frame this one depends on; 0 when it stands alone
-  std::uint16_t since_key = 0;  ///< frames since the key frame; 0 is a key frame
+  std::uint32_t reference = 0;  ///< crc of the reference frame; 0 in a key frame
+  std::uint16_t since_key = 0;  ///< frames since the last key frame; 0 in a key frame
 
   [[nodiscard]] std::size_t pixels() const noexcept {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -62,10 +62,10 @@ struct WrittenPacket {
 [[nodiscard]] WrittenPacket write_packet(PacketHeader header, std::span<const std::uint16_t> samples,
                                          std::string_view body);
 
-/// Splits a packet; an error unless every field lies within bounds and the version is ours.
+/// Parses a packet's header. An error: a field is out of bounds, or another format version.
 [[nodiscard]] Result<Packet> read_packet(std::span<const std::byte> bytes);
 
-/// What `crc` must be for `samples` under this header.
+/// The crc of `samples` under this header.
 [[nodiscard]] std::uint32_t frame_crc(const PacketHeader& header, std::span<const std::uint16_t> samples);
 
 /// The error for a packet that cannot be trusted.

@@ -9,19 +9,19 @@
 #include <wasm_simd128.h>
 #endif
 
-// Internal linkage for the same reason as in range_coder.h.
+// Internal linkage: see codec/entropy/range_coder.h.
 
 namespace telepalp::codec {
 namespace {
 
-/// LaneVector numbers, one for each slice, in one register. Comparisons give all bits or none.
+/// Four numbers in one register, one per slice. A comparison yields a mask: all bits or none per lane.
 using LaneVector [[gnu::vector_size(16)]] = int32_t;
 
 inline LaneVector splat(int number) { return LaneVector{number, number, number, number}; }
 inline LaneVector least(LaneVector a, LaneVector b) { return a < b ? a : b; }
 inline LaneVector greatest(LaneVector a, LaneVector b) { return a < b ? b : a; }
 
-/// `yes` where the mask has all bits, `no` where it has none: in fewer and shorter steps than the processor's blend.
+/// Selects `yes` where the mask has all bits, `no` where it has none. Faster than the processor's blend instruction.
 template <class Numbers>
 inline Numbers pick(LaneVector mask, Numbers yes, Numbers no) {
   return no ^ ((no ^ yes) & reinterpret_cast<Numbers>(mask));
@@ -29,12 +29,12 @@ inline Numbers pick(LaneVector mask, Numbers yes, Numbers no) {
 
 inline LaneVector bounded_by_two(LaneVector value) { return greatest(least(value, splat(2)), splat(-2)); }
 
-/// predict() of four pixels.
+/// The median edge detector of predict(), for four pixels.
 inline LaneVector predict(LaneVector west, LaneVector north, LaneVector north_west) {
   return greatest(least(west + north - north_west, greatest(west, north)), least(west, north));
 }
 
-/// The four numbers one by one, by two moves of two: where all are wanted, that is quicker than by four of one.
+/// Extracts all four lanes with two 64-bit moves, which is faster than four 32-bit moves.
 struct PerLane {
   uint32_t of[4];
 };
@@ -64,7 +64,7 @@ inline LaneVector wide_lanes_at(const uint32_t* at) {
   return four;
 }
 
-/// `numbers` lie in 0 … 65 535.
+/// Stores four numbers as 16-bit integers; each must lie in 0 … 65 535.
 inline void put_lanes(uint16_t* at, LaneVector numbers) {
 #if defined(__SSE4_1__)
   const auto narrow = reinterpret_cast<__m128i>(numbers);
@@ -77,7 +77,7 @@ inline void put_lanes(uint16_t* at, LaneVector numbers) {
 #endif
 }
 
-/// Each of four numbers in 0 … 15 looked up.
+/// Looks up four indices, each in 0 … 15.
 inline LaneVector look_up(const int8_t (&table)[16], LaneVector index) {
 #if defined(__SSE4_1__)
   const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(table));

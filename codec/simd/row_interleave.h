@@ -4,12 +4,12 @@
 #include <stdint.h>
 #include <string.h>
 
-// Internal linkage for the same reason as in range_coder.h.
+// Internal linkage: see codec/entropy/range_coder.h.
 
 namespace telepalp::codec {
 namespace {
 
-/// Eight places of a row, in one register.
+/// Eight consecutive pixels of a row in one register.
 using EightPixels [[gnu::vector_size(16)]] = uint16_t;
 
 inline EightPixels eight_pixels_at(const uint16_t* at) {
@@ -20,7 +20,7 @@ inline EightPixels eight_pixels_at(const uint16_t* at) {
 
 inline void put_eight_pixels(uint16_t* at, EightPixels places) { memcpy(at, &places, sizeof places); }
 
-/// The first halves of two, in turns; and the second.
+/// Interleaves the low halves of two registers; interleave_high() interleaves the high halves.
 inline EightPixels interleave_low(EightPixels a, EightPixels b) {
   return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
 }
@@ -28,7 +28,7 @@ inline EightPixels interleave_high(EightPixels a, EightPixels b) {
   return __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
 }
 
-/// LaneVector rows as one, four numbers a pixel.
+/// Interleaves four rows into one, four numbers a pixel.
 inline void interleave_rows(const uint16_t* const (&rows)[4], uint16_t* together, int width) {
   int x = 0;
   for (; x + 8 <= width; x += 8) {
@@ -46,7 +46,7 @@ inline void interleave_rows(const uint16_t* const (&rows)[4], uint16_t* together
     for (int i = 0; i < 4; ++i) together[4 * x + i] = rows[i][x];
 }
 
-/// The way back.
+/// The inverse of interleave_rows().
 inline void deinterleave_rows(const uint16_t* together, uint16_t* const (&rows)[4], int width) {
   int x = 0;
   for (; x + 8 <= width; x += 8) {
