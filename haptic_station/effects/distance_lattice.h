@@ -9,7 +9,7 @@ namespace telepalp::effects {
 
 /// Signed distance to a closed surface, sampled on a lattice: positive outside, negative inside [m].
 struct DistanceLattice {
-  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< of the first node, in the surface's frame
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< position of the first node, in the surface's frame
   double spacing_m = 0.0;
   std::array<int, 3> size{};   ///< nodes along x, y, z; x runs fastest
   std::vector<float> nodes_m;  ///< size[0] * size[1] * size[2]

@@ -27,13 +27,13 @@ namespace telepalp::station {
 struct StationOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;
-  double seconds = 0.0;        ///< of ticking, then end; 0: until asked to end
-  program::Patience patience;  ///< for something to touch: the server and its first image
+  double seconds = 0.0;        ///< run time of the haptic loop; 0: until a signal
+  program::Patience patience;  ///< time limit for the server's first image
   Realtime realtime = Realtime::Prefer;
-  std::filesystem::path control;                      ///< of the socket that operators speak to; empty: there is none
-  bool control_is_asked_for = false;                  ///< by name: without it the station does not start
-  std::filesystem::path state_folder;                 ///< where the flight recorder is written at a fault
-  std::optional<StaticPatient> model = std::nullopt;  ///< touched instead of what a server streams
+  std::filesystem::path control;                      ///< path of the socket for operators' commands; empty: no socket
+  bool control_is_asked_for = false;                  ///< the user named the socket: start only if it can be opened
+  std::filesystem::path state_folder;                 ///< folder for the files of the flight recorder
+  std::optional<StaticPatient> model = std::nullopt;  ///< touched instead of the surface from a server
 };
 
 /// The station: a link to the server, the surface thread and the haptic thread, joined by wait-free hand-offs. run()

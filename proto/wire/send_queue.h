@@ -70,9 +70,9 @@ class SendQueue {
 
   Lane camera_;
   Lane others_;
-  std::map<std::string_view, Waiting> waiting_;  // by topic
+  std::map<std::string_view, Waiting> waiting_;  // key: topic
   std::size_t other_bytes_ = 0;
-  std::size_t others_credit_bytes_ = 0;  // of others_, from what the camera was given
+  std::size_t others_credit_bytes_ = 0;  // bytes that others_ may send, earned by bytes sent from camera_
 };
 
 }  // namespace telepalp::wire

@@ -16,16 +16,16 @@ struct Dwell {
   double seconds = 0.0;
 };
 
-/// What one sender on the topics of a station did, to tell several apart.
+/// Totals of one sender on the station's topics; a session may have several senders.
 struct SenderSummary {
   std::uint32_t sender = 0;
-  std::string name, address;  ///< as the server knew them; empty when the session does not tell
+  std::string name, address;  ///< from the server's statistics; empty: not in the session
   std::uint64_t messages = 0, ticks = 0, states = 0, touches = 0;
   double force_max_N = kUnknown;
   std::optional<std::uint64_t> frames_sent, frames_received, frames_dropped;
 };
 
-/// The timer of the station's computer while the station only waited, before the run.
+/// Timer statistics of the station's computer, measured while idle before the run.
 struct IdleTimer {
   std::uint64_t wakeups = 0, missed = 0;
   [[nodiscard]] double missed_share() const noexcept {
@@ -43,7 +43,7 @@ struct Summary {
   std::optional<std::uint64_t> telemetry_dropped;
   std::optional<bool> realtime;
   std::optional<IdleTimer> idle_timer;
-  std::vector<SenderSummary> senders;  ///< on the topics of a station; the first is the one that the rest tells of
+  std::vector<SenderSummary> senders;  ///< senders on the station's topics; the other members describe the first
 
   std::optional<std::uint64_t> frames_sent;      ///< depth frames that the hub sent to the station
   std::optional<std::uint64_t> frames_received;  ///< depth frames that the station received

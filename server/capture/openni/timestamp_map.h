@@ -14,11 +14,11 @@ namespace telepalp::server {
 /// backwards.
 class TimestampMap {
  public:
-  /// The session time of a frame with the driver's stamp `driver` that arrived at `arrival`. At most `arrival`, unless
-  /// that is before an earlier answer: then the earlier answer plus 1 ns.
+  /// The session time of a frame with the driver's stamp `driver` that arrived at `arrival`. The result is at most
+  /// `arrival`, unless an earlier result was later: then it is the earlier result plus 1 ns.
   [[nodiscard]] SessionTime map(std::chrono::microseconds driver, SessionTime arrival);
 
-  /// How often the driver's clock started anew.
+  /// Number of jumps of the driver's clock.
   [[nodiscard]] std::uint64_t jumps() const noexcept { return envelope_.jumps(); }
 
  private:
