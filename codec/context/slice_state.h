@@ -28,7 +28,7 @@ struct Lane {
   Model* models = nullptr;
   Model far_model = kFlatModel;
   uint16_t* filled = nullptr;        // ranks of this row, gaps filled with predictions
-  uint16_t* filled_above = nullptr;  // the row above, gaps filled the same of the row above
+  uint16_t* filled_above = nullptr;  // the row above, gaps filled with predictions
   uint16_t* filled_two_above = nullptr;
   uint16_t* measured_above = nullptr;  // ranks of the row above: 0 is a gap
   uint16_t* measured = nullptr;
