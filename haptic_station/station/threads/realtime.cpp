@@ -25,7 +25,9 @@ Result<bool> enter_realtime(Realtime wanted) {
   return Error{.what = std::string("no real-time priority or locked memory: ") +
                        std::strerror(scheduling != 0 ? scheduling : locking),
                .where = "telepalp-station",
-               .fix = "sudo setcap cap_sys_nice,cap_ipc_lock=ep telepalp-station, or start with --realtime prefer"};
+               .fix =
+                   "use the package's telepalp-station.service, or sudo setcap cap_sys_nice,cap_ipc_lock=ep "
+                   "telepalp-station, or start with --realtime prefer"};
 }
 
 }  // namespace telepalp::station
