@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,7 +17,7 @@ enum class DepthMode : std::uint8_t {
   Fast = 0,      ///< lossless; run lengths and zstd's entropy coder: the cheapest to encode
   Intra = 1,     ///< lossless; context modelling with range coding; every frame is a key frame
   Temporal = 2,  ///< lossless; frames between key frames are predicted from the previous frame
-  Bounded = 3,   ///< near-lossless: Temporal, with each depth moved within DepthBound; for display, not for touch
+  Bounded = 3,  ///< near-lossless: Temporal, with each depth moved within a DepthErrorBound; for display, not for touch
 };
 inline constexpr std::uint8_t kLastDepthMode = 3;
 
@@ -27,25 +26,20 @@ inline constexpr std::uint8_t kLastDepthMode = 3;
 /// The mode of that name; nullopt for any other name.
 [[nodiscard]] std::optional<DepthMode> depth_mode(std::string_view name) noexcept;
 
-/// The error bound of near-lossless coding: a depth z [m] moves by at most max(least_m, per_m * z²). The default is one
-/// disparity step of a Kinect-class camera, which is about that sensor's own resolution, and at least a millimetre.
-struct DepthBound {
-  double least_m = 0.001;
-  double per_m = 2.85e-3;
-
-  [[nodiscard]] double at(double z_m) const noexcept { return std::max(least_m, per_m * z_m * z_m); }
-};
+/// The default error bound of DepthMode::Bounded: one disparity step of a Kinect-class camera, which is about that
+/// sensor's own resolution, and at least a millimetre.
+inline constexpr DepthErrorBound kOneDisparityStep{.least_m = 0.001, .per_m = 2.85e-3};
 
 /// A compressed depth image with the facts that its reader would otherwise have to parse from `bytes`.
 struct EncodedDepth {
   std::string bytes;
   bool key_frame = true;  ///< decodes without the frame before it
   DepthMode mode = DepthMode::Fast;
-  std::optional<DepthBound> bound;  ///< set for near-lossless coding; nullopt: lossless
-  std::uint32_t crc = 0;            ///< CRC-32C of header and decoded samples; it names this frame as a reference
+  std::optional<DepthErrorBound> bound;  ///< set for near-lossless coding; nullopt: lossless
+  std::uint32_t crc = 0;                 ///< CRC-32C of header and decoded samples; it names this frame as a reference
 };
 
-/// Compresses one depth image as a key frame. Lossless except for Bounded, which uses the default DepthBound. `depth`
+/// Compresses one depth image as a key frame. Lossless except for Bounded, which uses kOneDisparityStep. `depth`
 /// must be well formed. The packet is at most 64 B larger than the samples.
 [[nodiscard]] std::string encode_depth(const DepthImage& depth, DepthMode mode = DepthMode::Fast);
 

@@ -13,8 +13,8 @@ namespace telepalp::codec {
 
 struct DepthStreamSettings {
   DepthMode mode = DepthMode::Intra;
-  int key_every = 30;     ///< length of a group of pictures: frames from one key frame to the next
-  DepthBound bound = {};  ///< of DepthMode::Bounded
+  int key_every = 30;                         ///< length of a group of pictures: frames from one key frame to the next
+  DepthErrorBound bound = kOneDisparityStep;  ///< of DepthMode::Bounded
 };
 
 /// Compresses the frames of one camera in order. Fast and Intra frames are all key frames. Temporal and Bounded frames

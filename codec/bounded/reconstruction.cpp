@@ -172,7 +172,7 @@ int BoundInUnits::operator()(int sample) const noexcept {
 }
 
 ReconstructionLevels reconstruction_levels_for(const DepthImage& depth, const LevelPalette& palette,
-                                               const DepthBound& bound) {
+                                               const DepthErrorBound& bound) {
   ReconstructionLevels reconstruction{.levels = {}, .bound = {bound, depth.unit_m}};
   const Reach reach = reach_of(palette, reconstruction.bound);
   const auto level_cost = static_cast<std::int64_t>(depth.samples.size() / (kPixelsPerLevel * kRowsPerCounted) + 1);

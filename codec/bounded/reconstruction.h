@@ -9,9 +9,9 @@
 
 namespace telepalp::codec {
 
-/// DepthBound in sample units: the largest allowed change of a sample.
+/// DepthErrorBound in sample units: the largest allowed change of a sample.
 struct BoundInUnits {
-  DepthBound bound;
+  DepthErrorBound bound;
   double unit_m = 0.001;
 
   [[nodiscard]] int operator()(int sample) const noexcept;
@@ -26,7 +26,7 @@ struct ReconstructionLevels {
 /// Chooses reconstruction levels that are few, and that as many neighbouring pixels of `depth` as possible can share.
 /// `palette` holds the levels of `depth`.
 [[nodiscard]] ReconstructionLevels reconstruction_levels_for(const DepthImage& depth, const LevelPalette& palette,
-                                                             const DepthBound& bound);
+                                                             const DepthErrorBound& bound);
 
 /// The range of reconstruction levels that each pixel may take; the coder chooses within it. A depth without a level
 /// within its bound, because the key frame did not have that depth, adds a level to `reconstruction`.

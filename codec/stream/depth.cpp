@@ -25,7 +25,7 @@ std::string encode_depth(const DepthImage& depth, DepthMode mode) {
   demand(is_well_formed(depth), "encode_depth is given a well-formed image");
   if (mode == DepthMode::Bounded) {
     const LevelPalette palette = palette_of(depth.samples);
-    ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, {});
+    ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, kOneDisparityStep);
     return code_bounded(depth, palette, reconstruction, {}).packet.bytes;
   }
   return write_frame(depth, mode, {}).bytes;

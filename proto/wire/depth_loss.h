@@ -9,31 +9,31 @@
 
 namespace telepalp::wire {
 
-/// How a message's depth was compressed, and the bound on its error against the camera's measurement.
+/// What a message states about its depth: the codec's mode, and how far depth may be off the measurement.
 struct DepthFidelity {
-  std::string mode;                         ///< mode of the depth codec; empty: unknown
-  bool moved = false;                       ///< true: near-lossless, depth may differ from the measurement
-  std::optional<msg::DepthBound> within{};  ///< nullopt with `moved`: the bound is unknown
+  std::string mode;                         ///< of the codec; empty: not stated
+  bool moved = false;                       ///< true: depth may differ from the measurement
+  std::optional<DepthErrorBound> within{};  ///< nullopt although moved: the amount is not stated
 };
 
-/// Reads the fidelity from a message. A bound that is negative, not finite, or above 1 m counts as unknown; `moved` is
-/// kept.
+/// Reads the statement. A bound that is negative, not finite, or beyond one metre counts as not stated; `moved` stays
+/// true.
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::DepthImage& image);
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::SurfaceReport& report);
 
-/// The bound in the form that the depth encoder needs, for depth that is compressed again; nullopt: lossless.
-[[nodiscard]] std::optional<DepthLoss> loss_of(const DepthFidelity& told) noexcept;
+/// The bound of depth that is about to be compressed again. nullopt: depth is as measured.
+[[nodiscard]] std::optional<DepthErrorBound> loss_of(const DepthFidelity& fidelity) noexcept;
 
-/// The fidelity with the looser bound; of two equal ones the newer.
+/// The one with the larger error bound; the newer one when both are equal. An unknown bound is larger than any other.
 [[nodiscard]] DepthFidelity less_exact(const DepthFidelity& older, const DepthFidelity& newer);
 
-/// Text for reports: "as measured", "off by up to 2.85 mm at 1 m".
-[[nodiscard]] std::string how_far(const DepthFidelity& told);
+/// For people: "as measured", "off by up to 2.85 mm at 1 m".
+[[nodiscard]] std::string how_far(const DepthFidelity& fidelity);
 
-/// Text for reports with the mode first: "bounded, off by up to 2.85 mm at 1 m".
-[[nodiscard]] std::string in_words(const DepthFidelity& told);
+/// The same after the mode: "bounded, off by up to 2.85 mm at 1 m".
+[[nodiscard]] std::string in_words(const DepthFidelity& fidelity);
 
-/// The bound on the error of a depth of 1 m [mm].
-[[nodiscard]] double at_1_m_mm(const msg::DepthBound& bound) noexcept;
+/// The bound's error at a depth of 1 m [mm].
+[[nodiscard]] double at_1_m_mm(const DepthErrorBound& bound) noexcept;
 
 }  // namespace telepalp::wire

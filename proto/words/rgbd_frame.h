@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -40,6 +41,8 @@ struct Intrinsics {
   double fy = 0.0;
   double cx = 0.0;
   double cy = 0.0;
+
+  friend bool operator==(const Intrinsics&, const Intrinsics&) = default;
 };
 
 /// Intrinsics of an RGB-D camera.
@@ -49,10 +52,18 @@ struct CameraModel {
   bool color_registered = true;  ///< colour pixel (u, v) and depth pixel (u, v) show one point
 };
 
-/// Bound on the compression error of depth: max(least_m, per_m z²) metres at depth z [m]. Infinite: unknown.
-struct DepthLoss {
-  double least_m = std::numeric_limits<double>::infinity();
-  double per_m = std::numeric_limits<double>::infinity();
+/// The error bound of near-lossless depth: a depth z [m] differs from the measurement by at most
+/// max(least_m, per_m * z²).
+struct DepthErrorBound {
+  double least_m = 0.0;
+  double per_m = 0.0;
+
+  /// Depth that was changed by an amount that nobody stated: an infinite bound.
+  [[nodiscard]] static DepthErrorBound unknown() noexcept {
+    return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
+  [[nodiscard]] double at(double z_m) const noexcept { return std::max(least_m, per_m * z_m * z_m); }
+  friend bool operator==(const DepthErrorBound&, const DepthErrorBound&) = default;
 };
 
 /// One frame of an RGB-D camera. `captured` is the time of exposure, as accurately as the driver reports it.
@@ -62,7 +73,7 @@ struct RgbdFrame {
   CameraModel camera;
   DepthImage depth;
   ColorImage color;
-  std::optional<DepthLoss> loss = {};  ///< set when the depth was compressed near-losslessly
+  std::optional<DepthErrorBound> loss = {};  ///< of depth that was coded near-losslessly before; nullopt: as measured
 };
 
 /// True when the sizes agree with each other, lie within kMaxImageSide, and the intrinsics are finite and positive.

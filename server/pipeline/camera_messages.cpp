@@ -37,12 +37,12 @@ foxglove::CameraCalibration pinhole_message(const Intrinsics& k, SessionTime cap
 
 /// The error bound of depth that may have been near-lossless before, and is coded with the bound `coded` now. The sum
 /// of two such bounds has another form; twice the larger of each term is an upper bound, exact where both are equal.
-std::optional<DepthLoss> loss_of(const RgbdFrame& frame, const std::optional<codec::DepthBound>& coded) {
+std::optional<DepthErrorBound> loss_of(const RgbdFrame& frame, const std::optional<DepthErrorBound>& coded) {
   if (!coded) return frame.loss;
-  const codec::DepthBound& bound = *coded;
-  if (!frame.loss) return DepthLoss{.least_m = bound.least_m, .per_m = bound.per_m};
-  return DepthLoss{.least_m = 2.0 * std::max(bound.least_m, frame.loss->least_m),
-                   .per_m = 2.0 * std::max(bound.per_m, frame.loss->per_m)};
+  const DepthErrorBound& bound = *coded;
+  if (!frame.loss) return bound;
+  return DepthErrorBound{.least_m = 2.0 * std::max(bound.least_m, frame.loss->least_m),
+                         .per_m = 2.0 * std::max(bound.per_m, frame.loss->per_m)};
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encode
   image.set_height(static_cast<std::uint32_t>(frame.depth.height));
   image.set_unit_m(frame.depth.unit_m);
   image.set_format(std::string(codec::name(encoded.mode)));
-  if (const std::optional<DepthLoss> loss = loss_of(frame, encoded.bound)) {
+  if (const std::optional<DepthErrorBound> loss = loss_of(frame, encoded.bound)) {
     image.mutable_bound()->set_least_m(loss->least_m);
     image.mutable_bound()->set_per_m(loss->per_m);
   }

@@ -12,10 +12,6 @@ using namespace std::chrono_literals;
 constexpr Nanoseconds kPatience = 100ms;  // how late a stop or a status may be while no frame comes
 constexpr Nanoseconds kRepeat = 1s;
 
-bool equal(const Intrinsics& a, const Intrinsics& b) noexcept {
-  return a.width == b.width && a.height == b.height && a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy;
-}
-
 }  // namespace
 
 CameraPipeline::CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options,
@@ -62,8 +58,8 @@ void CameraPipeline::publish_depth(const RgbdFrame& frame) {
 
 void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {
   const SessionTime now = clock_.now();
-  const bool same = calibration_ && equal(calibration_->depth, frame.camera.depth) &&
-                    equal(calibration_->color, frame.camera.color) &&
+  const bool same = calibration_ && calibration_->depth == frame.camera.depth &&
+                    calibration_->color == frame.camera.color &&
                     calibration_->color_registered == frame.camera.color_registered;
   if (same && now - calibration_at_ < kRepeat) return;
   calibration_ = frame.camera;

@@ -22,7 +22,7 @@ std::optional<double> read_mm(std::string_view text, double most) {
 
 }  // namespace
 
-Result<codec::DepthBound> read_depth_bound(const std::string& text, std::string_view option) {
+Result<DepthErrorBound> read_depth_bound(const std::string& text, std::string_view option) {
   const std::size_t comma = text.find(',');
   const auto refused = [&](const std::string& what) {
     return Error{.what = "'" + text + "' " + what,
@@ -37,7 +37,7 @@ Result<codec::DepthBound> read_depth_bound(const std::string& text, std::string_
   const std::optional<double> per_m2_mm = read_mm(std::string_view(text).substr(comma + 1), kMostPerM2_mm);
   if (!least_mm) return refused("does not begin with a number from 0 to 100");
   if (!per_m2_mm) return refused("does not end with a number from 0 to 20");
-  return codec::DepthBound{.least_m = *least_mm / 1000.0, .per_m = *per_m2_mm / 1000.0};
+  return DepthErrorBound{.least_m = *least_mm / 1000.0, .per_m = *per_m2_mm / 1000.0};
 }
 
 Result<codec::DepthStreamSettings> read_depth_settings(const program::Arguments& arguments,
@@ -56,7 +56,7 @@ Result<codec::DepthStreamSettings> read_depth_settings(const program::Arguments&
     return Error{.what = "the mode " + text + " is without loss and keeps no bound",
                  .where = option_name(names.bound),
                  .fix = "leave it out, or say " + option_name(names.mode) + " bounded"};
-  const Result<codec::DepthBound> bound = read_depth_bound(arguments.text(names.bound), names.bound);
+  const Result<DepthErrorBound> bound = read_depth_bound(arguments.text(names.bound), names.bound);
   if (!bound) return bound.error();
   settings.bound = *bound;
   return settings;

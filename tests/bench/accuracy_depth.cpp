@@ -141,7 +141,7 @@ Result<std::vector<DepthSequence>> depth_sequences() {
   return std::vector<DepthSequence>{std::move(*room), std::move(patient)};
 }
 
-Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode, const codec::DepthBound& bound) {
+Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode, const DepthErrorBound& bound) {
   codec::DepthEncoder encoder({.mode = mode, .bound = bound});
   codec::DepthDecoder decoder;
   DepthPrice price;

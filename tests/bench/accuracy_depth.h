@@ -38,6 +38,6 @@ struct DepthPrice {
 
 /// What `mode` costs. `bound`: of Bounded.
 [[nodiscard]] Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode,
-                                          const codec::DepthBound& bound);
+                                          const DepthErrorBound& bound);
 
 }  // namespace telepalp::bench

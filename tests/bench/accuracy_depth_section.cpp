@@ -8,24 +8,23 @@
 namespace telepalp::bench {
 namespace {
 
-using codec::DepthBound;
 using codec::DepthMode;
 
 /// The default bound, times each of these.
 constexpr double kScales[] = {0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
 
-DepthBound scaled(double scale) {
-  const DepthBound usual;
+DepthErrorBound scaled(double scale) {
+  constexpr DepthErrorBound usual = codec::kOneDisparityStep;
   return {.least_m = scale * usual.least_m, .per_m = scale * usual.per_m};
 }
 
 struct Priced {
   std::string name;
-  DepthBound bound;
+  DepthErrorBound bound;
   DepthPrice price;
 };
 
-std::string bound_text(const DepthBound& bound) {
+std::string bound_text(const DepthErrorBound& bound) {
   return "max(" + cell(1e3 * bound.least_m) + ", " + cell(1e3 * bound.per_m) + " z²)";
 }
 

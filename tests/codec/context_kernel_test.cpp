@@ -13,7 +13,7 @@ namespace {
 RankedFrame given(const DepthImage& depth, bool chooses) {
   const LevelPalette palette = palette_of(depth.samples);
   if (!chooses) return ranked(palette, depth.samples);
-  ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, {});
+  ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, kOneDisparityStep);
   return within_bounds(depth, palette, reconstruction);
 }
 

@@ -22,8 +22,8 @@ constexpr int kHeight = 200;
 TEST(DepthBound, HoldsForEverySampleThereIs) {
   DepthImage all{.width = 256, .height = 256, .unit_m = 0.001, .samples = std::vector<std::uint16_t>(65536)};
   std::iota(all.samples.begin(), all.samples.end(), std::uint16_t{0});
-  for (const DepthBound& bound :
-       {DepthBound{}, DepthBound{.least_m = 0.0, .per_m = 0.0}, DepthBound{.least_m = 100.0}}) {
+  for (const DepthErrorBound& bound :
+       {kOneDisparityStep, DepthErrorBound{.least_m = 0.0, .per_m = 0.0}, DepthErrorBound{.least_m = 100.0}}) {
     for (const DepthImage& key : {kinect_like(kWidth, kHeight, 1), all, filled(8, 8, 0)}) {
       ReconstructionLevels reconstruction = reconstruction_levels_for(key, palette_of(key.samples), bound);
       const RankedFrame frame = within_bounds(all, palette_of(all.samples), reconstruction);
@@ -100,7 +100,7 @@ TEST(DepthBound, StandInsPartAsFewNeighboursAsAnySetCould) {
 /// What Bounded makes of one frame.
 DepthImage moved(const DepthImage& depth) {
   const LevelPalette palette = palette_of(depth.samples);
-  ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, {});
+  ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, kOneDisparityStep);
   return code_bounded(depth, palette, reconstruction, {}).depth;
 }
 
@@ -114,14 +114,14 @@ TEST(DepthBound, DepthsThatShareWithNoneAreNotMoved) {
 TEST(DepthBound, WhatIsOfferedLiesAsMuchTowardsTheCameraAsAway) {
   const DepthImage depth = kinect_like(320, 240, 5);
   const LevelPalette palette = palette_of(depth.samples);
-  ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, {});
+  ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, kOneDisparityStep);
   const RankedFrame frame = within_bounds(depth, palette, reconstruction);
   double sum_in_bounds = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < depth.samples.size(); ++i) {
     if (depth.samples[i] == 0) continue;
     const double middle = 0.5 * (frame.palette.levels[frame.ranks[i]] + frame.palette.levels[frame.most[i]]);
-    sum_in_bounds += (middle - depth.samples[i]) * depth.unit_m / DepthBound{}.at(depth.samples[i] * depth.unit_m);
+    sum_in_bounds += (middle - depth.samples[i]) * depth.unit_m / kOneDisparityStep.at(depth.samples[i] * depth.unit_m);
     count += 1.0;
   }
   EXPECT_LT(std::abs(sum_in_bounds / count), 0.05);
@@ -139,7 +139,7 @@ TEST(DepthBound, ChoosingWhatIsLikelyTakesFewerBytesThanTheNearest) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     const DepthImage depth = kinect_like(320, 240, seed);
     const LevelPalette palette = palette_of(depth.samples);
-    ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, {});
+    ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, kOneDisparityStep);
     const std::size_t nearest = write_frame(by_nearest(depth, reconstruction), DepthMode::Bounded, {}).bytes.size();
     EXPECT_LT(code_bounded(depth, palette, reconstruction, {}).packet.bytes.size(), nearest * 9 / 10);
   }

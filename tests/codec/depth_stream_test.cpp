@@ -46,7 +46,7 @@ TEST(DepthStream, BoundedKeepsItsBoundAndEveryHole) {
       for (std::size_t k = 0; k < depth.samples.size(); ++k) {
         ASSERT_EQ(back->samples[k] == 0, depth.samples[k] == 0);
         const double error_m = std::abs(back->samples[k] - depth.samples[k]) * unit_m;
-        ASSERT_LE(error_m, DepthBound{}.at(depth.samples[k] * unit_m) + 1e-9);
+        ASSERT_LE(error_m, kOneDisparityStep.at(depth.samples[k] * unit_m) + 1e-9);
       }
     }
   }

@@ -9,7 +9,7 @@ DepthImage row(std::vector<std::uint16_t> samples, double unit_m = 0.001) {
   return {.width = static_cast<int>(samples.size()), .height = 1, .unit_m = unit_m, .samples = std::move(samples)};
 }
 
-const codec::DepthBound kBound{.least_m = 0.001, .per_m = 0.003};  // 3 mm at 1 m, 12 mm at 2 m
+const DepthErrorBound kBound{.least_m = 0.001, .per_m = 0.003};  // 3 mm at 1 m, 12 mm at 2 m
 
 TEST(DepthDifference, AllowsEachPixelWhatItsOriginalDepthAllowsAndNoMore) {
   const DepthImage original = row({400, 1000, 2000});
@@ -37,7 +37,7 @@ TEST(DepthDifference, NamesTheFirstPixelBeyondTheBound) {
 }
 
 TEST(DepthDifference, APixelThatOnlyOneMeasuredIsBeyondAnyBound) {
-  DepthDifference difference(codec::DepthBound{.least_m = 100.0, .per_m = 100.0});
+  DepthDifference difference(DepthErrorBound{.least_m = 100.0, .per_m = 100.0});
   difference.add(row({0, 700, 0}), row({700, 0, 0}));
   EXPECT_EQ(difference.flips(), 2u);
   EXPECT_EQ(difference.beyond(), 2u);
@@ -47,7 +47,7 @@ TEST(DepthDifference, APixelThatOnlyOneMeasuredIsBeyondAnyBound) {
 }
 
 TEST(DepthDifference, ComparesMillimetresWhateverTheUnits) {
-  DepthDifference difference(codec::DepthBound{.least_m = 0.0, .per_m = 0.0});
+  DepthDifference difference(DepthErrorBound{.least_m = 0.0, .per_m = 0.0});
   difference.add(row({1000, 500}), row({8000, 4000}, 0.000125));
   EXPECT_EQ(difference.beyond(), 0u) << difference.first_beyond();
   EXPECT_EQ(difference.measured(), 2u);

@@ -26,6 +26,6 @@ namespace telepalp::server {
 /// Prints the differences between the depth images of `first` and `second`. With a `bound`, it is an error if a pixel
 /// differs by more than the bound, or is measured in only one of them.
 [[nodiscard]] Result<void> compare_recordings(const std::filesystem::path& first, const std::filesystem::path& second,
-                                              double unit_m, const std::optional<codec::DepthBound>& bound = {});
+                                              double unit_m, const std::optional<DepthErrorBound>& bound = {});
 
 }  // namespace telepalp::server

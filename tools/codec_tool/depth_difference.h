@@ -13,7 +13,7 @@ namespace telepalp::server {
 class DepthDifference {
  public:
   /// `bound`: allowed difference of a pixel, as a function of its original depth; nullopt: no limit.
-  explicit DepthDifference(const std::optional<codec::DepthBound>& bound = {}) : bound_(bound) {}
+  explicit DepthDifference(const std::optional<DepthErrorBound>& bound = {}) : bound_(bound) {}
 
   /// Compares two images of equal size.
   void add(const DepthImage& original, const DepthImage& other);
@@ -32,7 +32,7 @@ class DepthDifference {
  private:
   void hold(const DepthImage& original, const DepthImage& other, std::size_t pixel);
 
-  std::optional<codec::DepthBound> bound_;
+  std::optional<DepthErrorBound> bound_;
   std::size_t frames_ = 0;
   std::size_t measured_ = 0;
   std::size_t flips_ = 0;

@@ -16,7 +16,7 @@ struct NamedDepth {
   std::string name;  ///< file name, or the number of the frame
   SessionTime captured;
   DepthImage depth;
-  std::optional<DepthLoss> loss = {};  ///< bound on its compression error, from the recording
+  std::optional<DepthErrorBound> loss = {};  ///< bound on its compression error, from the recording
 };
 
 /// Calls `visit` with each depth image of `input` in order, until `visit` returns an error. `input`: a 16-bit PNG, TIFF

@@ -33,7 +33,7 @@ program::Usage usage() {
 struct Asked {
   std::vector<std::string> words;  ///< the command and its files
   codec::DepthStreamSettings settings;
-  std::optional<codec::DepthBound> bound_to_keep;  ///< by the second of two that are compared
+  std::optional<DepthErrorBound> bound_to_keep;  ///< by the second of two that are compared
   double unit_m = 0.001;
   std::string to;
   bool json = false;
@@ -56,7 +56,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                  .where = std::string(kProgram),
                  .fix = "telepalp-codec --help"};
   if (command == "compare" && arguments.has("bound")) {
-    const Result<codec::DepthBound> bound = server::read_depth_bound(arguments.text("bound"), "bound");
+    const Result<DepthErrorBound> bound = server::read_depth_bound(arguments.text("bound"), "bound");
     if (!bound) return bound.error();
     asked.bound_to_keep = *bound;
   } else {

@@ -136,8 +136,8 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.add("depth_mode", summary.depth.mode);
   if (summary.depth.within) {
     json.begin_object("depth_bound_mm");
-    json.add("least", 1e3 * summary.depth.within->least_m());
-    json.add("per_m2", 1e3 * summary.depth.within->per_m());
+    json.add("least", 1e3 * summary.depth.within->least_m);
+    json.add("per_m2", 1e3 * summary.depth.within->per_m);
     json.end_object();
   } else {
     json.add_null("depth_bound_mm");

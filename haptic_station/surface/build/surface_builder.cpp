@@ -48,10 +48,6 @@ std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, co
 
 constexpr double kForgetAfter_s = 2.0;  // without a frame
 
-bool same_view(const Intrinsics& a, const Intrinsics& b) noexcept {
-  return a.width == b.width && a.height == b.height && a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy;
-}
-
 }  // namespace
 
 struct SurfaceBuilder::State {
@@ -98,7 +94,7 @@ std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& dep
   DepthField field = to_depth_field(depth);
   fill_pinholes(field, state.settings.break_m);
   if (state.settings.temporal) {
-    if (!state.filter || dt_s > kForgetAfter_s || !same_view(camera, state.camera))
+    if (!state.filter || dt_s > kForgetAfter_s || camera != state.camera)
       state.filter.emplace(camera.width, camera.height, state.settings);
     state.camera = camera;
   }

@@ -125,7 +125,7 @@ msg::StationState state_at(double at_s) {
 }
 
 msg::DepthBound default_bound() {
-  const codec::DepthBound bound;
+  const DepthErrorBound bound = codec::kOneDisparityStep;
   msg::DepthBound told;
   told.set_least_m(bound.least_m);
   told.set_per_m(bound.per_m);

@@ -75,7 +75,7 @@ void expect_kept(const DepthImage& back, const DepthImage& depth, DepthMode mode
   for (std::size_t i = 0; i < depth.samples.size(); ++i) {
     ASSERT_EQ(back.samples[i] == 0, depth.samples[i] == 0) << name << ", pixel " << i;
     const double error_m = std::abs(back.samples[i] - depth.samples[i]) * depth.unit_m;
-    ASSERT_LE(error_m, DepthBound{}.at(depth.samples[i] * depth.unit_m) + 1e-9) << name << ", pixel " << i;
+    ASSERT_LE(error_m, kOneDisparityStep.at(depth.samples[i] * depth.unit_m) + 1e-9) << name << ", pixel " << i;
   }
 }
 

@@ -329,7 +329,7 @@ TEST_F(SourceFolder, ASessionOfBoundedDepthIsNotAsMeasuredHoweverItIsCompressedA
     auto frames = SessionFrames::open(file(name));
     EXPECT_TRUE(frames.ok());
     const auto frame = frames->peek() ? frames->take() : std::nullopt;
-    return frame && frame->loss ? *frame->loss : DepthLoss{-1.0, -1.0};
+    return frame && frame->loss ? *frame->loss : DepthErrorBound{-1.0, -1.0};
   };
   EXPECT_EQ(loss_in("again.mcap").least_m, 0.001);
   EXPECT_EQ(loss_in("again.mcap").per_m, 0.003);
@@ -341,11 +341,11 @@ TEST_F(SourceFolder, ASessionOfBoundedDepthIsNotAsMeasuredHoweverItIsCompressedA
 
 TEST(DepthMessage, OfDepthThatIsOffByAnUnknownAmountTellsSo) {
   RgbdFrame frame;
-  frame.loss = DepthLoss{};
+  frame.loss = DepthErrorBound::unknown();
   for (const codec::DepthMode mode : {codec::DepthMode::Fast, codec::DepthMode::Bounded}) {
     codec::EncodedDepth encoded;
     encoded.mode = mode;
-    if (mode == codec::DepthMode::Bounded) encoded.bound = codec::DepthBound{};
+    if (mode == codec::DepthMode::Bounded) encoded.bound = codec::kOneDisparityStep;
     const wire::DepthFidelity told = wire::depth_fidelity(depth_message(frame, encoded));
     EXPECT_TRUE(told.moved);
     EXPECT_FALSE(told.within);
