@@ -17,6 +17,10 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
+# What is built names its sources by their place in the repository (`codec/depth.cpp`), never by a folder of the machine
+# that built it: std::source_location and __FILE__ end up in messages and in the installed programs.
+add_compile_options(-ffile-prefix-map=${PROJECT_BINARY_DIR}/= -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
+
 add_library(telepalp_flags INTERFACE)
 target_compile_options(telepalp_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Werror)
