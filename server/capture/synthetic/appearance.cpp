@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/capture/synthetic/sensor/pixel_noise.h"
+#include "support/sensor/pixel_noise.h"
 #include "server/capture/synthetic/shape/smooth.h"
 #include "server/capture/synthetic/true_surface.h"
 
@@ -23,7 +23,7 @@ constexpr double kAreolaAcross_m = 0.108;
 constexpr double kAreolaRadius_m = 0.013;
 
 /// Value noise: random numbers on a lattice of unit cells, smoothly interpolated; -1 to 1.
-double value_noise(const PixelNoise& noise, const Eigen::Vector2d& at) {
+double value_noise(const sensor::PixelNoise& noise, const Eigen::Vector2d& at) {
   const Eigen::Vector2d cell{std::floor(at.x()), std::floor(at.y())};
   const Eigen::Vector2d t = at - cell;
   const Eigen::Vector2d s = t.cwiseProduct(t).cwiseProduct(Eigen::Vector2d{3.0, 3.0} - 2.0 * t);
@@ -43,7 +43,7 @@ double smooth_step(double from, double to, double at) {
 }
 
 /// `at`: along the body and across it [m]; `cloth` 0 to 1.
-Eigen::Vector3d body_albedo(const Eigen::Vector2d& at, double cloth, const PixelNoise& noise) {
+Eigen::Vector3d body_albedo(const Eigen::Vector2d& at, double cloth, const sensor::PixelNoise& noise) {
   const double mottling = 0.6 * value_noise(noise, at / 0.05) + 0.4 * value_noise(noise, at / 0.017);
   const double pores = 0.6 * value_noise(noise, at / 0.0045) + 0.4 * value_noise(noise, at / 0.0022);
   Eigen::Vector3d albedo = kSkin + (0.25 + 0.25 * mottling) * (kFlush - kSkin);
@@ -55,7 +55,7 @@ Eigen::Vector3d body_albedo(const Eigen::Vector2d& at, double cloth, const Pixel
   return albedo + cloth * (kCloth * weave - albedo);
 }
 
-Eigen::Vector3d sheet_albedo(const Eigen::Vector2d& at, const PixelNoise& noise) {
+Eigen::Vector3d sheet_albedo(const Eigen::Vector2d& at, const sensor::PixelNoise& noise) {
   const double folds = value_noise(noise, {at.x() / 0.25, at.y() / 0.06});
   return kSheet * (1.0 + 0.06 * folds + 0.03 * value_noise(noise, at / 0.004));
 }
@@ -88,7 +88,7 @@ std::vector<float> openness(const RestShape& rest) {
 
 ColorImage paint(const RestShape& rest, std::uint64_t seed) {
   const TrueSurface surface{std::make_shared<const RestShape>(rest), PatientPose{}};
-  const PixelNoise noise{seed, 0};
+  const sensor::PixelNoise noise{seed, 0};
   const Eigen::Vector3d to_light = Eigen::Vector3d{-0.7, -0.75, -1.0}.normalized();
   const std::vector<float> open = openness(rest);
   ColorImage picture{rest.camera.width, rest.camera.height, {}};

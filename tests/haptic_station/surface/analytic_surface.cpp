@@ -3,7 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <random>
+
+#include "support/sensor/depth_sensor.h"
 
 namespace telepalp::testing {
 namespace {
@@ -178,16 +179,19 @@ DepthImage render(const AnalyticSurface& surface, const Intrinsics& camera, cons
 
 DepthImage with_noise(const DepthImage& clean, const RenderSettings& settings) {
   DepthImage noisy = clean;
-  std::mt19937_64 random(settings.seed);
-  std::normal_distribution<double> noise(0.0, settings.sigma_m / clean.unit_m);
-  std::uniform_real_distribution<double> share(0.0, 1.0);
-  for (std::uint16_t& sample : noisy.samples) {
+  const sensor::DepthSensor camera({.noise = sensor::DepthNoise::Gaussian,
+                                    .gaussian_sigma_m = settings.sigma_m,
+                                    .disparity_steps = false,
+                                    .unit_m = clean.unit_m,
+                                    .seed = settings.seed});
+  const sensor::Exposure exposure = camera.expose(0);
+  for (std::size_t i = 0; i < noisy.samples.size(); ++i) {
+    std::uint16_t& sample = noisy.samples[i];
     if (sample == 0) continue;
-    if (settings.hole_share > 0.0 && share(random) < settings.hole_share) {
-      sample = 0;
-    } else if (settings.sigma_m > 0.0) {
-      sample = static_cast<std::uint16_t>(std::clamp(std::round(sample + noise(random)), 1.0, 65535.0));
-    }
+    const std::uint32_t bits = exposure.bits(static_cast<std::uint32_t>(i));
+    const bool hole = static_cast<double>(bits >> 24U) < 256.0 * settings.hole_share;
+    const auto z_m = static_cast<float>(sample * clean.unit_m);
+    sample = hole ? std::uint16_t{0} : exposure.sample_of(z_m, bits);
   }
   return noisy;
 }

@@ -5,57 +5,23 @@
 #include <utility>
 
 #include "server/capture/synthetic/sensor/holes.h"
-#include "server/capture/synthetic/sensor/pixel_noise.h"
+#include "support/sensor/pixel_noise.h"
 
 namespace telepalp::server {
 namespace {
 
-constexpr double kLevelSpacing_per_m = 0.00285;  // dz = 2.85 mm z^2, z in metres, as measured on Kinect v1 frames
-constexpr std::size_t kLevels = 1024;
-constexpr float kAxialNoise_m = 0.0012F;
-constexpr float kAxialNoiseGrowth_per_m = 0.0019F;
-
-/// sigma = base + growth (z - 0.4 m)^2 covers all three kinds of noise.
-struct Sigma {
-  float base_m;
-  float growth_per_m;
-};
-Sigma sigma_of(const SyntheticSettings& settings) {
-  switch (settings.noise) {
-    case DepthNoise::None:
-      return {0.0F, 0.0F};
-    case DepthNoise::Gaussian:
-      return {static_cast<float>(settings.gaussian_sigma_m), 0.0F};
-    case DepthNoise::Kinect:
-      return {kAxialNoise_m, kAxialNoiseGrowth_per_m};
-  }
-  return {0.0F, 0.0F};
+sensor::DepthSensorSettings sensor_of(const SyntheticSettings& settings) {
+  return {.noise = settings.noise,
+          .gaussian_sigma_m = settings.gaussian_sigma_m,
+          .disparity_steps = settings.disparity_steps,
+          .unit_m = settings.depth_unit_m,
+          .seed = settings.seed};
 }
-
-std::uint16_t sample_of(double depth_m, double unit_m) {
-  const double steps = std::round(depth_m / unit_m);
-  return steps >= 1.0 && steps <= 65535.0 ? static_cast<std::uint16_t>(steps) : std::uint16_t{0};
-}
-
-struct PixelLoop {
-  const float* rest_depth_m;
-  const float* lift_share;
-  const float* gaussian;
-  float lift_m;
-  Sigma sigma;
-  PixelNoise noise;
-
-  [[nodiscard]] float depth_m(std::size_t i, std::uint32_t bits) const noexcept {
-    const float z = rest_depth_m[i] - lift_m * lift_share[i];
-    const float far = z - 0.4F;
-    return z + (sigma.base_m + sigma.growth_per_m * far * far) * gaussian[bits & (GaussianTable{}.size() - 1)];
-  }
-};
 
 }  // namespace
 
 SensorModel::SensorModel(std::shared_ptr<const RestShape> rest_shape, const SyntheticSettings& settings)
-    : rest_(std::move(rest_shape)), settings_(settings) {
+    : rest_(std::move(rest_shape)), sensor_(sensor_of(settings)) {
   const RestShape& rest = *rest_;
   const Intrinsics& camera = rest.camera;
   for (int v = 0; v < camera.height; ++v)
@@ -65,9 +31,6 @@ SensorModel::SensorModel(std::shared_ptr<const RestShape> rest_shape, const Synt
       lift_share_.push_back(body ? static_cast<float>(rest.lift_share(u, v).value) : 0.0F);
     }
   hole_of_256_ = settings.holes ? hole_map(rest_depth_m_, camera) : std::vector<std::uint8_t>(rest_depth_m_.size(), 0);
-  level_sample_.resize(kLevels, 0);
-  for (std::size_t level = 1; level < kLevels; ++level)
-    level_sample_[level] = sample_of(1.0 / (kLevelSpacing_per_m * static_cast<double>(level)), settings.depth_unit_m);
 }
 
 SensorModel::Moved SensorModel::moved_to(const PatientPose& pose) const {
@@ -98,27 +61,19 @@ void SensorModel::measure(const PatientPose& pose, std::int64_t instant, std::ve
   const bool lies_at_rest = !pose.slides() && !pose.rises();
   const Moved moved = lies_at_rest ? Moved{} : moved_to(pose);
   const std::vector<std::uint8_t>& hole_of_256 = lies_at_rest ? hole_of_256_ : moved.hole_of_256;
-  const PixelLoop loop{(lies_at_rest ? rest_depth_m_ : moved.depth_m).data(),
-                       (lies_at_rest ? lift_share_ : moved.lift_share).data(),
-                       gaussian_table().data(),
-                       static_cast<float>(pose.breath.lift_m),
-                       sigma_of(settings_),
-                       PixelNoise{settings_.seed, instant}};
-  constexpr auto kPerLevel = static_cast<float>(1.0 / kLevelSpacing_per_m);
-  const auto per_unit = static_cast<float>(1.0 / settings_.depth_unit_m);
+  const float* const depth_m = (lies_at_rest ? rest_depth_m_ : moved.depth_m).data();
+  const float* const lift_share = (lies_at_rest ? lift_share_ : moved.lift_share).data();
+  const auto lift_m = static_cast<float>(pose.breath.lift_m);
+  const sensor::Exposure exposure = sensor_.expose(instant);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const std::uint32_t bits = loop.noise.bits(static_cast<std::uint32_t>(i));
-    const float z = loop.depth_m(i, bits);
-    const float steps = settings_.disparity_steps ? kPerLevel / z : z * per_unit;
-    const auto step = static_cast<std::uint32_t>(std::clamp(steps + 0.5F, 0.0F, 65535.0F));
-    const std::uint16_t sample = settings_.disparity_steps ? level_sample_[std::min<std::size_t>(step, kLevels - 1)]
-                                                           : static_cast<std::uint16_t>(step);
+    const std::uint32_t bits = exposure.bits(static_cast<std::uint32_t>(i));
+    const std::uint16_t sample = exposure.sample_of(depth_m[i] - lift_m * lift_share[i], bits);
     out[i] = (bits >> 24U) < hole_of_256[i] || hole_of_256[i] == 255 ? std::uint16_t{0} : sample;
   }
 }
 
 void add_color_noise(std::vector<std::uint8_t>& rgb, std::int64_t instant, std::uint64_t seed) {
-  const PixelNoise noise{seed ^ 0xC01055ULL, instant};
+  const sensor::PixelNoise noise{seed ^ 0xC01055ULL, instant};
   for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
     const std::uint32_t bits = noise.bits(static_cast<std::uint32_t>(i));
     // The sum of two uniform two-bit numbers: -3 to 3, most often 0.

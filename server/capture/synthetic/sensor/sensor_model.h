@@ -7,6 +7,7 @@
 #include "server/capture/synthetic/motion/patient_pose.h"
 #include "server/capture/synthetic/shape/rest_shape.h"
 #include "server/capture/synthetic/shape/settings.h"
+#include "support/sensor/depth_sensor.h"
 
 namespace telepalp::server {
 
@@ -31,11 +32,10 @@ class SensorModel {
   [[nodiscard]] Moved moved_to(const PatientPose& pose) const;
 
   std::shared_ptr<const RestShape> rest_;
-  SyntheticSettings settings_;
+  sensor::DepthSensor sensor_;
   std::vector<float> rest_depth_m_;
   std::vector<float> lift_share_;
-  std::vector<std::uint8_t> hole_of_256_;    ///< number of 256 frames without a measurement; 255: never measured
-  std::vector<std::uint16_t> level_sample_;  ///< disparity level -> sample
+  std::vector<std::uint8_t> hole_of_256_;  ///< a pixel is missing in this many of 256 frames; 255 means always
 };
 
 /// Adds brightness noise of at most 3 of 255 to a colour image; equal `instant` and `seed` give equal noise.

@@ -2,17 +2,13 @@
 
 #include <cstdint>
 
+#include "support/sensor/depth_sensor.h"
 #include "proto/words/rgbd_frame.h"
 #include "server/capture/synthetic/motion/patient_motion.h"
 
 namespace telepalp::server {
 
-/// Noise model of depth; the noise is independent between pixels and frames.
-enum class DepthNoise {
-  None,
-  Gaussian,  ///< sigma = gaussian_sigma_m everywhere
-  Kinect,    ///< sigma = 1.2 mm + 1.9 mm (z - 0.4)^2, z in metres (Nguyen, Izadi, Lovell 2012, axial noise)
-};
+using sensor::DepthNoise;
 
 /// Settings of the synthetic patient.
 struct SyntheticSettings {

@@ -1,6 +1,6 @@
-#include "server/capture/synthetic/sensor/pixel_noise.h"
+#include "support/sensor/pixel_noise.h"
 
-namespace telepalp::server {
+namespace telepalp::sensor {
 namespace {
 
 /// The normal distribution's quantile by bisection of erfc: slow, exact, run once for each entry of a table.
@@ -35,4 +35,4 @@ const GaussianTable& gaussian_table() {
   return table;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::sensor

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace telepalp::server {
+namespace telepalp::sensor {
 
 /// Random bits as a pure function of (seed, instant, pixel), so pixels can be evaluated in any order, for the cost of a
 /// few multiplications. The mixing function is a 32-bit finaliser with full avalanche. The key enters twice, so that
@@ -37,4 +37,4 @@ inline constexpr unsigned kGaussianBits = 12;
 using GaussianTable = std::array<float, std::size_t{1} << kGaussianBits>;
 [[nodiscard]] const GaussianTable& gaussian_table();
 
-}  // namespace telepalp::server
+}  // namespace telepalp::sensor

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "support/sensor/pixel_noise.h"
+
+namespace telepalp::sensor {
+
+/// How the depth along a ray scatters from frame to frame and pixel to pixel; independent in both.
+enum class DepthNoise {
+  None,
+  Gaussian,  ///< sigma = gaussian_sigma_m everywhere
+  Kinect,    ///< sigma = 1.2 mm + 1.9 mm (z - 0.4)^2, z in metres (Nguyen, Izadi, Lovell 2012, axial noise)
+};
+
+/// A simulated depth sensor. The default is Kinect-like.
+struct DepthSensorSettings {
+  DepthNoise noise = DepthNoise::Kinect;
+  double gaussian_sigma_m = 0.001;
+  bool disparity_steps = true;  ///< depth comes in levels 2.85 mm z^2 apart, as from 11-bit disparity
+  double unit_m = 0.001;        ///< for one step of a sample
+  std::uint64_t seed = 1;
+};
+
+/// The noise of one frame: any pixel, in any order.
+class Exposure {
+ public:
+  /// The bits that decide the noise of `pixel`; the upper eight are free for the caller.
+  [[nodiscard]] std::uint32_t bits(std::uint32_t pixel) const noexcept { return noise_.bits(pixel); }
+
+  /// The sample [unit] of a depth of `z_m` > 0 under these bits; 0: below or beyond what the sensor tells.
+  [[nodiscard]] std::uint16_t sample_of(float z_m, std::uint32_t bits) const noexcept {
+    const float far_m = z_m - 0.4F;
+    const float sigma_m = base_m_ + growth_per_m_ * far_m * far_m;
+    const float seen_m = z_m + sigma_m * gaussian_[bits & (GaussianTable{}.size() - 1)];
+    const float steps = levels_ != nullptr ? per_level_ / seen_m : seen_m * per_unit_;
+    const auto step = static_cast<std::uint32_t>(std::clamp(steps + 0.5F, 0.0F, 65535.0F));
+    return levels_ != nullptr ? levels_[std::min(step, level_count_ - 1)] : static_cast<std::uint16_t>(step);
+  }
+  [[nodiscard]] std::uint16_t sample(float z_m, std::uint32_t pixel) const noexcept {
+    return sample_of(z_m, bits(pixel));
+  }
+
+ private:
+  friend class DepthSensor;
+  explicit Exposure(const PixelNoise& noise) noexcept : noise_(noise) {}
+
+  PixelNoise noise_;
+  const float* gaussian_ = nullptr;
+  float base_m_ = 0.0F;
+  float growth_per_m_ = 0.0F;
+  float per_unit_ = 0.0F;
+  float per_level_ = 0.0F;
+  const std::uint16_t* levels_ = nullptr;  ///< none: the sensor has no disparity steps
+  std::uint32_t level_count_ = 1;
+};
+
+/// The one model of a depth sensor's error: noise, then disparity steps or rounding. A pure function of settings,
+/// frame instant and pixel.
+class DepthSensor {
+ public:
+  explicit DepthSensor(const DepthSensorSettings& settings);
+
+  /// `instant` names the frame. The sensor must outlive the exposure.
+  [[nodiscard]] Exposure expose(std::int64_t instant) const noexcept;
+  [[nodiscard]] const DepthSensorSettings& settings() const noexcept { return settings_; }
+
+ private:
+  DepthSensorSettings settings_;
+  std::vector<std::uint16_t> levels_;  ///< disparity level -> sample
+};
+
+}  // namespace telepalp::sensor
