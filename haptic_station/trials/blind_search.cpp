@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "haptic_station/trials/trial_run.h"
+#include "haptic_station/trials/loop_station.h"
 
 namespace telepalp::trials {
 namespace {
@@ -15,6 +15,7 @@ constexpr double kLeg_s[] = {0.55, 0.35, 0.30, 0.40};  // over, down to the skin
 constexpr double kPress_s = 1.6;                       // all four
 constexpr double kPressTo_m = -0.065;
 constexpr double kFeelBelow_m = 0.025;  // shallower, the skin's stiffness says nothing of what lies below
+constexpr double kFelt_N_per_m = 20.0;  // the skin alone is three times as stiff there
 constexpr double kTelling = 1.33;       // stiffer than the median place by so much: something is there
 
 struct Place {
@@ -68,35 +69,38 @@ BlindSearchOutcome search_blindly(const BlindSearchSettings& settings) {
   BlindSearchOutcome outcome;
   outcome.cylinder.m = {random.uniform(-settings.half_width_m, settings.half_width_m), 0.0,
                         random.uniform(-settings.half_width_m, settings.half_width_m)};
-  const double breath_phase_s = random.uniform(0.0, 4.0);
+  const double breath_begins_s = random.uniform(0.0, 4.0);
   std::vector<Place> places = grid(settings.half_width_m);
   const std::vector<device::Waypoint> script = presses(places);
-  VirtualStation station(scene(settings, outcome.cylinder));
+  const std::unique_ptr<TrialSkin> skin =
+      settings.by_camera
+          ? camera_skin({.breathing_m = settings.breathing_m, .begins_s = breath_begins_s, .seed = settings.seed})
+          : level_skin({.amplitude_m = settings.breathing_m}, breath_begins_s);
+  LoopStation station(scene(settings, outcome.cylinder), *skin);
   station.place({{0.0, 0.03, 0.0}}, {{script.back().x_m, script.back().height_m, script.back().z_m}});
   device::ScriptedIntention person(script, {});
-  const device::BreathingPlane skin{.amplitude_m = settings.breathing_m};
   const double tick_s = 0.0005;
   const auto ticks = static_cast<int>(kPress_s * static_cast<double>(places.size()) / tick_s);
   for (int i = 0; i < ticks; ++i) {
     const double now_s = station.time_s();
-    (void)station.step([&](const Point<HapticBase>& at, double t) { return skin(at, t + breath_phase_s); },
-                       [&](const device::TrialView& view) {
-                         device::Intention aim = person.step(view, tick_s);
-                         aim.at.m.y() += settings.tremor_m * std::sin(2.0 * std::numbers::pi * 9.0 * now_s);
-                         return aim;
-                       });
-    const double depth_m = skin.at_m(now_s + breath_phase_s) - station.pair().true_hand().m.y();
+    (void)station.step([&](const device::TrialView& view) {
+      device::Intention aim = person.step(view, tick_s);
+      aim.at.m.y() += settings.tremor_m * std::sin(2.0 * std::numbers::pi * 9.0 * now_s);
+      return aim;
+    });
+    const double depth_m = station.true_depth_m();
     if (depth_m < kFeelBelow_m) continue;
     Place& place = places[std::min(places.size() - 1, static_cast<std::size_t>(now_s / kPress_s))];
     place.stiffest_N_per_m = std::max(place.stiffest_N_per_m, station.pair().felt().N.norm() / depth_m);
   }
+  for (const Place& place : places) outcome.places_unfelt += place.stiffest_N_per_m < kFelt_N_per_m ? 1 : 0;
   for (Place& place : places) place.stiffest_N_per_m *= 1.0 + settings.weber * random.normal();
   const auto stiffest = std::max_element(places.begin(), places.end(), [](const Place& a, const Place& b) {
     return a.stiffest_N_per_m < b.stiffest_N_per_m;
   });
   outcome.where.m = {stiffest->x_m, 0.0, stiffest->z_m};
   outcome.strongest_ratio = stiffest->stiffest_N_per_m / std::max(median_stiffness(places), 1e-9);
-  outcome.found = outcome.strongest_ratio > kTelling;
+  outcome.found = outcome.places_unfelt == 0 && outcome.strongest_ratio > kTelling;
   return outcome;
 }
 

@@ -13,6 +13,7 @@ struct BlindSearchSettings {
   double half_width_m = 0.05;
   double breathing_m = 0.003;
   double tremor_m = 0.0005;  ///< amplitude of the hand's tremor at 9 Hz
+  bool by_camera = false;    ///< the skin is seen by a Kinect-like camera; otherwise level and exact
   double weber = 0.10;       ///< standard deviation of the perceived force / force (Weber fraction)
 };
 
@@ -20,11 +21,13 @@ struct BlindSearchOutcome {
   bool found = false;            ///< the person reports a hidden object
   Point<HapticBase> where;       ///< where the person reports it: the stiffest place, on the skin
   Point<HapticBase> cylinder;    ///< true position; meaningless without a cylinder
+  int places_unfelt = 0;         ///< where the hand was deep in the true skin and did not feel it
   double strongest_ratio = 0.0;  ///< perceived stiffness at the stiffest place / at the median place
 };
 
 /// Simulates S1's fourth trial: a person who knows only the depth of the hand and the perceived force presses on a grid
-/// of places and reports whether one is stiffer than the others. The whole controller runs in virtual time.
+/// of places and reports whether one is stiffer than the others. The live haptic loop runs in virtual time. Nothing
+/// counts as found when a place was not felt.
 [[nodiscard]] BlindSearchOutcome search_blindly(const BlindSearchSettings& settings);
 
 }  // namespace telepalp::trials

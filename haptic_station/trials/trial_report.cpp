@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "haptic_station/trials/cylinder_paths.h"
 #include "haptic_station/trials/figure.h"
 #include "support/program/files/whole_file.h"
 
@@ -97,13 +98,14 @@ std::vector<Figure> figures_of(const TrialResult& result) {
       curve.x.push_back(s.indentation_m * 1e3);
       curve.y.push_back(s.force.N.norm());
     }
+  if (const Figure paths = cylinder_paths(result); !paths.curves.empty()) figures.push_back(paths);
   figures.push_back({"force against indentation", "|d| [mm]", "|F| [N]", {curve}, {}});
   return figures;
 }
 
 std::string json_of(const TrialResult& result) {
   const TrialFigures& f = result.figures;
-  std::string out = "  {\"trial\":" + quoted(title(result.trial)) +
+  std::string out = "  {\"trial\":" + quoted(title(result.trial)) + ",\"surface\":" + quoted(result.surface) +
                     ",\"force_step_N\":" + number(f.worst_force_step_N) +
                     ",\"jump_mm\":" + number(f.worst_jump_m * 1e3) +
                     ",\"speed_jump_mm_per_s\":" + number(f.worst_speed_jump_m_per_s * 1e3) +
@@ -136,8 +138,9 @@ std::string to_html(std::span<const TrialResult> results) {
       "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>telepalp: the four trials</title>\n"
       "<style>body{font-family:sans-serif;max-width:940px;margin:2em auto}span{padding:2px 6px;margin-right:6px}"
       "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>Run in virtual time by a "
-      "simulated hand on a simulated device, over a level skin that is known "
-      "exactly: what is seen here is the controller alone, without camera or network.</p>\n<p>";
+      "simulated hand on a simulated device, through the live haptic loop. Plane: a level skin that is known exactly, "
+      "so that the controller alone is seen. Camera: a belly under a Kinect-like camera, with noise and disparity "
+      "steps, through the surface builder. There is no network.</p>\n<p>";
   for (std::size_t i = 0; i < control::kPhaseCount; ++i) {
     const auto phase = static_cast<Phase>(i + 1);
     out += "<span style=\"background:" + std::string(color_of(phase)) + "\">" + name(phase) +
@@ -146,9 +149,10 @@ std::string to_html(std::span<const TrialResult> results) {
   out += "</p>\n";
   for (const TrialResult& result : results) {
     const TrialFigures& f = result.figures;
-    out += "<h2>" + std::string(title(result.trial)) + "</h2>\n<p>largest force " + readable(f.most_force_N) +
-           " N, largest step " + readable(f.worst_force_step_N) + " N a tick, end-effector jump at transitions " +
-           readable(f.worst_jump_m * 1e3) + " mm, " + readable(f.contact_s) + " s in contact</p>\n";
+    out += "<h2>" + std::string(title(result.trial)) + ", on the " + result.surface + "</h2>\n<p>largest force " +
+           readable(f.most_force_N) + " N, largest step " + readable(f.worst_force_step_N) +
+           " N a tick, end-effector jump at transitions " + readable(f.worst_jump_m * 1e3) + " mm, " +
+           readable(f.contact_s) + " s in contact, " + readable(f.unfelt_s) + " s in the true skin unfelt</p>\n";
     for (const Figure& figure : figures_of(result)) out += to_svg(figure);
   }
   return out + "</html>\n";

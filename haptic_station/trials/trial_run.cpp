@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "haptic_station/trials/loop_station.h"
+
 namespace telepalp::trials {
 namespace {
 
@@ -17,13 +19,15 @@ struct Before {
   Eigen::Vector3d shown_m = Eigen::Vector3d::Zero();
 };
 
-void judge(const Before& before, const VirtualStation& station, const ControlOutput& out, double tick_s,
+void judge(const Before& before, const LoopStation& station, const ControlOutput& out, double tick_s,
            TrialFigures& figures) {
   figures.worst_force_step_N = std::max(figures.worst_force_step_N, (out.force.N - before.force_N).norm());
   figures.worst_shown_step_m = std::max(figures.worst_shown_step_m, (out.displayed_hand.m - before.shown_m).norm());
   figures.most_force_N = std::max(figures.most_force_N, out.force.N.norm());
   figures.least_passivity_J = std::min(figures.least_passivity_J, out.passivity_J);
   if (control::is_inside(out.phase)) figures.contact_s += tick_s;
+  constexpr double kSurelyInside_m = 0.002;
+  if (!control::is_inside(out.phase) && station.true_depth_m() > kSurelyInside_m) figures.unfelt_s += tick_s;
   if (out.phase == out.previous) return;
   ++figures.entries[static_cast<std::size_t>(out.phase) - 1];
   const Eigen::Vector3d moved_m = station.pair().true_device().m - before.device_m;
@@ -34,12 +38,12 @@ void judge(const Before& before, const VirtualStation& station, const ControlOut
 
 }  // namespace
 
-TrialResult run_trial(device::Trial trial, const VirtualStationSettings& settings, const device::BreathingPlane& skin) {
-  VirtualStation station(settings);
+TrialResult run_trial(device::Trial trial, const VirtualStationSettings& settings, TrialSkin& skin) {
+  LoopStation station(settings, skin);
   const device::Waypoint& start = device::waypoints(trial).back();
   station.place({{0.0, 0.03, 0.0}}, {{start.x_m, start.height_m, start.z_m}});
   device::ScriptedIntention person(device::waypoints(trial), {});
-  TrialResult result{.trial = trial, .figures = {}, .samples = {}, .transitions = {}};
+  TrialResult result{.trial = trial, .surface = "", .figures = {}, .samples = {}, .transitions = {}};
   const auto ticks = static_cast<int>(device::duration_s(trial) / settings.tick_s);
   Before before;
   for (int i = 0; i < ticks; ++i) {
@@ -47,7 +51,7 @@ TrialResult run_trial(device::Trial trial, const VirtualStationSettings& setting
     before.device_m = station.pair().true_device().m;
     before.speed = station.pair().true_device_velocity().v;
     const ControlOutput out =
-        station.step(skin, [&](const device::TrialView& view) { return person.step(view, settings.tick_s); });
+        station.step([&](const device::TrialView& view) { return person.step(view, settings.tick_s); }).control;
     if (i == 0) before.shown_m = out.displayed_hand.m;
     judge(before, station, out, settings.tick_s, result.figures);
     before.force_N = out.force.N;

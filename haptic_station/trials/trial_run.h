@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "haptic_station/device/breathing_plane.h"
+#include "haptic_station/trials/trial_skin.h"
 #include "haptic_station/trials/virtual_station.h"
 
 namespace telepalp::trials {
@@ -35,6 +35,7 @@ struct TrialFigures {
   double worst_shown_step_m = 0.0;        ///< largest displacement of the displayed hand in one tick
   double most_force_N = 0.0;
   double contact_s = 0.0;
+  double unfelt_s = 0.0;  ///< deeper than 2 mm in the true skin without feeling it
   double least_passivity_J = 0.0;
 
   [[nodiscard]] int entered(control::Phase phase) const noexcept {
@@ -44,14 +45,14 @@ struct TrialFigures {
 
 struct TrialResult {
   device::Trial trial = device::Trial::IndentSeveralPoints;
+  const char* surface = "";  ///< what it ran on, for people
   TrialFigures figures;
   std::vector<TrialSample> samples;
   std::vector<Transition> transitions;
 };
 
-/// Runs one of S1's trials in virtual time over a horizontal skin, which may breathe.
-[[nodiscard]] TrialResult run_trial(device::Trial trial, const VirtualStationSettings& settings,
-                                    const device::BreathingPlane& skin);
+/// Runs one of S1's trials in virtual time on the live haptic loop over `skin`.
+[[nodiscard]] TrialResult run_trial(device::Trial trial, const VirtualStationSettings& settings, TrialSkin& skin);
 
 /// S1's scene: the skin with the paper's stiffness and the cylinder 0.03 m below it.
 [[nodiscard]] VirtualStationSettings paper_settings();

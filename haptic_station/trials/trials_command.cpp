@@ -16,6 +16,8 @@ program::Usage usage() {
           .positional = "",
           .options = {{"out", "DIR", "where report.html and report.json go", "trials"},
                       {"scene", "FILE", "a *.scene.textproto; left out: the study's skin and cylinder"},
+                      {"surface", "KIND", "plane: level and exact; camera: a belly under a Kinect-like camera; both",
+                       "both"},
                       {"breathing-mm", "MM", "how far the patient's skin rises and falls", "0"}},
           .example = "telepalp-station trials --out trials"};
 }
@@ -32,6 +34,22 @@ Result<VirtualStationSettings> settings_of(const program::Arguments& arguments) 
   return settings;
 }
 
+void run_all(const VirtualStationSettings& settings, double breathing_m, bool by_camera,
+             std::vector<TrialResult>& results) {
+  for (const auto trial : {device::Trial::IndentSeveralPoints, device::Trial::MoveWithin, device::Trial::FindCylinder,
+                           device::Trial::FreeSearch}) {
+    const auto skin = by_camera ? camera_skin({.breathing_m = breathing_m}) : level_skin({.amplitude_m = breathing_m});
+    TrialResult result = run_trial(trial, settings, *skin);
+    result.surface = by_camera ? "camera" : "plane";
+    const TrialFigures& f = result.figures;
+    std::printf(
+        "%-38s on the %-6s %3zu transitions, %5.2f s in contact, %4.2f s unfelt, %5.2f N at most, steps to %.3f N\n",
+        title(trial), result.surface, result.transitions.size(), f.contact_s, f.unfelt_s, f.most_force_N,
+        f.worst_force_step_N);
+    results.push_back(std::move(result));
+  }
+}
+
 }  // namespace
 
 int trials_command(int argc, const char* const* argv) {
@@ -43,14 +61,15 @@ int trials_command(int argc, const char* const* argv) {
   if (!breathing_mm) return program::fail(breathing_mm.error(), program::kAskedWrongly);
   const Result<VirtualStationSettings> settings = settings_of(arguments);
   if (!settings) return program::fail(settings.error());
+  const std::string surface = arguments.text("surface");
+  if (surface != "plane" && surface != "camera" && surface != "both")
+    return program::fail({.what = "--surface '" + surface + "' is not known",
+                          .where = "telepalp-station trials",
+                          .fix = "plane, camera or both"},
+                         program::kAskedWrongly);
   std::vector<TrialResult> results;
-  for (const auto trial : {device::Trial::IndentSeveralPoints, device::Trial::MoveWithin, device::Trial::FindCylinder,
-                           device::Trial::FreeSearch}) {
-    results.push_back(run_trial(trial, *settings, {.amplitude_m = *breathing_mm * 1e-3}));
-    const TrialFigures& f = results.back().figures;
-    std::printf("%-38s %3zu transitions, %5.2f s in contact, %5.2f N at most, steps to %.3f N\n", title(trial),
-                results.back().transitions.size(), f.contact_s, f.most_force_N, f.worst_force_step_N);
-  }
+  if (surface != "camera") run_all(*settings, 1e-3 * *breathing_mm, false, results);
+  if (surface != "plane") run_all(*settings, 1e-3 * *breathing_mm, true, results);
   const Result<void> written = write_report(results, arguments.text("out"));
   return written ? program::kDone : program::fail(written.error());
 }

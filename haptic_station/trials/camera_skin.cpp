@@ -1,0 +1,75 @@
+#include <cmath>
+#include <numbers>
+
+#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/trials/trial_skin.h"
+#include "support/sensor/depth_sensor.h"
+
+namespace telepalp::trials {
+namespace {
+
+constexpr double kFrame_hz = 30.0;
+constexpr double kReach_m = 0.16;  // as the station's surface thread asks for
+constexpr Intrinsics kCamera{320, 240, 525.0, 525.0, 159.5, 119.5};
+
+/// Height of a barrel over H's x and z, and how it falls away.
+class CameraSkin final : public TrialSkin {
+ public:
+  explicit CameraSkin(const BellySettings& belly)
+      : belly_(belly), builder_(surface::SurfaceSettings{}), sensor_({.seed = belly.seed}) {}
+
+  void show(double time_s, const Point<HapticBase>& device, station::HapticLoop& loop) override {
+    if (time_s * kFrame_hz + 1e-9 < static_cast<double>(frames_)) return;
+    ++frames_;
+    const SessionTime now{from_seconds(time_s)};
+    const Transform<HapticBase, DepthCamera> placed = trial_camera();
+    const auto snapshot =
+        builder_.add(seen_at(time_s, now), kCamera, now, surface::Reach{placed.inverse() * device, kReach_m});
+    if (!snapshot) return;
+    loop.adopt({snapshot, placed}, now);
+    shown_ = snapshot;
+  }
+
+  [[nodiscard]] double true_depth_m(const Point<HapticBase>& point, double time_s) const override {
+    const double x_slope = point.m.x() / belly_.along_radius_m;
+    const double z_slope = point.m.z() / belly_.across_radius_m;
+    const double above_m = point.m.y() - height_m(point.m.x(), point.m.z(), time_s);
+    return -above_m / std::sqrt(1.0 + x_slope * x_slope + z_slope * z_slope);
+  }
+
+ private:
+  [[nodiscard]] double height_m(double x_m, double z_m, double time_s) const noexcept {
+    const double breath_m =
+        belly_.breathing_m * std::sin(2.0 * std::numbers::pi * belly_.rate_hz * (belly_.begins_s + time_s));
+    return breath_m - 0.5 * x_m * x_m / belly_.along_radius_m - 0.5 * z_m * z_m / belly_.across_radius_m;
+  }
+
+  [[nodiscard]] DepthImage seen_at(double time_s, SessionTime now) const {
+    DepthImage depth{
+        .width = kCamera.width, .height = kCamera.height, .unit_m = sensor_.settings().unit_m, .samples = {}};
+    const sensor::Exposure exposure = sensor_.expose(to_nanoseconds(now));
+    const double camera_m = trial_camera().iso.translation().y();
+    std::uint32_t pixel = 0;
+    for (int v = 0; v < kCamera.height; ++v)
+      for (int u = 0; u < kCamera.width; ++u) {
+        const double x = (u - kCamera.cx) / kCamera.fx;
+        const double y = (v - kCamera.cy) / kCamera.fy;
+        double z_m = camera_m;
+        for (int step = 0; step < 4; ++step) z_m = camera_m - height_m(x * z_m, y * z_m, time_s);
+        depth.samples.push_back(exposure.sample(static_cast<float>(z_m), pixel++));
+      }
+    return depth;
+  }
+
+  BellySettings belly_;
+  surface::SurfaceBuilder builder_;
+  sensor::DepthSensor sensor_;
+  std::shared_ptr<const surface::SurfaceSnapshot> shown_;  // shared: as the builder answers
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<TrialSkin> camera_skin(const BellySettings& belly) { return std::make_unique<CameraSkin>(belly); }
+
+}  // namespace telepalp::trials

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/trials/trial_skin.h"
+#include "haptic_station/trials/virtual_station.h"
+
+namespace telepalp::trials {
+
+/// The live loop on a simulated device, in virtual time: surface snapshots, hand samples and ticks as at the station,
+/// without its clock and threads. The skin and the person are the caller's.
+class LoopStation {
+ public:
+  LoopStation(const VirtualStationSettings& settings, TrialSkin& skin)
+      : settings_(settings),
+        skin_(skin),
+        loop_({.touch = {}, .hand = settings.estimate}, {settings.control, settings.effects}),
+        pair_(settings.device, settings.hand),
+        tracker_(settings.tracker, settings.seed) {}
+
+  void place(const Point<HapticBase>& device, const Point<HapticBase>& hand) noexcept { pair_.place(device, hand); }
+
+  /// One tick. `person` aims: `device::Intention person(const device::TrialView&)`.
+  template <class Person>
+  station::HapticLoop::Act step(Person&& person) {
+    const double now_s = time_s();
+    const SessionTime now{from_seconds(now_s)};
+    skin_.show(now_s, pair_.device(), loop_);
+    if (const auto sample = tracker_.sample(now_s, pair_.true_hand())) loop_.hand_sampled(now, *sample);
+    const station::HapticLoop::Act act =
+        loop_.tick({.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0}, now, settings_.tick_s);
+    pair_.step(act.force, person(device::TrialView{now_s, act.contact, pair_.device()}), settings_.tick_s);
+    ++tick_;
+    return act;
+  }
+
+  [[nodiscard]] double time_s() const noexcept { return static_cast<double>(tick_) * settings_.tick_s; }
+  [[nodiscard]] double tick_s() const noexcept { return settings_.tick_s; }
+  [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
+  /// The true one, of the device.
+  [[nodiscard]] double true_depth_m() const { return skin_.true_depth_m(pair_.true_device(), time_s()); }
+
+ private:
+  VirtualStationSettings settings_;
+  TrialSkin& skin_;
+  station::HapticLoop loop_;
+  device::SimulatedPair pair_;
+  device::SimulatedTracker tracker_;
+  std::uint64_t tick_ = 0;
+};
+
+}  // namespace telepalp::trials
