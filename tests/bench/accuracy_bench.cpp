@@ -19,6 +19,7 @@ struct Part {
   Result<Section> (*measure)();
 };
 constexpr Part kParts[] = {{"surface", surface_section},
+                           {"patients", patients_section},
                            {"prediction", prediction_section},
                            {"organ", organ_section},
                            {"z-width", z_width_section},

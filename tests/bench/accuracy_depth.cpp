@@ -130,7 +130,7 @@ void feel(const DepthSequence& sequence, const std::vector<DepthImage>& got, Dep
 Result<std::vector<DepthSequence>> depth_sequences() {
   Result<DepthSequence> room = recorded_room();
   if (!room) return room.error();
-  Result<FilmedTorso> torso = kinect_torso();
+  Result<FilmedTorso> torso = kinect_torso(0.8);
   if (!torso) return torso.error();
   DepthSequence patient{.name = "synthetic torso",
                         .camera = torso->patient.settings().camera,

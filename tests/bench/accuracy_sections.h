@@ -16,6 +16,8 @@ struct Section {
 
 /// The surface's settings and parameters: error, cost, the front of both and its knee; then over noise and density.
 [[nodiscard]] Result<Section> surface_section();
+/// What each setting errs on patients who move.
+[[nodiscard]] Result<Section> patients_section();
 /// Models that predict the hand, and what carries the surface forward.
 [[nodiscard]] Result<Section> prediction_section();
 /// An organ's cells: what a coarser lattice saves, and how far the organ moves.

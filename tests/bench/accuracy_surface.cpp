@@ -185,7 +185,8 @@ void keep_cheaper(SurfaceFigures& figures, const Distribution& build_ms, const D
 
 bool SurfaceFigures::right_enough() const noexcept {
   return 1e6 * shapes.position_m <= kShapeReach_um && shapes.normal_deg <= kShapeReach_deg &&
-         1e3 * torso.position_m <= kTorsoReach_mm && torso.normal_deg <= kTorsoReach_deg && jump_um <= kJumpReach_um;
+         1e3 * torso.position_m <= kTorsoReach_mm && torso.normal_deg <= kTorsoReach_deg && jump_um <= kJumpReach_um &&
+         shapes.touched == shapes.places && torso.touched == torso.places;
 }
 
 std::vector<RenderedShape> rendered_shapes(double spacing_m) {
@@ -200,12 +201,12 @@ std::vector<RenderedShape> rendered_shapes(double spacing_m) {
 
 Result<FilmedTorso> filmed_torso(double sigma_m) { return film(testing::torso({.sigma_m = sigma_m})); }
 
-Result<FilmedTorso> kinect_torso() {
+Result<FilmedTorso> kinect_torso(double above_m) {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
   if (!file) return Error{.what = "the torso is not shipped", .where = "torso", .fix = "run from the repository"};
   const Result<server::TriangleMesh> mesh = server::read_mesh(*file);
   if (!mesh) return mesh.error();
-  return film(server::SyntheticPatient::make(*mesh, {.amplitude_m = 0.0}));
+  return film(server::SyntheticPatient::make(*mesh, {.camera_above_body_m = above_m, .amplitude_m = 0.0}));
 }
 
 TouchError shape_touch_error(const RenderedShape& shape, const SurfaceVariant& variant) {

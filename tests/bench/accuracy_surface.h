@@ -25,6 +25,8 @@ struct SurfaceVariant {
 
 /// Every named setting, and around each what one parameter changes.
 [[nodiscard]] std::vector<SurfaceVariant> surface_variants();
+/// The named settings that stand for a way each: what the tables over noise, density and motion compare.
+[[nodiscard]] std::vector<SurfaceVariant> few_variants();
 
 /// Frames in, snapshots out: what a variant makes of a stream.
 class VariantStream {
@@ -58,7 +60,7 @@ struct SurfaceFigures {
 
   /// Share of one core that live touch takes: 30 snapshots and 2000 steps a second.
   [[nodiscard]] double load() const noexcept { return 0.03 * build_p50_ms + 0.002 * step_p50_us; }
-  /// Whether the surface is as right as was asked for.
+  /// Whether the surface is as right as was asked for, and felt at every place.
   [[nodiscard]] bool right_enough() const noexcept;
 };
 
@@ -85,8 +87,8 @@ struct FilmedTorso {
 };
 /// One second of a still patient.
 [[nodiscard]] Result<FilmedTorso> filmed_torso(double sigma_m);
-/// The same as a Kinect sees it: noise that grows with depth, disparity steps, holes.
-[[nodiscard]] Result<FilmedTorso> kinect_torso();
+/// The same as a Kinect sees it from `above_m`: noise that grows with depth, disparity steps, holes.
+[[nodiscard]] Result<FilmedTorso> kinect_torso(double above_m);
 
 [[nodiscard]] TouchError shape_touch_error(const RenderedShape& shape, const SurfaceVariant& variant);
 [[nodiscard]] TouchError torso_touch_error(const FilmedTorso& torso, const SurfaceVariant& variant);

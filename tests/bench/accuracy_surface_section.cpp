@@ -165,15 +165,6 @@ void add_rows(const Tried& tried, bool is_default, std::vector<Row>& rows) {
   rows.push_back(measured(name + "load", 100.0 * f.load(), "%"));
 }
 
-/// The named settings that stand for a way each: what the tables over noise and density compare.
-std::vector<SurfaceVariant> few_variants() {
-  std::vector<SurfaceVariant> few;
-  for (SurfaceVariant& variant : surface_variants())
-    for (const char* name : {"fast", "single-frame", "smooth", "paper-nanoflann", "cloud", "cloud-kth"})
-      if (variant.name == name) few.push_back(std::move(variant));
-  return few;
-}
-
 /// A cell "position / normal".
 std::string both(const TouchError& error, double scale) {
   return touched(error, cell(scale * error.position_m) + " / " + cell(error.normal_deg));
@@ -187,7 +178,8 @@ Result<PageTable> noise_table(std::vector<Row>& rows) {
   std::vector<Sight> sights;
   for (const double sigma_m : {0.0, 0.0005, 0.002, 0.004})
     sights.push_back({"noise " + cell(1e3 * sigma_m) + " mm", filmed_torso(sigma_m)});
-  sights.push_back({"as a Kinect sees it", kinect_torso()});
+  for (const double above_m : {0.8, 1.2, 2.0})
+    sights.push_back({"a Kinect at " + cell(above_m) + " m", kinect_torso(above_m)});
   PageTable table{.head = {"setting"}, .rows = {}};
   for (const Sight& sight : sights) {
     if (!sight.torso) return sight.torso.error();

@@ -114,4 +114,12 @@ std::shared_ptr<const surface::SurfaceSnapshot> VariantStream::add(const DepthIm
   return snapshot;
 }
 
+std::vector<SurfaceVariant> few_variants() {
+  std::vector<SurfaceVariant> few;
+  for (SurfaceVariant& variant : surface_variants())
+    for (const char* name : {"fast", "single-frame", "smooth", "paper-nanoflann", "cloud", "cloud-kth"})
+      if (variant.name == name) few.push_back(std::move(variant));
+  return few;
+}
+
 }  // namespace telepalp::bench

@@ -85,12 +85,13 @@ std::vector<double> play(const Bad& bad, int number) {
   const double depth_m = random.uniform(0.01, 0.03);
   const double period_s = random.uniform(1.5, 4.0);
   const Spot spot = spots()[random.bits() % spots().size()];
+  const Eigen::Vector3d normal = normal_at(*patient, spot).v;  // straight in: the law has no force along the skin
   const auto anchor = number % 2 == 0 ? effects::SkinAnchor::FollowsSurface : effects::SkinAnchor::Sliding;
   BenchStation station(with_skin(anchor), haptic_from_camera(*patient, spot),
                        std::make_unique<ArmHand>(300.0, [&](double t) {
                          const double since_s = std::max(0.0, t - kStarts_s);
                          const double pressed = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * since_s / period_s);
-                         return device::Intention{{{0.0, 0.03 - (0.03 + depth_m) * pressed, 0.0}}, {}};
+                         return device::Intention{{(0.03 - (0.03 + depth_m) * pressed) * normal}, {}};
                        }));
   ContactWork work;
   run(feed, station, kLasts_s, [&](const Tick& tick) { work.add(tick); });

@@ -14,7 +14,7 @@ namespace {
 constexpr double kEvent_s = 3.0;       // the hand presses by then
 constexpr double kJudged_s = 3.0;      // after the frames' return
 constexpr double kAveraged_s = 0.5;    // over which the force is compared with the law's
-constexpr double kAimDepth_m = 0.018;  // of a soft arm: it presses 5 mm deep, and up to 14 mm after a shift of 30 mm
+constexpr double kAimDepth_m = 0.024;  // of a soft arm: it presses 7 mm deep, and up to 15 mm after a shift of 30 mm
 constexpr double kArm_N_per_m = 200.0;
 
 enum class Event { Gap, Shift, Hole, Black, ForeignHand };
@@ -84,6 +84,7 @@ struct Outcome {
 
 Outcome play(const Case& drawn) {
   const auto patient = torso();
+  const Eigen::Vector3d normal = normal_at(*patient, drawn.spot).v;
   const auto during = [&](double t) { return t >= kEvent_s && t < kEvent_s + drawn.lasts_s; };
   Feed feed(
       {.patient = patient,
@@ -97,11 +98,12 @@ Outcome play(const Case& drawn) {
                      DepthImage& depth) { return !during(t) || damage(drawn, patient->settings().camera, depth); },
        .link = {.one_way_s = drawn.one_way_s, .seed = drawn.seed},
        .builder = {}});
-  BenchStation station(
-      with_skin(drawn.anchor), haptic_from_camera(*patient, drawn.spot),
-      std::make_unique<ArmHand>(kArm_N_per_m, [](double t) {
-        return device::Intention{{{0.0, 0.04 - (0.04 + kAimDepth_m) * eased((t - 0.9) / 1.1), 0.0}}, {}};
-      }));
+  BenchStation station(with_skin(drawn.anchor), haptic_from_camera(*patient, drawn.spot),
+                       std::make_unique<ArmHand>(kArm_N_per_m, [normal](double t) {
+                         // Along the normal, so that the hand does not slide off an oblique skin.
+                         const double height_m = 0.04 - (0.04 + kAimDepth_m) * eased((t - 0.9) / 1.1);
+                         return device::Intention{{height_m * normal}, {}};
+                       }));
   const double back_s = kEvent_s + drawn.lasts_s + drawn.one_way_s + 2.0 / 30.0;
   Outcome outcome;
   ForceSteps steps;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <sstream>
 
 #include "tests/bench/hand/reached.h"
 #include "tests/bench/hand/studies.h"
@@ -16,6 +17,14 @@ using hand::Study;
 void say_progress(const std::string& study, int done, int of) {
   std::fprintf(stderr, "\r\033[K%s %d/%d%s", study.c_str(), done, of, done == of ? "\r\033[K" : "");
   std::fflush(stderr);
+}
+
+/// Whether `name` contains one of `patterns`, which commas part; no pattern: every name.
+bool is_wanted(const std::string& name, const std::string& patterns) {
+  std::istringstream stream(patterns);
+  for (std::string one; std::getline(stream, one, ',');)
+    if (name.find(one) != std::string::npos) return true;
+  return patterns.empty();
 }
 
 std::string names_of(const std::vector<Study>& studies) {
@@ -45,7 +54,7 @@ Result<Report> run_hand(const program::Arguments& arguments) {
   Report report{.bench = "hand", .rows = {}, .notes = {}};
   const std::vector<Study> studies = hand::all_studies();
   for (const Study& study : studies) {
-    if (study.name.find(wanted) == std::string::npos) continue;
+    if (!is_wanted(study.name, wanted)) continue;
     Options options{.seeds = static_cast<int>(*seeds)};
     if (isatty(STDERR_FILENO) != 0) options.progress = [&](int done, int of) { say_progress(study.name, done, of); };
     for (Row& row : study.measure(options)) report.rows.push_back(std::move(row));
@@ -53,7 +62,7 @@ Result<Report> run_hand(const program::Arguments& arguments) {
   if (report.rows.empty())
     return Error{.what = "no study's name contains '" + wanted + "'",
                  .where = "telepalp-bench hand --row",
-                 .fix = "give a part of one of: " + names_of(studies)};
+                 .fix = "give parts, with commas between, of: " + names_of(studies)};
   if (arguments.has("write"))
     if (const auto written = hand::write_reached(report, arguments.text("write") + "/reached.tsv"); !written)
       return written.error();

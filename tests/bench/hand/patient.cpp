@@ -9,7 +9,7 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr Spot kSpots[] = {{"belly", -40.0, 20.0}, {"flank", -30.0, 75.0}, {"chest", 75.0, -10.0}};
+constexpr Spot kSpots[] = {{"belly", -40.0, 20.0}, {"flank", -30.0, 48.0}, {"chest", 75.0, -10.0}};
 
 /// Aborts where the torso is missing: it is part of the source tree that the bench is built from.
 std::shared_ptr<const server::SyntheticPatient> make(Sensor sensor, server::Motion motion, std::uint64_t seed) {
@@ -47,6 +47,12 @@ Transform<HapticBase, DepthCamera> haptic_from_camera(const server::SyntheticPat
   placed.iso.linear() << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
   placed.iso.translation() = -placed.iso.linear() * skin;
   return placed;
+}
+
+Vector<HapticBase> normal_at(const server::SyntheticPatient& patient, const Spot& spot) {
+  const Intrinsics& camera = patient.settings().camera;
+  return haptic_from_camera(patient, spot) *
+         patient.surface_of({}).at_pixel(camera.cx + spot.u, camera.cy + spot.v).normal;
 }
 
 }  // namespace telepalp::bench::hand

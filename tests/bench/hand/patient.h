@@ -32,4 +32,7 @@ struct Spot {
 [[nodiscard]] Transform<HapticBase, DepthCamera> haptic_from_camera(const server::SyntheticPatient& patient,
                                                                     const Spot& spot);
 
+/// The skin's unit normal at `spot`, at rest, in H.
+[[nodiscard]] Vector<HapticBase> normal_at(const server::SyntheticPatient& patient, const Spot& spot);
+
 }  // namespace telepalp::bench::hand

@@ -13,7 +13,42 @@ namespace {
 
 constexpr double kStep_m = 0.01;
 constexpr double kStepAt_s = 3.01;  // between two frames
-constexpr double kWaits_s = 12.0;
+constexpr double kWaits_s = 3.0;    // less than it takes the motors to heat up
+
+/// The force after the step.
+class Response {
+ public:
+  void add(const Tick& tick) {
+    if (tick.time_s < kStepAt_s) {
+      law_before_N_ = tick.law_N();
+      return;
+    }
+    after_.push_back({tick.time_s, tick.pushed_N()});
+    law_after_N_ = tick.law_N();
+  }
+  /// Since when it stays within a tenth of the step from where it ends: an overshoot has not arrived. A force that ends
+  /// a quarter of the step or more from the law never settles; less is the sensor's and the anchor's own offset.
+  [[nodiscard]] double settled_s() const {
+    const double step_N = std::abs(law_after_N_ - law_before_N_);
+    constexpr std::size_t kAveraged = 400;  // ticks: 0.2 s
+    double end_N = 0.0;
+    for (auto moment = after_.end() - kAveraged; moment != after_.end(); ++moment) end_N += moment->force_N / kAveraged;
+    if (std::abs(end_N - law_after_N_) > 0.25 * step_N) return kStepAt_s + kWaits_s;
+    double settled_s = kStepAt_s;
+    for (const Moment& moment : after_)
+      if (std::abs(moment.force_N - end_N) > 0.1 * step_N) settled_s = moment.time_s;
+    return settled_s;
+  }
+
+ private:
+  struct Moment {
+    double time_s;
+    double force_N;
+  };
+  std::vector<Moment> after_;
+  double law_before_N_ = 0.0;
+  double law_after_N_ = 0.0;
+};
 
 struct Outcome {
   double waited_s = 0.0;
@@ -41,15 +76,12 @@ Outcome play(double frame_hz, bool rises, effects::SkinAnchor anchor, const Spot
   const double first_seen_s = std::ceil(kStepAt_s * frame_hz) / frame_hz;
   Outcome outcome;
   ForceSteps steps;
-  double law_before_N = 0.0;
+  Response response;
   run(feed, station, kStepAt_s + kWaits_s, [&](const Tick& tick) {
     steps.add(tick);
-    if (tick.time_s < kStepAt_s) {
-      law_before_N = tick.law_N();
-    } else if (std::abs(tick.pushed_N() - tick.law_N()) > 0.1 * std::abs(tick.law_N() - law_before_N)) {
-      outcome.waited_s = tick.time_s - first_seen_s;  // an overshoot has not arrived
-    }
+    response.add(tick);
   });
+  outcome.waited_s = response.settled_s() - first_seen_s;
   outcome.force_step_N = steps.worst_N();
   return outcome;
 }
