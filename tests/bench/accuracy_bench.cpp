@@ -18,12 +18,9 @@ struct Part {
   std::string_view name;
   Result<Section> (*measure)();
 };
-constexpr Part kParts[] = {{"surface", surface_section},
-                           {"patients", patients_section},
-                           {"prediction", prediction_section},
-                           {"organ", organ_section},
-                           {"z-width", z_width_section},
-                           {"depth", depth_section}};
+constexpr Part kParts[] = {{"surface", surface_section},       {"patients", patients_section},
+                           {"prediction", prediction_section}, {"organ", organ_section},
+                           {"z-width", z_width_section},       {"depth", depth_section}};
 
 /// All parts, or the one that is asked for.
 Result<std::vector<Part>> parts_of(const program::Arguments& arguments) {

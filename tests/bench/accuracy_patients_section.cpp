@@ -13,7 +13,7 @@ namespace {
 constexpr double kLasts_s = 24.0;
 constexpr double kFrom_s = 12.0;  // a breath is known by then
 constexpr int kEvery_frames = 10;
-constexpr double kAge_s = 0.1;  // of the snapshot when the hand touches it
+constexpr double kAge_s = 0.1;    // of the snapshot when the hand touches it
 constexpr double kMost_m = 0.02;  // what counts for a place where the snapshot knows no surface
 
 /// How far the snapshot, carried on by `kAge_s`, lies from the true skin of that instant, at 25 places of the belly.
@@ -57,7 +57,8 @@ Result<Section> patients_section() {
     for (const server::Motion motion : server::all_motions()) {
       const double error_mm = 1e3 * error_on(variant, motion);
       table.rows.back().push_back(cell(error_mm));
-      section.rows.push_back(measured(variant.name + ": patient, " + std::string(server::name(motion)), error_mm, "mm"));
+      section.rows.push_back(
+          measured(variant.name + ": patient, " + std::string(server::name(motion)), error_mm, "mm"));
     }
   }
   section.parts = {{"patients", to_markdown(table)}};

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/sensor/pixel_noise.h"
 #include "server/capture/synthetic/shape/smooth.h"
 #include "server/capture/synthetic/true_surface.h"
+#include "support/sensor/pixel_noise.h"
 
 namespace telepalp::server {
 namespace {

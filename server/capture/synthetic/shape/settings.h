@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "support/sensor/depth_sensor.h"
 #include "proto/words/rgbd_frame.h"
 #include "server/capture/synthetic/motion/patient_motion.h"
+#include "support/sensor/depth_sensor.h"
 
 namespace telepalp::server {
 
