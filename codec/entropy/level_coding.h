@@ -94,7 +94,8 @@ std::optional<Levels> decode_steps(RangeDecoder& coder) {
   return levels;
 }
 
-/// Codes the levels along the law's steps, farthest first. `told` receives the levels that the law expresses.
+/// Codes the levels along the law's steps, farthest first. The last argument receives the levels that the law
+/// expresses.
 void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& levels, Levels& told) {
   encode_bytes(coder, law.farthest, 6);
   encode_bytes(coder, law.step, 4);

@@ -209,7 +209,7 @@ struct RangeDecoder {
     return last_word();
   }
 
-  /// Zeros behind the end.
+  /// Returns zeros past the end.
   [[gnu::noinline, nodiscard]] uint32_t last_word() {
     uint32_t word = 0;
     for (int byte = 0; byte < 4; ++byte) word = word << 8 | (at != end ? *at++ : 0U);
@@ -217,14 +217,14 @@ struct RangeDecoder {
   }
 };
 
-/// A whole number of any size, in as many symbols and bits as its length asks for.
+/// Encodes a 32-bit number: one symbol for its length in bits, then the bits.
 inline void encode_number(RangeEncoder& coder, Model& length_model, uint32_t value) {
   int length = 0;
   while (((value + 1) >> (length + 1)) != 0 && length < kSymbols - 1) ++length;
   coder.encode(length_model, length);
   learn<4>(length_model, length);
   const uint32_t below = value + 1 - (uint32_t{1} << length);
-  const int bits = length == kSymbols - 1 ? 16 : length;  // the longest length stands for all beyond
+  const int bits = length == kSymbols - 1 ? 16 : length;  // the greatest length also stands for greater ones
   if (bits > 8) coder.encode_bits(below >> 8, bits - 8);
   coder.encode_bits(below & (bits > 8 ? 0xffU : (uint32_t{1} << bits) - 1), bits > 8 ? 8 : bits);
 }

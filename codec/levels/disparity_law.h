@@ -7,8 +7,8 @@
 namespace telepalp::codec {
 
 /// The levels of a camera that measures disparity in whole steps (Kinect-class): 1/z grows by the same amount from
-/// level to level, and z is then rounded to whole units. Two numbers tell hundreds of levels. Integers alone, so that
-/// every machine computes the same.
+/// level to level, and z is then rounded to whole units. Two numbers describe hundreds of levels. The arithmetic uses
+/// only integers, so that every machine computes the same levels.
 struct DisparityLaw {
   static constexpr std::uint64_t kOne = std::uint64_t{1} << 40;
   static constexpr std::uint32_t kMostSteps = 65535;
@@ -16,7 +16,7 @@ struct DisparityLaw {
   std::uint64_t farthest = kOne;  ///< kOne / z of step 0, 1 … kOne
   std::uint32_t step = 1;         ///< above 0
 
-  /// z of the step that is `n` nearer than the farthest, rounded.
+  /// z of the level that is `n` steps nearer than the farthest one, rounded.
   [[nodiscard]] std::uint64_t level_at(std::uint32_t n) const noexcept {
     const std::uint64_t inverse = farthest + std::uint64_t{step} * n;
     return (kOne + inverse / 2) / inverse;
@@ -25,8 +25,8 @@ struct DisparityLaw {
   [[nodiscard]] std::uint32_t step_of(std::uint16_t level) const noexcept;
 };
 
-/// The law that ascending, positive `levels` follow best; nullopt for fewer than 16 or more than 4096, or where no law comes near. Those
-/// that sensors without disparity make have none.
+/// The law that fits ascending, positive `levels` best. nullopt for fewer than 16 or more than 4096 levels, or when no
+/// law fits, as for a sensor that does not measure disparity.
 [[nodiscard]] std::optional<DisparityLaw> fit_disparity_law(std::span<const std::uint16_t> levels);
 
 }  // namespace telepalp::codec

@@ -18,7 +18,7 @@ struct ContextTables {
 
 namespace {
 
-/// The symbols of a pixel: how its rank differs from the prediction.
+/// The symbol of a pixel states how its rank differs from the prediction.
 enum Symbol : int {
   kAsPredicted = 0,
   kNotMeasured = 1,

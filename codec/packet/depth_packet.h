@@ -51,7 +51,7 @@ struct Packet {
   std::span<const std::byte> body;
 };
 
-/// A packet as it is sent, with what its header says.
+/// A packet as it is sent, with the content of its header.
 struct WrittenPacket {
   std::string bytes;
   std::uint32_t crc = 0;

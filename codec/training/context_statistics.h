@@ -9,7 +9,7 @@
 
 namespace telepalp::codec {
 
-/// What the coder would see of a pixel.
+/// Context and symbol of a pixel.
 struct PixelSymbol {
   int context;
   int beyond_class;
@@ -18,9 +18,9 @@ struct PixelSymbol {
   int step;
 };
 
-/// Visits each pixel of a band with its context and symbol, as the coder would, one pixel at a time and without haste:
-/// what tables are trained on, and what the fast kernels are tested against.
-/// `before`: the band in the frame before, in ranks of this one; empty when there is none. `visit(PixelSymbol)`.
+/// Calls `visit(PixelSymbol)` for each pixel of a band, with the context and the symbol that the coder uses. It is
+/// simple and slow; the tables are trained with it, and the fast kernels are tested against it. `before`: the same band
+/// of the reference frame, in ranks of this frame; empty without a reference frame.
 template <class Visit>
 void for_each_symbol(std::span<const std::uint16_t> ranks, std::span<const std::uint16_t> before, int width,
                      Visit visit) {

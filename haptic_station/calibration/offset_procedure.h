@@ -26,9 +26,9 @@ struct OffsetSettings {
 };
 
 /// S1 eq. (2) and (4): p_H = R (p_L - p0_L) + p0_H with R = diag(1, -1, -1), where p0_L and p0_H are the means over
-/// touches. Eq. (3) is the inverse only if the paper's symbol for the present end-effector position is read as p0_H;
-/// this code does so. The tracker's axes must be parallel to the device's as R states; touches at one place cannot
-/// detect a rotation. Error: too few touches, a number that is not finite or beyond 10 m, or a hand that moved.
+/// touches. Eq. (3) is the inverse of eq. (2) only if its symbol for the present position of the end-effector means
+/// p0_H; this code assumes so. The tracker's axes must be parallel to the device's as R states; touches at one place
+/// cannot detect a rotation. Error: too few touches, a number that is not finite or beyond 10 m, or a hand that moved.
 [[nodiscard]] Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches,
                                                          const OffsetSettings& settings = {});
 

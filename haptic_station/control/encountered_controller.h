@@ -14,9 +14,9 @@
 
 namespace telepalp::control {
 
-/// S1 II.D: lets the end-effector wait on a plane above the body under the free hand, become the skin at contact, and
-/// part without a jump. Pure: its answers depend only on its inputs since construction. Real-time safe.
-/// Owner: control thread.
+/// The controller of an encountered-type device (S1 II.D). The end-effector waits on a plane above the body, under the
+/// free hand. At contact it displays the skin, and it leaves the contact without a jump of force. Pure: the output
+/// depends only on the inputs since construction. Real-time safe. Owner: control thread.
 class EncounteredController {
  public:
   EncounteredController(const ControlSettings& settings, const effects::EffectBank& effects) noexcept
@@ -31,7 +31,7 @@ class EncounteredController {
   /// One tick, `dt_s` after the last.
   [[nodiscard]] ControlOutput step(const ControlInput& in, double dt_s) noexcept;
 
-  /// A clock without system calls to measure the effects' cost with; nullptr: their cost is not measured.
+  /// Sets the clock that measures the cost of the effects. It must make no system call. nullptr: no measurement.
   void book_costs_with(effects::CostClock clock) noexcept { force_control_.book_costs_with(clock); }
   [[nodiscard]] const effects::EffectBank& effects() const noexcept { return force_control_.effects(); }
   [[nodiscard]] const PassivityController& passivity() const noexcept { return force_control_.passivity(); }

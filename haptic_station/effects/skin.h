@@ -7,9 +7,9 @@ namespace telepalp::effects {
 
 /// Where the skin's indentation vector d starts.
 enum class SkinAnchor {
-  FollowsSurface,  ///< at the first contact point, carried along the first normal as fast as the surface moves
-  Fixed,           ///< at the first contact point, S1 eq. (8) to the letter
-  Sliding,         ///< at the proxy, S1's extension: the hand slides, without friction
+  FollowsSurface,  ///< at the first contact point, which moves with the surface along the normal of first contact
+  Fixed,           ///< at the first contact point, which stays where it is: S1 eq. (8) as printed
+  Sliding,         ///< at the proxy, so that the hand slides without friction (an extension that S1 mentions)
 };
 
 struct SkinSettings {
@@ -17,8 +17,8 @@ struct SkinSettings {
   SkinAnchor anchor = SkinAnchor::FollowsSurface;
 };
 
-/// The undeformed skin that pushes an indenting hand back (S1 II.D). On a plane at rest FollowsSurface and Fixed are
-/// the same; a breathing patient needs the former. The skin never pulls the hand into the body.
+/// The skin that pushes an indenting hand back (S1 II.D). On a plane at rest, FollowsSurface and Fixed give the same
+/// force; a breathing patient needs FollowsSurface. The skin never pulls the hand into the body.
 class Skin {
  public:
   static constexpr const char* kName = "skin";
@@ -40,7 +40,7 @@ class Skin {
   Settings settings_;
   Point<HapticBase> first_contact_;  ///< S1's p_p^0
   Vector<HapticBase> first_normal_;
-  double rise_m_ = 0.0;             ///< of the skin under the first contact point since then, along its normal
+  double rise_m_ = 0.0;  ///< how far the skin at the first contact point has risen along its normal since contact
   Vector<HapticBase> indentation_;  ///< S1's d, eq. (8)
 };
 

@@ -33,7 +33,7 @@ struct Compensation {
   double drive_J = 0.0;         ///< work on the hand by lift and position control since the contact began
   double damping_N = 0.0;       ///< magnitude of the passivity controller's damping force
 
-  // Measurements beyond physics that were rejected, since start.
+  // Numbers of impossibly fast measurements that were rejected since start.
   std::uint64_t device_jumps = 0;
   std::uint64_t hand_jumps = 0;
 };

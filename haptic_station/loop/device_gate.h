@@ -6,35 +6,35 @@
 
 namespace telepalp::station {
 
-/// What a device's end-effector can do in a hand, and how far its encoders are believed beyond that.
+/// Bounds of the end-effector's motion in a hand, and the handling of readings outside them.
 struct DeviceGateSettings {
   double most_acceleration_m_per_s2 = 300.0;
   double encoder_noise_m = 0.05e-3;
-  double timing_error = 0.5;        ///< of the time between two readings, as a share of it
-  double slip_m = 0.005;            ///< a lasting offset up to this is absorbed slowly; a larger one is not believed
-  double believed_after_s = 0.001;  ///< readings that agree with each other for so long are a slip, not a glitch
-  double rebased_after_s = 0.5;     ///< after a large offset, readings that agree for so long are the new truth
+  double timing_error = 0.5;  ///< relative error of the time between two readings
+  double slip_m = 0.005;      ///< a lasting offset up to this is removed slowly; a larger one counts as implausible
+  double believed_after_s = 0.001;  ///< readings that agree for this long after a jump are a slip, no glitch
+  double rebased_after_s = 0.5;  ///< after a large offset, readings that agree for this long are accepted as they are
   double absorbed_over_s = 0.02;
-  double absorbed_m_per_s = 0.15;  ///< at most: 0.04 N a tick on a skin of 500 N/m
+  double absorbed_m_per_s = 0.15;  ///< fastest removal of an offset: 0.04 N a tick on a skin of 500 N/m
 };
 
 /// A reading as the controller may use it.
 struct GatedReading {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
-  double implausible_s = 0.0;   ///< readings have been beyond physics for so long; 0: this one is plausible
+  double implausible_s = 0.0;   ///< for how long readings have been impossibly fast; 0: this one is plausible
 };
 
-/// Holds encoder jumps beyond physics: while a reading cannot follow from the one before, the end-effector is carried
-/// on with its last velocity. A short glitch is bridged, a small lasting slip is absorbed slowly, a large one stays
-/// implausible, which the controller makes a fault. Owner: haptic thread.
+/// Bridges encoder jumps that are impossibly fast: while a reading cannot follow from the one before, the end-effector
+/// is extrapolated with its last velocity. A short glitch is bridged. A small lasting slip is removed slowly. A large
+/// lasting offset stays implausible, and the controller then faults. Owner: haptic thread.
 class DeviceGate {
  public:
   explicit DeviceGate(const DeviceGateSettings& settings = {}) noexcept : settings_(settings) {}
 
   [[nodiscard]] GatedReading step(const ports::DeviceReading& reading, double dt_s) noexcept;
 
-  /// Readings that began to be implausible, since start.
+  /// Number of implausible jumps since start.
   [[nodiscard]] std::uint64_t jumps() const noexcept { return jumps_; }
 
  private:
@@ -46,13 +46,13 @@ class DeviceGate {
 
   DeviceGateSettings settings_;
   bool started_ = false;
-  ports::DeviceReading last_;                            ///< as read
-  Eigen::Vector3d at_m_ = Eigen::Vector3d::Zero();       ///< as answered
-  Eigen::Vector3d speed_ = Eigen::Vector3d::Zero();      ///< of `at_m_` [m/s], low-pass
-  Eigen::Vector3d raw_speed_ = Eigen::Vector3d::Zero();  ///< of the readings, from the last two [m/s]
-  Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();   ///< answered less read: a slip that is being absorbed
+  ports::DeviceReading last_;                            ///< the last reading
+  Eigen::Vector3d at_m_ = Eigen::Vector3d::Zero();       ///< the position returned last
+  Eigen::Vector3d speed_ = Eigen::Vector3d::Zero();      ///< velocity of `at_m_` [m/s], low-pass filtered
+  Eigen::Vector3d raw_speed_ = Eigen::Vector3d::Zero();  ///< velocity from the last two readings [m/s]
+  Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();   ///< returned minus read position: a slip that is being removed
   double implausible_s_ = 0.0;
-  double agree_s_ = 0.0;  ///< readings have agreed with each other for so long
+  double agree_s_ = 0.0;  ///< for how long readings have agreed with each other
   std::uint64_t jumps_ = 0;
 };
 

@@ -14,15 +14,15 @@
 
 namespace telepalp::station {
 
-/// A surface and where it lies before the haptic device. Handed from the surface thread to the haptic thread.
+/// A surface and its place relative to the haptic device. The surface thread hands it to the haptic thread.
 struct TouchableSurface {
   std::shared_ptr<const surface::SurfaceSnapshot> snapshot;  // shared: the hand-off's slot keeps it alive while in use
   Transform<HapticBase, DepthCamera> haptic_from_camera;
 };
 
-/// One tick of the haptic station: sense, decide, act. Joins the surface's touch, the hand's estimate and the
-/// encountered controller; knows no clock, no thread and no device, so that the same tick runs live at 2 kHz, in
-/// virtual time, and in a test. Owner: the haptic thread. Nothing here allocates, locks, throws or calls the system.
+/// One tick of the haptic station: sense, decide, act. Joins the touch on the surface, the estimate of the hand and the
+/// encountered controller. It knows no clock, no thread and no device, so that the same tick runs live at 2 kHz, in
+/// virtual time and in a test. Owner: the haptic thread. Nothing here allocates, locks, throws or calls the system.
 class HapticLoop {
  public:
   struct Settings {
@@ -36,24 +36,26 @@ class HapticLoop {
   /// A newer surface. Its snapshot must stay alive until the next adopt().
   void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
 
-  /// A sample of the hand tracker, at the tracker's own time. One from more than 50 ms after the last tick is dropped.
+  /// Takes a sample of the hand tracker, stamped with the time of the measurement. A sample stamped more than 50 ms
+  /// after the last tick is dropped.
   void hand_sampled(SessionTime at, const Point<HapticBase>& hand) noexcept;
 
-  /// An operator asks to re-arm; counts for the next tick.
+  /// An operator asks to re-arm. The next tick handles the request.
   void rearm() noexcept { rearm_ = true; }
 
-  /// Time may stand still or be late, but when it goes back by more than 50 ms, it is another session's: nothing of
-  /// before is believed then, and the station lets go until surface and hand come again. The force to apply until the
-  /// next tick [N, in H], already limited, and all that is told of the tick, but for its number and times.
+  /// The result of one tick: the force to apply until the next tick [N, in H], after the limiter, and the values that
+  /// telemetry publishes, without the tick's number and times.
   struct Act {
     Force<HapticBase> force;
     ports::SurfaceContact contact;
     control::ControlOutput control;
     TickSample told;
   };
+  /// Runs one tick. `now` may stand still or go back by up to 50 ms. A larger step back means that another session has
+  /// begun: surface and hand samples are then discarded, and the station releases until new ones come.
   [[nodiscard]] Act tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept;
 
-  /// What the last tick did about delay, but for its time.
+  /// What the last tick did about delay. Its time stamp is left for the caller to fill.
   [[nodiscard]] Compensation compensation() const noexcept;
 
   [[nodiscard]] const control::EncounteredController& controller() const noexcept { return controller_; }
@@ -73,7 +75,7 @@ class HapticLoop {
   surface::TouchSample last_touch_;
   tracking::HandPrediction last_hand_;
   control::ControlOutput last_out_;
-  Point<HapticBase> newest_hand_;  // as sampled
+  Point<HapticBase> newest_hand_;  // as measured, without prediction
   SessionTime surface_captured_{};
   SessionTime hand_sampled_{};
   SessionTime last_tick_{};

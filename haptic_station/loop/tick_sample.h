@@ -30,11 +30,11 @@ struct TickSample {
   std::array<float, 3> normal_camera{};
   std::array<float, 3> device_camera{};
   std::array<float, 3> force_camera{};
-  float indentation_m = 0.0F;  ///< |d| of S1 eq. (8); 0 out of the body
+  float indentation_m = 0.0F;  ///< |d| of S1 eq. (8); 0 outside the body
   float distance_m = 0.0F;     ///< signed distance of the device point; negative inside
   float passivity_J = 0.0F;    ///< balance of the display's ledger; below zero the display is active
   float hand_excess_J = 0.0F;  ///< work on the hand in this contact beyond the measured skin's on the same path
-  float yields_in_s = 0.0F;    ///< until warm motors lower the force in contact; infinite: they do not
+  float yields_in_s = 0.0F;    ///< time until warm motors lower the contact force; infinite: never
   float device_age_s = 0.0F;   ///< ages of the three inputs, as the watchdog measured them
   float hand_age_s = 0.0F;
   float surface_age_s = 0.0F;

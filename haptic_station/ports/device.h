@@ -11,9 +11,10 @@ class Device {
   virtual ~Device() = default;
   /// Where the end-effector is. The reading's age is infinite until the device has answered once.
   [[nodiscard]] virtual DeviceReading read() noexcept = 0;
-  /// Shows `force` for the next `dt_s`. `contact`: the surface's answer for the last reading, for devices that draw it.
+  /// Holds `force` for the next `dt_s`. `contact`: the contact at the last reading, for devices that draw a picture of
+  /// it.
   virtual void apply(const Force<HapticBase>& force, const SurfaceContact& contact, double dt_s) noexcept = 0;
-  /// Where the tracker sees the hand, for simulated devices: they are held at that place.
+  /// The position of the hand that the tracker sees. A simulated device follows it, as if the hand held the device.
   virtual void hand_seen(const Point<HapticBase>&) noexcept {}
 };
 

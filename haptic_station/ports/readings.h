@@ -5,11 +5,11 @@
 
 namespace telepalp::ports {
 
-/// What the haptic device measures at a tick.
+/// The haptic device's measurement at one tick.
 struct DeviceReading {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
-  double age_s = 0.0;           ///< since the device last answered
+  double age_s = 0.0;           ///< time since the device last answered
 };
 
 /// One sample of the hand tracker, stamped with the instant at which the tracker saw the hand.

@@ -13,9 +13,9 @@ class Rig {
  public:
   virtual ~Rig() = default;
   [[nodiscard]] virtual DeviceReading read() noexcept = 0;
-  /// The newest sample of the hand, once: nullopt until there is a newer one.
+  /// The newest sample of the hand. Each sample is returned once; nullopt means that there is no newer one.
   [[nodiscard]] virtual std::optional<HandSample> hand(SessionTime now) noexcept = 0;
-  /// The force to hold for the next `dt_s`. `contact`: the surface's answer for the last reading, for simulated rigs.
+  /// The force to hold for the next `dt_s`. `contact`: the contact at the last reading, for simulated rigs.
   virtual void apply(const Force<HapticBase>& force, const SurfaceContact& contact, double dt_s) noexcept = 0;
 };
 

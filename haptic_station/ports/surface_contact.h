@@ -4,21 +4,21 @@
 
 namespace telepalp::ports {
 
-/// The surface's answer for the device point at one tick. The loop fills it from `surface::Touch`; the controller and
-/// the effects know the surface through this value alone.
+/// The contact of the device point with the surface at one tick. The loop fills it from `surface::Touch`. The
+/// controller and the effects learn of the surface only through this value.
 struct SurfaceContact {
-  Point<HapticBase> proxy;             ///< the device point held on the surface
-  Vector<HapticBase> normal;           ///< unit, away from the body, at the proxy
-  double distance_m = 0.0;             ///< signed, of the device point; negative inside the body
-  bool in_body = false;                ///< S1's i_b
-  bool valid = false;                  ///< false: no surface near the device point; only age_s has a meaning then
-  double surface_speed_m_per_s = 0.0;  ///< of the surface along the normal, positive away from the body; continuous
-  double support = 1.0;           ///< 1 well inside known surface, 0 where it ends or is stale; `proxy` has faded by it
-  double measured_above_m = 0.0;  ///< of the newest measured surface, carried to now, over the displayed one
-  double measured_speed_m_per_s = 0.0;   ///< of that measured surface along the normal
-  bool anchor_seen = false;              ///< false: the whole surface moves as it does at the proxy
-  Vector<HapticBase> anchor_velocity{};  ///< of the displayed surface where the contact began [m/s]
-  double age_s = 0.0;                    ///< now less the capture time of the surface
+  Point<HapticBase> proxy;    ///< the device point held on the surface
+  Vector<HapticBase> normal;  ///< unit normal of the surface at the proxy, out of the body
+  double distance_m = 0.0;    ///< signed distance of the device point from the surface; negative inside the body
+  bool in_body = false;       ///< the device point is in the body, S1's i_b
+  bool valid = false;         ///< false: no surface near the device point, and only age_s has a meaning
+  double surface_speed_m_per_s = 0.0;  ///< of the displayed surface along the normal; continuous
+  double support = 1.0;  ///< 1 well inside the known surface, 0 where it ends or is stale; already applied to `proxy`
+  double measured_above_m = 0.0;        ///< height of the measured surface over the displayed one
+  double measured_speed_m_per_s = 0.0;  ///< speed of the measured surface along the normal
+  bool anchor_seen = false;  ///< false: anchor_velocity is unknown, and the whole surface moves as at the proxy
+  Vector<HapticBase> anchor_velocity{};  ///< velocity of the displayed surface where the contact began [m/s]
+  double age_s = 0.0;                    ///< time since the capture of the surface
 };
 
 }  // namespace telepalp::ports

@@ -10,8 +10,8 @@ namespace telepalp::ports {
 class Tracker {
  public:
   virtual ~Tracker() = default;
-  /// The newest sample, once: nullopt until there is a newer one. `device`: the device's reading at `now`, for a hand
-  /// that holds the end-effector and is where the device is.
+  /// The newest sample. Each sample is returned once; nullopt means that there is no newer one. `device`: the device's
+  /// reading at `now`; a simulated hand that holds the end-effector is at that place.
   [[nodiscard]] virtual std::optional<HandSample> sample(SessionTime now, const DeviceReading& device) noexcept = 0;
 };
 

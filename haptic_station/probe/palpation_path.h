@@ -14,7 +14,7 @@ struct PalpationSettings {
   int spots = 5;
   double apart_m = 0.03;    ///< least distance between spots
   double within_m = 0.12;   ///< largest distance of a spot from the first
-  double depth_m = 0.01;    ///< below the surface
+  double depth_m = 0.01;    ///< depth below the surface
   double above_m = 0.03;    ///< height above the surface at which a press begins and ends
   double circle_m = 0.005;  ///< radius of the circle at depth
   double speed_m_per_s = 0.1;

@@ -7,7 +7,7 @@
 namespace telepalp::trials {
 
 /// The live loop on a simulated device, in virtual time: surface snapshots, hand samples and ticks as at the station,
-/// without its clock and threads. The skin and the person are the caller's.
+/// without its clock and threads. The caller supplies the skin and the person.
 class LoopStation {
  public:
   LoopStation(const VirtualStationSettings& settings, TrialSkin& skin)
@@ -19,7 +19,7 @@ class LoopStation {
 
   void place(const Point<HapticBase>& device, const Point<HapticBase>& hand) noexcept { pair_.place(device, hand); }
 
-  /// One tick. `person` aims: `device::Intention person(const device::TrialView&)`.
+  /// Runs one tick. `device::Intention person(const device::TrialView&)` gives the hand's intended position.
   template <class Person>
   station::HapticLoop::Act step(Person&& person) {
     const double now_s = time_s();
@@ -36,7 +36,7 @@ class LoopStation {
   [[nodiscard]] double time_s() const noexcept { return static_cast<double>(tick_) * settings_.tick_s; }
   [[nodiscard]] double tick_s() const noexcept { return settings_.tick_s; }
   [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
-  /// The true one, of the device.
+  /// Depth of the device below the true skin.
   [[nodiscard]] double true_depth_m() const { return skin_.true_depth_m(pair_.true_device(), time_s()); }
 
  private:

@@ -35,7 +35,7 @@ struct TrialFigures {
   double worst_shown_step_m = 0.0;        ///< largest displacement of the displayed hand in one tick
   double most_force_N = 0.0;
   double contact_s = 0.0;
-  double unfelt_s = 0.0;  ///< deeper than 2 mm in the true skin without feeling it
+  double unfelt_s = 0.0;  ///< time deeper than 2 mm in the true skin without a contact
   double least_passivity_J = 0.0;
 
   [[nodiscard]] int entered(control::Phase phase) const noexcept {
@@ -45,7 +45,7 @@ struct TrialFigures {
 
 struct TrialResult {
   device::Trial trial = device::Trial::IndentSeveralPoints;
-  const char* surface = "";  ///< what it ran on, for people
+  const char* surface = "";  ///< name of the surface, for the report
   TrialFigures figures;
   std::vector<TrialSample> samples;
   std::vector<Transition> transitions;

@@ -11,26 +11,27 @@ namespace telepalp::trials {
 /// The camera of every trial: straight above the skin's middle, which is H's origin; H's y points up to it.
 [[nodiscard]] Transform<HapticBase, DepthCamera> trial_camera(double height_m = 0.8) noexcept;
 
-/// A patient whose skin the haptic loop learns of by snapshots at 30 Hz, and whose truth is known.
+/// A simulated patient. The haptic loop gets snapshots of the skin at 30 Hz; the caller can also ask for the true skin.
 class TrialSkin {
  public:
   virtual ~TrialSkin() = default;
-  /// Hands the loop what a camera has seen by `time_s`. `device`: the hand can reach only around it.
+  /// Hands the loop the snapshot that a camera has made by `time_s`. `device`: centre of the region that the hand can
+  /// reach.
   virtual void show(double time_s, const Point<HapticBase>& device, station::HapticLoop& loop) = 0;
-  /// How deep `point` lies below the true skin; negative outside.
+  /// Depth of `point` below the true skin [m]; negative outside.
   [[nodiscard]] virtual double true_depth_m(const Point<HapticBase>& point, double time_s) const = 0;
 };
 
-/// A level skin that rises and falls as a sine, told without any error: the controller alone is on trial. The
-/// sine is `begins_s` old at the trial's start.
+/// A level skin that rises and falls as a sine. The snapshots are exact, so that a trial tests the controller alone.
+/// `begins_s`: time of the sine at the trial's start.
 [[nodiscard]] std::unique_ptr<TrialSkin> level_skin(const device::BreathingPlane& plane, double begins_s = 0.0);
 
 /// A barrel-shaped belly under a Kinect-like camera with noise and disparity steps, through the product's builder.
 struct BellySettings {
   double breathing_m = 0.0;
   double rate_hz = 0.25;
-  double begins_s = 0.0;        ///< of the breath at the trial's start
-  double along_radius_m = 0.6;  ///< of curvature, head to feet
+  double begins_s = 0.0;        ///< time of the breath at the trial's start
+  double along_radius_m = 0.6;  ///< radius of curvature from head to feet
   double across_radius_m = 0.25;
   std::uint64_t seed = 1;
 };

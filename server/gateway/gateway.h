@@ -28,7 +28,7 @@ struct GatewayOptions {
   std::filesystem::path viewer_files{};  ///< empty: no files, only the WebSocket
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
-  std::function<void(const std::string&)> log{};  ///< for the technician: who found no place
+  std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
   std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request's headers
   std::chrono::milliseconds idle_timeout{30'000};     ///< a viewer that does not answer pings is disconnected
@@ -58,7 +58,8 @@ class Connection {
   virtual ~Connection();
   /// Closes the connection at once; it does not use the hub afterwards.
   virtual void close() = 0;
-  /// Whether it takes nothing and gives nothing, so that it may be ended when others find no place.
+  /// True when the connection neither receives nor publishes anything, so that it may be closed to make room for
+  /// another one.
   [[nodiscard]] virtual bool is_idle() const { return false; }
 
  protected:

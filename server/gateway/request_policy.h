@@ -17,8 +17,8 @@ struct RequestPolicy {
   std::vector<std::string> allowed_origins;
 };
 
-/// Whether `origin` is one that a browser sends: scheme://host or scheme://host:port, in lower case. "*" and "null" are
-/// errors: any web page, or any file, could then read the patient.
+/// Checks that `origin` has the form that a browser sends: scheme://host or scheme://host:port, in lower case. "*" and
+/// "null" are errors: any web page, or any file, could then read the patient.
 [[nodiscard]] Result<void> check_origin(std::string_view origin);
 
 /// True for an IP address, "localhost" and the policy's host names, with or without a port. Another name may belong to

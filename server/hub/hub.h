@@ -26,7 +26,8 @@ using SubscriberId = std::uint64_t;
 /// no locks, no sockets, no clock.
 class Hub {
  public:
-  /// Of the topics outside /camera/..., over all subscribers; a payload that waits for several counts once for each.
+  /// Limit of the queued bytes of all topics outside /camera/..., over all subscribers. A payload that is queued for
+  /// several subscribers counts once for each.
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
 
   /// Adds a subscriber. publish() calls `wake` when the subscriber's empty queue gets a message.
@@ -55,17 +56,17 @@ class Hub {
   /// True when a subscriber not named `other_than` has subscribed to `topic` by its full name, not by a prefix.
   [[nodiscard]] bool is_taken(std::string_view topic, std::string_view other_than) const noexcept;
 
-  /// Whether a subscriber listens to `topic`.
+  /// True when at least one subscriber has subscribed to `topic`.
   [[nodiscard]] bool is_wanted(std::string_view topic) const;
 
-  /// Bytes that wait, counted as for kMaxWaitingBytes.
+  /// Queued bytes, counted as for kMaxWaitingBytes.
   [[nodiscard]] std::size_t waiting_bytes() const noexcept { return waiting_bytes_; }
 
   struct TopicCount {
     std::uint64_t published = 0;  ///< for one subscriber: offered to it
     std::uint64_t sent = 0;       ///< taken with next(); published = sent + dropped + still queued
     std::uint64_t dropped = 0;    ///< dropped from a queue, left in it by a leaving subscriber, or not decodable
-    std::uint64_t bytes = 0;      ///< published; for one subscriber: sent to it
+    std::uint64_t bytes = 0;      ///< published bytes; for one subscriber: bytes sent to it
   };
   using TopicCounts = std::map<std::string_view, TopicCount>;  // keys point to the names in wire::kTopics
   struct SubscriberCount {

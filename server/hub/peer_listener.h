@@ -38,10 +38,10 @@ class PeerListener {
   };
   struct Counts {
     std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;           ///< no place of their kind was left
-    std::uint64_t let_go_idle = 0;       ///< took nothing and gave nothing
+    std::uint64_t refused = 0;           ///< connections refused because all places of their kind were taken
+    std::uint64_t let_go_idle = 0;       ///< connections closed because they neither received nor published
     std::uint64_t invalid_messages = 0;  ///< invalid messages of peers, dropped
-    std::uint64_t over_rate = 0;         ///< messages from peers, dropped
+    std::uint64_t over_rate = 0;         ///< messages dropped because the peer exceeded its rate
   };
 
   [[nodiscard]] static Result<std::unique_ptr<PeerListener>> listen(boost::asio::io_context& io, Hub& hub,

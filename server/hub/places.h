@@ -8,7 +8,8 @@
 
 namespace telepalp::server {
 
-/// The server limits connections by role, so that many viewers cannot take the place of a station.
+/// The server limits the number of connections of each role (its places), so that many viewers cannot keep a station
+/// out.
 enum class PlaceKind { Station, Recorder, Viewer };
 inline constexpr std::array kPlaceKinds{PlaceKind::Station, PlaceKind::Recorder, PlaceKind::Viewer};
 

@@ -10,10 +10,10 @@
 
 namespace telepalp::server {
 
-/// Largest payload of a message from a peer: ten times that of half a second of ticks.
+/// Largest payload of a message from a peer: ten times the size of half a second of ticks.
 inline constexpr std::size_t kMaxUpstreamBytes = std::size_t{1} << 20;
 
-/// The most that is read from a peer in a second, whatever it sends: four times what a station says.
+/// Largest number of bytes that the server reads from a peer in a second: four times what a station sends.
 inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 
 /// True if a peer may publish `topic`. Only the station's topics are allowed; only the server publishes camera, clock
@@ -24,11 +24,11 @@ inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 /// every recording would get an unreadable message.
 [[nodiscard]] bool is_valid_upstream(const wire::Message& message);
 
-/// How fast a peer may publish `topic`: over twice what a station does, with room for what waited through 2.5 s without
-/// a network. `topic` may be published.
+/// The largest rate at which a peer may publish `topic`: more than twice a station's rate, with a burst for the
+/// messages that queue during 2.5 s without a network. `topic` is one that a peer may publish.
 [[nodiscard]] Rate upstream_rate(const wire::Topic& topic);
 
-/// Holds one peer to upstream_rate(), topic by topic.
+/// Limits one peer to upstream_rate() on each topic.
 class UpstreamRates {
  public:
   [[nodiscard]] bool passes(const wire::Message& message, RateLimiter::TimePoint now);
@@ -37,7 +37,7 @@ class UpstreamRates {
   std::map<std::string_view, RateLimiter> limiters_;  // by topic
 };
 
-/// `message` with `sender` as its field msg::Sender, whatever the peer wrote there.
+/// `message` with its field msg::Sender set to `sender`; a value that the peer wrote is replaced.
 [[nodiscard]] wire::Message with_sender(wire::Message message, std::uint32_t sender);
 
 }  // namespace telepalp::server

@@ -8,7 +8,7 @@
 
 namespace telepalp::sensor {
 
-/// How the depth along a ray scatters from frame to frame and pixel to pixel; independent in both.
+/// The noise of the depth along a ray. It is independent between frames and between pixels.
 enum class DepthNoise {
   None,
   Gaussian,  ///< sigma = gaussian_sigma_m everywhere
@@ -20,17 +20,17 @@ struct DepthSensorSettings {
   DepthNoise noise = DepthNoise::Kinect;
   double gaussian_sigma_m = 0.001;
   bool disparity_steps = true;  ///< depth comes in levels 2.85 mm z^2 apart, as from 11-bit disparity
-  double unit_m = 0.001;        ///< for one step of a sample
+  double unit_m = 0.001;        ///< metres for one step of a sample
   std::uint64_t seed = 1;
 };
 
-/// The noise of one frame: any pixel, in any order.
+/// The noise of one frame. Pixels can be sampled in any order.
 class Exposure {
  public:
-  /// The bits that decide the noise of `pixel`; the upper eight are free for the caller.
+  /// The random bits that determine the noise of `pixel`. The caller may use the upper eight bits for something else.
   [[nodiscard]] std::uint32_t bits(std::uint32_t pixel) const noexcept { return noise_.bits(pixel); }
 
-  /// The sample [unit] of a depth of `z_m` > 0 under these bits; 0: below or beyond what the sensor tells.
+  /// The sample [unit] for a depth of `z_m` > 0 with these random bits; 0: outside the sensor's range.
   [[nodiscard]] std::uint16_t sample_of(float z_m, std::uint32_t bits) const noexcept {
     const float far_m = z_m - 0.4F;
     const float sigma_m = base_m_ + growth_per_m_ * far_m * far_m;
@@ -53,7 +53,7 @@ class Exposure {
   float growth_per_m_ = 0.0F;
   float per_unit_ = 0.0F;
   float per_level_ = 0.0F;
-  const std::uint16_t* levels_ = nullptr;  ///< none: the sensor has no disparity steps
+  const std::uint16_t* levels_ = nullptr;  ///< nullptr: the sensor has no disparity steps
   std::uint32_t level_count_ = 1;
 };
 
@@ -63,7 +63,7 @@ class DepthSensor {
  public:
   explicit DepthSensor(const DepthSensorSettings& settings);
 
-  /// `instant` names the frame. The sensor must outlive the exposure.
+  /// `instant` identifies the frame. The sensor must outlive the exposure.
   [[nodiscard]] Exposure expose(std::int64_t instant) const noexcept;
   [[nodiscard]] const DepthSensorSettings& settings() const noexcept { return settings_; }
 

@@ -34,10 +34,11 @@ struct Ticks {
   [[nodiscard]] std::size_t size() const noexcept { return at_ns.size(); }
 };
 
-/// A count that others keep since they started, as it grew while it was recorded. When it falls, it began again at 0.
+/// The growth during the recording of a counter that another program keeps since its own start. A counter that falls
+/// has restarted at 0.
 class Growth {
  public:
-  /// `began_here`: the first value was counted within the recording, too.
+  /// `began_here`: the counter started during the recording, so its first value counts as growth.
   void add(std::uint64_t value, bool began_here) noexcept;
   [[nodiscard]] std::uint64_t in_recording() const noexcept { return grown_; }
 
@@ -46,9 +47,9 @@ class Growth {
   std::optional<std::uint64_t> last_;
 };
 
-/// What one sender told on the topics of a station.
+/// The messages of one sender on the topics of a station.
 struct SenderRecord {
-  std::uint32_t sender = 0;  ///< its number, given by the server; 0: the session does not tell
+  std::uint32_t sender = 0;  ///< its number, given by the server; 0: not in the session
   std::uint64_t sent_messages = 0;
   Ticks ticks;
   std::vector<msg::StationState> states;
@@ -56,21 +57,21 @@ struct SenderRecord {
   std::vector<msg::StationCompensation> compensations;
   std::vector<msg::StationEvent> events;
   std::optional<msg::StationStats> station_stats;  ///< the last
-  bool began_here = false;                         ///< it was started while it was recorded
+  bool began_here = false;                         ///< the sender started during the recording
   Growth frames_received, deadlines_missed, telemetry_dropped;
 };
 
-/// One connection to the server, as /server/stats tells of it.
+/// One connection to the server, from /server/stats.
 struct Subscription {
   std::uint32_t sender = 0;
   std::string name, address;
-  bool was_there_first = false;  ///< when the recording began
+  bool was_there_first = false;  ///< true: the connection existed when the recording began
   Growth depth_sent, depth_dropped;
-  std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< in the first word of it
+  std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< counts in the first message about it
 };
 
-/// The content of a session file, without images: the images of a long session do not fit into memory. Its own
-/// SenderRecord is the one that the report is about: after settle(), of the sender with the most ticks.
+/// The content of a session file, without images: the images of a long session do not fit into memory. After settle(),
+/// the inherited SenderRecord is that of the sender with the most ticks; the report is about this sender.
 struct Session : SenderRecord {
   std::string name;    ///< file name without folders
   std::string origin;  ///< the recorded server or file, from the metadata; empty: not stated
@@ -95,7 +96,7 @@ void add(Session& session, const wire::Message& message);
 /// Call it after the last message.
 void settle(Session& session);
 
-/// What the patient was, by the best that the session knows: the server's source, else the recorder's word.
+/// The source of the camera images: as the server stated it, else as the recorder's metadata state it.
 [[nodiscard]] std::string source_of(const Session& session);
 
 /// Duration of the session [s]; 0 when empty.

@@ -18,7 +18,7 @@ struct Check {
   std::string unit;
   bool at_most = true;           ///< true: the budget is an upper limit; false: a lower limit
   std::string meaning;           ///< consequence for the doctor when the budget is missed
-  bool of_the_computer = false;  ///< no doing of telepalp's: the computer that the station runs on
+  bool of_the_computer = false;  ///< the station's computer, not telepalp, determines this value
 
   [[nodiscard]] Standing standing() const noexcept;
 };

@@ -4,14 +4,15 @@
 
 namespace telepalp::control {
 
-/// Where the viewer draws the hand (S1 II.E): on the proxy in the body, as tracked out of it. The difference at a
-/// change between the two fades. Owner: control thread.
+/// Where the viewer draws the hand (S1 II.E): in the body at the proxy, outside the body where it is tracked. When the
+/// hand enters or leaves the body, the distance between the two places fades instead of showing as a jump. Owner:
+/// control thread.
 class DisplayedHand {
  public:
-  /// `fade_s`: time constant of the fading difference.
+  /// `fade_s`: time constant with which that distance fades.
   explicit DisplayedHand(double fade_s) noexcept : fade_s_(fade_s) {}
 
-  /// One tick, in the body (`inside`) or out of it. `contact`: as the hand feels it.
+  /// One tick. `inside`: the hand is in the body. `contact`: the contact as the hand feels it.
   [[nodiscard]] Point<HapticBase> step(const ControlInput& in, const ports::SurfaceContact& contact, bool inside,
                                        double dt_s) noexcept;
 

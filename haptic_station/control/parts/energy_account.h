@@ -4,20 +4,21 @@
 
 namespace telepalp::control {
 
-/// Books the energy that passes between the effects and the hand when the device cannot give all the force that the
-/// effects ask for, and adds the passivity controller's damping. Owner: control thread.
+/// Keeps the energy balance between the effects and the hand, also while the device gives less force than the effects
+/// ask for, and adds the passivity controller's damping. Owner: control thread.
 class EnergyAccount {
  public:
-  /// Contact begins with no energy stored.
+  /// Starts the balance of a new contact at zero.
   void begin() noexcept;
 
-  /// The force to show for the next tick [N], damping included. `asked_N`: of the effects. `share`: of it that is
-  /// shown, 1 but for a contact that is being released. `exchange`: what passed between the effects and the hand over
-  /// the last tick. `bound_N`: the most that the limiter lets through now.
+  /// Returns the force to show for the next tick [N], damping included. `asked_N`: the force that the effects ask for.
+  /// `share`: the part of it that is shown; 1 unless the contact is being released. `exchange`: the energy that passed
+  /// between the effects and the hand over the last tick. `bound_N`: the largest force that the limiter lets through
+  /// now.
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& asked_N, double share, const Exchange& exchange,
                                      double bound_N, double dt_s) noexcept;
 
-  /// The limiter gave `given_N` where `wanted_N` was wanted.
+  /// Call after the limiter, which turned `wanted_N` into `given_N`.
   void limited(const Eigen::Vector3d& given_N, const Eigen::Vector3d& wanted_N) noexcept;
 
   /// True when the device gives another force than the effects ask for.
@@ -28,7 +29,7 @@ class EnergyAccount {
  private:
   PassivityController passivity_;
   Force<HapticBase> damping_;
-  Eigen::Vector3d withheld_N_ = Eigen::Vector3d::Zero();  ///< given less asked, over the tick that ends
+  Eigen::Vector3d withheld_N_ = Eigen::Vector3d::Zero();  ///< force given minus force asked for, over the last tick
 };
 
 }  // namespace telepalp::control

@@ -9,34 +9,36 @@
 
 namespace telepalp::control {
 
-/// Force control (S1 II.D): the effects that the scene names act on the hand, through the virtual coupling where they
-/// are stiffer than the device can show, with their energy accounted for. Owner: control thread.
+/// Force control (S1 II.D): the scene's effects act on the hand. Effects that are stiffer than the device can show act
+/// through the virtual coupling. The energy account keeps them passive. Owner: control thread.
 class ForceControl {
  public:
   /// `most_N`: the largest force that the device gives.
   ForceControl(const effects::EffectBank& effects, const CouplingSettings& coupling, double most_N) noexcept
       : effects_(effects), coupling_(coupling, effects.stiffest_N_per_m(most_N)) {}
 
-  /// One tick with (`touching`) or without contact with the skin. The force for the device [N]; zero without contact.
+  /// One tick. `touching`: the hand is in contact with the skin. Returns the force for the device [N]; zero without
+  /// contact.
   [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, bool touching, double bound_N, double dt_s) noexcept;
 
-  /// The whole force on the device until the next step: its parts as wanted, and the limiter's answer to their sum.
+  /// Call after the limiter. `wanted`: the parts of the force that were asked for; `given_N`: what the limiter made of
+  /// their sum. The device holds `given_N` until the next step.
   void gave(const HeldForce& wanted, const Eigen::Vector3d& given_N) noexcept;
 
-  /// The contact is let go of gently (`release`), or taken up again: the share of the skin's force that is shown goes
-  /// to 0 or 1 over `over_s`. Without contact nothing happens.
+  /// Fades the contact out (`release`) or in again: the share of the skin's force that is shown goes to 0 or 1 over
+  /// `over_s`. Does nothing without contact.
   void release(bool release, double over_s, double dt_s) noexcept;
   [[nodiscard]] bool released() const noexcept { return share_ <= 0.0; }
 
-  /// A clock without system calls to measure the effects' cost with; nullptr: their cost is not measured.
+  /// Sets the clock that measures the cost of the effects. It must make no system call. nullptr: no measurement.
   void book_costs_with(effects::CostClock clock) noexcept { cost_clock_ = clock; }
 
   [[nodiscard]] bool touching() const noexcept { return touching_; }
-  /// Contact began or ended at the last step.
+  /// True when contact began or ended at the last step.
   [[nodiscard]] bool contact_changed() const noexcept { return contact_changed_; }
   /// True when the device gives another force than the effects ask for.
   [[nodiscard]] bool withholds() const noexcept { return touching_ && account_.withholds(); }
-  /// The contact as the hand feels it: with the body shown lower after a contact that began at depth.
+  /// The contact as the hand feels it: after a contact that began at depth, the body is displayed lower.
   [[nodiscard]] const ports::SurfaceContact& shown() const noexcept { return shown_; }
   [[nodiscard]] Force<HapticBase> damping() const noexcept {
     return touching_ ? account_.damping() : Force<HapticBase>{};
@@ -63,12 +65,12 @@ class ForceControl {
   EnergyAccount account_;
   effects::CostClock cost_clock_ = nullptr;
   ports::SurfaceContact shown_;
-  Point<HapticBase> last_felt_;  ///< the end-effector in the body's frame, at the last step in contact
-  HandLedger ledger_;            ///< against the newest measured surface
-  HeldForce held_;               ///< over the tick that ends
-  Eigen::Vector3d moved_m_ = Eigen::Vector3d::Zero();  ///< of the end-effector in H, over the tick that ends
+  Point<HapticBase> last_felt_;  ///< position of the end-effector in the body's frame at the last step in contact
+  HandLedger ledger_;            ///< compares with the newest measured surface
+  HeldForce held_;               ///< the force during the last tick
+  Eigen::Vector3d moved_m_ = Eigen::Vector3d::Zero();  ///< movement of the end-effector over the last tick, in H
   Point<HapticBase> last_device_;
-  double share_ = 1.0;  ///< of the skin's force that is shown
+  double share_ = 1.0;  ///< the part of the skin's force that is shown, 0 to 1
   bool touching_ = false;
   bool contact_changed_ = false;
 };

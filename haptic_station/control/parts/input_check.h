@@ -9,11 +9,11 @@ namespace telepalp::control {
 /// True when every number that the controller would use is finite.
 [[nodiscard]] bool is_finite(const ControlInput& in) noexcept;
 
-/// An input without a hand and without a surface, with the end-effector at `device`: stands in for an input that is not
-/// finite, so that no NaN reaches the controller's state. Only the operator's request is kept.
+/// An input without a hand or a surface, with the end-effector at `device`. It replaces an input that is not finite, so
+/// that no NaN reaches the controller's state. It keeps only the operator's request from `in`.
 [[nodiscard]] ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device) noexcept;
 
-/// Why the station must fault at this very tick, if it must.
+/// The reason why the station must fault at this tick, or FaultCause::None.
 [[nodiscard]] FaultCause standing_fault(const ControlInput& in, const AgeLimits& ages) noexcept;
 
 /// True when the surface is older than its limit. An age that is NaN counts as too old.

@@ -14,14 +14,14 @@ class PhaseMachine {
   explicit PhaseMachine(double dwell_s) noexcept : dwell_s_(dwell_s) {}
 
   /// One tick, `dt_s` after the last. `stands`: the cause that would fault this tick. Returns the event that changed
-  /// the phase; nullopt: the phase stays.
+  /// the phase, or nullopt if the phase stays.
   std::optional<Event> step(const Seen& seen, FaultCause stands, double dt_s) noexcept;
 
   [[nodiscard]] Phase phase() const noexcept { return phase_; }
-  [[nodiscard]] Phase previous() const noexcept { return previous_; }  ///< of the tick before
+  [[nodiscard]] Phase previous() const noexcept { return previous_; }  ///< the phase of the tick before
   [[nodiscard]] FaultCause fault() const noexcept { return fault_; }
 
-  /// The phase has changed at this tick, other than between In body and the phases at an inner object.
+  /// True when the phase changed at this tick. Changes between In body and the phases at an inner object do not count.
   [[nodiscard]] bool outer_change() const noexcept {
     return phase_ != previous_ && !(is_inside(phase_) && is_inside(previous_));
   }

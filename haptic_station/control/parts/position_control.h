@@ -14,13 +14,14 @@ class PositionControl {
   PositionControl(const PositionControlSettings& settings, double offset_fade_s) noexcept
       : settings_(settings), offset_fade_s_(offset_fade_s) {}
 
-  /// Out body begins. The target starts at the end-effector and as fast, so that the control begins at zero force.
+  /// Out body begins. The target starts with the position and velocity of the end-effector, so that the control begins
+  /// at zero force.
   void begin(const ControlInput& in, double target_height_m) noexcept;
 
-  /// The force for the end-effector [N]. `target_height_m`: of the waiting plane.
+  /// The force for the end-effector [N]. `target_height_m`: height of the waiting plane.
   [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, double target_height_m, double dt_s) noexcept;
 
-  [[nodiscard]] const Point<HapticBase>& target() const noexcept { return target_; }  ///< S1's p_t, of the last step
+  [[nodiscard]] const Point<HapticBase>& target() const noexcept { return target_; }  ///< S1's p_t at the last step
 
  private:
   void follow_hand(const ControlInput& in, double dt_s) noexcept;
@@ -34,8 +35,8 @@ class PositionControl {
 };
 
 /// The force of Body to plane [N]: "a force is applied to the end-effector in order to go farther from the body" (S1).
-/// It drives a bounded speed, so that an end-effector without a hand neither flies off nor rises past the plane while
-/// the dwell lasts.
+/// It brings the end-effector to a bounded speed, so that an end-effector without a hand neither flies off nor rises
+/// past the plane while the dwell lasts.
 [[nodiscard]] Eigen::Vector3d lift_force_N(const ControlInput& in, double target_height_m,
                                            const PositionControlSettings& settings) noexcept;
 

@@ -4,21 +4,21 @@
 
 namespace telepalp::control {
 
-/// Keeps the force continuous over a transition: what the old phase gave beyond the new one fades at a bounded rate.
-/// Owner: control thread.
+/// Keeps the force continuous over a transition: the difference between the old phase's force and the new one's fades
+/// at a bounded rate. Owner: control thread.
 class TransitionFade {
  public:
-  /// `raw_N`: the force that the phase gives. `breaks`: the force may jump at this tick, so the difference from the
-  /// last tick's force begins to fade now. Returns the force that is left to pass to the limiter.
+  /// `raw_N`: the force of the current phase. `breaks`: `raw_N` may jump at this tick; its difference from the last
+  /// tick's force begins to fade now. Returns the force to pass to the limiter.
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& raw_N, bool breaks, double rate_N_per_s,
                                      double dt_s) noexcept;
 
-  /// The part of the last step's force that is left from before the break [N].
+  /// The part of the last step's force that still comes from before the jump [N].
   [[nodiscard]] const Eigen::Vector3d& fading_N() const noexcept { return fading_N_; }
 
  private:
-  Eigen::Vector3d last_N_ = Eigen::Vector3d::Zero();    ///< what the last step returned
-  Eigen::Vector3d fading_N_ = Eigen::Vector3d::Zero();  ///< the rest of the force from before the last break
+  Eigen::Vector3d last_N_ = Eigen::Vector3d::Zero();    ///< the force that the last step returned
+  Eigen::Vector3d fading_N_ = Eigen::Vector3d::Zero();  ///< the part that still fades
 };
 
 }  // namespace telepalp::control

@@ -11,7 +11,7 @@ class WaitingPlane {
  public:
   explicit WaitingPlane(const PlaneSettings& settings) noexcept : settings_(settings) {}
 
-  /// One tick. The first one puts the plane where it belongs at once.
+  /// One tick. At the first tick the plane takes its place at once; later it moves at the bounded speed.
   void move(const Point<HapticBase>& device, const ports::SurfaceContact& contact, double dt_s) noexcept;
 
   [[nodiscard]] double height_m() const noexcept { return height_m_; }

@@ -6,41 +6,42 @@
 
 namespace telepalp::control {
 
-/// The phases of S1 Fig. 4 and the two of a station that has let go. Numbered as telepalp.msg.Phase.
+/// The phases of S1 Fig. 4, and two phases without force that S1 does not have. The numbers are those of
+/// telepalp.msg.Phase.
 enum class Phase : std::uint8_t {
   InBody = 1,         ///< force control: the hand feels the skin (S1's s_f = 0)
   BodyToPlane = 2,    ///< a gentle lift carries the end-effector away from the body (1)
   OutBody = 3,        ///< position control on the plane above the body, following the free hand (2)
-  PlaneToBody = 4,    ///< neither force nor position: waits to be pushed towards the body (3)
+  PlaneToBody = 4,    ///< neither force nor position control: the hand can push the end-effector to the body (3)
   ObjectLateral = 5,  ///< in the body, pressing an inner object's side (-1)
   AroundObject = 6,   ///< in the body, beside an inner object (-2)
   ObjectUpper = 7,    ///< in the body, pressing an inner object's upper face (-3)
-  Released = 8,       ///< let go: no force until every input is valid
-  Faulted = 9,        ///< let go, latched until an operator re-arms
+  Released = 8,       ///< no force until every input is valid
+  Faulted = 9,        ///< no force until an operator re-arms
 };
 
 enum class Event : std::uint8_t {
-  FromBody,    ///< S1: i_b is false, however far the surface is
+  FromBody,    ///< S1: i_b is false, at any distance from the surface
   ToPlane,     ///< S1: the height of the plane is reached
   UnderPlane,  ///< S1: the hand has pushed the end-effector below the plane
   HandRose,    ///< the hand left the waiting end-effector and is above the plane
-  IntoBody,    ///< i_b is true
-  NearObject,  ///< within an inner object's margin
+  IntoBody,    ///< S1: i_b is true
+  NearObject,  ///< the device point is within an inner object's margin
   AwayFromObject,
   TouchUpper,    ///< pressing an inner object, its upper face nearest
   TouchLateral,  ///< pressing an inner object, its side nearest
   InputStale,    ///< tracker or surface older than its limit
   InputsBack,
   Fault,  ///< see FaultCause
-  Rearm,  ///< by an operator
+  Rearm,  ///< an operator re-arms
 };
 
 /// Why the station must not give force.
 enum class FaultCause : std::uint8_t {
   None,
-  DeviceSilent,       ///< older than its age limit
-  NotFinite,          ///< a number of an input or of the force is NaN or infinite
-  DeviceImplausible,  ///< the device reports movements beyond physics, for longer than a glitch lasts
+  DeviceSilent,       ///< the last reading of the device is older than its limit
+  NotFinite,          ///< a number in the input or in the force is NaN or infinite
+  DeviceImplausible,  ///< the device reports impossibly fast movements for longer than a glitch lasts
 };
 
 struct Row {
@@ -54,10 +55,10 @@ inline constexpr std::size_t kPhaseCount = 9;
 inline constexpr std::size_t kEventCount = 13;
 [[nodiscard]] std::span<const Row> transitions() noexcept;
 
-/// The row for this pair; nullptr: the pair changes nothing.
+/// The row of the transition table for this pair; nullptr: the event does not change this phase.
 [[nodiscard]] const Row* transition(Phase phase, Event event) noexcept;
 
-/// In body or one of the three phases at an inner object.
+/// True for In body and the three phases at an inner object.
 [[nodiscard]] constexpr bool is_inside(Phase phase) noexcept {
   return phase == Phase::InBody || phase == Phase::ObjectLateral || phase == Phase::AroundObject ||
          phase == Phase::ObjectUpper;
@@ -66,7 +67,7 @@ inline constexpr std::size_t kEventCount = 13;
   return phase == Phase::Released || phase == Phase::Faulted;
 }
 
-/// S1's names, for people.
+/// The phase's name, as in S1.
 [[nodiscard]] const char* name(Phase phase) noexcept;
 [[nodiscard]] const char* name(Event event) noexcept;
 [[nodiscard]] const char* name(FaultCause cause) noexcept;

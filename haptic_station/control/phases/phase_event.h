@@ -7,20 +7,20 @@
 
 namespace telepalp::control {
 
-/// What a tick's inputs say, as far as the phases care.
+/// The facts of one tick that can change the phase.
 struct Seen {
-  bool fault_stands = false;   ///< a FaultCause stands at this tick
-  bool fault_latched = false;  ///< a force was not finite
-  bool rearm = false;          ///< an operator asks for it
+  bool fault_stands = false;   ///< a cause of a fault is present at this tick
+  bool fault_latched = false;  ///< the limiter has latched a force that was not finite
+  bool rearm = false;          ///< an operator asks to re-arm
   bool inputs_stale = false;   ///< tracker or surface older than its limit
   bool in_body = false;        ///< S1's i_b
-  bool below_plane = false;    ///< the end-effector
-  bool at_plane = false;       ///< the end-effector, at the height of S1 eq. (5)
-  bool hand_rose = false;      ///< clearly above the plane and the end-effector
+  bool below_plane = false;    ///< the end-effector is below the plane
+  bool at_plane = false;       ///< the end-effector has reached the height of S1 eq. (5)
+  bool hand_rose = false;      ///< the hand is clearly above the plane and the end-effector
   effects::ObjectTouch touch = effects::ObjectTouch::None;
 };
 
-/// Pressing, near or away from an inner object.
+/// The event for the device point's relation to the inner objects: pressed, near, or away.
 [[nodiscard]] constexpr Event object_event(effects::ObjectTouch touch) noexcept {
   switch (touch) {
     case effects::ObjectTouch::None:
@@ -35,8 +35,8 @@ struct Seen {
   return Event::AwayFromObject;
 }
 
-/// The event that `seen` makes in this phase; nullopt: none. Safety first, then S1 Fig. 4. Where two could be, the
-/// first counts: the other is asked for again at the next tick.
+/// The event that follows from `seen` in this phase; nullopt: no event. Safety events come first, then those of S1 Fig.
+/// 4. If two events are possible, the first one is returned; the other one can follow at the next tick.
 [[nodiscard]] constexpr std::optional<Event> event_in(Phase phase, const Seen& seen) noexcept {
   const auto when = [](bool condition, Event event) noexcept {
     return condition ? std::optional<Event>(event) : std::nullopt;

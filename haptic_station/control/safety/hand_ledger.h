@@ -4,24 +4,26 @@
 
 namespace telepalp::control {
 
-/// The force that the device holds over a tick, by cause [N]. The sum is what the limiter let through.
+/// The force that the device holds over a tick, by cause [N]. The sum of the parts is the limiter's output.
 struct HeldForce {
   Eigen::Vector3d skin = Eigen::Vector3d::Zero();   ///< effects and damping, after the limiter
-  Eigen::Vector3d fade = Eigen::Vector3d::Zero();   ///< the fading force from before a transition
+  Eigen::Vector3d fade = Eigen::Vector3d::Zero();   ///< the fading force of the phase before a transition
   Eigen::Vector3d drive = Eigen::Vector3d::Zero();  ///< lift and position control of the free end-effector
 };
 
-/// The ledger at the hand: the work that the device does on the hand since the contact began, beside the work that a
+/// The ledger at the hand compares the work of the device on the hand since the contact began with the work that a
 /// reference skin would have done on the same path. The reference is the newest measured surface in the station, and
-/// the true one in a simulation. Unlike the passivity ledger it does not follow the displayed surface, so it sees the
-/// energy that the display itself injects: by moving, by being late, by fading. Owner: control thread.
+/// the true surface in a simulation. The passivity ledger moves with the displayed surface; this ledger does not. It
+/// therefore sees the energy that the display itself adds by its motion, its delay and its fades. Owner: control
+/// thread.
 class HandLedger {
  public:
   /// A contact begins; the balance starts at zero.
   void begin() noexcept { *this = HandLedger(); }
 
-  /// Books a tick that ends: `held` was given while the device moved by `moved_m` [m, in H], after which the reference
-  /// skin would give `reference_N`. The reference's work is the mean of its force before and after, times the way.
+  /// Books the last tick: the device gave `held` while it moved by `moved_m` [m, in H]. `reference_N`: the force of the
+  /// reference skin after the movement. The reference's work is the mean of its forces before and after the movement,
+  /// times the movement.
   void book(const HeldForce& held, const Eigen::Vector3d& reference_N, const Eigen::Vector3d& moved_m) noexcept {
     skin_J_ += (held.skin - 0.5 * (reference_N_ + reference_N)).dot(moved_m);
     fades_J_ += held.fade.dot(moved_m);
@@ -29,11 +31,11 @@ class HandLedger {
     reference_N_ = reference_N;
   }
 
-  /// Work on the hand beyond the reference skin's, by the effects, the damping and the fades [J]. Above zero, the
-  /// display gave the hand energy that the reference skin would not have given.
+  /// Work of the effects, the damping and the fades on the hand, minus the reference skin's work [J]. If it is above
+  /// zero, the display gave the hand energy that the reference skin would not have given.
   [[nodiscard]] double excess_J() const noexcept { return skin_J_ + fades_J_; }
   [[nodiscard]] double fades_J() const noexcept { return fades_J_; }
-  [[nodiscard]] double drive_J() const noexcept { return drive_J_; }  ///< by lift and position control
+  [[nodiscard]] double drive_J() const noexcept { return drive_J_; }  ///< work of lift and position control
 
  private:
   Eigen::Vector3d reference_N_ = Eigen::Vector3d::Zero();

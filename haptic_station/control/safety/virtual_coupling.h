@@ -4,28 +4,29 @@
 
 namespace telepalp::control {
 
-/// What the coupling knows of the device.
+/// The device's properties that the coupling needs.
 struct CouplingSettings {
   bool enabled = true;
   double device_damping_N_s_per_m = 1.0;
   double tick_s = 0.0005;
-  double margin = 0.5;  ///< share of what theory allows: the rest of the damping calms
+  double margin = 0.5;  ///< share of the stiffness that theory allows; the rest of the damping dissipates energy
 };
 
-/// The stiffest spring that a device with so much damping can show without making energy when its force is held over a
-/// tick: 2 b / T (Colgate and Schenkel 1997, eq. 20, without virtual damping). Not below 400 N/m: a device without
-/// friction can show nothing by this measure, and the passivity controller is there.
+/// The stiffest spring that a device with this damping can show without creating energy, when its force is held over a
+/// tick: 2 b / T (Colgate and Schenkel 1997, eq. 20, without virtual damping). At least 400 N/m: by this formula a
+/// device without friction could show nothing, and the passivity controller removes the energy that remains.
 [[nodiscard]] double stiffest_shown_N_per_m(const CouplingSettings& settings) noexcept;
 
-/// Effects stiffer than the device can show are met through a spring that is not (Colgate's virtual coupling): they act
-/// on a tool without mass, the tool pulls the device. Engaged only when the scene's effects together are that stiff;
-/// the hand then feels both springs in series, at most what the device can show.
+/// Colgate's virtual coupling: effects that are stiffer than the device can show act on a massless tool, and a spring
+/// that the device can show connects the tool to the device. It is used only when the scene's effects together are too
+/// stiff. The hand then feels both springs in series, which are never stiffer than the device can show.
 ///
-/// The tool goes down the energy of coupling and effects by a step no longer than the inverse of their stiffness, an
-/// implicit integration of a damper: their energy only falls, whatever the tick. Owner: control thread.
+/// Each tick moves the tool against the gradient of the energy of coupling and effects, by at most the inverse of their
+/// stiffness. This is the implicit integration of a damper, so the energy falls at every tick length. Owner: control
+/// thread.
 class VirtualCoupling {
  public:
-  /// `effects_N_per_m`: the stiffest that the effects can be, together.
+  /// `effects_N_per_m`: upper bound of the effects' combined stiffness.
   VirtualCoupling(const CouplingSettings& settings, double effects_N_per_m) noexcept;
 
   [[nodiscard]] bool engaged() const noexcept { return engaged_; }
@@ -34,15 +35,15 @@ class VirtualCoupling {
   /// Contact begins: the tool is at the device.
   void begin(const Point<HapticBase>& device) noexcept;
 
-  /// The tool moves; what the effects may know of it, from what they might know of the device. The surface counts as
-  /// plane between the two, which are millimetres apart.
+  /// Moves the tool and returns the effects' input at the tool, derived from their input at the device. Tool and device
+  /// are millimetres apart; between them the surface counts as plane.
   [[nodiscard]] effects::EffectInput at_tool(const effects::EffectInput& at_device) noexcept;
 
-  /// The force on the device, when the effects act on the tool with `on_tool`.
+  /// The force on the device when the effects act on the tool with the force `on_tool`.
   [[nodiscard]] Force<HapticBase> pull(const Force<HapticBase>& on_tool) noexcept;
 
   [[nodiscard]] double energy_J() const noexcept { return 0.5 * stiffness_N_per_m_ * gap_m_.squaredNorm(); }
-  /// Work taken from the hand since the step before, beyond what the effects took from the tool [J].
+  /// Work taken from the hand over the last step, minus the work that the effects took from the tool [J].
   [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
 
  private:
@@ -50,8 +51,8 @@ class VirtualCoupling {
   double stiffness_N_per_m_;
   bool engaged_;
   Point<HapticBase> tool_;
-  Eigen::Vector3d gap_m_ = Eigen::Vector3d::Zero();      ///< tool less device
-  Eigen::Vector3d on_tool_N_ = Eigen::Vector3d::Zero();  ///< of the effects, over the tick that ends
+  Eigen::Vector3d gap_m_ = Eigen::Vector3d::Zero();      ///< vector from device to tool
+  Eigen::Vector3d on_tool_N_ = Eigen::Vector3d::Zero();  ///< force of the effects on the tool during the last tick
   double absorbed_J_ = 0.0;
 };
 

@@ -5,25 +5,25 @@
 
 namespace telepalp::control {
 
-/// What the controller decided at a tick.
+/// The output of one tick of the controller.
 struct ControlOutput {
   Phase phase = Phase::Released;
   Phase previous = Phase::Released;  ///< differs from `phase` on the tick of a transition
-  Event event = Event::Rearm;        ///< the cause of the transition; without a transition it means nothing
-  Force<HapticBase> force;           ///< for the device, and so on the hand: after the limiter
-  Point<HapticBase> target;          ///< S1's p_t, eq. (5), in Out body; the end-effector itself in other phases
+  Event event = Event::Rearm;        ///< the cause of the transition; meaningless on a tick without a transition
+  Force<HapticBase> force;           ///< force for the device to show, after the limiter
+  Point<HapticBase> target;          ///< in Out body: S1's target p_t, eq. (5); in other phases: the end-effector
   Point<HapticBase> displayed_hand;  ///< where the viewer draws the hand (S1 II.E)
-  Vector<HapticBase> indentation;    ///< S1's d, eq. (8); zero out of the body
+  Vector<HapticBase> indentation;    ///< S1's d, eq. (8); zero outside the body
   double plane_height_m = 0.0;
-  double passivity_J = 0.0;                    ///< balance of the passivity ledger
-  double hand_excess_J = 0.0;                  ///< HandLedger::excess_J() of this contact, against the measured skin
-  double drive_J = 0.0;                        ///< work on the hand by lift and position control since it began
-  double yields_in_s = 0.0;                    ///< until warm motors lower the force in contact; infinite: they do not
-  Force<HapticBase> damping;                   ///< part of `force` that the passivity controller added
-  double surface_speed_m_per_s = 0.0;          ///< of the skin as felt, along its normal
+  double passivity_J = 0.0;    ///< balance of the passivity ledger
+  double hand_excess_J = 0.0;  ///< HandLedger::excess_J() of this contact: work on the hand beyond the measured skin's
+  double drive_J = 0.0;        ///< work of lift and position control on the hand since this contact began
+  double yields_in_s = 0.0;    ///< time until warm motors lower the contact force; infinite: never
+  Force<HapticBase> damping;   ///< the part of `force` that the passivity controller added
+  double surface_speed_m_per_s = 0.0;          ///< speed of the displayed skin along its normal
   bool limited = false;                        ///< the limiter changed the force
   FaultCause fault = FaultCause::None;         ///< why the phase is Faulted
-  FaultCause fault_stands = FaultCause::None;  ///< would fault this very tick; re-arming has to wait until it ends
+  FaultCause fault_stands = FaultCause::None;  ///< present cause of a fault; re-arming waits until it ends
 };
 
 }  // namespace telepalp::control

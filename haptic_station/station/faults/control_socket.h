@@ -28,9 +28,9 @@ class ControlSocket {
   ControlSocket(const ControlSocket&) = delete;
   ControlSocket& operator=(const ControlSocket&) = delete;
 
-  /// Makes the socket at `path`, which this user alone can open, in a folder that this user alone can write to; makes
-  /// the folder if it is missing. Changes nothing that is there already, but for a socket of this user's that a crashed
-  /// station left: it is replaced.
+  /// Creates the socket at `path`, which only this user can open, in a folder to which only this user can write. A
+  /// missing folder is created. A socket of this user that a crashed station left is replaced; nothing else that exists
+  /// is changed.
   [[nodiscard]] Result<void> listen(const std::filesystem::path& path);
   void stop();
   /// Path of the socket; empty while it does not listen.
@@ -38,17 +38,17 @@ class ControlSocket {
 
  private:
   void accept();
-  /// What is wrong, if something is.
+  /// Binds the socket to `name` in `folder`. Returns the problem, or nullopt on success.
   std::optional<std::string> bind_in(const OwnFolder& folder, const std::string& name);
 
   boost::asio::local::stream_protocol::acceptor acceptor_;
   std::shared_ptr<Handler> handler_;  // shared: pending replies hold a weak_ptr and are dropped when the socket is gone
   std::filesystem::path path_;
-  std::optional<OwnFolder> folder_;        // of path_, while it listens
-  std::optional<OwnFolder::Entry> bound_;  // the socket's file, to know it again
+  std::optional<OwnFolder> folder_;        // the folder of path_ while the socket listens
+  std::optional<OwnFolder::Entry> bound_;  // file status of the socket, to recognise it later
 };
 
-/// Asks the station that listens at `path`; its answer.
+/// Sends a command to the station that listens at `path` and returns its reply.
 [[nodiscard]] Result<std::string> ask_station(const std::filesystem::path& path, const std::string& command,
                                               std::chrono::duration<double> patience = std::chrono::seconds(3));
 

@@ -28,7 +28,7 @@ class FaultMonitor {
   FaultMonitor(boost::asio::io_context& io, TelemetryPublisher& telemetry, std::filesystem::path control,
                std::filesystem::path state_folder, std::string scene, Handlers handlers);
 
-  /// Without the socket, an operator re-arms by starting the station again.
+  /// Opens the socket for operators' commands. Without it, an operator can only restart the station to re-arm.
   [[nodiscard]] Result<void> listen();
 
   /// Takes every tick, in order.

@@ -26,10 +26,10 @@ class TelemetryPublisher {
   void tell_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped, bool realtime,
                    const std::vector<msg::EffectCost>& bill);
 
-  /// From now on the totals tell of it.
+  /// Adds the measurement of the idle timer to the totals.
   void set_idle_timer(const msg::TimerCheck& check) { idle_timer_ = check; }
 
-  /// Something else happened.
+  /// Publishes an event.
   void tell_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
   /// Warns once when warm motors are about to lower the force in contact.

@@ -47,10 +47,11 @@ struct StaticModel {
 [[nodiscard]] std::vector<CloudPoint> random_samples(const models::PointModel& model, std::size_t count,
                                                      std::uint64_t seed);
 
-/// The middles of about `count` triangles, evenly picked: most of them lie where the mesh is fine, on small features.
+/// The centres of about `count` triangles, picked evenly from the list of triangles. Most of them lie on small
+/// features, where the mesh is fine.
 [[nodiscard]] std::vector<CloudPoint> face_middles(const models::PointModel& model, std::size_t count);
 
-/// Of all triangles whose corners are finite, in square metres where the model is in metres.
+/// Area of all triangles with finite corners, in square metres if the model is in metres.
 [[nodiscard]] double area_of(const models::PointModel& model);
 
 }  // namespace telepalp::surface

@@ -8,42 +8,42 @@
 
 namespace telepalp::surface {
 
-/// Which implicit function stands for the surface.
+/// Which implicit function represents the surface.
 enum class Method {
   Grid,   ///< smoothed nodes on the depth image's own lattice: the default
   Paper,  ///< S1 §II.C to the letter: capped radius search, normals searched at each query
   Cloud,  ///< points with given normals and a fading support: static models, unorganised clouds
 };
 
-/// Which neighbour index serves Paper and Cloud; Grid is its own.
+/// The neighbour index of Paper and Cloud. Grid needs none.
 enum class Index { PclKdTree, Nanoflann, PclOrganized };
 
 /// How the support of Cloud's weights is chosen.
 enum class Support { FixedRadius, KthNeighbor };
 
-/// Everything that trades accuracy for time, by name. What each costs and errs is measured by telepalp-bench surface.
+/// A named choice between accuracy and time. telepalp-bench surface measures the cost and the error of each setting.
 struct SurfaceSettings {
   std::string name = "fast";
   Method method = Method::Grid;
 
   // Grid
   int node_step_px = 2;
-  double support_nodes = 2.5;  ///< radius of the weights
+  double support_nodes = 2.5;  ///< radius of the weights, in nodes
   int fit_radius_px = 8;       ///< half side of the window of each node's quadratic fit
-  double gate_m = 0.02;        ///< farther planes belong to another surface
+  double gate_m = 0.02;        ///< a plane farther than this from the query belongs to another surface
   double break_m = 0.015;      ///< a depth step between neighbouring pixels that ends a surface, at 1 m; grows with z²
   int bridge_px = 2;           ///< holes of at most this radius are bridged
 
   // over time
-  bool temporal = true;          ///< average what is still, follow what moves
-  double memory_frames = 120.0;  ///< longest average of what the cells do not follow: about one breath
-  bool predict = true;           ///< carry snapshots forward by their velocity
-  bool breathing = true;         ///< and by the breathing model once it has locked on
+  bool temporal = true;          ///< average over frames where the patient is still, follow where they move
+  double memory_frames = 120.0;  ///< longest average of the detail that is finer than a motion cell: about one breath
+  bool predict = true;           ///< predict each snapshot forward by its velocity
+  bool breathing = true;         ///< predict also by the breathing model once it has locked on
 
   // Paper and Cloud
   Index index = Index::PclKdTree;
   int neighbors = 10;     ///< N
-  double radius_m = 0.1;  ///< R, and of Paper the influence radius of the weights
+  double radius_m = 0.1;  ///< R; for Paper also the influence radius of the weights
   Support support = Support::FixedRadius;
 };
 
@@ -51,7 +51,8 @@ struct SurfaceSettings {
 [[nodiscard]] Result<SurfaceSettings> surface_settings(std::string_view name);
 [[nodiscard]] std::vector<SurfaceSettings> all_surface_settings();
 
-/// Whether its snapshots may be asked on the haptic thread: the paper's reference searches and allocates at each query.
+/// True when the haptic thread may evaluate snapshots of this setting. The method of the paper searches and allocates
+/// at each query.
 [[nodiscard]] constexpr bool runs_in_tick(const SurfaceSettings& settings) noexcept {
   return settings.method == Method::Grid;
 }

@@ -9,8 +9,8 @@
 
 namespace telepalp::surface {
 
-/// The ways in which a snapshot's points may move after the instant they were seen: a linear part that dies away, and
-/// two harmonics of breathing. A point's normal offset is the dot product of its coefficients with these.
+/// The terms of a point's motion after its capture: a linear term that decays, and cosine and sine of two breathing
+/// harmonics. The offset of a point along its normal is the dot product of its coefficients with these terms.
 inline constexpr int kMotionTerms = 5;
 using MotionTerms = std::array<float, kMotionTerms>;
 
@@ -20,64 +20,66 @@ struct MotionBasis {
   MotionTerms rate{};
 };
 
-/// How a snapshot is carried forward from its capture.
+/// How a snapshot is predicted forward from its capture.
 struct MotionModel {
-  bool moves = false;  ///< false: a static model, or nothing known
+  bool moves = false;  ///< false: a static model, or an unknown motion
   bool ages = true;    ///< false: a static model, which is never stale
   double breathing_rad_per_s = 0.0;
-  double linear_fade_s = 0.3;   ///< a velocity is believed for about this long
-  double freeze_from_s = 0.6;   ///< from this age on the model slows down, and stands still at twice this age
-  double spread_m_per_s = 0.0;  ///< growth of the prediction's 1-sigma with age
+  double linear_fade_s = 0.3;   ///< time constant with which a velocity decays
+  double freeze_from_s = 0.6;   ///< from this age the predicted motion slows down; it stops at twice this age
+  double spread_m_per_s = 0.0;  ///< growth of the prediction's standard deviation with age
 };
 
-/// Basis at `age_s` after the capture; all zero at age 0. Continuous with its rate in age.
+/// Basis at `age_s` after the capture; all zero at age 0. Value and rate are continuous in age.
 [[nodiscard]] MotionBasis motion_basis(const MotionModel& model, double age_s) noexcept;
 
-/// The implicit function and what belongs to it at one point.
+/// The implicit function at one point, with its derivatives and quality.
 struct FieldSample {
   bool valid = false;                                  ///< false: no surface here; all else is zero
-  double f_m = 0.0;                                    ///< signed distance, to first order; negative in the body
+  double f_m = 0.0;                                    ///< signed distance to first order; negative in the body
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< of f, exact for the weights used
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< weighted mean of the points' normals, unit
-  double support = 0.0;                                ///< 0 at the rim of what is known, 1 well inside; C1
-  double velocity_m_per_s = 0.0;                       ///< of the surface along its normal, outwards positive
-  double deviation_m = 0.0;                            ///< 1-sigma of f at the capture, by the points' statistics
+  double support = 0.0;                                ///< 0 at the rim of the known surface, 1 well inside; C1
+  double velocity_m_per_s = 0.0;  ///< speed of the surface along its normal, out of the body positive
+  double deviation_m = 0.0;       ///< standard deviation of f_m at the capture, from the statistics of the points
 };
 
 /// Where a search for the foot may begin.
 struct Seed {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
-  bool query_in_front = false;  ///< the query is on the outer side of the surface there
+  bool query_in_front = false;  ///< true: the query lies on the outer side of the surface
 };
 
-/// A surface at one capture instant, immutable, in the depth camera's frame. Built on the surface thread, read at 2
-/// kHz: nothing here allocates, locks or throws, unless realtime_safe() says otherwise (the paper's reference does).
+/// A surface at one capture instant, immutable, in the depth camera's frame. The surface thread builds it; the haptic
+/// thread reads it at 2 kHz. No method allocates, locks or throws, unless realtime_safe() is false, as for the paper's
+/// method.
 class SurfaceSnapshot {
  public:
   SessionTime captured{};
   std::uint64_t sequence = 0;
-  std::uint32_t points = 0;         ///< in the index
-  const char* index_name = "none";  ///< which neighbour index serves it
+  std::uint32_t points = 0;         ///< number of points in the index
+  const char* index_name = "none";  ///< name of the neighbour index
   MotionModel motion;
 
-  /// The implicit function at `query`. `facing`: unit vector towards the side that is outside where two surfaces are
-  /// near each other (the two sides of a sheet); zero when not known.
+  /// The implicit function at `query`. `facing`: unit vector to the outside. It selects between two near surfaces, such
+  /// as the two sides of a sheet; zero when unknown.
   [[nodiscard]] virtual FieldSample evaluate(const Eigen::Vector3d& query, const Eigen::Vector3d& facing,
                                              const MotionBasis& basis) const noexcept = 0;
 
-  /// A point of the surface near `query`, from which to look for the foot; cheap and coarse. nullopt: none in reach.
+  /// A surface point near `query` from which the search for the foot starts; cheap and coarse. nullopt: no surface in
+  /// reach.
   [[nodiscard]] virtual std::optional<Seed> seed(const Eigen::Vector3d& query) const noexcept = 0;
 
-  /// How far the proxy may slide in one iteration [m]: within the support of evaluate().
+  /// The longest step of the proxy in one iteration [m]. After such a step evaluate() still has support.
   [[nodiscard]] virtual double stride_m(const Eigen::Vector3d& query) const noexcept = 0;
 
-  /// Asks for what evaluate() near `query` will read, while nobody waits for it yet.
+  /// Prefetches into the cache the memory that evaluate() near `query` reads.
   virtual void prefetch(const Eigen::Vector3d& query) const noexcept { (void)query; }
 
   [[nodiscard]] virtual bool realtime_safe() const noexcept { return true; }
 
  protected:
-  ~SurfaceSnapshot() = default;  // never destroyed through this type: shared_ptr keeps the maker's deleter
+  ~SurfaceSnapshot() = default;  // protected: shared_ptr destroys the derived type with its own deleter
   SurfaceSnapshot() = default;
   SurfaceSnapshot(const SurfaceSnapshot&) = default;
   SurfaceSnapshot& operator=(const SurfaceSnapshot&) = default;

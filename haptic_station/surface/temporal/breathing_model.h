@@ -9,23 +9,25 @@
 
 namespace telepalp::surface {
 
-/// 1, cos p, sin p, cos 2p, sin 2p of the breath's phase p: two harmonics carry a breath that rests at exhale.
+/// 1, cos p, sin p, cos 2p, sin 2p of the phase p of the breath. Two harmonics can represent a breath with a rest after
+/// exhaling.
 using BreathTerms = Eigen::Matrix<double, 5, 1>;
 
-/// The breath as the cells of an image show it: one common rate, and each cell's own amplitudes and phases, all by
-/// least squares over the last seconds, refitted five times a second. Locks on after about one and a half breaths; lets
-/// go within a third of a second when the body no longer follows, as when the patient holds the breath, speaks or
-/// coughs.
+/// A periodic model of breathing, fitted to the motion of the image's cells: one common rate, and an amplitude and
+/// phase for each cell. Least squares over the last seconds fit it five times a second. The model is used after about
+/// one and a half breaths. It is dropped within a third of a second when the body no longer follows it, as when the
+/// patient holds the breath, speaks or coughs.
 class BreathingModel {
  public:
-  /// `displacement_m` of each cell along its rays; `weight`: how much a cell says about the breath (what moves most,
-  /// most). The number of cells never changes.
+  /// Adds a frame. `displacement_m`: displacement of each cell along its rays. `weight`: weight of each cell in the fit
+  /// of the rate; a cell that moves more weighs more. The number of cells never changes.
   void add(std::span<const float> displacement_m, std::span<const float> weight, double dt_s);
 
   [[nodiscard]] double rad_per_s() const noexcept { return fit_.rad_per_s; }
-  /// How much the model is to be believed: 0 not locked, 1 locked; it changes smoothly.
+  /// Weight of the model's prediction: 0 not locked, 1 locked; it changes smoothly.
   [[nodiscard]] double confidence() const noexcept { return confidence_; }
-  /// The cell's motion from now on: A (cos ωτ − 1) + B sin ωτ and the same of 2ω. The first term, velocity, is 0.
+  /// The predicted motion of a cell from now on: A (cos ωτ − 1) + B sin ωτ, and the same with 2ω. The first of the
+  /// terms, a linear velocity, is 0.
   [[nodiscard]] MotionTerms motion_of(std::size_t cell) const noexcept;
 
  private:
@@ -35,7 +37,7 @@ class BreathingModel {
   };
   struct Fit {
     double rad_per_s = 0.0;
-    double unexplained = 1.0;  ///< share of the signal's variance
+    double unexplained = 1.0;  ///< share of the signal's variance that the fit does not explain
     double amplitude_m = 0.0;
     BreathTerms coefficients = BreathTerms::Zero();
   };
@@ -49,14 +51,14 @@ class BreathingModel {
   [[nodiscard]] bool follows(double signal_m) const noexcept;
 
   std::deque<Moment> recent_;
-  std::vector<float> weight_;  ///< of the last fit, sum 1
+  std::vector<float> weight_;  ///< weights of the last fit; their sum is 1
   std::vector<BreathTerms> cells_;
   double now_s_ = 0.0;
   double since_kept_s_ = 1.0;
   int frames_to_fit_ = 0;
-  int steady_fits_ = 0;  ///< in a row that agree on the rate
+  int steady_fits_ = 0;  ///< consecutive fits that agree on the rate
   Fit fit_;
-  double fitted_at_s_ = 0.0;  ///< the instant of phase 0
+  double fitted_at_s_ = 0.0;  ///< the instant at which the phase is 0
   double confidence_ = 0.0;
   double misses_s_ = 0.0;
 };

@@ -8,17 +8,17 @@
 
 namespace telepalp::surface {
 
-/// What one cell of the image saw in a frame: the mean of measured minus predicted depth over `count` pixels.
+/// The innovation of one cell in a frame: the mean of measured minus predicted depth over `count` pixels.
 struct CellInnovation {
   double mean_m = 0.0;
   double count = 0.0;
-  double sigma_m = 0.0;  ///< of the mean, by chance
+  double sigma_m = 0.0;  ///< standard deviation of the mean under noise alone
 };
 
-/// How the scene moves along the rays of sight, cell by cell: each cell's displacement and velocity by a g-h filter,
-/// and the breath that they share. Cells average some hundred pixels, so that motion is known far below the pixels'
-/// noise; the pixels' detail is averaged on top of it. Between cells everything is a cubic spline, and what is kept for
-/// each cell are its coefficients.
+/// The motion of the scene along the lines of sight, by cell: a g-h filter estimates each cell's displacement and
+/// velocity, and all cells share one breathing model. A cell averages up to 256 pixels, so that its motion is known far
+/// more accurately than a pixel's depth. TemporalFilter then averages the detail of the pixels. A cubic spline
+/// interpolates between cells; this class stores the coefficients of the spline.
 class MotionField {
  public:
   MotionField(int width_px, int height_px, bool breathing);
@@ -27,14 +27,14 @@ class MotionField {
 
   /// Moves on to the next frame, `dt_s` later. Call once for each frame, before correct().
   void predict(double dt_s);
-  /// Takes in what was seen: measured minus change().
+  /// Updates the filter with the innovations of a frame: measured depth minus the depth that change() predicts.
   void correct(const std::vector<CellInnovation>& seen, double dt_s);
 
   /// Expected change of depth since the frame before, as coefficients.
   [[nodiscard]] const std::vector<float>& change() const noexcept { return change_; }
-  /// The same, corrected by what was seen.
+  /// The change after correct(), as coefficients.
   [[nodiscard]] const std::vector<float>& moved() const noexcept { return moved_; }
-  /// The change and all that was seen beside it, chance included.
+  /// The change plus the whole innovation, noise included, as coefficients.
   [[nodiscard]] const std::vector<float>& expected() const noexcept { return expected_; }
 
   /// Terms of the motion of depth after the last frame, as coefficients.
@@ -44,9 +44,9 @@ class MotionField {
  private:
   struct Cell {
     double velocity_m_per_s = 0.0;
-    double energy = 0.0;  ///< slow mean of the squared velocity: what moves leads the breathing model
+    double energy = 0.0;  ///< slow mean of the squared velocity; weight of this cell in the breathing model
     double frames = 0.0;
-    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation: what the filter fails to follow
+    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation: what the filter lags
   };
 
   void update_moving(const std::vector<CellInnovation>& seen);
@@ -60,16 +60,16 @@ class MotionField {
   bool breathing_wanted_;
   std::vector<Cell> cells_;
   std::vector<CellMean> means_;
-  std::vector<CellMean> moving_;     ///< how clearly each cell's neighbourhood leans, 0 to 1
-  std::vector<float> displacement_;  ///< of each cell since the start [m]
-  std::vector<float> observed_;  ///< the same, but as measured: what the breath is fitted to must not be its own echo
+  std::vector<CellMean> moving_;     ///< how significant each neighbourhood's mean innovation is, 0 to 1
+  std::vector<float> displacement_;  ///< estimated displacement of each cell since the start [m]
+  std::vector<float> observed_;      ///< measured displacement of each cell; the breathing model is fitted to it
   std::vector<float> weight_;
   std::vector<float> change_;
   std::vector<float> moved_;
   std::vector<float> expected_;
   std::vector<MotionTerms> terms_;
   BreathingModel breathing_;
-  double miss_m_ = 0.0;  ///< running mean of |innovation| of what moves
+  double miss_m_ = 0.0;  ///< running mean of |innovation| over the cells that move
   double frame_s_ = 0.033;
 };
 

@@ -6,10 +6,10 @@
 
 namespace telepalp::surface {
 
-/// Averages depth over frames where the patient is still and follows where they move. Each pixel's average is carried
-/// along by its cell's motion, so breathing does not smear it; what moves otherwise shows as a patch whose residuals
-/// have one sign, and there the average starts anew. Latency: none on modelled motion; on an unmodelled step two to
-/// four frames until the patch is noticed; below that (a patch mean under 4.5 sigma/4) the average's own memory.
+/// Averages depth over frames where the patient is still and follows the patient where they move. Each pixel's average
+/// moves with its cell, so that breathing does not smear it. Any other motion gives a patch of pixels residuals of one
+/// sign; there the average starts anew. Latency: none on modelled motion. An unmodelled step is detected after two to
+/// four frames. A step too small to detect (patch mean under 4.5 sigma/4) fades with the memory of the average.
 class TemporalFilter {
  public:
   TemporalFilter(int width, int height, const SurfaceSettings& settings);
@@ -28,20 +28,20 @@ class TemporalFilter {
 
   DepthField average_;
   MotionField motion_;
-  std::vector<float> moved_at_;     ///< of one row of pixels, padded as spread_over_row() asks
-  std::vector<float> expected_at_;  ///< the same
-  std::vector<float> sums_;         ///< by column: four or two rows, added up over the rows of a cell or a patch
+  std::vector<float> moved_at_;     ///< MotionField::moved() at one row of pixels, padded as spread_over_row() needs
+  std::vector<float> expected_at_;  ///< MotionField::expected() at that row
+  std::vector<float> sums_;         ///< four or two rows of sums by column, over the rows of a cell or a patch
   std::vector<CellInnovation> seen_;
-  std::vector<float> patch_mean_;  ///< running
+  std::vector<float> patch_mean_;  ///< running mean of the residuals of each patch
   float memory_frames_;
-  float noise_scale_ = 1.0F;  ///< measured noise over the model's
+  float noise_scale_ = 1.0F;  ///< ratio of the measured noise to the noise model
   double noise_sum_ = 0.0;
   double noise_count_ = 0.0;
   bool first_ = true;
 };
 
-/// Single pixels that were not measured, between measured ones that agree, get their mean: what flickers must not cost
-/// a window its fast path.
+/// Fills a single unmeasured pixel with the mean of its measured neighbours if these agree. Otherwise flickering pixels
+/// would force the plane fit of their window onto its slow path.
 void fill_pinholes(DepthField& depth, double break_at_1m);
 
 }  // namespace telepalp::surface

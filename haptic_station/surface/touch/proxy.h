@@ -4,18 +4,18 @@
 
 namespace telepalp::surface {
 
-/// A tangent plane of the surface: the proxy may be on it or on the side that `normal` (unit) points to.
+/// A tangent plane of the surface. The proxy stays on the plane or on the side to which `normal` (unit) points.
 struct ConstraintPlane {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
 };
 
-/// The point nearest to `device` that one constraint plane allows. Source: Salisbury and Tarr (1997), the goal of the
-/// proxy is the device's projection on the tangent plane; a device on the free side is its own goal.
+/// The point nearest to `device` that one constraint plane allows: the projection of the device on the plane, or the
+/// device itself on the free side. Source: the goal of the proxy in Salisbury and Tarr (1997).
 [[nodiscard]] Eigen::Vector3d goal_on_plane(const Eigen::Vector3d& device, const ConstraintPlane& plane) noexcept;
 
-/// The point nearest to `device` that two constraint planes allow: on neither, one, or, in a crease, their line.
-/// Planes nearly parallel count as the one that is farther out.
+/// The point nearest to `device` that two constraint planes allow. It lies on no plane, on one plane, or, in a crease,
+/// on the line where both planes meet. Of two nearly parallel planes only the outer one counts.
 [[nodiscard]] Eigen::Vector3d goal_in_crease(const Eigen::Vector3d& device, const ConstraintPlane& first,
                                              const ConstraintPlane& second) noexcept;
 

@@ -6,45 +6,46 @@
 
 namespace telepalp::surface {
 
-/// How the displayed surface may move towards the newest one.
+/// Limits of the displayed surface's approach to the newest one.
 struct FollowLimits {
-  double bandwidth_rad_per_s = 40.0;  ///< of the critically damped approach to what is near
-  double speed_m_per_s = 0.05;        ///< of the approach, on top of the surface's own motion
+  double bandwidth_rad_per_s = 40.0;  ///< of the critically damped approach to a near surface
+  double speed_m_per_s = 0.05;        ///< greatest speed of the approach, in addition to the surface's own motion
   double acceleration_m_per_s2 = 1.5;
-  double fastest_surface_m_per_s = 0.3;  ///< of the surface's own motion that is believed
+  double fastest_surface_m_per_s = 0.3;  ///< a faster motion of the surface counts as this speed
 };
 
-/// One step of a critically damped approach with bounded speed and acceleration. `error`: target less value;
-/// `target_rate`: of the target. Returns the next rate of the value. It depends on the present error and rate alone, so
-/// a target that is told anew ten or 200 times a second is followed alike.
+/// One step of a critically damped approach with bounded speed and acceleration. `rate`: rate of the value; `error`:
+/// target minus value; `target_rate`: rate of the target. Returns the next rate of the value. The result depends only
+/// on the present error and rates, so the approach is the same whether the target is updated 10 or 200 times a second.
 [[nodiscard]] Eigen::Vector3d next_rate(const Eigen::Vector3d& rate, const Eigen::Vector3d& error,
                                         const Eigen::Vector3d& target_rate, const FollowLimits& limits,
                                         double dt_s) noexcept;
 
-/// The displayed surface: the newest one, translated and tilted by a lag that dies away. Position, normal and speed of
-/// what is displayed stay continuous when a newer snapshot takes over. The newest surface is evaluated on itself and
-/// not where the displayed one is, so a lag may be larger than the gate between two surfaces. Plain data: the older
-/// snapshot need not be kept alive. Owner: the haptic thread.
+/// The displayed surface: the newest surface, translated and tilted by a lag that decays to zero. The displayed
+/// position, normal and speed stay continuous when a newer snapshot replaces the last one. A query is moved by the lag
+/// before the newest surface is evaluated, so a large lag does not take the query out of the surface's reach. This
+/// class keeps no snapshot, so the caller may free the older one. Owner: the haptic thread.
 class SurfaceFollower {
  public:
   explicit SurfaceFollower(const FollowLimits& limits) noexcept : limits_(limits) {}
 
-  /// Where the newest surface has what is displayed at `shown`.
+  /// The point of the newest surface that is displayed at `shown`.
   [[nodiscard]] Eigen::Vector3d on_newest(const Eigen::Vector3d& shown) const noexcept;
-  /// The displayed sample at `at`, of the newest one at on_newest(at).
+  /// The sample of the displayed surface at a point, given `newest`, the sample of the newest surface at on_newest() of
+  /// that point.
   [[nodiscard]] FieldSample shown(const FieldSample& newest) const noexcept;
 
-  /// Displays the newest surface as it is, moving at `speed_m_per_s` along `normal`.
+  /// Sets the lag to zero. The displayed surface moves at `speed_m_per_s` along `normal`.
   void follow_at_once(const Eigen::Vector3d& normal, double speed_m_per_s) noexcept;
-  /// A newer surface takes over: what is displayed at `foot` with `normal` is the newest surface's `there`, with
-  /// `newest_normal`. Neither place, normal nor speed of what is displayed changes.
+  /// A newer surface takes over. Its point `there`, with `newest_normal`, corresponds to the displayed `foot` with
+  /// `normal`. The displayed position, normal and speed do not change.
   void take_over(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, const Eigen::Vector3d& there,
                  const Eigen::Vector3d& newest_normal) noexcept;
-  /// `dt_s` later: the newest surface has moved at `newest_speed_m_per_s` along `normal` at `foot`.
+  /// Lets `dt_s` pass, in which the newest surface moves at `newest_speed_m_per_s` along `normal` at `foot`.
   void advance(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, double newest_speed_m_per_s,
                double dt_s) noexcept;
 
-  /// From the displayed foot to the same place of the newest surface.
+  /// The vector from the displayed foot to the corresponding point of the newest surface.
   [[nodiscard]] const Eigen::Vector3d& lag_m() const noexcept { return lag_m_; }
   [[nodiscard]] const Eigen::Vector3d& velocity_m_per_s() const noexcept { return velocity_m_per_s_; }
 
@@ -54,20 +55,21 @@ class SurfaceFollower {
   FollowLimits limits_;
   Eigen::Vector3d pivot_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d lag_m_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d velocity_m_per_s_ = Eigen::Vector3d::Zero();  ///< of the displayed surface, at the pivot
-  Eigen::Vector3d tilt_rad_ = Eigen::Vector3d::Zero();          ///< from displayed to newest, about the pivot
-  Eigen::Vector3d turn_rad_per_s_ = Eigen::Vector3d::Zero();    ///< of the displayed surface
+  Eigen::Vector3d velocity_m_per_s_ = Eigen::Vector3d::Zero();  ///< velocity of the displayed surface at the pivot
+  Eigen::Vector3d tilt_rad_ = Eigen::Vector3d::Zero();          ///< rotation from displayed to newest, about the pivot
+  Eigen::Vector3d turn_rad_per_s_ = Eigen::Vector3d::Zero();    ///< angular velocity of the displayed surface
 };
 
-/// How far a line's crossing with the surface has risen: the displayed skin at one place while the device is elsewhere.
-/// Owner: the haptic thread.
+/// Follows the displayed skin along one fixed line, for a place where the device no longer is. Owner: the haptic
+/// thread.
 class LineFollower {
  public:
   explicit LineFollower(const FollowLimits& limits) noexcept : limits_(limits) {}
 
-  /// Begins at `at`, moving along `along` (unit) at `rate_m_per_s`.
+  /// Starts at the point `at`, which moves along `along` (unit) at `rate_m_per_s`.
   void begin(const Eigen::Vector3d& at, const Eigen::Vector3d& along, double rate_m_per_s) noexcept;
-  /// Towards `error_m` farther up the line, where the newest surface is and moves at `target_m_per_s`.
+  /// Moves the point towards the newest surface, which crosses the line `error_m` farther up and moves at
+  /// `target_m_per_s`.
   void advance(double error_m, double target_m_per_s, double dt_s) noexcept;
 
   [[nodiscard]] Eigen::Vector3d at() const noexcept { return start_ + risen_m_ * along_; }

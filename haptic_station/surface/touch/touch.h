@@ -12,65 +12,65 @@ namespace telepalp::surface {
 
 struct TouchSettings {
   FollowLimits follow;
-  int most_iterations = 4;         ///< of the proxy in one step; each costs one evaluation
-  double settle_m = 2e-5;          ///< steps shorter than this need no second look: their error is their square
-  double longest_hop_m = 0.004;    ///< of the device between two looks; a longer move is swept in parts
-  double deepest_start_m = 0.09;   ///< a device first met deeper than this is behind the surface, not in it
-  bool gentle_start = true;        ///< a device first met in the body is shown the skin where it is, which then rises
-  double other_surface_m = 0.045;  ///< a surface that steps farther than this under a contact is another one
+  int most_iterations = 4;         ///< iterations of the proxy in one step; each evaluates the surface once
+  double settle_m = 2e-5;          ///< a shorter step of the proxy ends the iteration: its error is of second order
+  double longest_hop_m = 0.004;    ///< a longer move of the device is divided, so that no surface is passed unseen
+  double deepest_start_m = 0.09;   ///< a device that is first seen deeper than this is behind the surface, not in it
+  bool gentle_start = true;        ///< skin starts at a device first seen in the body, and rises
+  double other_surface_m = 0.045;  ///< a surface that jumps farther than this during a contact is another surface
   double off_foot_m = 0.004;       ///< a device farther than this to the side of its foot is beyond the rim
-  double stale_after_s = 1.0;      ///< age of the snapshot at which the proxy begins to let go
-  double let_go_over_s = 0.5;      ///< and the time it takes to
+  double stale_after_s = 1.0;      ///< age of the snapshot at which the contact begins to fade
+  double let_go_over_s = 0.5;      ///< time over which that contact fades
 };
 
-/// One step's answer, in the depth camera's frame.
+/// The result of one step, in the depth camera's frame.
 struct TouchSample {
-  bool valid = false;        ///< false: no surface in reach (or it is stale): no contact, no distance
-  bool in_body = false;      ///< the device is below the displayed surface, having come from outside
-  Point<DepthCamera> proxy;  ///< on the surface while in the body, else the device. k·(proxy − device) is the
-                             ///< force: it fades by itself at rims, over holes and with age
-  Point<DepthCamera> foot;   ///< the surface point nearest to the device that the search follows
+  bool valid = false;        ///< false: no surface in reach, or a stale one; there is no contact and no distance
+  bool in_body = false;      ///< the device came from outside and is below the displayed surface
+  Point<DepthCamera> proxy;  ///< in the body: the nearest allowed point on the surface; else: the device. A spring
+                             ///< k·(proxy − device) fades at rims, over holes and with age
+  Point<DepthCamera> foot;   ///< the surface point nearest to the device
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, out of the body, at the foot; zero when not valid
-  double distance_m = 0.0;                           ///< signed, of the device from the foot; negative in the body
-  double surface_velocity_m_per_s = 0.0;             ///< of the displayed surface at the foot, along the normal
-  double newest_above_m = 0.0;           ///< of the newest surface, carried to now, over the displayed one at the foot
-  double newest_velocity_m_per_s = 0.0;  ///< of the newest surface there, along the normal
-  Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< of the displayed surface where the contact
-                                                                      ///< began; zero out of the body
-  double uncertainty_m = 0.0;  ///< 1-sigma of the surface's place: noise, fit and prediction
-  double support = 0.0;        ///< 1 well inside known surface, 0 where it ends or is stale
-  double age_s = 0.0;          ///< since the snapshot's capture, and at least since its adoption
+  double distance_m = 0.0;                ///< signed distance of the device from the foot; negative in the body
+  double surface_velocity_m_per_s = 0.0;  ///< speed of the displayed surface at the foot, along the normal
+  double newest_above_m = 0.0;  ///< height of the newest surface, carried to now, over the displayed one at the foot
+  double newest_velocity_m_per_s = 0.0;  ///< speed of the newest surface there, along the normal
+  Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< of the displayed surface where contact began
+  double uncertainty_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
+  double support = 0.0;        ///< 1 well inside the known surface, 0 where it ends or is stale
+  double age_s = 0.0;          ///< time since the snapshot's capture or its adoption, whichever is longer
 };
 
-/// By how much the displayed surface at the foot differs from the newest snapshot as it was captured, outwards
+/// Difference at the foot between the displayed surface and the newest snapshot as captured; out of the body is
 /// positive.
 struct Displaced {
-  double carried_m = 0.0;  ///< by prediction, over the snapshot's age
-  double slewed_m = 0.0;   ///< by which the displayed surface has yet to sink to the newest
+  double carried_m = 0.0;  ///< part due to prediction over the snapshot's age
+  double slewed_m = 0.0;   ///< part that remains of the gradual change from the snapshot before
 };
 
-/// The touch of one device point: owns the proxy, carries the surface forward and follows new snapshots gently.
+/// The touch of one device point: owns the proxy, carries the surface forward in time and follows new snapshots
+/// gradually.
 ///
-/// The side of the skin is seen: a device below the displayed surface is in the body. Where no surface is displayed, at
-/// the start or after the contact had to let go, the newest image says on which side the device is; if it is in the
-/// body, the skin is shown at the device first and rises from there. What is remembered is that a device came round a
-/// rim or behind a silhouette, or to the back of a thin sheet: then it is not in the body, though behind what is seen.
-/// Owner: the haptic thread. step() and adopt() neither allocate, lock, throw nor call the system, as long as the
-/// snapshot says realtime_safe().
+/// A device below the displayed surface is in the body. At the start, or after a release, no surface is displayed; then
+/// the newest image decides on which side the device is. If the device is in the body, the skin is first displayed at
+/// the device and rises from there. One thing is remembered from step to step: a device that went round a rim, behind a
+/// silhouette or to the back of a thin sheet is behind the visible surface but not in the body. Owner: the haptic
+/// thread. step() and adopt() neither allocate, lock, throw nor call the system, if the snapshot is realtime_safe().
 class Touch {
  public:
   explicit Touch(const TouchSettings& settings = {}) noexcept : settings_(settings) {}
 
-  /// `snapshot` takes over, without a step. It must stay alive until the next adopt() or release(); the one before is
-  /// not looked at again. One that is not newer (the builder drops those) is counted.
+  /// Uses `snapshot` from now on; the displayed surface does not jump. The snapshot must stay alive until the next
+  /// adopt() or release(). The earlier snapshot is not read again. A snapshot that is not newer than the last one is
+  /// counted in out_of_order().
   void adopt(const SurfaceSnapshot& snapshot, SessionTime now) noexcept;
-  /// Forgets the snapshot and lets go at once.
+  /// Forgets the snapshot and ends the contact at once.
   void release() noexcept;
-  /// Where the device is now; `dt_s` since the last step. A position that is not finite changes nothing and is answered
-  /// with valid = false; time that goes back is taken as standing still.
+  /// The touch of `device` at `now`, `dt_s` after the last step. A position that is not finite changes nothing and gets
+  /// valid = false. Time that goes back counts as time that stands still.
   [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s) noexcept;
 
-  /// Looks twice at the surface; zero without a foot.
+  /// Evaluates the surface twice; zero without a foot.
   [[nodiscard]] Displaced displaced() const noexcept;
 
   [[nodiscard]] std::uint64_t out_of_order() const noexcept { return out_of_order_; }
@@ -98,28 +98,28 @@ class Touch {
 
   TouchSettings settings_;
   const SurfaceSnapshot* snapshot_ = nullptr;  // borrowed
-  SessionTime snapshot_captured_{};            // its own copy: the one before is gone when the next comes
+  SessionTime snapshot_captured_{};            // a copy, because the snapshot may be freed before the next one comes
   SessionTime adopted_{};
   SurfaceFollower follower_{settings_.follow};
   MotionBasis basis_;
   SessionTime now_{};
   Side side_ = Side::Unknown;
   bool has_foot_ = false;
-  bool fresh_foot_ = false;     // of a reseed: the newest surface is displayed as it is
-  bool swapped_ = false;        // a new snapshot, not looked at yet
-  bool was_in_front_ = false;   // at the last look: going in from there is going through the skin
-  FieldSample at_foot_;         // displayed, at foot_
-  double newest_velocity_ = 0;  // of the newest surface there [m/s]
+  bool fresh_foot_ = false;     // the foot was found anew: the newest surface is displayed without a lag
+  bool swapped_ = false;        // a new snapshot that has not been evaluated yet
+  bool was_in_front_ = false;   // at the last step the device was in front: to go in from there is to touch the skin
+  FieldSample at_foot_;         // sample of the displayed surface at foot_
+  double newest_velocity_ = 0;  // speed of the newest surface at foot_ [m/s]
   Eigen::Vector3d foot_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  // last valid one
-  Eigen::Vector3d device_ = Eigen::Vector3d::Zero();  // of the last step
+  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  // the last valid normal
+  Eigen::Vector3d device_ = Eigen::Vector3d::Zero();  // position of the device at the last step
   bool has_device_ = false;
   bool anchored_ = false;
   LineFollower anchor_{settings_.follow};                    // the displayed skin where the contact began
   Eigen::Vector3d newest_anchor_ = Eigen::Vector3d::Zero();  // where the newest surface crosses its line
-  double anchor_speed_ = 0.0;                                // over the last step [m/s]
+  double anchor_speed_ = 0.0;                                // speed of newest_anchor_ over the last step [m/s]
   double slide_ = 1.0;  // share of the tangential step that the curvature under the proxy allows
-  double held_ = 0.0;   // how much of the contact is shown: follows the support, never in a step
+  double held_ = 0.0;   // displayed share of the contact; follows the support gradually
   std::uint64_t out_of_order_ = 0;
 };
 

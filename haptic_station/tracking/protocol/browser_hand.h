@@ -7,17 +7,18 @@
 
 namespace telepalp::tracking {
 
-/// A hand that somebody holds in a viewer, by mouse, finger or headset, as the server tells of it on /viewer/hand. The
-/// server decides which viewer holds it. A viewer that lets go, rests or loses the line falls silent, and the station's
-/// watchdog sees the age.
+/// A hand that a user moves in a viewer by mouse, finger or headset. The server sends it on /viewer/hand and decides
+/// which viewer holds the hand. A viewer that lets go, rests or loses its connection sends nothing; the station's
+/// watchdog then acts on the age of the last position.
 class BrowserHand final : public ports::Tracker {
  public:
   using Clock = std::chrono::steady_clock;
 
   enum class Taken {
     Followed,
-    /// The hand passed from one viewer to another less than 0.3 s ago. Nothing is followed for that time: the station
-    /// lets go, and takes up the new hand as it takes up a first one, without a step from one place to the other.
+    /// The hand passed from one viewer to another less than 0.3 s ago. No hand is followed for that time. The station
+    /// therefore releases, and then follows the new hand as it follows a first one, without a jump between the two
+    /// places.
     Passing,
     OutOfReach,  ///< further than 0.5 m from H's origin
   };

@@ -15,7 +15,7 @@ namespace telepalp::wire {
 
 /// How a session file was recorded; stored in the metadata record "telepalp.session".
 struct SessionInfo {
-  std::string program;  ///< "telepalp-record"
+  std::string program;  ///< program that wrote the file: "telepalp-record"
   std::string version;
   std::string commit;
   std::string source;  ///< address of the recorded server ("127.0.0.1:7000"), or a file
