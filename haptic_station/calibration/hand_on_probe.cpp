@@ -14,7 +14,7 @@ Error refusal(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "calibration by hand on probe", .fix = std::move(fix)};
 }
 
-/// nullopt: a rigid motion within 10 m.
+/// The error of a pose that is no rigid motion or lies beyond 10 m; nullopt for a valid pose.
 std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name) {
   constexpr double kRotationError = 1e-3;
   if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > 10.0)
@@ -27,10 +27,10 @@ std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name
   return std::nullopt;
 }
 
-/// The rotation with the least sum of squared chordal distances to the ones summed up in `sum`.
+/// Chordal mean of the rotations whose sum is `sum`; nullopt when they cancel.
 std::optional<Matrix3d> mean_rotation(const Matrix3d& sum) {
   const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (svd.singularValues()[1] < 0.1 * svd.singularValues()[0]) return std::nullopt;  // they cancel: no mean
+  if (svd.singularValues()[1] < 0.1 * svd.singularValues()[0]) return std::nullopt;  // the rotations cancel
   const Matrix3d& u = svd.matrixU();
   const Matrix3d& v = svd.matrixV();
   const double sign = (u * v.transpose()).determinant() < 0.0 ? -1.0 : 1.0;

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr double kFurthest_m = 10.0;
 constexpr std::size_t kMostPairs = 100'000;
-constexpr double kLargestScale = 1.25;  // further from one than this, the two sets are not in the same unit
+constexpr double kLargestScale = 1.25;  // with a greater ratio of their sizes, the two sets have different units
 
 struct Place {
   Vector3d to = Vector3d::Zero();
@@ -46,7 +46,7 @@ std::vector<Place> averaged(std::span<const PointPair> pairs) {
   return places;
 }
 
-/// The places around their centroids: what decides the rotation.
+/// The points relative to their centroids; they determine the rotation.
 struct Centred {
   Vector3d to_mean = Vector3d::Zero();
   Vector3d from_mean = Vector3d::Zero();

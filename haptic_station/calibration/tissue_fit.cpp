@@ -18,7 +18,7 @@ double rms(const Eigen::MatrixXd& basis, const Eigen::VectorXd& load, const Eige
   return std::sqrt((basis * c - load).squaredNorm() / static_cast<double>(load.size()));
 }
 
-/// Least squares over the columns that `chosen` names (bit i: column i); nullopt when one would be negative.
+/// Least squares over the columns in `chosen` (bit i selects column i); nullopt when a coefficient is negative.
 std::optional<Eigen::Vector3d> solve_over(const Eigen::MatrixXd& basis, const Eigen::VectorXd& load, unsigned chosen) {
   std::vector<int> columns;
   for (int i = 0; i < 3; ++i)
@@ -59,7 +59,7 @@ Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
                  .where = "fit_tissue",
                  .fix = "give compression in metres and load in newtons, both growing"};
   std::optional<Eigen::Vector3d> best;
-  for (unsigned chosen = 1; chosen < 8; ++chosen)  // three columns: trying all is the exact answer
+  for (unsigned chosen = 1; chosen < 8; ++chosen)  // with three columns, the best of all subsets is the exact solution
     if (const auto c = solve_over(basis, load, chosen); c && (!best || rms(basis, load, *c) < rms(basis, load, *best)))
       best = c;
   if (!best)

@@ -34,7 +34,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   return out;
 }
 
-/// The part of the input that the phases depend on. `stands`: the cause that would fault this very tick.
+/// The part of the input that the phases depend on. `stands`: the cause that would fault this tick.
 Seen EncounteredController::seen_of(const ControlInput& in, FaultCause stands) const noexcept {
   const double hand_m = in.hand.m.y();
   const double device_m = in.device.m.y();
@@ -57,20 +57,21 @@ void EncounteredController::enter_phase(Event event, const ControlInput& in) noe
   if (phases_.phase() == Phase::OutBody) position_control_.begin(in, plane_.target_height_m());
 }
 
-/// On the way out, in Body to plane, the hand feels the skin for as long as it is still inside.
+/// True when the skin gives force: inside the body, and in Body to plane while the hand is still inside.
 bool EncounteredController::feels_skin(const ControlInput& in) const noexcept {
   const bool may_feel = is_inside(phases_.phase()) || phases_.phase() == Phase::BodyToPlane;
   return may_feel && in.contact.valid && in.contact.in_body;
 }
 
-/// The skin's force needs the device and the surface alone, so a lost hand does not drop the contact at once: force
-/// control releases it slowly, and only then the input counts as stale.
+/// The skin's force depends only on the device and the surface. Therefore a lost hand does not end the contact at once:
+/// force control fades the contact out, and only then the input counts as stale.
 bool EncounteredController::inputs_are_stale(const ControlInput& in) const noexcept {
   const bool holds = force_control_.touching() && !force_control_.released();
   return surface_is_stale(in, settings_.ages) || (!holds && hand_is_lost(in, settings_.ages.tracker_s));
 }
 
-/// The force of the phase: force control, the lift or position control. In the skin, the skin itself lifts.
+/// The force of the phase: force control, the lift or position control. Inside the skin there is no lift, because the
+/// skin pushes outwards.
 HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s) noexcept {
   target_ = in.device;
   HeldForce force;
@@ -85,7 +86,7 @@ HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s
   return force;
 }
 
-/// A station that lets go does so within 30 ms, from whatever force.
+/// A release fades any force to zero within 30 ms.
 double EncounteredController::fade_rate_N_per_s() const noexcept {
   constexpr double kReleaseWithin_s = 0.03;
   return has_let_go(phases_.phase()) ? settings_.limits.peak_N / kReleaseWithin_s
@@ -98,7 +99,7 @@ Force<HapticBase> EncounteredController::limited(const HeldForce& wanted, double
   return force;
 }
 
-/// What the parts say after a tick.
+/// Collects the output of the parts after a tick.
 ControlOutput EncounteredController::output() const noexcept {
   ControlOutput out;
   out.phase = phases_.phase();

@@ -14,11 +14,12 @@ struct Speeds {
   double device;
 };
 
-/// One axis of hand and device, each a mass with its own damper, the hand's arm spring, and the flesh between them.
+/// One axis of the model: hand and device are masses with dampers; the arm is a spring on the hand; the flesh is a
+/// spring between hand and device.
 struct Axis {
-  double arm_gap_m;    ///< intention less hand
-  double arm_speed;    ///< of the intention [m/s]
-  double flesh_gap_m;  ///< device less hand, less its rest length
+  double arm_gap_m;    ///< intended position minus hand
+  double arm_speed;    ///< speed of the intended position [m/s]
+  double flesh_gap_m;  ///< device minus hand, minus the flesh's rest length
   double motor_N;
 };
 
@@ -62,7 +63,7 @@ void SimulatedPair::step(const Force<HapticBase>& motors, const Intention& inten
 
   const Vector3d gap = device_.m - hand_.m;
   const bool in_reach = std::hypot(gap.x(), gap.z()) <= hand_settings_.reach_m;
-  // Contact begins from above alone: a hand that comes from the side, lower than the end-effector, is beside it.
+  // Contact begins only from above. A hand that comes from the side and is lower than the end-effector is beside it.
   bool pressing = in_reach && gap.y() >= 0.0 && (touching_ || was_above_);
   was_above_ = gap.y() <= 0.0;
   if (pressing && !touching_) grip_m_ = -gap;
@@ -84,16 +85,16 @@ void SimulatedPair::step(const Force<HapticBase>& motors, const Intention& inten
   };
   Speeds speeds[3];
   speeds[1] = solve(1, pressing);
-  if (pressing && felt_.N.y() < 0.0) {  // flesh does not stick: the damper alone must not hold them together
+  if (pressing && felt_.N.y() < 0.0) {  // flesh does not stick: a pull of the damper ends the contact
     pressing = false;
-    was_above_ = true;  // it leaves upwards, though its flesh is still pressed in: next it may meet again
+    was_above_ = true;  // the hand leaves upwards with its flesh still compressed; it may touch again at the next step
     speeds[1] = solve(1, false);
   }
   for (const int i : {0, 2}) speeds[i] = solve(i, pressing);
   const double sideways_N = std::hypot(felt_.N.x(), felt_.N.z());
   const double grip_N = hand_settings_.friction * felt_.N.y();
   if (pressing && sideways_N > grip_N) {
-    // Slips: Coulomb's force instead of the flesh's, and the grip follows to where the flesh would give just that.
+    // Slip: the tangential force is Coulomb's, and the grip point moves to where the flesh gives this force.
     for (const int i : {0, 2}) {
       const double slip_N = felt_.N[i] * (grip_N / sideways_N);
       speeds[i] = slide(i, slip_N);

@@ -7,8 +7,8 @@
 namespace telepalp::device {
 namespace {
 
-constexpr double kHigh = 0.07;  // clear of the plane
-constexpr double kLow = 0.02;   // on the way through it
+constexpr double kHigh = 0.07;  // above the waiting plane
+constexpr double kLow = 0.02;   // height at which the hand passes the plane
 
 constexpr std::array kIndentSeveralPoints = std::to_array<Waypoint>({
     {0.8, 0.00, kHigh, 0.00},
@@ -87,7 +87,7 @@ Leg leg_at(std::span<const Waypoint> script, double time_s) noexcept {
   double total_s = 0.0;
   for (const Waypoint& waypoint : script) total_s += waypoint.seconds;
   double left_s = std::fmod(std::max(time_s, 0.0), total_s);
-  const Waypoint* from = &script.back();  // the trial begins again from where it ends
+  const Waypoint* from = &script.back();  // a repeated trial starts where it ended
   for (const Waypoint& waypoint : script) {
     if (left_s < waypoint.seconds) return {from, &waypoint, left_s / waypoint.seconds};
     left_s -= waypoint.seconds;

@@ -12,7 +12,7 @@ DistanceAt distance_at(const DistanceLattice& lattice, const Eigen::Vector3d& po
   std::array<CubicBSpline<double>, 3> weights;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    // Written so that what is not a number is beyond the lattice.
+    // The negated comparison also treats NaN as beyond the lattice.
     if (!(at[axis] >= 1.0 && at[axis] < lattice.size[a] - 2))
       return {std::numeric_limits<double>::infinity(), Eigen::Vector3d::Zero()};
     cell[a] = static_cast<int>(at[axis]);

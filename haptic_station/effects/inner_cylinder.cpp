@@ -7,9 +7,9 @@ namespace telepalp::effects {
 namespace {
 
 struct Depths {
-  double top_m;      ///< below the upper face
-  double bottom_m;   ///< above the lower face
-  double lateral_m;  ///< inside the mantle
+  double top_m;      ///< depth below the upper face
+  double bottom_m;   ///< height above the lower face
+  double lateral_m;  ///< depth inside the lateral face
 };
 
 double smallest(const Depths& d) noexcept { return std::min({d.top_m, d.bottom_m, d.lateral_m}); }
@@ -30,7 +30,8 @@ SmoothDepth smooth_minimum(const Depths& d) noexcept {
   return {s, {by(d.top_m), by(d.bottom_m), by(d.lateral_m)}};
 }
 
-/// Outside: how far, by the largest excess over a face (exact but beyond an edge, where it is a little short).
+/// Distance of a point outside the cylinder: the largest excess over a face. It is exact except beyond an edge, where
+/// it is slightly too small.
 double outside_by_m(const Depths& d) noexcept { return -smallest(d); }
 
 }  // namespace

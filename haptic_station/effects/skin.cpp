@@ -3,16 +3,17 @@
 namespace telepalp::effects {
 
 void Skin::begin(const EffectInput& in) noexcept {
-  // Where the surface has only half come back, the proxy lies between it and the device: the anchor belongs on it.
+  // While the support is below 1, the proxy lies between the surface and the device; the anchor must lie on the
+  // surface.
   const bool faded = in.contact.support < 1.0;
   first_contact_.m = faded ? in.device.m - in.contact.distance_m * in.contact.normal.v : in.contact.proxy.m;
   first_normal_ = in.contact.normal;
   rise_m_ = 0.0;
 }
 
-// The speed under the hand would not do: a belly rises in its middle, and a hand that rubs in step with the breath
-// would pump the anchor out of the skin. Nor would the proxy's height: under a deep hand the nearest skin slides along
-// the body's curvature while the patient lies still.
+// The anchor moves with the skin at the first contact point. The speed under the hand is not used: a belly rises in its
+// middle, so a hand that rubs in step with the breath would move the anchor out of the skin. The proxy's height is not
+// used either: under a deep hand, the nearest skin point slides along the curved body while the patient lies still.
 Vector<HapticBase> Skin::carried_at(const EffectInput& in) const noexcept {
   switch (settings_.anchor) {
     case SkinAnchor::Fixed:
@@ -33,7 +34,7 @@ Force<HapticBase> Skin::step(const EffectInput& in, double dt_s) noexcept {
   Eigen::Vector3d d = in.device.m - (slides ? in.contact.proxy.m : first_contact_.m + rise_m_ * first_normal_.v);
   const double outwards_m = d.dot(normal);
   if (outwards_m > 0.0) d -= outwards_m * normal;
-  if (!slides) d *= in.contact.support;  // the proxy has faded by it already
+  if (!slides) d *= in.contact.support;  // the support already scales the proxy
   indentation_ = {d};
   return {skin_force_N(settings_.law, d)};
 }

@@ -10,8 +10,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSpeedFilter_rad_per_s = 2.0 * std::numbers::pi * 150.0;
-constexpr double kHoldDecay_s = 0.005;  // while held, the last velocity dies away
-constexpr double kLongestGap_s = 0.02;  // after a longer silence the readings begin anew
+constexpr double kHoldDecay_s = 0.005;  // during extrapolation the last velocity decays
+constexpr double kLongestGap_s = 0.02;  // after a longer silence the next reading is accepted as it is
 constexpr double kSpeedTolerance_m_per_s = 0.05;
 constexpr double kSpeedToleranceShare = 0.3;
 
@@ -43,8 +43,9 @@ void DeviceGate::accept(const ports::DeviceReading& reading, double since_s, dou
   implausible_s_ = 0.0;
 }
 
-/// Readings that agree with each other are another truth: taken up with the offset to where the end-effector was
-/// carried, if that is small, or anew after a long while.
+/// Readings that agree with each other after a jump are accepted again. With a small offset to the extrapolated
+/// position, the offset remains and is removed slowly. With a large offset, they are accepted after a long time and
+/// without an offset.
 void DeviceGate::hold(const ports::DeviceReading& reading, double dt_s) noexcept {
   if (implausible_s_ <= 0.0) ++jumps_;
   implausible_s_ += dt_s;
@@ -66,15 +67,16 @@ GatedReading DeviceGate::answer(const ports::DeviceReading& reading) const noexc
 }
 
 GatedReading DeviceGate::step(const ports::DeviceReading& reading, double dt_s) noexcept {
-  // The controller faults on what is not finite and on silence: neither is this gate's to judge.
+  // The controller faults on readings that are not finite and on a silent device, so this gate passes them on.
   if (!reading.at.m.allFinite() || !reading.velocity.v.allFinite() || !std::isfinite(reading.age_s) || !(dt_s > 0.0))
     return {.at = reading.at, .velocity = reading.velocity, .implausible_s = implausible_s_};
-  const double since_s = dt_s + last_.age_s - reading.age_s;  // between the last two readings
+  const double since_s = dt_s + last_.age_s - reading.age_s;  // time between the last two readings
   if (!started_ || !(since_s < kLongestGap_s)) {
     start(reading);
     return answer(reading);
   }
-  if (since_s <= 0.0 || (reading.age_s > last_.age_s && reading.at.m == last_.at.m)) {  // nothing new was read
+  if (since_s <= 0.0 ||
+      (reading.age_s > last_.age_s && reading.at.m == last_.at.m)) {  // the device gave no new reading
     last_.age_s = reading.age_s;
     return answer(reading);
   }

@@ -7,7 +7,8 @@
 namespace telepalp::station {
 namespace {
 
-constexpr std::chrono::milliseconds kSameSession{50};  // clocks are slewed, a step is another session
+constexpr std::chrono::milliseconds kSameSession{
+    50};  // a greater step back means another session, because clocks are only slewed
 
 }  // namespace
 
@@ -21,7 +22,7 @@ void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcep
 }
 
 void HapticLoop::hand_sampled(SessionTime at, const Point<HapticBase>& hand) noexcept {
-  // From the future: believed once, it would make all that come after it older than what is known.
+  // A sample from the future is dropped. If it were used, all later samples would seem older than it.
   if (ticked_ && at > last_tick_ + kSameSession) return;
   const tracking::Taken taken = hand_.update(at, hand);
   if (taken == tracking::Taken::Used || taken == tracking::Taken::Restarted) {

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 using Triangle = std::array<std::uint32_t, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// For each vertex, the first of those in the same place.
+/// For each vertex, the index of the first vertex at the same position.
 std::vector<std::uint32_t> welded(const std::vector<Eigen::Vector3f>& points) {
   const auto key = [&](std::uint32_t i) { return std::array{points[i].x(), points[i].y(), points[i].z()}; };
   std::vector<std::uint32_t> order(points.size());
@@ -35,7 +35,7 @@ std::vector<Triangle> welded_triangles(const models::PointModel& mesh) {
   return triangles;
 }
 
-/// How many edges do not have as many faces on one side as on the other.
+/// The number of edges that do not have equally many faces in both directions.
 std::size_t open_edges(const std::vector<Triangle>& triangles) {
   std::map<Edge, int> balance;
   for (const Triangle& t : triangles)
@@ -104,7 +104,8 @@ Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh) {
   return faces_of(triangles, mesh.points);
 }
 
-// Ericson, Real-Time Collision Detection (2005), 5.1.5: which feature's region the point's projection lies in.
+// Ericson, Real-Time Collision Detection (2005), 5.1.5: finds the corner, edge or face in whose region the point's
+// projection lies.
 NearestOnFace nearest_on(const ClosedFace& face, const Vector3d& point) noexcept {
   const auto& [a, b, c] = face.corners;
   const auto found = [&](const Vector3d& at, const Vector3d& normal) {

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kBlock = 4;  // nodes along an edge of the blocks that share their candidates
+constexpr int kBlock = 4;  // nodes along an edge of a block; all nodes of a block share one list of candidate faces
 constexpr double kMostNodes = 16e6;
 
 struct Ball {
@@ -33,11 +33,11 @@ std::vector<Ball> balls_around(const std::vector<ClosedFace>& faces) {
 }
 
 struct Candidate {
-  double least_m;  ///< from the block's centre to the face, at least
+  double least_m;  ///< lower bound of the distance from the block's centre to the face
   std::uint32_t face;
 };
 
-/// The faces that may be the nearest to any point of a ball, nearest first.
+/// The faces that can be nearest to a point of a ball, nearest first.
 void candidates_for(const Ball& block, const std::vector<Ball>& balls, std::vector<Candidate>& candidates) {
   double farthest_m = std::numeric_limits<double>::infinity();
   for (const Ball& ball : balls) farthest_m = std::min(farthest_m, (ball.center - block.center).norm() + ball.radius_m);
@@ -49,7 +49,7 @@ void candidates_for(const Ball& block, const std::vector<Ball>& balls, std::vect
   std::ranges::sort(candidates, {}, &Candidate::least_m);
 }
 
-/// `from_center_m`: of the point to the block's centre.
+/// `from_center_m`: distance of the point from the block's centre.
 double signed_distance_m(const Vector3d& point, double from_center_m, const std::vector<ClosedFace>& faces,
                          const std::vector<Candidate>& candidates) {
   NearestOnFace nearest{std::numeric_limits<double>::infinity(), Vector3d::Zero(), nullptr};

@@ -37,7 +37,7 @@ trials::Curve curve(const std::vector<Felt>& felt, const std::string& name, cons
   return out;
 }
 
-/// What XML reserves is in no title.
+/// Removes the characters that XML reserves; titles do not need them.
 std::string plain(const std::string& text) {
   std::string out = text;
   for (char& letter : out)

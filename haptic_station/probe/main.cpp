@@ -12,7 +12,7 @@ namespace {
 
 using namespace telepalp;
 
-/// What both ways to call it say of the surface.
+/// The options about the surface, which both commands have.
 std::vector<program::Option> surface_options() {
   return {{"cloud", "FILE", "a .pcd, .ply or .obj to touch"},
           {"depth", "FILE", "or a 16-bit depth PNG"},
@@ -65,7 +65,7 @@ Error asked_wrongly(const std::string& what) {
   return {.what = what, .where = "telepalp-probe", .fix = "see telepalp-probe --help"};
 }
 
-/// 0 where they are left out.
+/// The value of the option, or 0 if it is left out.
 Result<std::size_t> samples_of(const program::Arguments& arguments) {
   if (!arguments.has("samples")) return std::size_t{0};
   const auto samples = arguments.whole("samples", 100, 1'000'000);
@@ -80,7 +80,7 @@ Result<double> spacing_m_of(const program::Arguments& arguments) {
   return 1e-3 * *spacing_mm;
 }
 
-/// What can be told wrong of the surface from the command line alone.
+/// Checks the options about the surface that need no file.
 Result<void> check_surface(const program::Arguments& arguments) {
   const bool cloud = !arguments.text("cloud").empty();
   const bool depth = !arguments.text("depth").empty();
@@ -110,7 +110,7 @@ Result<probe::ProbedSurface> open_surface(const program::Arguments& arguments) {
   return surface;
 }
 
-/// The last figures, for somebody who looks at the terminal first.
+/// Prints a short summary to the terminal.
 void say_summary(const std::vector<probe::Felt>& felt) {
   std::size_t in_body = 0;
   double most_N = 0.0;

@@ -33,7 +33,7 @@ Vector3d middle_of(const std::vector<Vector3d>& points) {
   return middle;
 }
 
-/// The spot at a point, where the surface is whole around it, as far as a finger goes there.
+/// The spot at a point; nullopt unless the surface covers the whole region around it that the finger touches.
 std::optional<Spot> spot_at(const surface::SurfaceSnapshot& snapshot, const Vector3d& at,
                             const PalpationSettings& settings) {
   const surface::FieldSample here = snapshot.evaluate(at, Vector3d::Zero(), {});
@@ -66,7 +66,7 @@ std::vector<Spot> choose_spots(const surface::SurfaceSnapshot& snapshot, std::ve
   return spots;
 }
 
-/// Waypoints at an even pace.
+/// Appends waypoints at a constant speed.
 class Pen {
  public:
   explicit Pen(const PalpationSettings& settings) : settings_(settings) {}

@@ -23,7 +23,7 @@ using surface::SurfaceSettings;
 
 constexpr std::size_t kPaperSamples = 16'000;
 
-/// Slope and offset of pixel against x/z along one axis by least squares, and the root mean square left over [px].
+/// Slope and offset of pixel against x/z along one axis by least squares, and the RMS residual [px].
 struct AxisFit {
   double focal_px = 0.0;
   double centre_px = 0.0;
@@ -55,7 +55,7 @@ AxisFit fit_axis(const PointModel& cloud, bool rows) {
   return fit;
 }
 
-/// The pinhole camera that took an organised cloud, where one did.
+/// The pinhole camera of an organised cloud; nullopt when no pinhole camera fits it.
 std::optional<Intrinsics> camera_of(const PointModel& cloud) {
   if (cloud.width <= 1) return std::nullopt;
   const AxisFit across = fit_axis(cloud, false);
@@ -79,7 +79,7 @@ DepthField depth_of(const PointModel& cloud, const Intrinsics& camera) {
   return depth;
 }
 
-/// A lattice that does not age: the cloud is all there is.
+/// A snapshot that never becomes stale, because no newer frame follows a file.
 std::shared_ptr<const surface::SurfaceSnapshot> still(const DepthField& depth, const Intrinsics& camera,
                                                       const SurfaceSettings& settings) {
   auto snapshot = std::make_shared<surface::GridSnapshot>(depth, camera, std::nullopt, settings);
@@ -87,7 +87,7 @@ std::shared_ptr<const surface::SurfaceSnapshot> still(const DepthField& depth, c
   return snapshot;
 }
 
-/// At most some ten thousand finite points, evenly picked.
+/// About ten thousand finite points at most, evenly picked.
 std::vector<Eigen::Vector3d> some_of(const std::vector<Eigen::Vector3f>& points) {
   constexpr std::size_t kSome = 20'000;
   std::vector<Eigen::Vector3d> some;
@@ -138,7 +138,7 @@ void take_bytes(png_structp png, png_bytep to, std::size_t count) {
   if (std::fread(to, 1, count, reader->file) != count) png_error(png, "ends too early");
 }
 
-/// libpng leaves through longjmp where a file is damaged: each part that may is a function without C++ objects.
+/// libpng calls longjmp when a file is damaged. Each function that may be left this way therefore has no C++ objects.
 bool read_header(PngReader& reader) {
   if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
   png_set_read_fn(reader.png, &reader, take_bytes);
@@ -155,7 +155,7 @@ bool read_rows(png_structp png, png_bytepp rows) {
   return true;
 }
 
-/// 16-bit grey samples as they stand; libpng's simple interface would pass them through a gamma.
+/// Reads 16-bit grey samples unchanged. libpng's simplified interface would apply a gamma correction.
 Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit_m) {
   const auto fail = [&](const std::string& what) {
     return Error{.what = what, .where = path.string(), .fix = "give a 16-bit grey PNG of at most 4096 x 4096"};

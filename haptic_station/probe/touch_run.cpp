@@ -13,7 +13,7 @@
 namespace telepalp::probe {
 namespace {
 
-constexpr double kTeleport_m = 0.5;  // in one step: no hand, and whatever was held there is let go
+constexpr double kTeleport_m = 0.5;  // a longer jump in one step is no hand's movement; it ends the contact
 
 constexpr const char* kColumns = "t_s,px,py,pz,distance_m,in_body,nx,ny,nz,fx,fy,fz,step_us\n";
 
@@ -31,7 +31,7 @@ void append_row(std::string& out, const Felt& felt) {
 std::vector<Felt> touch_along(const surface::SurfaceSnapshot& snapshot, const std::vector<Waypoint>& trajectory,
                               double stiffness_N_per_m) {
   surface::TouchSettings settings;
-  settings.gentle_start = false;  // offline, a start in the body is an answer, not a danger
+  settings.gentle_start = false;  // offline a sudden force harms nobody, so a start in the body gives the full force
   surface::Touch touch(settings);
   touch.adopt(snapshot, SessionTime{});
   std::vector<Felt> all;

@@ -15,7 +15,7 @@ using models::TextCursor;
 
 constexpr std::size_t kMostWaypoints = 20'000'000;
 
-/// The four numbers of a line, NaN where a word is none; nullopt when there are not four words.
+/// The four numbers of a line; a word that is not a number becomes NaN. nullopt unless there are four words.
 std::optional<std::array<double, 4>> four_numbers(std::string_view line, bool& all_numbers) {
   std::array<double, 4> values{};
   all_numbers = true;

@@ -11,7 +11,7 @@
 namespace telepalp::scenes {
 namespace {
 
-/// Reads an optional field when it is there; the plain value keeps its default when it is not.
+/// Reads an optional field. If it is missing, the value keeps its default.
 #define TELEPALP_READ(check, prefix, message, field, into, ...) \
   if ((message).has_##field()) (check).number(prefix #field, (message).field(), Range __VA_ARGS__, into)
 
@@ -40,7 +40,7 @@ std::string tissue_names() {
   return names;
 }
 
-/// Instead of S1's law: a linear spring, a curve, or a tissue's.
+/// Reads a law that replaces S1's: a linear spring, a curve, or the curve of a tissue.
 void read_tissue(FieldCheck& check, const msg::SkinEffect& message, effects::SkinLaw& law) {
   if (int{message.has_linear_stiffness_n_per_m()} + int{message.has_tissue()} + int{message.has_measured()} > 1)
     check.complain("skin gives more than one of linear_stiffness_N_per_m, tissue and measured", "give one of them");
@@ -102,7 +102,7 @@ effects::InnerSphere read_sphere(FieldCheck& check, const msg::SphereEffect& mes
   return effects::InnerSphere(sphere);
 }
 
-/// The load is what the scene's first skin gives, wherever it stands in the file.
+/// The load is the force of the first skin in the scene, at any position in the file.
 effects::Friction read_friction(FieldCheck& check, const msg::FrictionEffect& message, const msg::Scene& scene) {
   effects::Friction::Settings friction;
   TELEPALP_READ(check, "friction.", message, coefficient, friction.coefficient, {0, 3, ""});
@@ -132,7 +132,7 @@ effects::StiffRegions read_regions(FieldCheck& check, const msg::RegionsEffect& 
   return regions;
 }
 
-/// The mesh is read only when the numbers beside it are right.
+/// The mesh file is read only when the numbers of the message are valid.
 effects::Organ read_organ(FieldCheck& check, const msg::OrganEffect& message, const std::filesystem::path& folder) {
   organs::OrganShapeSettings shape;
   effects::Organ::Settings organ;

@@ -103,7 +103,7 @@ Result<std::filesystem::path> scene_of(const program::Arguments& arguments) {
                .fix = "name one by --scene, or set TELEPALP_HOME"};
 }
 
-/// The scene, with what was measured at this site in its place.
+/// The scene with the transforms of this site's calibration.
 Result<scenes::Scene> read_calibrated(const std::filesystem::path& scene_file, const program::Arguments& arguments) {
   Result<scenes::Scene> scene = scenes::read_scene(scene_file);
   if (scene)
@@ -112,7 +112,7 @@ Result<scenes::Scene> read_calibrated(const std::filesystem::path& scene_file, c
   return station::calibrated(std::move(scene).value(), arguments.text("calibration"));
 }
 
-/// The model that the scene names, where it names one.
+/// The static model of the scene; nullopt if the scene has none.
 Result<std::optional<station::StaticPatient>> model_of(const scenes::Scene& scene,
                                                        const std::filesystem::path& scene_file) {
   if (!scene.message.patient_surface().has_static_model()) return std::optional<station::StaticPatient>{};

@@ -76,7 +76,8 @@ Station::Station(boost::asio::io_context& io, const StationOptions& options, con
 
 Station::~Station() { end_threads(); }
 
-/// The threads use the other members. The collision thread reads the haptic thread's hand-off, so it ends first.
+/// Ends the threads before the members that they use are destroyed. The collision thread reads a hand-off of the haptic
+/// thread, so it ends first.
 void Station::end_threads() {
   collision_.reset();
   haptic_.reset();
@@ -153,7 +154,7 @@ void Station::give_up(const Error& error) {
   stop("it cannot go on");
 }
 
-/// Nothing could be touched for as long as the operator wants to wait.
+/// Ends the station because no surface came within the operator's time limit.
 void Station::lose_patience() {
   const bool answered = link_.state() == wire::LinkState::Connected;
   give_up({.what = answered ? "the server answers and sends no depth image that can be touched" : "does not answer",
@@ -173,7 +174,7 @@ void Station::on_link(wire::LinkState state, const std::string& detail) {
     telemetry_.tell_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
 }
 
-/// Each attempt to connect is not news: what was said of trying is said once until it succeeds.
+/// Repeated attempts to connect are logged once until one succeeds.
 void Station::say_link(const std::string& text, wire::LinkState state) {
   const bool trying = state == wire::LinkState::Connecting;
   if (!trying) said_of_trying_.clear();
@@ -197,7 +198,7 @@ void Station::on_camera_info(const wire::Message& message) {
 
 void Station::on_depth(const wire::Message& message) {
   telemetry_.frame_received();
-  if (!camera_) return;  // its model comes within the second
+  if (!camera_) return;  // the camera's model comes within a second
   worker_->offer({.depth = message, .camera = *camera_, .received = now()});
 }
 
@@ -217,7 +218,7 @@ void Station::on_surface(const msg::SurfaceReport& report) {
   if (!haptic_) start_haptic_thread();
 }
 
-/// Depth that was moved is not what the camera measured, and whoever touches it is told.
+/// Near-lossless depth differs from the measurement, so the log states its error bound.
 void Station::say_depth(const msg::SurfaceReport& report) {
   const wire::DepthFidelity told = wire::depth_fidelity(report);
   const std::string words = wire::in_words(told);
@@ -231,7 +232,8 @@ void Station::say_depth(const msg::SurfaceReport& report) {
   telemetry_.tell_event(now(), msg::EVENT_KIND_SCENE, warning);
 }
 
-/// The network thread hands the model over in the surface thread's place, which has nothing to do.
+/// Hands over the surface of the static model. The network thread does this, because there is no surface thread without
+/// a camera.
 void Station::touch_model() {
   if (!options_.model->remarks.empty()) say("model: " + options_.model->remarks);
   say("touching " + std::to_string(options_.model->snapshot->points) + " points of a model; a server is not needed");

@@ -38,7 +38,8 @@ Eigen::Matrix3d HandEstimate::process_noise(double dt) const noexcept {
   const double dt2 = dt * dt;
   const double dt3 = dt2 * dt;
   Eigen::Matrix3d q = Eigen::Matrix3d::Zero();
-  // For the damped velocity too: over a tracker's period its noise is this one's to a few per cent.
+  // The noise of the constant-velocity model serves for the damped velocity, too: over one period of the tracker both
+  // agree within a few per cent.
   if (settings_.model != MotionModel::ConstantAcceleration) {
     q(0, 0) = dt3 / 3.0;
     q(0, 1) = q(1, 0) = dt2 / 2.0;
@@ -73,7 +74,7 @@ Taken HandEstimate::update(SessionTime at, const Point<HapticBase>& hand) noexce
   const Eigen::Matrix3d spread = step * covariance_ * step.transpose() + process_noise(dt);
   const Eigen::Vector3d gain = spread.col(0) / (spread(0, 0) + settings_.noise_m * settings_.noise_m);
   motion_ = predicted + gain * surprise;
-  // Joseph's form: stays symmetric and positive where the plain update loses both to rounding.
+  // Joseph's form of the update: the covariance stays symmetric and positive despite rounding.
   Eigen::Matrix3d rest = Eigen::Matrix3d::Identity();
   rest.col(0) -= gain;
   covariance_ = rest * spread * rest.transpose() + settings_.noise_m * settings_.noise_m * gain * gain.transpose();

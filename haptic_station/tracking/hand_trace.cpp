@@ -46,7 +46,7 @@ Columns find_columns(std::string_view header) {
   return columns;
 }
 
-/// The field as a finite number. from_chars knows no locale: a comma is never a decimal point here.
+/// The field as a finite number. from_chars ignores the locale, so a comma is never a decimal point.
 std::optional<double> number(const std::vector<std::string_view>& row, std::optional<std::size_t> column) {
   if (!column || *column >= row.size()) return std::nullopt;
   const std::string_view text = row[*column];
@@ -70,7 +70,7 @@ std::optional<ParsedRow> parse_row(const std::vector<std::string_view>& row, con
     if (!n[c]) return std::nullopt;
   for (const Column c : {kX, kY, kZ})
     if (std::abs(*n[c]) > kFurthest_mm) return std::nullopt;
-  if (std::abs(*n[kTime]) > 9e15) return std::nullopt;  // past it a double no longer counts microseconds
+  if (std::abs(*n[kTime]) > 9e15) return std::nullopt;  // beyond it a double cannot represent single microseconds
   ParsedRow parsed{.time_us = *n[kTime], .hand = n[kHand].value_or(0.0), .sample = {}};
   parsed.sample.palm.m = Eigen::Vector3d{*n[kX], *n[kY], *n[kZ]} * 1e-3;
   if (n[kVx] && n[kVy] && n[kVz]) parsed.sample.velocity.v = Eigen::Vector3d{*n[kVx], *n[kVy], *n[kVz]} * 1e-3;

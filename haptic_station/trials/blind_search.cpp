@@ -11,12 +11,12 @@ namespace telepalp::trials {
 namespace {
 
 constexpr int kPlacesASide = 4;
-constexpr double kLeg_s[] = {0.55, 0.35, 0.30, 0.40};  // over, down to the skin, into it, out
-constexpr double kPress_s = 1.6;                       // all four
+constexpr double kLeg_s[] = {0.55, 0.35, 0.30, 0.40};  // durations: over the place, down to the skin, into it, out
+constexpr double kPress_s = 1.6;                       // sum of all four
 constexpr double kPressTo_m = -0.065;
-constexpr double kFeelBelow_m = 0.025;  // shallower, the skin's stiffness says nothing of what lies below
-constexpr double kFelt_N_per_m = 20.0;  // the skin alone is three times as stiff there
-constexpr double kTelling = 1.33;       // stiffer than the median place by so much: something is there
+constexpr double kFeelBelow_m = 0.025;  // a shallower press does not reveal an object below the skin
+constexpr double kFelt_N_per_m = 20.0;  // of a place that was felt; the skin alone has three times as much
+constexpr double kTelling = 1.33;       // ratio to the median stiffness from which the person reports an object
 
 struct Place {
   double x_m;
@@ -49,7 +49,7 @@ std::vector<device::Waypoint> presses(const std::vector<Place>& places) {
 VirtualStationSettings scene(const BlindSearchSettings& settings, const Point<HapticBase>& cylinder) {
   VirtualStationSettings station;
   station.seed = settings.seed;
-  station.control.transitions.dwell_s = 0.1;  // a person who has done this before, and a quick script
+  station.control.transitions.dwell_s = 0.1;  // shorter than S1's, because the script is fast
   (void)station.effects.add(effects::Skin{});
   if (settings.with_cylinder)
     (void)station.effects.add(effects::InnerCylinder({.top_center = {cylinder.m - Eigen::Vector3d{0.0, 0.03, 0.0}}}));

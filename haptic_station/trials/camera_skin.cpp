@@ -9,10 +9,10 @@ namespace telepalp::trials {
 namespace {
 
 constexpr double kFrame_hz = 30.0;
-constexpr double kReach_m = 0.16;  // as the station's surface thread asks for
+constexpr double kReach_m = 0.16;  // the same as in the station's surface thread
 constexpr Intrinsics kCamera{320, 240, 525.0, 525.0, 159.5, 119.5};
 
-/// Height of a barrel over H's x and z, and how it falls away.
+/// A barrel-shaped skin under a simulated depth camera.
 class CameraSkin final : public TrialSkin {
  public:
   explicit CameraSkin(const BellySettings& belly)
@@ -64,7 +64,7 @@ class CameraSkin final : public TrialSkin {
   BellySettings belly_;
   surface::SurfaceBuilder builder_;
   sensor::DepthSensor sensor_;
-  std::shared_ptr<const surface::SurfaceSnapshot> shown_;  // shared: as the builder answers
+  std::shared_ptr<const surface::SurfaceSnapshot> shown_;  // shared: the builder returns a shared_ptr
   std::uint64_t frames_ = 0;
 };
 

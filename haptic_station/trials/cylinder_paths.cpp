@@ -8,7 +8,7 @@ namespace {
 constexpr double kForceLine_mm_per_N = 2.0;
 constexpr std::size_t kForceEvery = 10;  // samples: 50 ms
 
-/// A stretch of the path in one phase; without a name where the legend has its colour already.
+/// A part of the path in one phase; it has no name if the legend already shows its colour.
 Curve stretch(control::Phase phase, bool named) {
   const bool upper = phase == control::Phase::ObjectUpper;
   return {named ? (upper ? "upper area" : "lateral area") : "", upper ? "#5e3c99" : "#e66101", {}, {}};

@@ -21,7 +21,7 @@ struct Range {
     least = std::min(least, value);
     most = std::max(most, value);
   }
-  /// Never empty, so that a flat curve can be drawn.
+  /// The range, widened if it is empty, so that a flat curve can be drawn.
   [[nodiscard]] Range usable() const {
     if (least > most) return {0.0, 1.0};
     const double margin = std::max(0.03 * (most - least), 1e-6);
@@ -49,7 +49,7 @@ std::string polyline(const Curve& curve, const Range& x, const Range& y) {
   return "<polyline fill=\"none\" stroke-width=\"1.3\" stroke=\"" + curve.color + "\" points=\"" + points + "\"/>\n";
 }
 
-/// 1, 2 or 5 times a power of ten: the least of them that parts `length` into no more than kMostTicks.
+/// The smallest step of 1, 2 or 5 times a power of ten that divides `length` into at most kMostTicks parts.
 double round_step(double length) {
   const double least = length / kMostTicks;
   const double decade = std::pow(10.0, std::floor(std::log10(least)));

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kFrame_hz = 30.0;
 
-/// A level surface whose sine is carried on exactly: A (cos wt - 1) + B sin wt from the capture on.
+/// A level surface whose prediction is exact: A (cos wt - 1) + B sin wt from the capture on.
 class SinePlane final : public surface::SurfaceSnapshot {
  public:
   SinePlane(const device::BreathingPlane& plane, double time_s, double begins_s, std::uint64_t number, double camera_m)
@@ -59,7 +59,7 @@ class LevelSkin final : public TrialSkin {
  private:
   device::BreathingPlane plane_;
   double begins_s_;
-  std::shared_ptr<const SinePlane> shown_;  // shared: the loop's hand-off asks for it
+  std::shared_ptr<const SinePlane> shown_;  // shared: the hand-off to the loop needs a shared_ptr
   std::uint64_t frames_ = 0;
 };
 

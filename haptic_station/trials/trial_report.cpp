@@ -17,14 +17,16 @@ std::string number(double value) {
   return text;
 }
 
-/// For people: three digits say enough.
+/// A number with three digits, for the reader.
 std::string readable(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
 }
 
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }  // of our own names alone
+std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}  // without escaping: the texts are telepalp's own names
 
 const char* color_of(Phase phase) {
   switch (phase) {
@@ -159,7 +161,7 @@ std::string to_html(std::span<const TrialResult> results) {
 }
 
 Result<void> write_report(std::span<const TrialResult> results, const std::filesystem::path& folder) {
-  constexpr auto kReaders = program::Readers::Anyone;  // a simulated hand on a level skin: no patient
+  constexpr auto kReaders = program::Readers::Anyone;  // the report has no data of a patient
   if (const Result<void> made = program::make_folder(folder, kReaders); !made) return made;
   if (const Result<void> json = program::write_whole_file(folder / "report.json", to_json(results), kReaders); !json)
     return json;

@@ -11,7 +11,7 @@ using control::ControlOutput;
 
 constexpr int kSampleEvery_ticks = 10;
 
-/// The tick before, to tell steps by.
+/// Values of the previous tick, to measure steps.
 struct Before {
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
   Eigen::Vector3d device_m = Eigen::Vector3d::Zero();

@@ -5,7 +5,7 @@
 namespace telepalp::trials {
 
 bool wall_is_stable(double stiffness_N_per_m, double rate_hz, const device::SimulatedDeviceSettings& device) noexcept {
-  constexpr int kInner = 20;  // the device itself moves on between samples
+  constexpr int kInner = 20;  // integration steps of the device between two samples
   constexpr double kLasts_s = 4.0;
   const double sample_s = 1.0 / rate_hz;
   const double b_over_m = device.damping_N_s_per_m / device.mass_kg;
@@ -16,7 +16,7 @@ bool wall_is_stable(double stiffness_N_per_m, double rate_hz, const device::Simu
   const int samples = static_cast<int>(kLasts_s * rate_hz);
   for (int i = 0; i < samples; ++i) {
     const double seen_m = std::round(x_m / device.encoder_step_m) * device.encoder_step_m;
-    const double force_N = -stiffness_N_per_m * seen_m;  // two-sided: the hardest to calm
+    const double force_N = -stiffness_N_per_m * seen_m;  // a two-sided wall is the hardest to stabilise
     for (int k = 0; k < kInner; ++k) {                   // exact for a constant force over the inner step
       const double h = sample_s / kInner;
       const double decay = std::exp(-b_over_m * h);

@@ -5,8 +5,8 @@
 namespace telepalp::control {
 namespace {
 
-/// Share of a spring's energy that comes out when the spring pushes with `force_N` but the device never gives more than
-/// `bound_N`.
+/// The share of a spring's energy that the device can return, if the spring pushes with `force_N` and the device gives
+/// at most `bound_N`.
 double deliverable_share(double bound_N, double force_N) noexcept {
   if (force_N <= bound_N) return 1.0;
   const double share = bound_N / force_N;
@@ -24,7 +24,7 @@ Eigen::Vector3d EnergyAccount::step(const Eigen::Vector3d& asked_N, double share
                                     double bound_N, double dt_s) noexcept {
   Exchange booked = exchange;
   booked.absorbed_J -= withheld_N_.dot(exchange.moved.v);
-  // Bounded before the damping is added: a force beyond the bound would swallow the damping.
+  // The force is bounded before the damping is added. Otherwise the limiter would cut the damping off.
   const Eigen::Vector3d shown_N = at_most(share * asked_N, bound_N);
   withheld_N_ = shown_N - asked_N;
   booked.stored_J *= share * deliverable_share(bound_N, share * asked_N.norm());

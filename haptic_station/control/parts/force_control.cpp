@@ -35,7 +35,8 @@ void ForceControl::begin(const effects::EffectInput& felt) noexcept {
   share_ = 1.0;
 }
 
-/// The force that the effects ask for; books in `exchange` what they took from the hand and what they store.
+/// The force that the effects ask for. Sets in `exchange` the energy that they took from the hand and the energy that
+/// they store.
 Force<HapticBase> ForceControl::ask_effects(const effects::EffectInput& felt, Exchange& exchange,
                                             double dt_s) noexcept {
   Force<HapticBase> force;
@@ -66,8 +67,9 @@ Vector3d ForceControl::feel(effects::EffectInput felt, const Vector3d& device_ve
   return account_.step(asked_N, share_, exchange, bound_N, dt_s);
 }
 
-/// The force if the skin were where it was measured last [N]: `asked_N` of the effects, changed by what the first skin
-/// gives more or less at that height. Not beyond what the device can give, and released as the contact is.
+/// The force that the effects would give on the newest measured skin [N]: `asked_N`, plus the change of the first skin
+/// effect's force between the displayed and the measured height. It is limited to `bound_N` and faded by the same share
+/// as the contact.
 Vector3d ForceControl::measured_skin_N(const Vector3d& asked_N, double bound_N) const noexcept {
   const effects::Skin* skin = effects_.skin();
   if (!shown_.valid || skin == nullptr) return asked_N;
@@ -75,7 +77,7 @@ Vector3d ForceControl::measured_skin_N(const Vector3d& asked_N, double bound_N) 
   const Vector3d displayed_m = touching_ ? skin->indentation().v : Vector3d::Zero().eval();
   const double deeper_m = shown_.support * shown_.measured_above_m - (touching_ ? 0.0 : shown_.distance_m);
   Vector3d measured_m = displayed_m - deeper_m * normal;
-  measured_m -= std::max(0.0, measured_m.dot(normal)) * normal;  // the skin never pulls
+  measured_m -= std::max(0.0, measured_m.dot(normal)) * normal;  // the skin never pulls the hand
   const Vector3d change_N =
       effects::skin_force_N(skin->law(), measured_m) - effects::skin_force_N(skin->law(), displayed_m);
   return at_most(share_ * (asked_N + change_N), bound_N);

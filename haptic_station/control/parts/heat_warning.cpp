@@ -7,8 +7,8 @@
 namespace telepalp::control {
 namespace {
 
-constexpr double kAnnounced_s = 4.0;   // before the force is lowered
-constexpr double kAmplitude_N = 0.12;  // well above the threshold of a pressing hand, and 0.015 N a tick at most
+constexpr double kAnnounced_s = 4.0;   // time from the warning to the lower force
+constexpr double kAmplitude_N = 0.12;  // a pressing hand feels it clearly, and it changes by at most 0.015 N a tick
 constexpr double kRate_hz = 40.0;
 constexpr double kRises_N_per_s = 0.5;
 constexpr double kSmooth_s = 0.2;

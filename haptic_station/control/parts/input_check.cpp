@@ -36,7 +36,7 @@ FaultCause standing_fault(const ControlInput& in, const AgeLimits& ages) noexcep
   return in.device_implausible_s <= ages.implausible_s ? FaultCause::None : FaultCause::DeviceImplausible;
 }
 
-// Each comparison is true for a good age only: with NaN it is false.
+// Each comparison is true only for a valid age; it is false for NaN.
 bool surface_is_stale(const ControlInput& in, const AgeLimits& ages) noexcept {
   return !(in.contact.age_s <= ages.surface_s);
 }

@@ -22,7 +22,7 @@ void PositionControl::begin(const ControlInput& in, double target_height_m) noex
   force_N_.setZero();
 }
 
-/// Both the speed and the steps of the followed hand stay within `fastest_m_per_s`.
+/// The speed of the followed hand is limited to `fastest_m_per_s`, and so is the speed that its position steps imply.
 void PositionControl::follow_hand(const ControlInput& in, double dt_s) noexcept {
   const Moving error =
       toward_zero({hand_.m - in.hand.m, hand_.per_s - in.hand_velocity.v}, kHandSmoothing_rad_per_s, dt_s);
@@ -46,7 +46,7 @@ Vector3d PositionControl::step(const ControlInput& in, double target_height_m, d
 Vector3d lift_force_N(const ControlInput& in, double target_height_m,
                       const PositionControlSettings& settings) noexcept {
   constexpr double kBrakes_s = 0.05;
-  constexpr double kBeyond_m = 0.002;  // aims a little past the plane, so that it arrives
+  constexpr double kBeyond_m = 0.002;  // the lift aims above the plane, so that it reaches the plane
   const double left_m = target_height_m + kBeyond_m - in.device.m.y();
   const double speed = std::clamp(left_m / kBrakes_s, -settings.lift_speed_m_per_s, settings.lift_speed_m_per_s);
   const Vector3d wanted = Vector3d::UnitY() * speed;

@@ -6,10 +6,11 @@ namespace {
 using P = Phase;
 using E = Event;
 
-/// S1 Fig. 4. The dwell applies to the way out of the body, where waiting costs nothing, and stops loops there. The
-/// skin never waits: a hand that falls fast would be through it before feeling it. So In body begins on the tick that
-/// the hand meets the skin, from Out body too; in Body to plane the hand feels the skin already, and only the name of
-/// the phase waits. Inner objects never wait ("simply dependent on the hand position"), nor does letting go.
+/// S1 Fig. 4. The dwell applies on the way out of the body. There a delay is harmless, and the dwell prevents rapid
+/// changes of phase. First contact does not wait for the dwell, because a fast hand would pass through the skin before
+/// it felt it. In body therefore begins on the tick at which the hand meets the skin, also from Out body. In Body to
+/// plane the hand already feels the skin; there only the change of the phase waits. Transitions at inner objects
+/// ("simply dependent on the hand position") and releases never wait.
 constexpr Row kTransitions[] = {
     {P::InBody, E::FromBody, P::BodyToPlane, true},
     {P::InBody, E::NearObject, P::AroundObject, false},

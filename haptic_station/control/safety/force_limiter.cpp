@@ -7,10 +7,10 @@
 namespace telepalp::control {
 namespace {
 
-constexpr double kTaper = 0.6;  // share of the heat range over which the bound comes down
+constexpr double kTaper = 0.6;  // share of the heat range over which the bound falls
 
-/// `vector` shortened to `length` if it is longer. Scaled by its largest component first, so that a huge vector
-/// does not overflow to infinity; and to a hair less, so that rounding never ends above it.
+/// `vector` shortened to `length` if it is longer. It is first divided by its largest component, so that a huge vector
+/// does not overflow. The result is slightly shorter than `length`, so that rounding never exceeds it.
 Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double length) noexcept {
   const double largest = vector.cwiseAbs().maxCoeff();
   if (largest <= 0.0) return vector;

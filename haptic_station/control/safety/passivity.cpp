@@ -7,7 +7,7 @@
 namespace telepalp::control {
 
 double PassivityController::Damper::follow(double excess_J, double speed2_m2_per_s2, double dt_s) noexcept {
-  constexpr double kStill_m2_per_s2 = 1e-8;  // 0.1 mm/s: slower than that nothing can be dissipated
+  constexpr double kStill_m2_per_s2 = 1e-8;  // 0.1 mm/s: a slower movement dissipates no energy
   double wanted = 0.0;
   if (excess_J > 0.0)
     wanted = std::min(most_N_s_per_m, excess_J / (std::max(speed2_m2_per_s2, kStill_m2_per_s2) * reaction_s));

@@ -54,7 +54,7 @@ void HaplyDevice::on_text(std::string_view text) {
   answer();
 }
 
-/// The service answers each text by one: without this one, no other state would come.
+/// The service sends one text for each text that it gets. Without this answer it would send no further state.
 void HaplyDevice::answer() {
   if (device_id_.empty()) return;
   const Clock::time_point due = sent_ + kPace;

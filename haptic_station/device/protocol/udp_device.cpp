@@ -19,7 +19,7 @@ constexpr double kFastest_m_per_s = 50.0;
 constexpr double kStrongest_N = 100.0;
 constexpr std::size_t kSumBytes = 4;
 
-/// Little-endian, whatever the machine.
+/// Writes numbers in little-endian order on every machine.
 class Writer {
  public:
   explicit Writer(std::span<std::byte> bytes) noexcept : bytes_(bytes) {}
@@ -59,7 +59,8 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-/// Fletcher-like sum over all bytes before it: UDP's own is optional, and off on some embedded stacks.
+/// Check sum (Adler-32) over all bytes before it. UDP's own check sum is optional, and some embedded network stacks do
+/// not send it.
 std::uint32_t sum_of(std::span<const std::byte> bytes) noexcept {
   std::uint32_t a = 1;
   std::uint32_t b = 0;
@@ -171,7 +172,7 @@ std::optional<Pose> decode_pose(std::span<const std::byte> datagram) noexcept {
 
 PoseOrder::Verdict PoseOrder::judge(const Pose& pose) noexcept {
   if (newest_ && pose.session == newest_->session) {
-    const auto ahead = static_cast<std::int32_t>(pose.sequence - newest_->sequence);  // across the wrap
+    const auto ahead = static_cast<std::int32_t>(pose.sequence - newest_->sequence);  // also across a wrap-around
     if (ahead <= 0) return Verdict::Repeated;
     if (pose.taken_us <= newest_->taken_us) return Verdict::ClockStands;
   } else if (newest_) {

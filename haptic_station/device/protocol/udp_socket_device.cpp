@@ -56,7 +56,7 @@ ports::DeviceReading UdpDevice::read() noexcept {
     error_code error;
     const std::size_t size = socket_.receive(asio::buffer(datagram), 0, error);
     if (error == asio::error::would_block || error == asio::error::try_again) break;
-    if (error) continue;  // a refused port is told once for each datagram that we sent; the age tells the rest
+    if (error) continue;  // "connection refused", once for each datagram sent; the reading's age shows the silence
     const auto pose = udp::decode_pose(std::span(datagram).first(size));
     if (!pose || order_.judge(*pose) != udp::PoseOrder::Verdict::Newest) {
       ++refused_;
@@ -69,7 +69,7 @@ ports::DeviceReading UdpDevice::read() noexcept {
     has_told_ = true;
   }
   ports::DeviceReading reading = newest_;
-  // A device whose motors are off shows no force, whatever it still tells: to the watchdog it is gone.
+  // A device whose motors are off gives no force, so the watchdog treats it as silent.
   reading.age_s = has_told_ && !faulted_ ? std::chrono::duration<double>(Clock::now() - newest_at_).count()
                                          : std::numeric_limits<double>::infinity();
   return reading;
@@ -89,7 +89,7 @@ void UdpDevice::send(udp::Command command) noexcept {
   command.session = session_;
   command.sequence = ++sequence_;
   command.sent_us = static_cast<std::uint64_t>(since.count());
-  error_code ignored;  // a device that is away is seen by its age
+  error_code ignored;  // the reading's age shows that the device is away
   (void)socket_.send(asio::buffer(udp::encode(command)), 0, ignored);
 }
 

@@ -60,7 +60,7 @@ std::string to_string(const WebSocketUrl& url) {
   return "ws://" + (v6 ? "[" + url.host + "]" : url.host) + ":" + std::to_string(url.port) + url.path;
 }
 
-/// One connection, from the name look-up to its end. Holds itself alive while an operation is under way.
+/// One connection, from the name look-up to its end. Each pending operation keeps it alive.
 class WebSocketLine::Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(asio::io_context& io, std::shared_ptr<Shared> line);

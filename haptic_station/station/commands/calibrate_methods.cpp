@@ -16,13 +16,13 @@
 namespace telepalp::station {
 namespace {
 
-/// A touch at each hand that the tracker sees while the device answers.
+/// Records one touch for each hand sample of the tracker while the device answers.
 std::vector<calibration::Touch> take_touches(ports::Device& device, tracking::LeapTracker& tracker, double seconds) {
   constexpr double kSilent_s = 0.05;
   std::vector<calibration::Touch> touches;
   const auto until = std::chrono::steady_clock::now() + from_seconds(seconds);
   while (std::chrono::steady_clock::now() < until) {
-    device.apply({}, {}, 0.001);  // no force; devices that answer each command go on telling where they are
+    device.apply({}, {}, 0.001);  // zero force; a device that only answers commands then continues to send its position
     const ports::DeviceReading reading = device.read();
     if (const auto palm = tracker.palm(); palm && reading.age_s < kSilent_s) touches.push_back({*palm, reading.at});
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -40,7 +40,7 @@ int list_presets() {
   return program::kDone;
 }
 
-/// Lengths in millimetres, as asked for.
+/// The options; lengths are in millimetres.
 struct Asked {
   calibration::Specimen specimen;
   calibration::TissueUnderHand tissue;

@@ -25,7 +25,7 @@ constexpr std::size_t kLongestLine = 256;
 constexpr const char* kPrefix = "telepalp-station.";
 constexpr const char* kSuffix = ".control";
 
-/// Who asks, until it is answered.
+/// A client, until it has its reply.
 struct Peer {
   explicit Peer(Protocol::socket connected) : socket(std::move(connected)) {}
   Protocol::socket socket;
@@ -50,7 +50,7 @@ void listen_to(const std::shared_ptr<Peer>& peer, const std::weak_ptr<ControlSoc
 
 bool fits(const fs::path& path) { return path.string().size() < sizeof(sockaddr_un::sun_path); }
 
-/// Whether a station listens at `path`; an error code that says why not, else none.
+/// Tries to connect to `path`. No error: a station listens there.
 error_code connecting_to(const std::string& path) {
   boost::asio::io_context io;
   Protocol::socket socket(io);
@@ -59,8 +59,8 @@ error_code connecting_to(const std::string& path) {
   return error;
 }
 
-/// Why nothing may be put at the place of `entry`, if so. What stays is a socket of this user's that nobody listens at:
-/// a station that crashed left it.
+/// The reason why `entry` may not be replaced; nullopt if it may. Only a socket of this user on which nobody listens
+/// may be replaced: a crashed station left it.
 std::optional<std::string> in_the_way(const OwnFolder::Entry& entry, const std::string& path) {
   if (S_ISLNK(entry.mode)) return "a symbolic link stands there, which could lead anywhere";
   if (!S_ISSOCK(entry.mode)) return "a file or folder stands there that is not a socket, and stays as it is";
@@ -83,7 +83,8 @@ Result<void> ControlSocket::listen(const fs::path& asked) {
   if (!fits(path)) return why("the path is too long for a socket");
   Result<OwnFolder> folder = OwnFolder::open(path.has_parent_path() ? path.parent_path() : fs::path("."), true);
   if (!folder) return folder.error();
-  folder->lock();  // two stations that start at once do not take each other's new socket for an old one
+  folder
+      ->lock();  // otherwise two stations that start together could each mistake the other's new socket for an old one
   const std::optional<std::string> problem = bind_in(*folder, name);
   folder->unlock();
   if (problem) return why(*problem);
@@ -102,7 +103,8 @@ std::optional<std::string> ControlSocket::bind_in(const OwnFolder& folder, const
   }
   error_code error;
   acceptor_.open(Protocol(), error);
-  // Linux gives the socket's file the mode that the socket has when it is bound: nobody else can connect at any moment.
+  // The mode is set before bind(). On Linux the socket's file then has this mode from the start, so no other user can
+  // ever connect.
   if (!error && ::fchmod(acceptor_.native_handle(), S_IRUSR | S_IWUSR) != 0)
     error.assign(errno, boost::system::system_category());
   if (!error) acceptor_.bind(Protocol::endpoint(path), error);
@@ -127,7 +129,8 @@ void ControlSocket::stop() {
   if (path_.empty()) return;
   const std::string name = path_.filename().string();
   const std::optional<OwnFolder::Entry> entry = folder_->entry(name);
-  if (entry && bound_ && entry->is(*bound_)) folder_->remove(name);  // another file there is not ours
+  if (entry && bound_ && entry->is(*bound_))
+    folder_->remove(name);  // a different file at this path belongs to another station
   path_.clear();
   folder_.reset();
 }

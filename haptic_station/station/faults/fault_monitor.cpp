@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kRearmTakes = 20ms;  // some ticks, and their telling
+constexpr auto kRearmTakes = 20ms;  // time for some ticks and for their telemetry
 
 void say(const std::string& text) { program::log("telepalp-station", text); }
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::uint32_t kPeriod_ns = std::chrono::nanoseconds(kTickPeriod).count();
 constexpr std::size_t kTicksPerState = 20;  // 100 Hz
 
-/// In one second there is at most one fault, for re-arming takes an operator.
+/// The time in seconds is unique: only an operator re-arms, so there is at most one fault a second.
 std::string name_of_now() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::tm utc{};
@@ -39,7 +39,7 @@ msg::StationEvent fault_event(const TickSample& at, const std::string& fault) {
   return event;
 }
 
-/// One tenth of a second: its ticks, its states, and what happened in it. `phase` goes from batch to batch.
+/// Writes one tenth of a second: its ticks, states and events. `phase` carries the last phase from batch to batch.
 Result<void> write_batch(wire::McapWriter& file, const std::vector<TickSample>& batch, std::uint8_t& phase,
                          const std::string& fault) {
   const auto put = [&](const wire::Topic& topic, const TickSample& at, const auto& message) {

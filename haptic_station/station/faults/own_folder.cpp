@@ -29,7 +29,7 @@ Error not_opened(const std::filesystem::path& folder, int code) {
 }  // namespace
 
 Result<OwnFolder> OwnFolder::open(const std::filesystem::path& folder, bool make) {
-  if (make) (void)::mkdir(folder.c_str(), S_IRWXU);  // fails where something stands, which is looked at:
+  if (make) (void)::mkdir(folder.c_str(), S_IRWXU);  // fails if the path exists; the checks below then decide:
   OwnFolder opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (opened.descriptor_ < 0) return not_opened(folder, errno);
   struct stat status {};

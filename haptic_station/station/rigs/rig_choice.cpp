@@ -10,11 +10,11 @@
 namespace telepalp::station {
 namespace {
 
-constexpr double kRestHeight_m = 0.10;  // above the skin, as for the simulated hand
+constexpr double kRestHeight_m = 0.10;  // height above the skin, as for the simulated hand
 
 void say(const std::string& text) { program::log("telepalp-station", text); }
 
-/// What follows `word:` in `text`; empty when `text` is `word` alone; nullopt when it is something else.
+/// The text after `word:`; empty when `text` is only `word`; nullopt for any other text.
 std::optional<std::string> after(const std::string& text, const std::string& word) {
   if (text == word) return std::string();
   if (text.starts_with(word + ":")) return text.substr(word.size() + 1);

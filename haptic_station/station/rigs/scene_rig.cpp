@@ -5,10 +5,10 @@
 namespace telepalp::station {
 namespace {
 
-constexpr double kRestHeight_m = 0.10;  // above the skin, where the hand begins
+constexpr double kRestHeight_m = 0.10;  // height of the hand above the skin at the start
 
 SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
-  const Point<HapticBase> skin;  // under the middle of the image, or where the scene says: H's origin
+  const Point<HapticBase> skin;  // origin of H: the skin at the image centre, or as the scene defines it
   if (trace) return tracking::RecordedIntention(*trace, scene.haptic_from_tracker, skin, scene.trace_deepest_m);
   return device::ScriptedIntention(device::waypoints(scene.trial), skin);
 }

@@ -30,7 +30,8 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// The highest point (H's y is up) near the vertical through the middle of `points`; none there: the highest of all.
+/// The highest point (H's y is up) near the vertical through the middle of `points`, or the highest of all points if
+/// none is near it.
 Vector3d skin_on_top(const std::vector<Vector3d>& points) {
   std::vector<double> across;
   std::vector<double> along;

@@ -21,7 +21,7 @@ double norm(const Triple& v) noexcept { return std::hypot(double{v[0]}, double{v
 
 msg::Phase phase_of(const TickSample& sample) noexcept { return static_cast<msg::Phase>(sample.phase); }
 
-/// S1's contact: the states in which the skin or what lies under it gives force.
+/// True in the states in which the skin or an object below it gives force (S1's contact).
 bool is_contact(std::uint8_t phase) noexcept {
   switch (static_cast<msg::Phase>(phase)) {
     case msg::PHASE_IN_BODY:

@@ -6,7 +6,7 @@ namespace telepalp::station {
 namespace {
 
 constexpr std::uint32_t kPeriod_ns = std::chrono::nanoseconds(kTickPeriod).count();
-// A batch is at most a tenth of a second, so that a viewer that plots ticks stays prompt after a pause of ours.
+// A batch holds at most a tenth of a second, so that a viewer that plots ticks gets them promptly after a pause.
 constexpr std::size_t kMostInBatch = 200;
 
 std::uint64_t stamp(SessionTime at) noexcept { return static_cast<std::uint64_t>(to_nanoseconds(at)); }
@@ -40,13 +40,13 @@ void TelemetryPublisher::drain(SessionTime now) {
 }
 
 void TelemetryPublisher::watch_heat(SessionTime now) {
-  constexpr float kTold_s = 4.0F;  // as the hand feels it
+  constexpr float kTold_s = 4.0F;  // the hand feels the warning at the same time
   const bool near = last_.yields_in_s < kTold_s && last_.phase != 0;
   if (near && !heat_told_)
     tell_event(
         now, msg::EVENT_KIND_HEAT,
         "the device's motors are warm: within 4 s the force falls slowly to what they can hold. fix: press less");
-  // Told again only after the motors could have held the force for good.
+  // Warns again only after the force was low enough to be held without limit.
   if (near || std::isinf(last_.yields_in_s)) heat_told_ = near;
 }
 

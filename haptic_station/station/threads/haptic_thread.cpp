@@ -14,8 +14,8 @@ constexpr double kTick_s = std::chrono::duration<double>(kTickPeriod).count();
 constexpr std::uint64_t kTicksPerBill = 2000;
 constexpr std::uint64_t kTicksPerCompensation = 20;  // 100 Hz
 constexpr int kTicksOfGreeting = 2000;
-constexpr double kGreeted_s = 0.02;  // heard so lately, it will be heard at the first tick too
-// A thread that was away for longer does not make the simulated world catch up in one burst.
+constexpr double kGreeted_s = 0.02;  // a device that answered this recently will also answer at the first tick
+// After a longer interruption of the thread, the simulation skips time instead of catching up in one burst.
 constexpr std::uint64_t kMostStepsToCatchUp = 20;
 
 }  // namespace
@@ -40,7 +40,8 @@ void HapticThread::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-/// A device that answers commands alone has been silent while the station waited for a surface. That is no fault.
+/// Commands the device before the first tick. A device that only answers commands has been silent while the station
+/// waited for a surface, and this must not be a fault.
 void HapticThread::greet_device(TickTimer& timer) noexcept {
   for (int ticks = 0; ticks < kTicksOfGreeting && running_.load(std::memory_order_relaxed); ++ticks) {
     if (rig_.read().age_s <= kGreeted_s) return;

@@ -6,10 +6,10 @@
 namespace telepalp::station {
 namespace {
 
-// A hand at 2 m/s goes 0.13 m in two frame times; the rest is the support of the implicit function around it.
+// A hand at 2 m/s moves 0.13 m in two frame times; the rest is the support of the implicit function.
 constexpr double kReach_m = 0.16;
 
-// Half a second of frames; what comes while so many wait is lost.
+// Half a second of frames. Further frames are dropped while this many wait.
 constexpr int kMostWaiting = 16;
 
 Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
@@ -54,7 +54,7 @@ void SurfaceWorker::work_off(const Work& work) {
   if (!is_newest) return reader_.skip(std::move(*message.mutable_data()));
   const Result<codec::DecodedDepth> depth = read(message);
   if (!depth) {
-    if (!key_request_.failed(handlers_.now())) return;  // said and asked a moment ago
+    if (!key_request_.failed(handlers_.now())) return;  // the error was reported and a key frame requested a moment ago
     handlers_.on_bad_frame(depth.error());
     return handlers_.want_key(work.depth);
   }
@@ -76,7 +76,8 @@ Result<codec::DecodedDepth> SurfaceWorker::read(const msg::DepthImage& message) 
   return depth;
 }
 
-/// What the hand can reach before the next frame, around the device; nullopt, everything, before its first tick.
+/// The region around the device that the hand can reach before the next frame; nullopt, for the whole image, before the
+/// first tick.
 std::optional<surface::Reach> SurfaceWorker::reach() {
   device_known_ |= device_.take();
   if (!device_known_) return std::nullopt;
@@ -116,11 +117,11 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   return report;
 }
 
-/// Tells by which setting the snapshot was made and what it cost, and picks the next one's.
+/// Reports the setting and the cost of the snapshot, and chooses the setting of the next one.
 void SurfaceWorker::judge(msg::SurfaceReport& report, SessionTime captured, double cost_s) {
   report.set_setting(choice_.now().name);
   report.set_build_ms(1e3 * cost_s);
-  constexpr double kLongest_s = 0.1;  // between frames: a gap buys nobody time
+  constexpr double kLongest_s = 0.1;  // of a frame period: a gap in the stream does not allow slower snapshots
   const double frame_s = std::min(kLongest_s, to_seconds(captured - last_captured_));
   last_captured_ = captured;
   if (choice_.add(cost_s, frame_s)) builder_.use(choice_.now());

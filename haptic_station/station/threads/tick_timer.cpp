@@ -16,7 +16,7 @@ timespec to_timespec(TickTimer::Clock::time_point at) noexcept {
 
 TickTimer::Tick TickTimer::wait() noexcept {
   const timespec until = to_timespec(deadline_);
-  // steady_clock is CLOCK_MONOTONIC on Linux; a signal only makes us sleep again.
+  // steady_clock is CLOCK_MONOTONIC on Linux. After a signal the sleep continues.
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
   }
   const Nanoseconds late = Clock::now() - deadline_;

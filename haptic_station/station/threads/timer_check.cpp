@@ -13,7 +13,7 @@ namespace {
 
 using Clock = TickTimer::Clock;
 
-/// On the thread that waits.
+/// Runs on the thread that waits.
 msg::TimerCheck watch(std::chrono::milliseconds length) {
   DurationHistogram late;
   Nanoseconds latest{0};

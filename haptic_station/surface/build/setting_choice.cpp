@@ -5,8 +5,8 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr double kShare = 0.5;        // of a frame's time, for a snapshot
-constexpr double kSpareShare = 0.15;  // from which a better setting, some three times as dear, would do
+constexpr double kShare = 0.5;        // share of the frame period that a snapshot may take
+constexpr double kSpareShare = 0.15;  // below it the next better setting fits, which costs three times as much
 constexpr double kPatience_s = 0.33;
 constexpr double kLongestRetry_s = 600.0;
 

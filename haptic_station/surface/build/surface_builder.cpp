@@ -10,7 +10,7 @@
 namespace telepalp::surface {
 namespace {
 
-/// Points in reach with normals from their nearest sixteen.
+/// The points in reach, with normals from their sixteen nearest neighbours.
 std::vector<CloudPoint> points_in_reach(const DepthField& depth, const Intrinsics& camera,
                                         const std::optional<Reach>& reach) {
   const PixelBox box = box_in_reach(camera, reach, 8);
@@ -21,7 +21,7 @@ std::vector<CloudPoint> points_in_reach(const DepthField& depth, const Intrinsic
   return with_normals(points, 16, Eigen::Vector3f::Zero());
 }
 
-/// A snapshot of any method, of one depth field. `label` sets what all share.
+/// Makes a snapshot of one depth field by any method. `label` sets the members that all methods share.
 template <class Label>
 std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, const Intrinsics& camera,
                                                      const std::optional<Reach>& reach, const SurfaceSettings& settings,
@@ -46,7 +46,7 @@ std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, co
   return snapshot;
 }
 
-constexpr double kForgetAfter_s = 2.0;  // without a frame
+constexpr double kForgetAfter_s = 2.0;  // average and motion are discarded after this time without a frame
 
 }  // namespace
 
@@ -56,7 +56,7 @@ struct SurfaceBuilder::State {
   std::optional<SessionTime> last;
   std::uint64_t sequence = 0;
   std::optional<TemporalFilter> filter;
-  Intrinsics camera;  // that the filter has seen through
+  Intrinsics camera;  // camera of the filter's frames
 };
 
 SurfaceBuilder::SurfaceBuilder(SurfaceSettings settings) : state_(std::make_unique<State>()) {

@@ -23,7 +23,7 @@ double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& ind
   std::vector<float> squared;
   const std::size_t stride = std::max<std::size_t>(1, points.size() / 500);
   for (std::size_t i = 0; i < points.size(); i += stride) {
-    std::array<Neighbor, 7> found;  // itself and six
+    std::array<Neighbor, 7> found;  // the point itself and six neighbours
     const std::size_t count = index.within(points[i].at_m, kAnywhere_m, found);
     float farthest = 0.0F;
     for (std::size_t k = 0; k < count; ++k) farthest = std::max(farthest, found[k].squared_m2);

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostNeighbors = 256;
 
-/// Weight by which side a point's normal faces: whole from 60 degrees of agreement on, none from a right angle on.
+/// Weight of a point by the angle between its normal and `facing`: 1 up to 60 degrees, 0 from 90 degrees.
 double side_weight(const Vector3d& normal, const Vector3d& facing) noexcept {
   if (facing.isZero()) return 1.0;
   const double t = std::clamp(2.0 * normal.dot(facing), 0.0, 1.0);
@@ -47,7 +47,8 @@ void add(Sums& sums, const Vector3d& offset, const Vector3d& normal, double side
   sums.offset_by += offset * by.transpose();
 }
 
-/// Weight sums below this are the far rim of a single point's support: there f is there, but fading out.
+/// Support at a point, from the sum of weights. A sum below the constant is the outer rim of a single point's support,
+/// where the support fades to 0.
 double support_of(double weight) noexcept {
   constexpr double kLeast = 0.02;
   constexpr double kWhole = 0.30;
@@ -82,7 +83,7 @@ FieldSample CloudSurface::evaluate(const Vector3d& query, const Vector3d& facing
   const std::size_t count =
       index_->within(local.cast<float>(), static_cast<float>(shape_.support_m), {found.data(), most});
   double support2 = shape_.support_m * shape_.support_m;
-  if (count == most) {  // the k-th neighbour's weight is zero, so leaving k + 1 out is no jump
+  if (count == most) {  // the k-th neighbour has weight zero, so f does not jump without the (k + 1)-th
     support2 = 0.0;
     for (std::size_t i = 0; i < count; ++i) support2 = std::max(support2, static_cast<double>(found[i].squared_m2));
   }

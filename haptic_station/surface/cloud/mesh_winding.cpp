@@ -12,7 +12,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// For each vertex, the first one in the same place.
+/// For each vertex, the index of the first vertex at the same position.
 std::vector<std::uint32_t> first_in_place(const std::vector<Eigen::Vector3f>& points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -31,10 +31,10 @@ std::vector<std::uint32_t> first_in_place(const std::vector<Eigen::Vector3f>& po
 struct Side {
   std::uint32_t low = 0, high = 0;
   std::uint32_t face = 0;
-  bool upwards = false;  ///< the face runs along it from low to high
+  bool upwards = false;  ///< the face traverses the edge from the lower to the higher vertex
 };
 
-/// The sides of all faces that span an area, those of one edge next to each other.
+/// The sides of all faces with an area, sorted so that the sides of one edge are adjacent.
 std::vector<Side> sides_of(const models::PointModel& mesh) {
   const std::vector<std::uint32_t> first = first_in_place(mesh.points);
   std::vector<Side> sides;
@@ -76,7 +76,7 @@ Adjacency adjacency_of(const models::PointModel& mesh) {
     if (to - from == 1) {
       ++adjacency.open_edges;
       adjacency.at_open_edge[a.face] = true;
-    } else if (to - from == 2) {  // where more than two meet, nobody can tell which of them belong together
+    } else if (to - from == 2) {  // where more than two faces meet at an edge, their pairs are unknown
       const Side& b = sides[from + 1];
       adjacency.of_face[a.face].push_back({b.face, a.upwards != b.upwards});
       adjacency.of_face[b.face].push_back({a.face, a.upwards != b.upwards});
@@ -85,7 +85,7 @@ Adjacency adjacency_of(const models::PointModel& mesh) {
   return adjacency;
 }
 
-/// The faces of one piece, and which of them to turn so that all agree with the first.
+/// The faces of one connected piece, and which of them must be reversed to agree with the first.
 struct Piece {
   std::vector<std::uint32_t> faces;
   std::vector<bool> turn;
@@ -108,7 +108,7 @@ Piece piece_from(std::uint32_t face, const Adjacency& adjacency, std::vector<boo
   return piece;
 }
 
-/// Six times the volume that a piece encloses; positive where it looks outwards.
+/// Six times the volume that a piece encloses; positive if its faces are oriented outwards.
 double volume6(const models::PointModel& mesh, const Piece& piece) {
   double sum = 0.0;
   for (const std::uint32_t face : piece.faces) {
@@ -119,7 +119,7 @@ double volume6(const models::PointModel& mesh, const Piece& piece) {
   return sum;
 }
 
-/// How many faces were turned against the way of most.
+/// Orients a piece and returns the number of reversed faces.
 std::size_t mend(models::PointModel& mesh, Piece& piece) {
   const auto against = static_cast<std::size_t>(std::count(piece.turn.begin(), piece.turn.end(), true));
   if (against == 0) return 0;

@@ -14,9 +14,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kFewestSamples = 16'000;  // S2's mannequin had as many
-constexpr std::size_t kProbedPlaces = 2'000;    // by area, and as many again by face
+constexpr std::size_t kProbedPlaces = 2'000;    // test points drawn by area; as many are drawn by face
 
-/// The mesh's vertices and its triangles' middles: how near the mesh is to a place, to a few millimetres.
+/// An index of the mesh's vertices and triangle centres. It gives the distance of a point from the mesh within a few
+/// millimetres.
 std::shared_ptr<const NeighborIndex> index_of(const models::PointModel& mesh) {
   IndexedPoints points;
   points.at_m = mesh.points;
@@ -26,7 +27,7 @@ std::shared_ptr<const NeighborIndex> index_of(const models::PointModel& mesh) {
   return make_nanoflann_index(points);
 }
 
-/// Whether a hand that comes to `at` feels contact there.
+/// True when a hand that moves to `at` feels contact there.
 bool is_touched(const CloudSnapshot& snapshot, const Vector3d& at) {
   TouchSettings settings;
   settings.gentle_start = false;
@@ -36,11 +37,11 @@ bool is_touched(const CloudSnapshot& snapshot, const Vector3d& at) {
   return sample.valid && sample.in_body;
 }
 
-/// The share of places above the mesh, with no other part of it near, where contact is felt.
+/// The share of points with a false contact, among points above the mesh that are not near another part of it.
 double share_in_air(const CloudSnapshot& snapshot, const std::vector<CloudPoint>& places, float side,
                     const NeighborIndex& mesh) {
   constexpr float kHeights_m[] = {0.003F, 0.008F, 0.015F};
-  constexpr float kFree = 0.8F;  // of its height at least is the place away from all of the mesh
+  constexpr float kFree = 0.8F;  // a test point's distance from the mesh is at least this share of its height
   std::size_t free = 0;
   std::size_t touched = 0;
   for (const CloudPoint& place : places)
@@ -54,7 +55,7 @@ double share_in_air(const CloudSnapshot& snapshot, const std::vector<CloudPoint>
   return free == 0 ? 0.0 : static_cast<double>(touched) / static_cast<double>(free);
 }
 
-/// The error at `places` of the mesh, each looked at from its own side.
+/// The error at the points `places` of the mesh, each approached from its own side.
 Fidelity fidelity_of(const CloudSnapshot& snapshot, const std::vector<CloudPoint>& places, float side,
                      const NeighborIndex* mesh) {
   std::vector<double> errors;
@@ -78,7 +79,7 @@ struct Sampler {
   float side;
   double area_m2;
   std::vector<CloudPoint> places;
-  std::shared_ptr<const NeighborIndex> near_mesh;  // none: contact in free air is not looked for
+  std::shared_ptr<const NeighborIndex> near_mesh;  // nullptr: false contacts are not counted
 
   [[nodiscard]] SampledMesh operator()(std::size_t count) const {
     std::vector<CloudPoint> points = poisson_disk_samples(mesh, count, settings.seed);
@@ -98,10 +99,10 @@ struct Sampler {
   }
 };
 
-/// Refines while that pays. An error that stays comes from normals that do not follow the faces, contact in free air
-/// that stays from a mesh that overlaps itself: denser samples mend neither.
+/// Increases the number of samples while that reduces the error. Two errors remain at any density: that of normals that
+/// do not fit the faces, and false contacts at a mesh that overlaps itself.
 SampledMesh refined(const Sampler& sampler) {
-  constexpr double kPays = 0.7;  // of what it was before, at most
+  constexpr double kPays = 0.7;  // a refinement must reduce the error at least to this share
   SampledMesh sampled = sampler(kFewestSamples);
   Fidelity before{.error_m = 1.0, .missing = 1.0, .in_air = 1.0};
   for (std::size_t count = kFewestSamples; count < kMostSamples;) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kLeafPoints = 10;  // S1 §III.A
 
-/// Finite points only, as nanoflann wants to see them; `original` maps back.
+/// The finite points, in the form that nanoflann needs. `original` maps their indices back.
 struct PointsView {
   std::vector<Eigen::Vector3f> at_m;
   std::vector<std::uint32_t> original;
@@ -24,7 +24,8 @@ struct PointsView {
   }
 };
 
-/// Keeps the nearest that fit in `found`: fills it, then replaces the farthest of a heap. No allocation.
+/// Keeps the nearest points that fit into `found`: once it is full, a nearer point replaces the farthest one of a heap.
+/// No allocation.
 class NearestThatFit {
  public:
   using DistanceType = float;

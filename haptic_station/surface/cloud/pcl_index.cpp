@@ -30,7 +30,7 @@ Cloud::Ptr to_pcl(const IndexedPoints& points) {
   return cloud;
 }
 
-/// PCL's radius search allocates its answers: the reference need not be real-time, and says that it is not.
+/// PCL's radius search allocates memory for its results, so realtime_safe() is false.
 template <class Search>
 std::size_t search(const Search& tree, const Eigen::Vector3f& query, float radius_m,
                    std::span<Neighbor> found) noexcept {
@@ -44,7 +44,7 @@ std::size_t search(const Search& tree, const Eigen::Vector3f& query, float radiu
   return kept;
 }
 
-/// All leaves are checked, as S1 §III.A says; PCL fixes 15 points a leaf where S1 had 10, which changes no answer.
+/// The search checks all leaves, as in S1 §III.A. PCL has 15 points per leaf where S1 had 10; this changes no result.
 class PclKdTreeIndex final : public NeighborIndex {
  public:
   explicit PclKdTreeIndex(const IndexedPoints& points) : tree_(true) {
@@ -71,7 +71,8 @@ class PclOrganizedIndex final : public NeighborIndex {
   }
   std::size_t within(const Eigen::Vector3f& query, float radius_m, std::span<Neighbor> found) const noexcept override {
     if (!usable_ || !query.allFinite() || found.empty()) return 0;
-    // PCL's radius search in the image, when capped, keeps the first points that it meets, not the nearest.
+    // With a limit on their number, PCL's organised radius search returns the first points that it finds instead of the
+    // nearest. So it is called without a limit.
     thread_local pcl::Indices indices;
     thread_local std::vector<float> squared;
     tree_.nearestKSearch(pcl::PointXYZ(query.x(), query.y(), query.z()), static_cast<int>(found.size()), indices,

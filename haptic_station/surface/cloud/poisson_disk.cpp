@@ -29,7 +29,7 @@ CloudPoint point_on(const models::PointModel& model, const std::array<std::uint3
   return {w * a + u * b + v * c, mixed.norm() > 1e-6F ? mixed.normalized() : face};
 }
 
-/// How crowded a neighbour at a distance makes a point. Source: Yuksel 2015, eq. (3), alpha = 8.
+/// The contribution of a neighbour at a distance to a point's crowding. Source: Yuksel 2015, eq. (3), alpha = 8.
 double crowding(double distance, double reach) { return std::pow(1.0 - std::min(1.0, distance / reach), 8.0); }
 
 }  // namespace
@@ -87,7 +87,8 @@ std::vector<CloudPoint> poisson_disk_samples(const models::PointModel& model, st
     for (const Neighbor& neighbor : near[i])
       if (neighbor.index != i) crowd[i] += crowding(std::sqrt(static_cast<double>(neighbor.squared_m2)), reach);
   }
-  std::priority_queue<std::pair<double, std::size_t>> crowded;  // entries go stale: an outdated one is put back
+  std::priority_queue<std::pair<double, std::size_t>>
+      crowded;  // an entry may be outdated; it is then updated and put back
   for (std::size_t i = 0; i < many.size(); ++i) crowded.emplace(crowd[i], i);
   std::vector<bool> gone(many.size(), false);
   for (std::size_t left = many.size(); left > count;) {

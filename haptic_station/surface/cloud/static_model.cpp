@@ -27,7 +27,8 @@ Vector3d middle_of(const std::vector<Vector3f>& points) {
   return count > 0.0 ? Vector3d(sum / count) : Vector3d::Zero();
 }
 
-/// In metres around the model's middle, so that floats stay exact however far away its frame's origin is.
+/// Coordinates are in metres from the model's middle, so that floats are accurate even far from the origin of the
+/// file's frame.
 models::PointModel centred(const models::PointModel& model, const Vector3d& middle, double unit_m) {
   models::PointModel near = model;
   for (Vector3f& at : near.points) at = (unit_m * (at.cast<double>() - middle)).cast<float>();
@@ -35,10 +36,10 @@ models::PointModel centred(const models::PointModel& model, const Vector3d& midd
   return near;
 }
 
-/// What a mesh's faces and normals say of its outside.
+/// The evidence of a mesh's faces and normals about its outside.
 struct Closure {
-  double volume6 = 0.0;           ///< six times the signed volume; positive where faces look outwards
-  double agreement = 0.0;         ///< mean cosine of the vertices' normals with their faces', by area
+  double volume6 = 0.0;           ///< six times the signed volume; positive if the faces are oriented outwards
+  double agreement = 0.0;         ///< area-weighted mean cosine between vertex normals and face normals
   std::size_t without_place = 0;  ///< triangles with a corner that is not finite
 };
 
@@ -66,15 +67,15 @@ Closure closure_of(const models::PointModel& model) {
 
 void say(std::string& remarks, const std::string& remark) { remarks += (remarks.empty() ? "" : "; ") + remark; }
 
-/// Drops normals that contradict the faces, and says what is wrong with `mesh`; 1, or -1 where all its normals are to
-/// be turned over.
+/// Drops normals that contradict the faces and adds the defects of `mesh` to `remarks`. Returns -1 if all normals must
+/// be reversed, else 1.
 float mended(models::PointModel& mesh, const Winding& winding, std::string& remarks) {
   if (winding.turned > 0)
     say(remarks, std::to_string(winding.turned) + " of " + std::to_string(mesh.triangles.size()) +
                      " faces looked the other way than their neighbours: they are turned");
   if (mesh.normals.empty()) say(remarks, "the mesh has no normals: its faces' are taken");
   Closure closure = closure_of(mesh);
-  constexpr double kLeastAgreement = 0.4;  // smooth shading over a cube's edges still comes to 0.58
+  constexpr double kLeastAgreement = 0.4;  // smooth shading over the edges of a cube gives 0.58
   if (!mesh.normals.empty() && std::abs(closure.agreement) < kLeastAgreement) {
     say(remarks, "the mesh's normals contradict its faces: its faces' are taken");
     mesh.normals.clear();

@@ -11,7 +11,7 @@ struct Span {
   double high = 0.0;
 };
 
-/// Image coordinates that a sphere covers along one axis, from the tangents of its two outermost rays.
+/// The interval of image coordinates that a sphere covers along one axis, from the slopes of its two tangent rays.
 Span covered(double across_m, double depth_m, double radius_m, double focal_px, double centre_px) noexcept {
   const double angle = std::atan2(across_m, depth_m);
   const double half = std::asin(std::min(1.0, radius_m / std::hypot(across_m, depth_m)));

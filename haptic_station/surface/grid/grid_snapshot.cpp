@@ -8,7 +8,7 @@
 namespace telepalp::surface {
 namespace {
 
-/// Floats are exact to 0.1 µm within two metres of their origin: the grid's is near its points.
+/// Floats are accurate to 0.1 µm within two metres of their origin, so the grid's origin lies near its points.
 Eigen::Vector3d origin_for(const std::optional<Reach>& reach) {
   return reach && reach->centre.m.allFinite() ? reach->centre.m : Eigen::Vector3d(0.0, 0.0, 1.0);
 }
@@ -31,7 +31,7 @@ GridSnapshot::GridSnapshot(const DepthField& depth, const Intrinsics& camera, co
 
 namespace {
 
-/// The field's terms on one row of the image, as coefficients across it.
+/// The terms of the field on one row of the image, as spline coefficients along the row.
 void blend_down(const MotionField& field, double v, std::vector<MotionTerms>& across) {
   const CellLattice& lattice = field.lattice();
   const Knots down = knots_at(v, lattice.rows);

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr double kNearestDepth_m = 1e-3;
 
-/// A point's place in the lattice of nodes, and how the place moves with the point.
+/// A point's coordinates in the lattice of nodes, with their derivatives by the point.
 struct LatticePoint {
   double column = 0.0;
   double row = 0.0;
@@ -52,7 +52,7 @@ double dot(const MotionTerms& a, const MotionTerms& b) noexcept {
   return static_cast<double>(sum);
 }
 
-/// Sums over the neighbours, and the same with each weight's derivative by the two lattice coordinates.
+/// Weighted sums over the neighbours, and the derivatives of these sums by the two lattice coordinates.
 struct Sums {
   double weight = 0.0, weight_u = 0.0, weight_v = 0.0;
   double plane = 0.0, plane_u = 0.0, plane_v = 0.0;
@@ -60,7 +60,7 @@ struct Sums {
   Vector3d offset = Vector3d::Zero(), offset_u = Vector3d::Zero(), offset_v = Vector3d::Zero();
   double velocity = 0.0;
   double deviation = 0.0;
-  // by the gate, whose derivative runs along each node's own normal; zero on a surface well away from any other
+  // derivatives by the gate, along each node's normal; zero where no other surface is near
   bool gated = false;
   Vector3d weight_g = Vector3d::Zero();
   Vector3d plane_g = Vector3d::Zero();
@@ -87,7 +87,7 @@ void add(Sums& sums, const GridNode& node, const Vector3d& local, double du, dou
   if (gate.value <= 0.0) return;
   const double present = static_cast<double>(node.confidence) * gate.value;
   const double w = present * fade.value;
-  const double slope = -2.0 * per_r2 * present * fade.slope;  // the lattice moves against the node
+  const double slope = -2.0 * per_r2 * present * fade.slope;  // the offset is node minus point
   const double wu = slope * du;
   const double wv = slope * dv;
   sums.weight += w;
@@ -109,14 +109,14 @@ void add(Sums& sums, const GridNode& node, const Vector3d& local, double du, dou
              normal, offset);
 }
 
-/// What the weights of a lattice without holes sum to: the polynomial's integral over the disc. The sum itself ripples
-/// by some per cent around it as the query moves between nodes.
+/// The sum of the weights on a lattice without holes, approximated by the integral of the polynomial over the disc. The
+/// true sum varies by a few per cent as the query moves between nodes.
 double full_weight(double support_nodes) noexcept {
   constexpr double kMeanWeight = 8.0 / 27.0;  // ∫ C ds over [0, 1]
   return std::numbers::pi * support_nodes * support_nodes * kMeanWeight;
 }
 
-/// Coverage below which there is no surface, and from which on it is whole.
+/// Below the first coverage there is no surface; from the second on the support is full.
 constexpr double kLeastCover = 0.30;
 constexpr double kWholeCover = 0.55;
 
@@ -125,7 +125,7 @@ double support_of(double cover) noexcept {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// f and its gradient by the quotient and product rules over the sums.
+/// f and its gradient, from the sums by the quotient and product rules.
 FieldSample sample_of(const Sums& sums, const LatticePoint& at, double full_weight) noexcept {
   FieldSample out;
   out.support = support_of(sums.weight / full_weight);

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The box's pixels, grown by the fit's radius where the image allows, as inverse depth with what links them and the
-/// running count of pixels that a whole window must not hold.
+/// The pixels of the box, with a border of the fit's radius within the image: their inverse depth, the links between
+/// neighbours, and a summed-area table of the pixels that a complete window must not contain.
 struct Crop {
   Crop(const PixelBox& box, int image_width, int image_height, int margin)
       : left(std::max(0, box.left - margin)),
@@ -30,7 +30,7 @@ struct Crop {
   int width = 0;
   int height = 0;
   float reference_per_m = 0.0F;
-  std::vector<float> per_m;  ///< less the reference
+  std::vector<float> per_m;  ///< inverse depth minus the reference
   BitRows measured;
   BitRows right;              ///< linked to the right neighbour
   BitRows below;              ///< linked to the one below
@@ -50,7 +50,8 @@ struct Crop {
   }
 };
 
-/// Some measured depth of the crop, to count from: what is left is small, and so is its rounding.
+/// A reference for the inverse depths of the crop: any measured one. The differences are small, and so is their
+/// rounding.
 float reference_in(const DepthField& depth, const Crop& crop) {
   constexpr int kEvery = 7;
   double sum = 0.0;
@@ -64,12 +65,12 @@ float reference_in(const DepthField& depth, const Crop& crop) {
   return count > 0 ? static_cast<float>(sum / count) : 0.0F;
 }
 
-/// A pixel is linked to its neighbour where both were measured and nothing breaks between them.
+/// Links two neighbouring pixels if both are measured and there is no depth break between them.
 void link(Crop& crop) {
   for (int row = 0; row < crop.height; ++row) {
     const std::uint64_t* measured = crop.measured.row(row);
     const std::uint64_t* next = crop.measured.row(std::min(row + 1, crop.height - 1));
-    std::uint64_t* right = crop.right.row(row);  // still what is broken
+    std::uint64_t* right = crop.right.row(row);  // these bits mark depth breaks so far
     std::uint64_t* below = crop.below.row(row);
     for (std::size_t word = 0; word < crop.measured.words(); ++word) {
       const std::uint64_t to_the_right = measured[word] >> 1 | measured[word + 1] << 63;
@@ -104,7 +105,7 @@ Crop crop_of(const DepthField& depth, const PixelBox& box, const FitSettings& se
   return crop;
 }
 
-/// The node of a plane in inverse depth at a pixel: 1/z = c0 + c1·du + c2·dv is N·X = 1 with N as below.
+/// The node at a pixel, from its plane in inverse depth: 1/z = c0 + c1·du + c2·dv is N·X = 1 with N as below.
 GridNode node_of(const WindowFit& fit, double u, double v, const GridLayout& layout, double gain, double frames) {
   const Intrinsics& camera = layout.camera;
   const InverseDepthPlane& plane = fit.plane;
@@ -134,7 +135,7 @@ GridLayout lattice_over(const Intrinsics& camera, const PixelBox& box, int step_
   return layout;
 }
 
-/// One window size over a row of the crop's pixels.
+/// The fits of one window size over a row of the crop.
 struct ScaleRow {
   ScaleRow(int radius, int width_px)
       : axis(axis_weights(radius)),
@@ -159,7 +160,7 @@ struct ScaleRow {
 
 enum class Window : std::uint8_t { Wide, Narrow, Partial };
 
-/// A row of nodes at work: which window each has, the two fits, and what becomes of them.
+/// Makes one row of nodes: chooses each node's window, fits both windows and computes the nodes.
 class RowFitter {
  public:
   RowFitter(const DepthField& depth, const Crop& crop, const FitSettings& settings, const GridLayout& layout)

@@ -32,7 +32,7 @@ std::optional<Pixel> nearest_measured(const InverseDepthView& view, Pixel centre
   return std::nullopt;
 }
 
-/// One row of a window, bit k for its pixel k: what was measured, and what is linked to the right and below.
+/// One row of a window as bit masks, bit k for pixel k: measured, linked to the right, linked to the pixel below.
 struct WindowRow {
   Bits measured = 0;
   Bits right = 0;
@@ -63,10 +63,10 @@ void read_rows(const InverseDepthView& view, Pixel corner, int side, WindowRows&
   }
 }
 
-/// All pixels of a row that links to the right (bit k: from k to k + 1) join to those in `reached`.
+/// The pixels of a row that are connected to a pixel in `reached` by links to the right (bit k links k and k + 1).
 Bits along_row(Bits reached, Bits right) noexcept {
-  Bits up = right << 1;  // bit k: may be reached from k - 1
-  Bits down = right;     // bit k: may be reached from k + 1
+  Bits up = right << 1;  // bit k: linked to k - 1
+  Bits down = right;     // bit k: linked to k + 1
   for (int step = 1; step < kMostSide; step *= 2) {
     reached |= (up & (reached << step)) | (down & (reached >> step));
     up &= up << step;
@@ -75,7 +75,7 @@ Bits along_row(Bits reached, Bits right) noexcept {
   return reached;
 }
 
-/// The window's pixels reached from `start` over unbroken links: sweeps down and up until nothing is added.
+/// Finds the window's pixels that are connected to `start`: sweeps down and up until no pixel is added.
 void connect(const WindowRows& rows, int side, Pixel start, std::array<Bits, kMostSide>& reached) noexcept {
   reached.fill(0);
   const auto first = static_cast<std::size_t>(start.row);
@@ -131,7 +131,7 @@ Equations equations_of(const MaskedColumns& sums, const AxisWeights& axis, Clip 
   return out;
 }
 
-/// Weighted least squares in N terms, taken from the 6-term normal equations' leading block.
+/// Weighted least squares with the first N terms: solves the leading N × N block of the normal equations.
 template <int N>
 std::optional<InverseDepthPlane> solve(const Equations& equations) {
   const Eigen::LDLT<Eigen::Matrix<double, N, N>> factors(equations.normal.topLeftCorner<N, N>());

@@ -38,7 +38,7 @@ AxisWeights axis_weights(int radius) {
 
 namespace {
 
-/// Moments of each column of a window's rows, l^0, l^1 and l^2.
+/// For each column, the moments l^0, l^1 and l^2 over the window's rows l.
 TELEPALP_VECTORISED
 void sum_columns(const float* __restrict centre, std::ptrdiff_t stride, int width, const AxisWeights& axis,
                  float* __restrict m0, float* __restrict m1, float* __restrict m2) {
@@ -63,8 +63,8 @@ void sum_columns(const float* __restrict centre, std::ptrdiff_t stride, int widt
   }
 }
 
-/// The same along the row, and the quadratic that fits: least squares over a symmetric window in closed form. Sums are
-/// kept in the rows that end as the answer.
+/// The moments along the row, and the fitted quadratic: least squares over a symmetric window in closed form. The
+/// output rows also hold the intermediate sums.
 TELEPALP_VECTORISED
 void fit_rows(const ColumnMoments& columns, int width, const AxisWeights& axis, const PlaneRow& planes) {
   const float* __restrict m0 = columns.m0;
@@ -122,7 +122,7 @@ constexpr auto kBit = [] {
   return bits;
 }();
 
-/// One row of a window, from its column `from` to before `to`.
+/// Adds one row of a window, from column `from` to before `to`.
 TELEPALP_VECTORISED
 void add_masked_row(const float* __restrict pixels, std::uint32_t mask, float w, float l, int from, int to,
                     MaskedColumns& sums) {
@@ -188,7 +188,7 @@ void mark_pairs(const float* __restrict z_m, const float* __restrict below, int 
     const float near_down = z < down ? z : down;
     const float step_right = z < right ? right - z : z - right;
     const float step_down = z < down ? down - z : z - down;
-    // A nearer pixel that was not measured (0) breaks nothing.
+    // An unmeasured neighbour (0) is no depth break.
     const bool broken_right =
         (near_right > 0.0F) & (step_right > break_at_1m * (0.5F + 0.5F * near_right * near_right));
     const bool broken_down = (near_down > 0.0F) & (step_down > break_at_1m * (0.5F + 0.5F * near_down * near_down));
@@ -201,7 +201,8 @@ void mark_pairs(const float* __restrict z_m, const float* __restrict below, int 
 
 void mark_row(const float* z_m, const float* below, int width, float break_at_1m, std::uint8_t* marks) {
   mark_pairs(z_m, below, width - 1, break_at_1m, marks);
-  const float last[2] = {z_m[width - 1], z_m[width - 1]};  // at the rim there is no right neighbour: itself
+  const float last[2] = {z_m[width - 1],
+                         z_m[width - 1]};  // the last pixel has no right neighbour and is compared with itself
   mark_pairs(last, below + width - 1, 1, break_at_1m, marks + width - 1);
 }
 

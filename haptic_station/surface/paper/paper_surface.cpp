@@ -20,7 +20,8 @@ Vector3d towards_camera(const Vector3d& normal, const Vector3d& at) noexcept {
   return normal.dot(at) > 0.0 ? Vector3d(-normal) : normal;
 }
 
-/// Normal of a neighbourhood by principal components; the view ray where the points lie on a line or in one place.
+/// Normal of a neighbourhood by principal component analysis; the direction to the camera if the points are collinear
+/// or coincide.
 Vector3d principal_normal(const Eigen::Matrix3d& covariance, const Vector3d& at) noexcept {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);

@@ -11,8 +11,8 @@ struct Progress {
   double rate = 0.0;
 };
 
-/// Age as the model lives it: true at first, then slowing to a stop, C1. A surface nobody has seen for long must not be
-/// carried on by a model that nobody has checked.
+/// The age that the motion model uses: equal to the true age at first, then slowing to a stop; C1. A surface that was
+/// not measured for long must not be predicted farther, because nothing confirms the prediction.
 Progress lived(double age_s, double freeze_from_s) noexcept {
   if (age_s < 0.0) return {};
   if (age_s <= freeze_from_s) return {age_s, 1.0};

@@ -11,17 +11,17 @@ namespace {
 
 constexpr double kTau = 2.0 * std::numbers::pi;
 constexpr double kWindow_s = 12.0;
-constexpr double kKeepEvery_s = 0.09;  // the window's samples; breathing has nothing faster to say
+constexpr double kKeepEvery_s = 0.09;  // sample period of the window; breathing has no higher frequencies
 constexpr double kSlowest_Hz = 0.10;
 constexpr double kFastest_Hz = 0.80;
-constexpr double kLeastBreaths = 1.3;  // in the window, before a rate is believed
+constexpr double kLeastBreaths = 1.3;  // least number of breaths in the window before a rate is used
 constexpr std::size_t kLeastMoments = 16;
 constexpr double kLeastAmplitude_m = 2e-4;
 constexpr double kMostUnexplained = 0.03;
-constexpr double kMostMiss = 0.15;  // of the amplitude
+constexpr double kMostMiss = 0.15;  // greatest deviation from the model, as a share of the amplitude
 constexpr double kMiss_m = 1.5e-4;
 constexpr int kFitEvery_frames = 6;
-constexpr int kSteadyFits = 2;  // five terms explain the first part of any motion: the rate must stay, too
+constexpr int kSteadyFits = 2;  // five terms fit the beginning of any motion, so the rate must also stay constant
 constexpr double kSteadyShare = 0.03;
 constexpr double kBelieveOver_s = 0.5;
 constexpr double kDoubtAfter_s = 0.1;
@@ -46,7 +46,7 @@ double BreathingModel::signal_of(std::span<const float> displacement_m) const no
   return std::inner_product(weight_.begin(), weight_.end(), displacement_m.begin(), 0.0);
 }
 
-/// Least squares of the signal over the window at one rate, phase counted from now.
+/// Least-squares fit of the signal over the window at one rate; phase 0 is now.
 BreathingModel::Fit BreathingModel::fit_at(const std::vector<double>& signal, double rad_per_s) const {
   Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
   BreathTerms right = BreathTerms::Zero();
@@ -67,8 +67,8 @@ BreathingModel::Fit BreathingModel::fit_at(const std::vector<double>& signal, do
   return fit;
 }
 
-/// The rate that explains most: a scan, narrow around the rate in use once locked, then a parabola through the best
-/// three.
+/// The rate with the best fit: a scan over rates, near the present rate once locked, and then a parabola through the
+/// best three.
 BreathingModel::Fit BreathingModel::best_fit(const std::vector<double>& signal) const {
   const double span_s = now_s_ - recent_.front().at_s;
   const double slowest = kTau * std::max(kSlowest_Hz, kLeastBreaths / std::max(span_s, 1e-3));
@@ -107,7 +107,7 @@ void BreathingModel::refit(std::span<const float> weight) {
   if (fit_.rad_per_s > 0.0) fit_cells();
 }
 
-/// Every cell at the common rate: the regressors, and so the matrix, are the same for all.
+/// Fits every cell at the common rate. The regressors, and so the matrix, are the same for all cells.
 void BreathingModel::fit_cells() {
   Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
   cells_.assign(weight_.size(), BreathTerms::Zero());
@@ -147,7 +147,7 @@ void BreathingModel::add(std::span<const float> displacement_m, std::span<const 
     confidence_ = std::max(0.0, confidence_ - dt_s / kDoubtOver_s);
 }
 
-/// a cos p + b sin p, seen from phase p on: (a cos p + b sin p) cos ωτ + (b cos p − a sin p) sin ωτ.
+/// a cos p + b sin p after a further time τ: (a cos p + b sin p) cos ωτ + (b cos p − a sin p) sin ωτ.
 MotionTerms BreathingModel::motion_of(std::size_t cell) const noexcept {
   if (cell >= cells_.size()) return {};
   const BreathTerms at = terms_at(fit_.rad_per_s * (now_s_ - fitted_at_s_));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kCell = CellLattice::kCell_px;
 
-/// The same at each pixel between two cells' centres, [spline][pixel].
+/// The basis functions at each pixel between the centres of two cells, [spline][pixel].
 constexpr auto kByPixel = [] {
   std::array<float, 4 * kCell> by_pixel{};
   for (std::size_t pixel = 0; pixel < kCell; ++pixel) {
@@ -22,8 +22,9 @@ constexpr auto kByPixel = [] {
 }();
 static_assert(kCell == 16, "spline_row() knows it");
 
-// Two passes of 1 2 1, sharpened so that its second moment is -5/12: of the spline 1/3 and of the mean over a cell
-// 1/12, taken back. Its spectrum is nowhere negative: a filter that feeds on what it spread would otherwise swing up.
+// Two passes of the kernel 1 2 1, sharpened so that the second moment is -5/12. This compensates the spline (1/3) and
+// the mean over a cell (1/12). The spectrum of the kernel is nowhere negative; otherwise a filter whose output returns
+// to its input would be unstable.
 constexpr double kSharpen = 17.0 / 12.0;
 constexpr std::array<double, 4> kKernel = {
     6.0 / 16.0 * (1.0 + kSharpen) - 4.0 / 16.0 * kSharpen, 4.0 / 16.0 * (1.0 + kSharpen) - 3.5 / 16.0 * kSharpen,
@@ -31,9 +32,9 @@ constexpr std::array<double, 4> kKernel = {
 static_assert(kKernel[0] + 2.0 * (kKernel[1] + kKernel[2] + kKernel[3]) > 0.999999);
 static_assert(2.0 * (kKernel[1] + 4.0 * kKernel[2] + 9.0 * kKernel[3]) < -0.41666);
 
-constexpr double kLeaning_px = 32.0;  // a cell with so many pixels is half its neighbours'
+constexpr double kLeaning_px = 32.0;  // a cell with this many pixels counts as much as its neighbours
 
-/// Mean of the cells within `radius` of one, by their pixels.
+/// Mean over the cells within `radius` of a cell, weighted by their numbers of pixels.
 CellMean mean_around(const CellLattice& lattice, std::span<const CellMean> means, int column, int row, int radius) {
   CellMean around;
   for (int r = std::max(0, row - radius); r <= std::min(lattice.rows - 1, row + radius); ++r)
@@ -46,7 +47,7 @@ CellMean mean_around(const CellLattice& lattice, std::span<const CellMean> means
   return around;
 }
 
-/// Each cell's mean drawn to its neighbours' by how little it knows itself.
+/// Each cell's mean, blended with its neighbours' mean; the fewer pixels the cell has, the more the neighbours count.
 std::vector<double> filled(const CellLattice& lattice, std::span<const CellMean> means) {
   std::vector<double> out(lattice.size(), 0.0);
   for (int row = 0; row < lattice.rows; ++row)
@@ -61,10 +62,11 @@ std::vector<double> filled(const CellLattice& lattice, std::span<const CellMean>
   return out;
 }
 
-// What a cubic spline's means over cells take of the coefficients around: a quartic spline at its knots.
+// The weights of the surrounding coefficients in a cubic spline's mean over a cell: a quartic spline at its knots.
 constexpr std::array<double, 3> kMeanOfSpline = {230.0 / 384.0, 76.0 / 384.0, 1.0 / 384.0};
 
-/// A symmetric kernel along one axis; `stride` between neighbours, the border's value beyond the border.
+/// Convolves with a symmetric kernel along one axis. Neighbours are `stride` apart; the border's value continues beyond
+/// the border.
 template <std::size_t N>
 void convolve(const std::array<double, N>& kernel, std::span<const double> in, std::span<double> out, std::size_t start,
               std::size_t stride, int count) {

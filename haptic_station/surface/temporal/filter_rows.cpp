@@ -5,17 +5,18 @@
 
 #include "proto/words/vectorised.h"
 
-// Compiled for the processor found at run time, too: the loops are most of what a frame costs. Nothing here may come
-// from a header with code of its own that another file compiles for another processor.
+// These loops take most of the time of a frame, so they are also compiled for AVX2, and the processor found at run time
+// selects the version. This file must not use inline functions of headers that other files compile for another
+// instruction set.
 
 namespace telepalp::surface {
 namespace {
 
-constexpr float kFloor_m = 2e-4F;    // of the noise: rounding
-constexpr float kOutlier = 5.0F;     // sigmas between a pixel and its average, at most
-constexpr float kUnseenKeep = 0.7F;  // of a pixel's frames, for each frame without it
+constexpr float kFloor_m = 2e-4F;    // least standard deviation of the noise: rounding
+constexpr float kOutlier = 5.0F;     // a pixel farther than this from its average is an outlier [sigma]
+constexpr float kUnseenKeep = 0.7F;  // share of a pixel's frame count that an unmeasured frame leaves
 constexpr float kOutlierKeep = 0.4F;
-constexpr float kLeastFrames = 0.5F;  // behind a pixel that is not seen: below, it is forgotten
+constexpr float kLeastFrames = 0.5F;  // an unmeasured pixel with a lower frame count is discarded
 
 }  // namespace
 
@@ -63,7 +64,7 @@ void update_row(const float* __restrict seen, const float* __restrict moved, con
     const bool measured = z > 0.0F;
     const bool outlier = (r < 0.0F ? -r : r) > kOutlier * sigma;
 
-    // One choice a line: with choices inside choices GCC 12 gives up vectors.
+    // One conditional per line: GCC 12 does not vectorise nested conditionals.
     const float next = n + 1.0F;
     const float more = next < memory_frames ? next : memory_frames;
     const float keep = measured ? kOutlierKeep : kUnseenKeep;
@@ -73,7 +74,7 @@ void update_row(const float* __restrict seen, const float* __restrict moved, con
     const bool anew = fewer < least;
     const float share = 1.0F / more;
     const float averaged = carried + r * share;
-    const float doubted = anew ? z : carried;  // unseen: z is 0, not known
+    const float doubted = anew ? z : carried;  // if the pixel is not measured, z is 0
     const float doubted_frames = anew ? one : fewer;
     const bool good = measured & !outlier;
     const float tracked = good ? averaged : doubted;
@@ -81,7 +82,7 @@ void update_row(const float* __restrict seen, const float* __restrict moved, con
     depth_m[u] = known ? tracked : z;
     frames[u] = known ? tracked_frames : one;
     const float use = (known & good) ? 1.0F : 0.0F;
-    lean[u] += use * (r / (sigma * std::sqrt(1.0F + 2.0F * share)));  // the average errs as well
+    lean[u] += use * (r / (sigma * std::sqrt(1.0F + 2.0F * share)));  // the average has an error, too
     count[u] += use;
   }
 }

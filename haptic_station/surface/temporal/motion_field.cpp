@@ -6,20 +6,20 @@
 namespace telepalp::surface {
 namespace {
 
-// A critically damped g-h filter (Brookner 1998, 1.2.6) remembers about 1/(1 - theta) frames. Short memory where the
-// innovations lean to one side, since there the motion changes; long where they are chance, since a cell's noise would
-// move all its pixels together and no average of theirs would take it out.
+// A critically damped g-h filter (Brookner 1998, 1.2.6) remembers about 1/(1 - theta) frames. The memory is short where
+// the innovations have a consistent sign, because the motion changes there. It is long where they are only noise,
+// because a cell's noise moves all its pixels together, and the average of the pixels cannot remove it.
 constexpr double kQuickTheta = 0.60;
 constexpr double kCalmTheta = 0.90;
 constexpr double kLeanGain = 0.3;
-constexpr double kCalmUpTo = 3.5;  // sigmas of the lean
+constexpr double kCalmUpTo = 3.5;  // below this mean innovation [sigma] a cell counts as calm
 constexpr double kQuickFrom = 9.0;
 constexpr double kEnergyMemory_s = 4.0;
-constexpr double kLeastCount = 12.0;  // pixels, before a cell's mean says anything
+constexpr double kLeastCount = 12.0;  // least number of pixels for a cell's mean to be used
 constexpr double kVelocityFade_s = 1.0;
-constexpr double kRoughnessLeak = 0.1;  // of a frame
+constexpr double kRoughnessLeak = 0.1;  // share per frame
 
-/// How clearly a running mean leans to one side: 0 by chance, 1 without doubt.
+/// How significant a running mean of innovations is: 0 within the noise, 1 certain.
 double leaning(double lean_m, double sigma_m) noexcept {
   const double chance_m = sigma_m * std::sqrt(kLeanGain / (2.0 - kLeanGain)) + 1e-6;
   return std::clamp((std::abs(lean_m) / chance_m - kCalmUpTo) / (kQuickFrom - kCalmUpTo), 0.0, 1.0);
@@ -43,7 +43,7 @@ MotionField::MotionField(int width_px, int height_px, bool breathing)
 
 void MotionField::predict(double dt_s) {
   MotionModel ahead = model();
-  ahead.linear_fade_s = 1e3;  // between frames a velocity holds; it is beyond them that it is believed less and less
+  ahead.linear_fade_s = 1e3;  // between frames the velocity is constant; only predictions decay
   const MotionBasis basis = motion_basis(ahead, dt_s);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     float change = 0.0F;
@@ -58,8 +58,8 @@ void MotionField::predict(double dt_s) {
   }
 }
 
-/// Where the innovations lean to one side. A body moves as one and chance does not, so neighbourhoods are looked at;
-/// and gains that change from cell to cell would make a smooth motion rough.
+/// Finds where the innovations have a consistent sign. It uses neighbourhoods, because a body moves as a whole and
+/// noise does not, and because gains that change from cell to cell would make a smooth motion rough.
 void MotionField::update_moving(const std::vector<CellInnovation>& seen) {
   const std::vector<CellMean> wide = wide_means(lattice_, means_);
   for (std::size_t at = 0; at < cells_.size(); ++at) {
@@ -71,7 +71,7 @@ void MotionField::update_moving(const std::vector<CellInnovation>& seen) {
   moving_ = wide_means(lattice_, moving_);
 }
 
-/// A young cell takes what it sees at once; its gains settle as it ages.
+/// The gains of a cell are large in its first frames and settle later.
 void MotionField::correct_cell(std::size_t at, double innovation_m, double dt_s) noexcept {
   Cell& cell = cells_[at];
   cell.frames += 1.0;
@@ -87,15 +87,16 @@ void MotionField::correct_cell(std::size_t at, double innovation_m, double dt_s)
   cell.energy += dt_s / kEnergyMemory_s * (speed2 - cell.energy);
 }
 
-/// Displacement as measured, smoothed as a whole. With the coefficients' own sum and the smoothed innovation on top,
-/// what smoothing takes away would come from the breathing model alone, and it would be fitted to its own echo.
+/// The measured displacement, smoothed. The sum of coefficients and smoothed innovation is not used: smoothing removes
+/// a part of the innovation, that part would come from the breathing model alone, and the model would be fitted to its
+/// own output.
 void MotionField::update_observed() {
   const std::vector<float> modelled = means_of(lattice_, displacement_);
   for (std::size_t at = 0; at < means_.size(); ++at) means_[at].mean += static_cast<double>(modelled[at]);
   observed_ = smooth_coefficients(lattice_, means_);
 }
 
-/// What smoothing takes out of the innovations is out of the filter's sight: velocities forget it.
+/// The filter cannot see the part of the innovations that smoothing removes, so the velocities are smoothed alike.
 void MotionField::smooth_velocities() {
   std::vector<float> velocity(cells_.size());
   std::transform(cells_.begin(), cells_.end(), velocity.begin(),
@@ -124,7 +125,7 @@ void MotionField::correct(const std::vector<CellInnovation>& seen, double dt_s) 
     const auto innovation_m = static_cast<double>(innovation[at]);
     correct_cell(at, innovation_m, dt_s);
     const double energy = seen[at].count < kLeastCount ? 0.0 : cells_[at].energy;
-    weight_[at] = static_cast<float>(1e12 * energy * energy);  // squared: noise must not outvote the belly
+    weight_[at] = static_cast<float>(1e12 * energy * energy);  // squared, so that noise does not outweigh the belly
     moving += static_cast<double>(weight_[at]);
     missed += static_cast<double>(weight_[at]) * std::abs(innovation_m);
   }

@@ -12,7 +12,7 @@ constexpr int kCell = CellLattice::kCell_px;
 constexpr float kPatchOutlier = 4.5F;
 constexpr float kStartAnew_frames = 4.0F;
 constexpr double kNoiseGain = 0.05;
-constexpr double kMeanSizeOfUnit = 1.2533;  // sigma over the mean size of a Gaussian
+constexpr double kMeanSizeOfUnit = 1.2533;  // ratio of sigma to the mean absolute value of a Gaussian
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void TemporalFilter::observe(const DepthField& seen) {
         kNoiseGain * (kMeanSizeOfUnit * noise_sum_ / noise_count_ - static_cast<double>(noise_scale_)));
 }
 
-/// The columns' sums become the cells' means.
+/// Turns the sums by column into the means of a row of cells.
 void TemporalFilter::end_of_cells(int cell_row) {
   const auto width = static_cast<std::size_t>(average_.width);
   for (int column = 0; column < motion_.lattice().columns; ++column) {
@@ -83,7 +83,7 @@ void TemporalFilter::end_of_cells(int cell_row) {
     noise_count_ += cell.count;
     const double count = std::max(cell.count, 1.0);
     cell.mean_m /= count;
-    cell.sigma_m /= count * std::sqrt(count);  // mean sigma over the root of the count
+    cell.sigma_m /= count * std::sqrt(count);  // mean sigma / square root of the count
     seen_[motion_.lattice().at(column, cell_row)] = cell;
   }
 }
@@ -102,7 +102,8 @@ void TemporalFilter::update(const DepthField& seen) {
   }
 }
 
-/// A patch whose residuals lean to one side is moving in a way that no cell knows: its pixels start anew.
+/// A patch whose residuals have a consistent sign moves in a way that no cell follows. The averages of its pixels start
+/// anew.
 void TemporalFilter::end_of_patches(int patch_row) {
   const auto width = static_cast<std::size_t>(average_.width);
   const std::size_t across = (width + kPatch_px - 1) / kPatch_px;
@@ -117,7 +118,8 @@ void TemporalFilter::end_of_patches(int patch_row) {
     }
     float& mean = patch_mean_[static_cast<std::size_t>(patch_row) * across + patch];
     mean = 0.5F * (mean + (count > 0.0F ? lean / std::sqrt(count) : 0.0F));  // unit variance by chance
-    if (std::abs(mean) < kPatchOutlier * 0.577F) continue;                   // sqrt(1/3): of a running mean of halves
+    if (std::abs(mean) < kPatchOutlier * 0.577F)
+      continue;  // sqrt(1/3): standard deviation of a running mean with weight 1/2
     for (int row = patch_row * kPatch_px; row < std::min((patch_row + 1) * kPatch_px, average_.height); ++row)
       for (std::size_t u = from; u < to; ++u) {
         float& frames = average_.weight[average_.index(0, row) + u];

@@ -24,7 +24,8 @@ Vector3d goal_in_crease(const Vector3d& device, const ConstraintPlane& first, co
   if (height(on_first, second) >= -kAllowed_m) return on_first;
   const Vector3d on_second = goal_on_plane(device, second);
   if (height(on_second, first) >= -kAllowed_m) return on_second;
-  // Both hold: device + a·n1 + b·n2 on both planes, a 2×2 system in the cosine c between the normals.
+  // Both planes constrain: device + a·n1 + b·n2 lies on both, which is a 2×2 system with the cosine c between the
+  // normals.
   const double c = first.normal.dot(second.normal);
   const double determinant = 1.0 - c * c;
   const double d1 = height(device, first);

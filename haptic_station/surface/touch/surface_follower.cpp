@@ -9,9 +9,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLongestStep_s = 0.002;                                            // for the integration alone
-constexpr FollowLimits kTurn{.speed_m_per_s = 1.0, .acceleration_m_per_s2 = 30.0};  // radians in place of metres
-constexpr double kSteepest_rad = 0.5;  // of the tilt: beyond, its sine is no longer itself
+constexpr double kLongestStep_s = 0.002;  // a longer tick is integrated in several steps
+constexpr FollowLimits kTurn{.speed_m_per_s = 1.0,
+                             .acceleration_m_per_s2 = 30.0};  // values in radians instead of metres
+constexpr double kSteepest_rad = 0.5;  // largest tilt for which the small-angle approximation holds
 
 Vector3d at_most(const Vector3d& v, double length) noexcept {
   const double norm = v.norm();
@@ -36,8 +37,8 @@ Vector3d next_rate(const Vector3d& rate, const Vector3d& error, const Vector3d& 
   return rate + at_most(share * (wanted - rate), limits.acceleration_m_per_s2 * dt_s);
 }
 
-// A place x of the displayed surface is q = x + lag + tilt × (x − pivot) of the newest: a rigid motion, to first order
-// in the tilt.
+// A point x of the displayed surface corresponds to q = x + lag + tilt × (x − pivot) of the newest surface: a rigid
+// motion, to first order in the tilt.
 Vector3d SurfaceFollower::on_newest(const Vector3d& shown) const noexcept {
   return shown + lag_m_ + tilt_rad_.cross(shown - pivot_);
 }
@@ -66,7 +67,7 @@ void SurfaceFollower::take_over(const Vector3d& foot, const Vector3d& normal, co
   tilt_rad_ = at_most(normal.cross(newest_normal), kSteepest_rad);
 }
 
-/// The same motion, written about another pivot.
+/// Rewrites the motion about another pivot.
 void SurfaceFollower::turn_about(const Vector3d& pivot) noexcept {
   lag_m_ += tilt_rad_.cross(pivot - pivot_);
   pivot_ = pivot;

@@ -12,11 +12,11 @@ using Eigen::Vector3d;
 constexpr double kSteepEnough = 0.2;   // |gradient| below which f says nothing about direction (1 on a clean surface)
 constexpr double kSharpCosine = 0.94;  // planes turned by more than 20 degrees in one slide make a crease
 constexpr int kMostHops = 32;
-constexpr double kFootPerDevice = 3.0;      // the foot's way over the device's, on a dome, at most
-constexpr double kFoot_m_per_s = 0.15;      // and under a device at rest
-constexpr double kHeldPlane_m_per_s = 0.1;  // at which a held plane's foot goes below the device: a force, too
-constexpr double kLeastShown = 0.05;        // of a contact, to begin one
-constexpr double kLongestTick_s = 0.01;     // over which the controller counts a speed
+constexpr double kFootPerDevice = 3.0;      // largest ratio of the foot's movement to the device's, as on a dome
+constexpr double kFoot_m_per_s = 0.15;      // largest speed of the foot under a device at rest
+constexpr double kHeldPlane_m_per_s = 0.1;  // of a held plane's foot below the device; the force follows it
+constexpr double kLeastShown = 0.05;        // least displayed share at which a contact begins
+constexpr double kLongestTick_s = 0.01;     // longest tick over which the controller computes a speed
 
 double smooth_step(double t) noexcept {
   const double x = std::clamp(t, 0.0, 1.0);
@@ -30,8 +30,9 @@ Vector3d shortened(const Vector3d& v, double most) noexcept {
   return length > most ? Vector3d(v * (most / length)) : v;
 }
 
-/// The sliding share that would have ended at the goal, from what was left before and after (a secant in curvature): 1
-/// on a plane, more on a dome, less in a bowl, where the full step overshoots by device depth over radius.
+/// The share of the tangential step that would have reached the goal, from the distance left before and after the step
+/// (a secant method): 1 on a plane, more on a dome, less in a bowl. In a bowl the full step overshoots by the ratio of
+/// the device's depth to the radius.
 double better_slide(double slide, const Vector3d& before, const Vector3d& after) noexcept {
   const double length2 = before.squaredNorm();
   if (length2 < 1e-12) return slide;
@@ -56,8 +57,8 @@ void Touch::adopt(const SurfaceSnapshot& snapshot, SessionTime now) noexcept {
   snapshot.prefetch(follower_.on_newest(foot_));
 }
 
-/// The displayed surface at the foot. A newer snapshot, or one that is seen again, takes over where the displayed one
-/// is: a tick with a swap evaluates no more often than one without, unless the surface has stepped.
+/// The displayed surface at the foot. A newer snapshot takes over at the displayed position. A tick with a swap
+/// therefore evaluates the surface as often as one without, unless the surface has jumped.
 FieldSample Touch::field_at_foot() noexcept {
   const bool met_anew = !fresh_foot_ && (swapped_ || !at_foot_.valid);
   const Vector3d there = follower_.on_newest(foot_);
@@ -68,8 +69,9 @@ FieldSample Touch::field_at_foot() noexcept {
   return follower_.shown(newest);
 }
 
-/// The newest surface near `expected`, where the one before had what is displayed at the foot. Beyond the gate between
-/// two surfaces it is looked for along the camera's ray. Under a contact, one that has stepped too far is another one.
+/// The newest surface near `expected`, the point that corresponds to the displayed foot. If it is not within the gate,
+/// it is searched along the camera's ray. During a contact, a surface that has jumped too far counts as another
+/// surface.
 FieldSample Touch::meet(const Vector3d& expected) noexcept {
   Vector3d there = expected;
   FieldSample newest = snapshot_->evaluate(there, normal_, basis_);
@@ -109,7 +111,7 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   const bool was_inside = side_ == Side::Inside && at_foot_.valid;
   const Vector3d foot_before = foot_;
   for (int part = 1; part <= parts; ++part) look(from + (device.m - from) * (static_cast<double>(part) / parts));
-  if (was_inside && side_ == Side::Inside)  // under a deep device the nearest skin may be far along at once
+  if (was_inside && side_ == Side::Inside)  // under a deep device the nearest skin point can jump far to the side
     foot_ =
         foot_before + shortened(foot_ - foot_before, kFootPerDevice * (device.m - from).norm() + kFoot_m_per_s * dt);
   device_ = device.m;
@@ -119,14 +121,14 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   return answer(device.m);
 }
 
-/// The displayed surface moves on, and the foot with it.
+/// Moves the displayed surface and the foot with it by one tick.
 void Touch::carry_on(double dt_s) noexcept {
   if (!has_foot_ || !at_foot_.valid) return;
   follower_.advance(foot_, normal_, newest_velocity_, dt_s);
   foot_ += dt_s * follower_.velocity_m_per_s();
 }
 
-/// One look at the surface from one device position: the foot follows, and the side may change.
+/// Evaluates the surface for one device position: moves the foot and decides on the side.
 void Touch::look(const Vector3d& device) noexcept {
   if (side_ != Side::Inside) reseed(device);
   if (!has_foot_) return;
@@ -134,8 +136,9 @@ void Touch::look(const Vector3d& device) noexcept {
   if (at_foot_.valid) decide(device);
 }
 
-/// In free space the foot may be on another part of the surface: an arm held over the bed, the other side of a ridge.
-/// Only a part that the device is in front of: passing behind a silhouette is not going through it.
+/// Searches the foot anew while the device is in free space. Another part of the surface may be nearer, such as an arm
+/// over the bed or the other side of a ridge. Only a part that has the device on its outer side is accepted, because a
+/// device behind a silhouette has not gone through the skin.
 void Touch::reseed(const Vector3d& device) noexcept {
   const std::optional<Seed> seed = snapshot_->seed(device);
   if (!seed) return;
@@ -149,7 +152,7 @@ void Touch::reseed(const Vector3d& device) noexcept {
   follower_.follow_at_once(normal_, 0.0);
 }
 
-/// The surface at `goal`, which is drawn back towards the foot where it lies beyond what is known.
+/// The surface at `goal`. If the surface is unknown there, `goal` is moved back towards the foot.
 FieldSample Touch::farthest_known(Vector3d& goal) const noexcept {
   FieldSample there = field(goal);
   for (int halving = 0; halving < 2 && !there.valid; ++halving) {
@@ -159,16 +162,16 @@ FieldSample Touch::farthest_known(Vector3d& goal) const noexcept {
   return there;
 }
 
-/// Moves the foot to the surface point nearest to the device: Salisbury and Tarr's constraint plane, iterated, each
-/// time with the tangential step that the curvature allows and a Newton step onto f = 0. Ends after one look when both
-/// steps are so short that their error, their square over the support, is nothing.
+/// Moves the foot to the surface point nearest to the device. Iterates Salisbury and Tarr's constraint plane: each
+/// iteration makes the tangential step that the curvature allows and a Newton step onto f = 0. It ends after one
+/// evaluation if both steps are so short that their error, step² / support, is negligible.
 void Touch::follow(const Vector3d& device) noexcept {
   FieldSample here = field_at_foot();
   ConstraintPlane last;
   for (int iteration = 0; here.valid; ++iteration) {
     const double steepness = here.gradient.norm();
     const bool steep = steepness > kSteepEnough;
-    if (steep) normal_ = here.gradient / steepness;  // else the last valid plane holds: row "gradient vanishes"
+    if (steep) normal_ = here.gradient / steepness;  // else the last valid plane is kept: hard case "gradient vanishes"
     if (normal_.isZero()) normal_ = here.normal;
     const Vector3d onto = -here.f_m / std::max(steepness, kSteepEnough) * normal_;
     const Vector3d wanted = tangential(device - foot_, normal_);
@@ -196,8 +199,9 @@ void Touch::follow(const Vector3d& device) noexcept {
   at_foot_ = here;
 }
 
-/// Which side the device is on, once its foot is known. Below the plane but far to its side is beyond the surface's
-/// rim. A device that is in the body without having gone through the displayed skin meets it gently.
+/// Decides on which side the device is, once its foot is known. A device below the plane but far to the side of its
+/// foot is beyond the rim of the surface. For a device that is in the body without having passed the displayed skin,
+/// the contact begins gradually.
 void Touch::decide(const Vector3d& device) noexcept {
   const double height = height_of(device);
   const bool was_in_front = std::exchange(was_in_front_, height >= 0.0);
@@ -212,16 +216,16 @@ void Touch::decide(const Vector3d& device) noexcept {
   if (!was_in_front && settings_.gentle_start) show_at(device);
 }
 
-/// The displayed surface begins at the device and rises to where it belongs: no force out of nothing.
+/// Displays the surface at the device, from where it rises to its true place, so that the force starts at zero.
 void Touch::show_at(const Vector3d& device) noexcept {
   const Vector3d there = follower_.on_newest(foot_);
   follower_.take_over(device, normal_, there, normal_);
   foot_ = device;
 }
 
-/// The skin where the contact began, along its normal of then: on the newest surface at each step, so that nothing adds
-/// up, and displayed as gently as the skin under the device. Where the surface is not seen there, it goes with the
-/// foot.
+/// Follows the skin at the point where the contact began, along the normal at that time. Each step evaluates the newest
+/// surface there, so that no error accumulates, and the displayed anchor follows it like the skin under the device. If
+/// the surface is not known there, the anchor moves with the foot.
 void Touch::follow_anchor(double dt_s) noexcept {
   anchor_speed_ = 0.0;
   const bool begins = side_ == Side::Inside && !anchored_;
@@ -251,8 +255,8 @@ void Touch::follow_anchor(double dt_s) noexcept {
   anchor_speed_ = part_s > 0.0 ? along.dot(anchor_.at() - before) / part_s : anchor_.rate_m_per_s();
 }
 
-/// What is shown of the contact follows the support at a bounded rate, and without a surface the last plane is held
-/// while it lets go.
+/// The displayed share of the contact follows the support at a bounded rate. Without a surface, the last plane is held
+/// while the contact fades.
 void Touch::hold(double dt_s, const Vector3d& device) noexcept {
   double target = 0.0;
   if (has_foot_ && at_foot_.valid) {
@@ -273,8 +277,8 @@ double Touch::height_of(const Vector3d& device) const noexcept { return normal_.
 
 double Touch::sideways_of(const Vector3d& device) const noexcept { return tangential(device - foot_, normal_).norm(); }
 
-/// A capture from the future, by a server whose clock is wrong, ages from its adoption on: it must not stay young until
-/// that future has come.
+/// A capture time in the future comes from a server whose clock is wrong. Such a snapshot ages from its adoption,
+/// because otherwise it would not become stale for long.
 double Touch::age_s() const noexcept {
   return snapshot_->motion.ages ? to_seconds(now_ - std::min(snapshot_->captured, adopted_)) : 0.0;
 }

@@ -5,10 +5,10 @@
 namespace telepalp::tracking {
 namespace {
 
-constexpr std::chrono::milliseconds kPassing{300};  // three times the tracker age at which a station lets go
+constexpr std::chrono::milliseconds kPassing{300};  // three times the tracker age at which a station releases
 constexpr double kReach_m = 0.5;
 
-/// False for what is not a number, too.
+/// False for NaN, too.
 bool in_reach(const Point<HapticBase>& at) noexcept { return at.m.norm() <= kReach_m; }
 
 }  // namespace
@@ -21,7 +21,7 @@ BrowserHand::Taken BrowserHand::hear(const msg::ViewerHand& hand, const Point<Ha
   if (another) viewers_clock_ = ClockEnvelope();
   viewer_ = hand.viewer();
   heard_ = now;
-  // A century fits, so that no clock of a viewer overflows ours.
+  // About a century, so that the clock of a viewer cannot overflow session time.
   constexpr std::uint64_t kLatest_us = 3'200'000'000'000'000;
   const std::chrono::microseconds sampled(static_cast<std::int64_t>(std::min(hand.sampled_us(), kLatest_us)));
   sightings_.put(Clock::time_point(viewers_clock_.map(sampled, now.time_since_epoch())), at);

@@ -5,16 +5,17 @@
 namespace telepalp::tracking {
 
 double FollowedHand::apart_m(double time_s, const leap::Hand& hand) const noexcept {
-  // Carried on at its last speed for at most a tenth of a second: beyond, that speed says nothing.
+  // The position is extrapolated with the last velocity for at most a tenth of a second; later that velocity is
+  // meaningless.
   const double ahead_s = std::clamp(time_s - seen_s_, 0.0, 0.1);
   return (hand.palm.m - (last_->palm.m + last_->velocity.v * ahead_s)).norm();
 }
 
 std::optional<leap::Hand> FollowedHand::choose(double time_s, std::span<const leap::Hand> hands) noexcept {
-  const bool clock_went_back = last_ && time_s < seen_s_;  // the service was started anew
+  const bool clock_went_back = last_ && time_s < seen_s_;  // the service was restarted
   const leap::Hand* best = nullptr;
   if (!last_ || clock_went_back || time_s - seen_s_ > settings_.other_after_s) {
-    if (!hands.empty()) best = &hands.front();  // the service lists the hand that it has seen for longest first
+    if (!hands.empty()) best = &hands.front();  // the service lists the hand that it has tracked longest first
     for (const leap::Hand& hand : hands)
       if (last_ && hand.id == last_->id) best = &hand;
   } else {
