@@ -26,7 +26,8 @@ struct Rule {
 
 const std::vector<Rule> kRules{
     {"proto/words", {"proto/words"}},
-    {"proto/wire", {"proto/words", "proto/wire", "messages", "foxglove"}},
+    {"proto/keys", {"proto/words", "proto/keys"}},
+    {"proto/wire", {"proto/words", "proto/keys", "proto/wire", "messages", "foxglove"}},
     {"support", {"proto/words", "support"}},
     {"codec", {"proto/words", "codec"}},
     {"server", {"proto", "support", "codec", "server", "messages", "foxglove"}},

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proto/keys/openssl.h"
+
+namespace telepalp::keys {
+
+/// What a new certificate says.
+struct CertificateRequest {
+  std::string name;       ///< common name
+  std::string alt_names;  ///< subjectAltName as in OpenSSL's configuration: "DNS:host,IP:10.0.0.1"; empty: none
+  std::string usage;      ///< extendedKeyUsage: "serverAuth", "clientAuth"; empty: an authority
+  std::string serial;
+  WallTime from{};
+  WallTime until{};
+};
+
+/// A certificate for `key`, signed by `issuer` with `issuer_key`. `issuer` null: it signs itself.
+[[nodiscard]] Result<CertificatePtr> make_certificate(const CertificateRequest& request, EVP_PKEY& key, X509* issuer,
+                                                      EVP_PKEY& issuer_key);
+
+/// Whom a client's certificate names; the caller has verified it. Error: it names no role.
+[[nodiscard]] Result<Identity> identity_of(X509& certificate);
+
+[[nodiscard]] std::string common_name(X509& certificate);
+[[nodiscard]] std::vector<std::string> host_names(X509& certificate);  ///< DNS names and addresses
+[[nodiscard]] bool is_authority(X509& certificate);
+
+/// The URI in subjectAltName that carries a role: kRoleUri + "doctor".
+inline constexpr std::string_view kRoleUri = "telepalp:role:";
+
+}  // namespace telepalp::keys

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "proto/keys/role.h"
+
+namespace telepalp::keys {
+
+using WallTime = std::chrono::system_clock::time_point;
+
+/// Whom a verified certificate or token names.
+struct Identity {
+  std::string name;  ///< "anna"
+  Role role = Role::Viewer;
+  std::string serial;  ///< of the certificate or token, in hexadecimal: a revocation names it
+  WallTime expires{};
+};
+
+/// "doctor anna"
+[[nodiscard]] inline std::string describe(const Identity& identity) {
+  return std::string(name(identity.role)) + " " + identity.name;
+}
+
+}  // namespace telepalp::keys

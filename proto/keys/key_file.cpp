@@ -1,0 +1,132 @@
+#include "proto/keys/key_file.h"
+
+#include <openssl/err.h>
+#include <openssl/x509v3.h>
+
+#include <ctime>
+#include <fstream>
+
+#include "proto/keys/certificate.h"
+#include "proto/keys/token.h"
+
+namespace telepalp::keys {
+namespace {
+
+Error not_a_key(const std::string& file) {
+  return {.what = "this is no key file, or it is damaged",
+          .where = file,
+          .fix = "give a file that telepalp-keys wrote, whole"};
+}
+
+std::string token_line(std::string_view text) {
+  const std::size_t at = text.starts_with(kTokenLine) ? 0 : text.find("\n" + std::string(kTokenLine));
+  if (at == std::string_view::npos) return {};
+  const std::string_view rest = text.substr(text.find(kTokenLine, at) + kTokenLine.size());
+  return std::string(rest.substr(0, rest.find_first_of("\r\n")));
+}
+
+bool may(X509& certificate, unsigned usage) { return (X509_get_extended_key_usage(&certificate) & usage) != 0; }
+
+Result<KeyFile> read_token_file(const std::string& token, X509& authority, const std::string& file) {
+  const Result<Identity> bearer = read_token(token, *X509_get0_pubkey(&authority), WallTime{});
+  if (!bearer) return not_a_key(file);
+  return KeyFile{.kind = KeyFile::Kind::Token,
+                 .certificate = {},
+                 .private_key = {},
+                 .authority = to_pem(authority),
+                 .authority_name = common_name(authority),
+                 .token = token,
+                 .identity = *bearer,
+                 .hosts = {}};
+}
+
+Result<KeyFile> read_certificate_file(X509& certificate, EVP_PKEY& key, X509& authority, const std::string& file) {
+  const bool belong =
+      X509_check_private_key(&certificate, &key) == 1 && X509_verify(&certificate, X509_get0_pubkey(&authority)) == 1;
+  ERR_clear_error();
+  if (!belong) return not_a_key(file);
+  KeyFile read{.kind = may(certificate, XKU_SSL_SERVER) ? KeyFile::Kind::Server : KeyFile::Kind::Client,
+               .certificate = to_pem(certificate),
+               .private_key = to_pem(key),
+               .authority = to_pem(authority),
+               .authority_name = common_name(authority),
+               .token = {},
+               .identity = {.name = common_name(certificate),
+                            .role = Role::Viewer,
+                            .serial = serial_of(*X509_get0_serialNumber(&certificate)),
+                            .expires = time_of(*X509_get0_notAfter(&certificate))},
+               .hosts = host_names(certificate)};
+  if (read.kind == KeyFile::Kind::Server) return read;
+  Result<Identity> identity = identity_of(certificate);
+  if (!identity) return identity.error();
+  read.identity = std::move(identity).value();
+  return read;
+}
+
+}  // namespace
+
+Result<KeyFile> read_key(std::string_view text, const std::string& file) {
+  if (text.size() > kMaxKeyFileBytes) return not_a_key(file);
+  const std::vector<CertificatePtr> certificates = certificates_in(text);
+  const std::string token = token_line(text);
+  if (!token.empty() && certificates.size() == 1) return read_token_file(token, *certificates.front(), file);
+  const PrivateKeyPtr key = private_key_in(text);
+  if (key && certificates.size() == 1 && is_authority(*certificates.front()))
+    return Error{.what = "this is the authority's own file, which makes keys and opens nothing",
+                 .where = file,
+                 .fix = "make a key with telepalp-keys server or telepalp-keys client"};
+  if (!key || certificates.size() != 2) return not_a_key(file);
+  return read_certificate_file(*certificates.front(), *key, *certificates.back(), file);
+}
+
+Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now) {
+  std::error_code missing;
+  const auto mode = std::filesystem::status(file, missing).permissions();
+  std::ifstream stream(file, std::ios::binary);
+  if (missing || !stream)
+    return Error{.what = "the key cannot be read",
+                 .where = file.string(),
+                 .fix = "give a file that telepalp-keys wrote, and that you may read"};
+  if ((mode & std::filesystem::perms::others_all) != std::filesystem::perms::none)
+    return Error{.what = "anybody on this machine may read this key",
+                 .where = file.string(),
+                 .fix = "chmod 600 " + file.string()};
+  std::string text(kMaxKeyFileBytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  Result<KeyFile> key = read_key(text, file.string());
+  if (!key) return key;
+  if (const Result<void> valid = check_not_expired(*key, now, file.string()); !valid) return valid.error();
+  return key;
+}
+
+Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::string& file) {
+  if (now < key.identity.expires) return {};
+  return Error{.what = "this key expired on " + in_words(key.identity.expires),
+               .where = file,
+               .fix = "telepalp-keys renew " + file};
+}
+
+std::string in_words(WallTime time) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(time);
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  char text[40];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
+  return text;
+}
+
+std::string in_words(const KeyFile& key) {
+  std::string text;
+  if (key.kind == KeyFile::Kind::Server) {
+    text = "server key " + key.identity.name + "\nhosts:     ";
+    for (const std::string& host : key.hosts) text += " " + host;
+  } else {
+    text = std::string(key.kind == KeyFile::Kind::Token ? "token" : "key") + " of " + describe(key.identity) +
+           "\nallows:     " + permissions(key.identity.role);
+  }
+  return text + "\nauthority:  " + key.authority_name + "\nvalid until " + in_words(key.identity.expires) +
+         "\nserial:     " + key.identity.serial + "\n";
+}
+
+}  // namespace telepalp::keys

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <openssl/bio.h>
+#include <openssl/evp.h>
+#include <openssl/x509.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "proto/keys/identity.h"
+#include "proto/words/result.h"
+
+namespace telepalp::keys {
+
+/// Frees an OpenSSL object with its own function.
+template <auto kFree>
+struct Freed {
+  template <class T>
+  void operator()(T* object) const noexcept {
+    kFree(object);
+  }
+};
+
+using CertificatePtr = std::unique_ptr<X509, Freed<X509_free>>;
+using PrivateKeyPtr = std::unique_ptr<EVP_PKEY, Freed<EVP_PKEY_free>>;
+using RevocationListPtr = std::unique_ptr<X509_CRL, Freed<X509_CRL_free>>;
+using BytesPtr = std::unique_ptr<BIO, Freed<BIO_free_all>>;
+
+[[nodiscard]] PrivateKeyPtr new_private_key();  ///< ECDSA on P-256: browsers take no Ed25519 certificates
+[[nodiscard]] std::string random_serial();      ///< 80 random bits in hexadecimal
+
+[[nodiscard]] BytesPtr reader_of(std::string_view text);
+[[nodiscard]] std::string to_pem(X509& certificate);
+[[nodiscard]] std::string to_pem(EVP_PKEY& key);
+[[nodiscard]] std::vector<CertificatePtr> certificates_in(std::string_view pem);  ///< at most 8
+[[nodiscard]] PrivateKeyPtr private_key_in(std::string_view pem);                 ///< null: there is none
+
+[[nodiscard]] std::string serial_of(const ASN1_INTEGER& number);
+[[nodiscard]] WallTime time_of(const ASN1_TIME& time);
+/// Error: an OpenSSL call failed for want of memory or entropy, or was called wrongly.
+[[nodiscard]] Error openssl_error(std::string where);
+
+}  // namespace telepalp::keys

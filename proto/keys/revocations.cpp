@@ -1,0 +1,30 @@
+#include "proto/keys/revocations.h"
+
+#include <openssl/err.h>
+#include <openssl/pem.h>
+
+#include "proto/keys/openssl.h"
+
+namespace telepalp::keys {
+
+Result<Revocations> Revocations::read(std::string_view pem, std::string_view authority, const std::string& file) {
+  const std::vector<CertificatePtr> signers = certificates_in(authority);
+  const RevocationListPtr list(PEM_read_bio_X509_CRL(reader_of(pem).get(), nullptr, nullptr, nullptr));
+  const bool genuine =
+      list && !signers.empty() && X509_CRL_verify(list.get(), X509_get0_pubkey(signers.front().get())) == 1;
+  ERR_clear_error();
+  if (!genuine)
+    return Error{.what = "this revocation list is damaged, or of another authority than the key",
+                 .where = file,
+                 .fix = "copy revoked.crl again from the folder of telepalp-keys"};
+  Revocations revocations;
+  STACK_OF(X509_REVOKED)* const revoked = X509_CRL_get_REVOKED(list.get());
+  for (int i = 0; i < sk_X509_REVOKED_num(revoked); ++i) {
+    const X509_REVOKED& one = *sk_X509_REVOKED_value(revoked, i);
+    revocations.revoked_.emplace(serial_of(*X509_REVOKED_get0_serialNumber(&one)),
+                                 time_of(*X509_REVOKED_get0_revocationDate(&one)));
+  }
+  return revocations;
+}
+
+}  // namespace telepalp::keys

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "proto/keys/identity.h"
+#include "proto/words/result.h"
+
+namespace telepalp::keys {
+
+/// The serial numbers of revoked keys and tokens.
+class Revocations {
+ public:
+  /// Reads a revocation list in PEM. `authority`: the certificate in PEM whose key must have signed it. `file`: for the
+  /// error.
+  [[nodiscard]] static Result<Revocations> read(std::string_view pem, std::string_view authority,
+                                                const std::string& file);
+
+  [[nodiscard]] bool contains(const std::string& serial) const { return revoked_.contains(serial); }
+  /// By serial number, when each was revoked.
+  [[nodiscard]] const std::map<std::string, WallTime>& all() const noexcept { return revoked_; }
+
+ private:
+  std::map<std::string, WallTime> revoked_;
+};
+
+}  // namespace telepalp::keys

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace telepalp::keys {
+
+/// What a person may be. A key or token carries one role. `Local` is a program on the server's own machine, when the
+/// server has no keys and listens on loopback alone; no key carries it.
+enum class Role { Technician, Doctor, Viewer, Qa, Local };
+
+/// What a peer may ask of a server. Each is checked where it enters the server.
+enum class Operation {
+  Watch,    ///< subscribe to topics: see the patient, the hand and the statistics
+  Touch,    ///< publish /station/..., or hold the hand in the web viewer
+  Record,   ///< join as a recorder
+  Metrics,  ///< read /metrics
+};
+
+inline constexpr std::array kRoles{Role::Technician, Role::Doctor, Role::Viewer, Role::Qa, Role::Local};
+inline constexpr std::array kOperations{Operation::Watch, Operation::Touch, Operation::Record, Operation::Metrics};
+
+/// The one table of permissions. A pair that it does not list is denied.
+[[nodiscard]] bool allows(Role role, Operation operation) noexcept;
+
+[[nodiscard]] std::string_view name(Role role) noexcept;
+[[nodiscard]] std::string_view name(Operation operation) noexcept;
+
+/// The role that a key may carry, by its name; nullopt: no such role, or `local`.
+[[nodiscard]] std::optional<Role> role_named(std::string_view name) noexcept;
+
+/// What `role` allows, for people: "watch, touch, record".
+[[nodiscard]] std::string permissions(Role role);
+
+}  // namespace telepalp::keys

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "proto/keys/openssl.h"
+
+namespace telepalp::keys {
+
+/// No token is longer.
+inline constexpr std::size_t kMaxTokenBytes = 512;
+
+/// A bearer token: "tp1." payload "." signature, both in URL-safe Base64. The payload is "name role expiry serial"; the
+/// authority signs it. So a server needs no list of tokens, and a token cannot be guessed.
+[[nodiscard]] Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key);
+
+/// Whom `token` names. Error: it is no token, another authority signed it, or it expired before `now`.
+[[nodiscard]] Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, WallTime now);
+
+}  // namespace telepalp::keys

@@ -1,0 +1,102 @@
+// telepalp-keys as a person runs it.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "proto/keys/audit_chain.h"
+#include "tests/support/child_process.h"
+#include "where.h"
+
+namespace telepalp::keys {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct KeysProgram : testing::Test {
+  support::TemporaryFolder temporary;
+  fs::path folder = temporary.path() / "keys";
+  fs::path log = temporary.path() / "log";
+
+  /// The exit code of telepalp-keys; `log` then holds what it said on stderr.
+  int run(std::vector<std::string> words) {
+    words.insert(words.end(), {"--dir", folder.string()});
+    support::ChildProcess process(fs::path(TELEPALP_BINARY_DIR "/bin/telepalp-keys"), words, log);
+    return process.wait(std::chrono::seconds(20)).value_or(-1);
+  }
+  unsigned mode_of(const std::string& name) const {
+    struct stat facts {};
+    EXPECT_EQ(::stat((folder / name).c_str(), &facts), 0) << name;
+    return facts.st_mode & 0777U;
+  }
+};
+
+TEST_F(KeysProgram, MakesAnAuthorityKeysAndTokensThatTheirOwnerAloneMayRead) {
+  ASSERT_EQ(run({"authority"}), 0);
+  ASSERT_EQ(run({"server", "--host", "10.0.0.5"}), 0);
+  ASSERT_EQ(run({"client", "--name", "anna", "--role", "doctor"}), 0);
+  ASSERT_EQ(run({"token", "--name", "vera", "--role", "viewer"}), 0);
+  for (const char* secret : {"authority.key", "server.key", "anna.key", "vera.token"})
+    EXPECT_EQ(mode_of(secret), 0600U) << secret;
+  EXPECT_EQ(mode_of(""), 0700U);
+  EXPECT_NE(text_of(folder / "anna.key").find("It allows: watch, touch, record"), std::string::npos);
+}
+
+TEST_F(KeysProgram, InTheWrongOrderOrTwiceSaysWhatToDo) {
+  EXPECT_EQ(run({"server", "--host", "10.0.0.5"}), 1);
+  EXPECT_NE(text_of(log).find("fix: telepalp-keys authority --dir"), std::string::npos) << text_of(log);
+  ASSERT_EQ(run({"authority"}), 0);
+  EXPECT_EQ(run({"authority"}), 1) << "a second authority would make all keys useless";
+  EXPECT_EQ(run({"server"}), 1);
+  EXPECT_NE(text_of(log).find("--host"), std::string::npos);
+  EXPECT_EQ(run({"client", "--name", "anna"}), 1);
+  EXPECT_EQ(run({"client", "--name", "anna", "--role", "boss"}), 1);
+  ASSERT_EQ(run({"client", "--name", "anna", "--role", "qa"}), 0);
+  const std::string first = text_of(folder / "anna.key");
+  EXPECT_EQ(run({"client", "--name", "anna", "--role", "doctor"}), 1);
+  EXPECT_EQ(text_of(folder / "anna.key"), first);
+  EXPECT_EQ(run({"dance"}), 2);
+  EXPECT_EQ(run({"show"}), 2);
+}
+
+TEST_F(KeysProgram, RenewsAndRevokes) {
+  ASSERT_EQ(run({"authority"}), 0);
+  ASSERT_EQ(run({"client", "--name", "anna", "--role", "doctor"}), 0);
+  const fs::path anna = folder / "anna.key";
+  const std::string first = text_of(anna);
+  ASSERT_EQ(run({"renew", anna.string()}), 0);
+  EXPECT_NE(text_of(anna), first);
+  const std::string list = text_of(folder / "revoked.crl");
+  ASSERT_EQ(run({"revoke", anna.string()}), 0);
+  EXPECT_GT(text_of(folder / "revoked.crl").size(), list.size());
+  ASSERT_EQ(run({"revoke", anna.string()}), 0) << "twice is as good as once";
+  EXPECT_EQ(run({"revoke", "no-such-file"}), 1);
+}
+
+TEST_F(KeysProgram, AuditVerifyFindsAnAlteredByteAndACutLine) {
+  const fs::path audit = temporary.path() / "audit.log";
+  AuditPosition position;
+  std::string lines;
+  for (int i = 0; i < 20; ++i) lines += audit_line(position, "event=joined name=anna");
+  const auto write = [&](const std::string& text) { std::ofstream(audit, std::ios::binary) << text; };
+  write(lines);
+  EXPECT_EQ(run({"audit-verify", audit.string()}), 0) << text_of(log);
+  std::string altered = lines;
+  altered[lines.size() / 2] ^= 1;
+  write(altered);
+  EXPECT_EQ(run({"audit-verify", audit.string()}), 1);
+  EXPECT_NE(text_of(log).find("was altered"), std::string::npos) << text_of(log);
+  write(lines.substr(0, lines.size() - 5));
+  EXPECT_EQ(run({"audit-verify", audit.string()}), 1);
+  EXPECT_NE(text_of(log).find("cut off"), std::string::npos) << text_of(log);
+}
+
+}  // namespace
+}  // namespace telepalp::keys

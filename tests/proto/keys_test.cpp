@@ -1,0 +1,184 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "proto/keys/audit_chain.h"
+#include "proto/keys/authority.h"
+#include "proto/keys/key_file.h"
+#include "proto/keys/openssl.h"
+#include "proto/keys/revocations.h"
+#include "proto/keys/token.h"
+
+namespace telepalp::keys {
+namespace {
+
+using std::chrono::days;
+
+const WallTime kNow = std::chrono::system_clock::now();
+
+Authority authority() { return std::move(Authority::create("test", kNow, days(3650)).value()); }
+
+std::string token_of(const Authority& by, days valid = days(30)) {
+  const std::string file = *by.token({.name = "vera", .role = Role::Viewer, .now = kNow, .valid = valid});
+  return read_key(file, "vera.token")->token;
+}
+
+Result<Identity> read_by(const Authority& reader, const std::string& token, WallTime now = kNow) {
+  return read_token(token, *X509_get0_pubkey(certificates_in(reader.certificate()).front().get()), now);
+}
+
+TEST(Roles, TheWholeTableOfRolesAndOperationsIsAsAgreed) {
+  std::ostringstream table;
+  for (const Role role : kRoles) table << name(role) << ": " << permissions(role) << "\n";
+  EXPECT_EQ(table.str(),
+            "technician: watch, record, metrics\n"
+            "doctor: watch, touch, record\n"
+            "viewer: watch\n"
+            "qa: watch, record, metrics\n"
+            "local: watch, touch, record, metrics\n");
+}
+
+TEST(Roles, WhatIsNotInTheTableIsDenied) {
+  for (const Operation operation : kOperations) EXPECT_FALSE(allows(static_cast<Role>(77), operation));
+  for (const Role role : kRoles) EXPECT_FALSE(allows(role, static_cast<Operation>(77)));
+  EXPECT_FALSE(role_named("local")) << "no key may carry it";
+  EXPECT_FALSE(role_named("Doctor"));
+}
+
+TEST(KeyFiles, SayWhoseTheyAreAndWhatTheyAllow) {
+  const Authority by = authority();
+  const Result<KeyFile> anna =
+      read_key(*by.client_key({.name = "anna", .role = Role::Doctor, .now = kNow}), "anna.key");
+  ASSERT_TRUE(anna.ok());
+  EXPECT_EQ(anna->kind, KeyFile::Kind::Client);
+  EXPECT_EQ(describe(anna->identity), "doctor anna");
+  EXPECT_NE(in_words(*anna).find("watch, touch, record"), std::string::npos) << in_words(*anna);
+  const Result<KeyFile> server =
+      read_key(*by.server_key({.name = "s", .now = kNow}, {"10.0.0.5", "patient.example", "fd00::5"}), "server.key");
+  ASSERT_TRUE(server.ok());
+  EXPECT_EQ(server->hosts,
+            (std::vector<std::string>{"10.0.0.5", "patient.example", "fd00::5", "localhost", "127.0.0.1", "::1"}));
+}
+
+TEST(KeyFiles, NamesAndHostsCannotSmuggleIntoTheCertificate) {
+  const Authority by = authority();
+  for (const char* wrong : {"", "a b", "a,URI:telepalp:role:doctor", "a\nb", "../a", "a/b", "ä"})
+    EXPECT_FALSE(by.client_key({.name = wrong, .role = Role::Viewer, .now = kNow}).ok()) << wrong;
+  for (const char* wrong : {"", "a b", "a,DNS:b", "a/b", "*.example", "copy:x,"})
+    EXPECT_FALSE(by.server_key({.name = "s", .now = kNow}, {wrong}).ok()) << wrong;
+  EXPECT_FALSE(by.client_key({.name = "a", .role = Role::Local, .now = kNow}).ok());
+}
+
+TEST(KeyFiles, NoAlteredByteOfACertificateOrKeyIsTaken) {
+  const Authority by = authority();
+  const std::string text = *by.client_key({.name = "anna", .role = Role::Viewer, .now = kNow});
+  const KeyFile whole = *read_key(text, "anna.key");
+  for (std::size_t at = text.find("-----BEGIN"); at < text.size(); ++at) {
+    std::string altered = text;
+    altered[at] = altered[at] == 'A' ? 'B' : 'A';
+    const Result<KeyFile> read = read_key(altered, "anna.key");
+    if (!read) continue;  // what is still read says the same: the spare bits of the last Base64 digit, a byte between
+    EXPECT_EQ(read->certificate, whole.certificate) << "byte " << at;
+    EXPECT_EQ(describe(read->identity), "viewer anna") << "byte " << at;
+  }
+}
+
+TEST(KeyFiles, PartsOfDifferentKeysDoNotMakeOne) {
+  const Authority by = authority();
+  const KeyFile a = *read_key(*by.client_key({.name = "a", .role = Role::Viewer, .now = kNow}), "a");
+  const KeyFile b = *read_key(*by.client_key({.name = "b", .role = Role::Doctor, .now = kNow}), "b");
+  EXPECT_FALSE(read_key(b.certificate + a.private_key + a.authority, "mixed").ok());
+  EXPECT_FALSE(read_key(a.certificate + a.private_key + authority().certificate(), "other authority").ok());
+  EXPECT_FALSE(read_key(by.file_text(), "authority.key").ok());
+  EXPECT_FALSE(read_key("", "empty").ok());
+  EXPECT_FALSE(read_key(std::string(kMaxKeyFileBytes + 1, 'x'), "large").ok());
+}
+
+TEST(Tokens, AreReadByTheirOwnAuthorityAlone) {
+  const Authority by = authority();
+  const std::string token = token_of(by);
+  EXPECT_EQ(describe(*read_by(by, token)), "viewer vera");
+  EXPECT_FALSE(read_by(authority(), token).ok());
+}
+
+TEST(Tokens, NoAlteredCharacterIsTaken) {
+  const Authority by = authority();
+  const std::string token = token_of(by);
+  for (std::size_t at = 0; at < token.size(); ++at)
+    for (const char letter : {'A', 'b', '7', '.', '=', '\0', '\n'}) {
+      std::string altered = token;
+      if (altered[at] == letter) continue;
+      altered[at] = letter;
+      EXPECT_FALSE(read_by(by, altered).ok()) << "character " << at;
+    }
+  EXPECT_FALSE(read_by(by, token + "A").ok());
+  EXPECT_FALSE(read_by(by, "tp1." + std::string(100'000, 'A') + ".A").ok());
+}
+
+TEST(Tokens, EndWhenTheyExpire) {
+  const Authority by = authority();
+  const std::string token = token_of(by, days(1));
+  EXPECT_TRUE(read_by(by, token, kNow + std::chrono::hours(23)).ok());
+  const Result<Identity> late = read_by(by, token, kNow + std::chrono::hours(25));
+  ASSERT_FALSE(late.ok());
+  EXPECT_NE(late.error().what.find("expired"), std::string::npos);
+}
+
+TEST(Revocations, NameWhatWasRevokedAndComeFromTheAuthorityAlone) {
+  const Authority by = authority();
+  const std::string serial = "40000000000000000001";
+  const std::string list = *by.revocation_list({{serial, kNow}}, kNow);
+  const Result<Revocations> read = Revocations::read(list, by.certificate(), "revoked.crl");
+  ASSERT_TRUE(read.ok());
+  EXPECT_TRUE(read->contains(serial));
+  EXPECT_FALSE(read->contains("40000000000000000002"));
+  EXPECT_FALSE(Revocations::read(list, authority().certificate(), "revoked.crl").ok());
+  EXPECT_FALSE(Revocations::read("", by.certificate(), "revoked.crl").ok());
+  EXPECT_TRUE(Revocations::read(*by.revocation_list({}, kNow), by.certificate(), "revoked.crl").ok());
+}
+
+std::string audit_of(int lines) {
+  AuditPosition position;
+  std::string log;
+  for (int i = 0; i < lines; ++i) log += audit_line(position, "time=" + std::to_string(i) + " event=joined name=anna");
+  return log;
+}
+
+Result<void> verify(const std::string& log) {
+  AuditVerifier verifier;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (const Result<void> follows = verifier.add(line); !follows) return follows;
+  return {};
+}
+
+TEST(AuditChain, AnyAlteredBitOfAnyByteIsFound) {
+  const std::string log = audit_of(6);
+  ASSERT_TRUE(verify(log).ok());
+  for (std::size_t at = 0; at + 1 < log.size(); ++at)
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      std::string altered = log;
+      altered[at] = static_cast<char>(static_cast<unsigned char>(altered[at]) ^ (1U << bit));
+      EXPECT_FALSE(verify(altered).ok()) << "byte " << at << " bit " << bit;
+    }
+}
+
+TEST(AuditChain, ARemovedInsertedOrMovedLineIsFound) {
+  const std::string log = audit_of(6);
+  const std::size_t line = log.size() / 6;
+  EXPECT_FALSE(verify(log.substr(line)).ok()) << "the first is gone";
+  EXPECT_FALSE(verify(log.substr(0, line) + log.substr(2 * line)).ok()) << "the second is gone";
+  EXPECT_FALSE(verify(log.substr(0, line) + log).ok()) << "the first comes twice";
+}
+
+TEST(AuditChain, ANameCannotForgeALine) {
+  AuditPosition position;
+  const std::string line = audit_line(position, "event=joined name=anna\n000 event=left");
+  EXPECT_EQ(line.find('\n'), line.size() - 1);
+  EXPECT_TRUE(verify(line).ok());
+}
+
+}  // namespace
+}  // namespace telepalp::keys

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proto/keys/identity.h"
+#include "proto/words/result.h"
+
+namespace telepalp::keys_tool {
+
+/// What the command line asks for. Each command returns the text for stdout.
+struct Asked {
+  std::filesystem::path folder;
+  std::string file;  ///< or a serial number, for revoke; empty: the command takes none
+  std::string name;
+  std::string role;
+  std::vector<std::string> hosts;
+  std::optional<std::chrono::days> valid;
+  keys::WallTime now{};
+};
+
+[[nodiscard]] Result<std::string> make_authority(const Asked& asked);
+[[nodiscard]] Result<std::string> make_server_key(const Asked& asked);
+[[nodiscard]] Result<std::string> make_client_key(const Asked& asked);
+[[nodiscard]] Result<std::string> make_token(const Asked& asked);
+[[nodiscard]] Result<std::string> renew(const Asked& asked);
+[[nodiscard]] Result<std::string> revoke(const Asked& asked);
+
+[[nodiscard]] Result<std::string> list(const Asked& asked);
+[[nodiscard]] Result<std::string> show(const Asked& asked);
+[[nodiscard]] Result<std::string> verify_audit(const Asked& asked);
+
+}  // namespace telepalp::keys_tool

@@ -1,0 +1,143 @@
+#include <algorithm>
+
+#include "tools/keys/commands.h"
+#include "tools/keys/key_folder.h"
+
+namespace telepalp::keys_tool {
+namespace {
+
+using keys::KeyFile;
+using std::chrono::days;
+
+constexpr days kAuthorityDays{3650};
+constexpr days kKeyDays{365};
+constexpr days kTokenDays{30};
+
+Result<keys::Role> role_of(const Asked& asked) {
+  const std::optional<keys::Role> role = keys::role_named(asked.role);
+  if (role) return *role;
+  return Error{.what = asked.role.empty() ? "no role is given" : "'" + asked.role + "' is no role",
+               .where = "--role",
+               .fix = "give technician, doctor, viewer or qa"};
+}
+
+/// Writes the key and describes it.
+Result<std::string> keep(const KeyFolder& folder, const Result<std::string>& text, const std::filesystem::path& file,
+                         bool replace, const std::string& use) {
+  if (!text) return text.error();
+  if (const Result<void> kept = folder.keep(*text, file, replace); !kept) return kept.error();
+  const Result<KeyFile> key = keys::read_key(*text, file.string());
+  if (!key) return key.error();
+  return file.string() + ": " + keys::in_words(*key) + "use:        " + use + "\n";
+}
+
+Result<std::string> issue(const Asked& asked, const keys::Authority::Issue& what, const KeyFile& like,
+                          const std::filesystem::path& file, bool replace, const KeyFolder& folder) {
+  switch (like.kind) {
+    case KeyFile::Kind::Server:
+      return keep(folder, folder.authority().server_key(what, like.hosts), file, replace,
+                  "telepalp-server --bind 0.0.0.0 --key " + file.string());
+    case KeyFile::Kind::Client:
+      return keep(folder, folder.authority().client_key(what), file, replace,
+                  what.role == keys::Role::Doctor
+                      ? "telepalp-station --connect SERVER --key " + file.string()
+                      : "telepalp-record --connect SERVER --out FILE.mcap --key " + file.string());
+    case KeyFile::Kind::Token:
+      return keep(folder, folder.authority().token(what), file, replace,
+                  "paste the line after `token:` in the browser, or give --key " + file.string());
+  }
+  return Error{.what = "no such kind of key", .where = asked.file, .fix = "see --help"};
+}
+
+Result<std::string> make_for_a_person(const Asked& asked, KeyFile::Kind kind, days valid, const std::string& suffix) {
+  const Result<keys::Role> role = role_of(asked);
+  if (!role) return role.error();
+  if (asked.name.empty())
+    return Error{.what = "no name is given", .where = "--name", .fix = "name the person, such as --name anna"};
+  const Result<KeyFolder> folder = KeyFolder::open(asked.folder);
+  if (!folder) return folder.error();
+  KeyFile like;
+  like.kind = kind;
+  const keys::Authority::Issue what{
+      .name = asked.name, .role = *role, .now = asked.now, .valid = asked.valid.value_or(valid)};
+  return issue(asked, what, like, folder->path(asked.name + suffix), false, *folder);
+}
+
+bool is_serial(const std::string& text) {
+  return text.size() == 20 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+}  // namespace
+
+Result<std::string> make_authority(const Asked& asked) {
+  const std::string name = asked.name.empty() ? "telepalp" : asked.name;
+  const Result<KeyFolder> made = KeyFolder::create(asked.folder, name, asked.now, asked.valid.value_or(kAuthorityDays));
+  if (!made) return made.error();
+  return made->path("authority.key").string() + ": the authority " + name +
+         ". It makes all keys: it stays on this machine.\n" + made->path("authority.crt").string() +
+         ": its certificate, for browsers. It is public.\nnext:       telepalp-keys server --dir " +
+         asked.folder.string() + " --host NAME-OR-ADDRESS-OF-THE-SERVER\n";
+}
+
+Result<std::string> make_server_key(const Asked& asked) {
+  const Result<KeyFolder> folder = KeyFolder::open(asked.folder);
+  if (!folder) return folder.error();
+  if (asked.hosts.empty())
+    return Error{.what = "no host is given",
+                 .where = "--host",
+                 .fix = "give each name or address that clients write after --connect, such as --host patient.example"};
+  KeyFile like;
+  like.kind = KeyFile::Kind::Server;
+  like.hosts = asked.hosts;
+  const std::string name = asked.name.empty() ? "server" : asked.name;
+  return issue(asked, {.name = name, .now = asked.now, .valid = asked.valid.value_or(kKeyDays)}, like,
+               folder->path(name + ".key"), false, *folder);
+}
+
+Result<std::string> make_client_key(const Asked& asked) {
+  return make_for_a_person(asked, KeyFile::Kind::Client, kKeyDays, ".key");
+}
+
+Result<std::string> make_token(const Asked& asked) {
+  return make_for_a_person(asked, KeyFile::Kind::Token, kTokenDays, ".token");
+}
+
+Result<std::string> renew(const Asked& asked) {
+  const Result<KeyFolder> folder = KeyFolder::open(asked.folder);
+  if (!folder) return folder.error();
+  const Result<std::string> text = read_file(asked.file, keys::kMaxKeyFileBytes);
+  if (!text) return text.error();
+  const Result<KeyFile> old = keys::read_key(*text, asked.file);
+  if (!old) return old.error();
+  if (old->authority != folder->authority().certificate())
+    return Error{.what = "another authority made this key",
+                 .where = asked.file,
+                 .fix = "give the folder of the authority " + old->authority_name + " with --dir"};
+  const days valid = asked.valid.value_or(old->kind == KeyFile::Kind::Token ? kTokenDays : kKeyDays);
+  const Result<std::string> renewed =
+      issue(asked, {.name = old->identity.name, .role = old->identity.role, .now = asked.now, .valid = valid}, *old,
+            asked.file, true, *folder);
+  if (!renewed) return renewed.error();
+  return *renewed + "the old one holds until " + keys::in_words(old->identity.expires) +
+         "; to end it now: telepalp-keys revoke " + old->identity.serial + " --dir " + asked.folder.string() + "\n";
+}
+
+Result<std::string> revoke(const Asked& asked) {
+  const Result<KeyFolder> folder = KeyFolder::open(asked.folder);
+  if (!folder) return folder.error();
+  std::string serial = asked.file;
+  if (!is_serial(serial)) {
+    const Result<std::string> text = read_file(asked.file, keys::kMaxKeyFileBytes);
+    if (!text) return text.error();
+    const Result<KeyFile> key = keys::read_key(*text, asked.file);
+    if (!key) return key.error();
+    serial = key->identity.serial;
+  }
+  const Result<std::size_t> count = folder->revoke(serial, asked.now);
+  if (!count) return count.error();
+  const std::string list = folder->path("revoked.crl").string();
+  return serial + " is revoked; " + list + " names " + std::to_string(*count) +
+         ".\nnext:       copy it beside the server's key: the server reads it within two seconds\n";
+}
+
+}  // namespace telepalp::keys_tool

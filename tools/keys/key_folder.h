@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "proto/keys/authority.h"
+#include "proto/keys/key_file.h"
+
+namespace telepalp::keys_tool {
+
+/// The folder in which a site's keys are made: authority.key (secret), authority.crt (public), issued.txt (all that was
+/// issued), revoked.crl (for the server) and the keys.
+class KeyFolder {
+ public:
+  /// Creates the folder with a new authority. Error: it has one.
+  [[nodiscard]] static Result<KeyFolder> create(const std::filesystem::path& folder, const std::string& name,
+                                                keys::WallTime now, std::chrono::days valid);
+  [[nodiscard]] static Result<KeyFolder> open(const std::filesystem::path& folder);
+
+  [[nodiscard]] const keys::Authority& authority() const noexcept { return authority_; }
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+
+  /// Writes a new key to `file` and notes it in issued.txt. Error: `file` exists and `replace` is false.
+  [[nodiscard]] Result<void> keep(const std::string& key_text, const std::filesystem::path& file, bool replace) const;
+
+  /// Adds `serial` to revoked.crl; returns the number of revoked keys.
+  [[nodiscard]] Result<std::size_t> revoke(const std::string& serial, keys::WallTime now) const;
+
+  /// issued.txt, with "revoked" behind each that is.
+  [[nodiscard]] Result<std::string> list() const;
+
+ private:
+  KeyFolder(std::filesystem::path folder, keys::Authority authority)
+      : folder_(std::move(folder)), authority_(std::move(authority)) {}
+  [[nodiscard]] Result<std::map<std::string, keys::WallTime>> revoked() const;
+  [[nodiscard]] Result<void> write_revoked(const std::map<std::string, keys::WallTime>& all, keys::WallTime now) const;
+
+  std::filesystem::path folder_;
+  keys::Authority authority_;
+};
+
+/// The whole file. Error: it cannot be read, or is larger than `most` bytes.
+[[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file, std::size_t most);
+
+}  // namespace telepalp::keys_tool

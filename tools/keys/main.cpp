@@ -1,0 +1,103 @@
+// telepalp-keys: makes, renews and revokes the keys by which a server knows its peers, and checks its audit log.
+
+#include <sys/stat.h>
+
+#include <array>
+#include <cstdio>
+
+#include "support/program/options.h"
+#include "tools/keys/commands.h"
+
+namespace {
+
+using namespace telepalp;
+using keys_tool::Asked;
+
+constexpr std::string_view kProgram = "telepalp-keys";
+
+program::Usage usage() {
+  return {.program = kProgram,
+          .purpose = "makes, renews and revokes the keys of a server and its peers; checks an audit log",
+          .positional = {},
+          .options = {{"dir", "DIR", "where keys are made", "keys"},
+                      {"name", "NAME", "whose key: a person, a server, or the authority"},
+                      {"role", "ROLE", "technician, doctor, viewer or qa: what the key allows"},
+                      {.name = "host",
+                       .argument = "HOST",
+                       .help = "server: a name or address that clients connect to; may be repeated",
+                       .repeatable = true},
+                      {"days", "N", "valid for so long [authority 3650, keys 365, tokens 30]"}},
+          .example = "telepalp-keys authority && telepalp-keys server --host 10.0.0.5",
+          .commands = {{"authority", "", "begin a folder of keys"},
+                       {"server", "", "a key for telepalp-server --key; needs --host"},
+                       {"client", "", "a key for a person's programs; needs --name and --role"},
+                       {"token", "", "a line to sign in with, in a browser; needs --name and --role"},
+                       {"renew", "FILE", "make the key in FILE anew, with a later end"},
+                       {"revoke", "FILE|SERIAL", "end a key or token before its time"},
+                       {"list", "", "all keys and tokens that were issued"},
+                       {"show", "FILE", "whose key it is, what it allows, until when"},
+                       {"audit-verify", "FILE", "find any altered byte of a server's audit log"}},
+          .needs_command = true};
+}
+
+struct Row {
+  std::string_view name;
+  bool takes_file;
+  Result<std::string> (*run)(const Asked&);
+};
+constexpr std::array kCommands{Row{"authority", false, keys_tool::make_authority},
+                               Row{"server", false, keys_tool::make_server_key},
+                               Row{"client", false, keys_tool::make_client_key},
+                               Row{"token", false, keys_tool::make_token},
+                               Row{"renew", true, keys_tool::renew},
+                               Row{"revoke", true, keys_tool::revoke},
+                               Row{"list", false, keys_tool::list},
+                               Row{"show", true, keys_tool::show},
+                               Row{"audit-verify", true, keys_tool::verify_audit}};
+
+Error asked_wrongly(std::string what) {
+  return {.what = std::move(what), .where = std::string(kProgram), .fix = "telepalp-keys --help"};
+}
+
+Result<const Row*> command_of(const program::Arguments& arguments) {
+  const std::vector<std::string>& words = arguments.positional();
+  if (words.empty()) return asked_wrongly("no command is given");
+  for (const Row& row : kCommands) {
+    if (row.name != words.front()) continue;
+    if (words.size() == (row.takes_file ? 2U : 1U)) return &row;
+    return asked_wrongly(words.front() + (row.takes_file ? " takes one file" : " takes options alone"));
+  }
+  return asked_wrongly("'" + words.front() + "' is nothing this program does");
+}
+
+Result<Asked> read_asked(const program::Arguments& arguments) {
+  Asked asked{.folder = arguments.text("dir"),
+              .file = arguments.positional().size() > 1 ? arguments.positional()[1] : "",
+              .name = arguments.text("name"),
+              .role = arguments.text("role"),
+              .hosts = arguments.all("host"),
+              .valid = {},
+              .now = std::chrono::system_clock::now()};
+  if (!arguments.has("days")) return asked;
+  const Result<std::int64_t> days = arguments.whole("days", 1, 36500);
+  if (!days) return days.error();
+  asked.valid = std::chrono::days(*days);
+  return asked;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto arguments = program::read_arguments(usage(), argc, argv);
+  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
+  if (!*arguments) return program::kDone;
+  const Result<const Row*> command = command_of(**arguments);
+  if (!command) return program::fail(command.error(), program::kAskedWrongly);
+  const Result<Asked> asked = read_asked(**arguments);
+  if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
+  ::umask(0077);  // a key is its owner's alone: 0600
+  const Result<std::string> said = (*command)->run(*asked);
+  if (!said) return program::fail(said.error());
+  std::fputs(said->c_str(), stdout);
+  return program::kDone;
+}
