@@ -55,7 +55,7 @@ struct Asked {
   std::chrono::duration<double> seconds{0.0};
   std::filesystem::path ready_file;
   server::Server::Options server;
-  std::optional<server::GatewayOptions> gateway;  // none: nothing is served to browsers
+  std::optional<server::GatewayOptions> gateway;  // nullopt: browsers are not served
 };
 
 Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view option) {
@@ -146,7 +146,7 @@ int run(const Asked& asked) {
     if (std::exchange(stopped, true)) return;
     program::log(kProgram, "stopping: " + reason);
     boost::system::error_code ignored;
-    signals.cancel(ignored);  // and not clear(): a second signal means the same as the first
+    signals.cancel(ignored);  // not clear(): the handlers stay installed, so a second signal has no further effect
     program::end_within(program::kTimeToEnd, "telepalp-server: the camera did not let go in time");
     time_is_up.cancel();
     gateway.reset();

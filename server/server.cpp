@@ -47,7 +47,8 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
                                         .port = server->options_.port,
                                         .name = server->options_.name,
                                         .on_note = [raw = server.get()](const std::string& text) { raw->log(text); },
-                                        // What a peer was sent in all is told while the hub still knows it.
+                                        // The statistics are published before the hub forgets the totals of a leaving
+                                        // peer.
                                         .on_leaving = [raw = server.get()] { raw->publish_clock_and_stats(); }});
   if (!listener) return listener.error();
   server->listener_ = std::move(listener).value();
@@ -98,7 +99,7 @@ void Server::publish_clock_and_stats() {
   hub_.publish(wire::make_message(wire::kServerStats, now, server_stats(hub_, now)));
 }
 
-/// The C library keeps what was freed for later. After a backlog, that is memory which other programs miss.
+/// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.
 void Server::give_memory_back() {
   constexpr std::size_t kWorthIt = std::size_t{8} << 20;
   most_waiting_bytes_ = std::max(most_waiting_bytes_, hub_.waiting_bytes());

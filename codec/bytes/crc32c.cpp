@@ -11,7 +11,7 @@ namespace telepalp::codec {
 namespace {
 
 constexpr std::uint32_t kReflectedPolynomial = 0x82f63b78;
-constexpr std::size_t kStride = 8;  // bytes taken at once: one table each
+constexpr std::size_t kStride = 8;  // bytes processed at once, with one table each
 
 using Tables = std::array<std::array<std::uint32_t, 256>, kStride>;
 
@@ -33,9 +33,9 @@ constexpr Tables make_tables() {
 constexpr Tables kTables = make_tables();
 
 #if defined(__x86_64__)
-constexpr std::size_t kStretch = 2048;  // bytes that one of three sums takes before they are put together
+constexpr std::size_t kStretch = 2048;  // bytes in each of three sums before they are combined
 
-/// What kStretch zero bytes make of a sum, for each byte of it.
+/// Tables of the effect of kStretch zero bytes on a sum, one table for each byte of the sum.
 std::array<std::array<std::uint32_t, 256>, 4> make_stretch_tables() {
   std::array<std::array<std::uint32_t, 256>, 4> tables{};
   for (std::size_t place = 0; place < tables.size(); ++place)
@@ -58,7 +58,7 @@ std::uint64_t word_at(const std::byte* at) noexcept {
   return word;
 }
 
-/// Three stretches side by side, since the instruction takes three cycles and one can begin in each.
+/// Computes three stretches in parallel: the instruction takes three cycles, and one can start in each cycle.
 __attribute__((target("sse4.2"))) std::uint32_t crc32c_by_instruction(std::span<const std::byte> bytes,
                                                                       std::uint32_t before) noexcept {
   std::uint64_t crc = ~before;

@@ -24,7 +24,7 @@ void append_zstd_stream(std::string& packet, std::string_view plain, ZstdEffort 
   const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
   demand(context != nullptr, "memory for a zstd context");
   set(context.get(), ZSTD_c_compressionLevel, 1);
-  if (effort == ZstdEffort::Entropy) {  // the smallest table and the longest match: Huffman does the work
+  if (effort == ZstdEffort::Entropy) {  // small table, long minimum match: only Huffman coding works
     set(context.get(), ZSTD_c_hashLog, 6);
     set(context.get(), ZSTD_c_minMatch, 7);
   }

@@ -9,8 +9,8 @@
 namespace telepalp::codec {
 namespace {
 
-/// Calls `code(model, level)` for each level of `before` but 0. Whether a level is kept is told by whether the one
-/// below it was.
+/// Calls `code(model, level)` for each level of `before` except 0. The model of a level depends on whether the level
+/// below it was kept.
 template <class Code>
 void for_each_kept(const LevelPalette& before, Code code) {
   Model models[2] = {kFlatModel, kFlatModel};
@@ -22,7 +22,7 @@ void for_each_kept(const LevelPalette& before, Code code) {
   }
 }
 
-/// The whole palette, in one of the two ways to tell levels; empty when that one cannot.
+/// The whole palette, with its new levels coded by a disparity law (`by_law`) or by steps; empty when no law fits.
 std::string coded(const LevelPalette& palette, const LevelPalette& before, bool by_law) {
   std::string bytes(128 + 4 * (palette.size() + before.size()), '\0');
   RangeEncoder coder;

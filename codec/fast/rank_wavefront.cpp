@@ -25,7 +25,7 @@ Ranks greatest(Ranks a, Ranks b) noexcept { return a > b ? a : b; }
 
 /// The northern neighbours of the eight current pixels: `of_first` for the first row, the row above for the others.
 Ranks north_of(Ranks ranks, std::int16_t of_first) noexcept {
-#if defined(__SSE2__)  // two instructions; GCC's own code takes thirty
+#if defined(__SSE2__)  // two instructions; without intrinsics GCC needs thirty
   return reinterpret_cast<Ranks>(_mm_insert_epi16(_mm_slli_si128(reinterpret_cast<__m128i>(ranks), 2), of_first, 0));
 #else
   return __builtin_shufflevector(ranks, Ranks{of_first}, 8, 0, 1, 2, 3, 4, 5, 6);

@@ -7,10 +7,10 @@
 namespace telepalp::codec {
 namespace {
 
-/// What a token of each kind changes a prediction by, but for those that have a number elsewhere.
+/// The prediction error that each kind of token states; kinds with a number in another stream are left out.
 constexpr std::array<std::int16_t, 5> kChanges{RankWavefront::kNotMeasured, 1, -1, 2, -2};
 
-/// Reads tokens one after the other.
+/// Reads tokens in order.
 class TokenReader {
  public:
   TokenReader(const TokenStreams& streams, std::size_t pixels)
@@ -23,7 +23,7 @@ class TokenReader {
     }
   }
 
-  /// Puts the changes of eight rows from pixel `first` on where they belong. False when tokens are damaged.
+  /// Writes the prediction errors of eight rows, from pixel `first` on, into `rows`. False when tokens are damaged.
   [[nodiscard]] bool lay_out(std::size_t first, std::size_t width, RankWavefront& rows) noexcept {
     const std::size_t end = std::min(pixels_, first + RankWavefront::kRows * width);
     std::size_t row = 0;
@@ -38,11 +38,11 @@ class TokenReader {
     return !damaged_;
   }
 
-  /// Whether nothing is left over.
+  /// True when all streams were read exactly to their ends.
   [[nodiscard]] bool done() const noexcept { return !damaged_ && next_ == end_ && extra_.empty() && entries_.empty(); }
 
  private:
-  /// False at the end, and where tokens are damaged. Otherwise `pixel_` and `change_` are the next token's.
+  /// Reads the next token and sets `pixel_` and `change_`. False at the end, or when tokens are damaged.
   [[nodiscard]] bool next() noexcept {
     if (next_[stream_] == end_[stream_]) return false;
     const auto token = static_cast<std::uint8_t>(*next_[stream_]++);
@@ -87,7 +87,7 @@ class TokenReader {
   std::size_t pixel_ = 0;
   std::int16_t change_ = 0;
   int entry_before_ = 1;
-  bool waits_ = false;  // a token has been read whose pixel lies further on
+  bool waits_ = false;  // a token was read whose pixel lies beyond the eight rows
   bool damaged_ = false;
 };
 

@@ -19,7 +19,7 @@ Rank predict(Rank west, Rank north, Rank north_west) noexcept {
   return std::max(low, std::min(high, static_cast<Rank>(west + north - north_west)));
 }
 
-/// A row of ranks with one place of "not measured" in front.
+/// A row of ranks with one "not measured" in front.
 class PaddedRow {
  public:
   explicit PaddedRow(std::size_t width) : ranks_(width + 1) {}
@@ -30,14 +30,14 @@ class PaddedRow {
   std::vector<Rank> ranks_;
 };
 
-/// Collects tokens; remembers what is carried from one to the next.
+/// Collects tokens, with the state that passes from one token to the next.
 class TokenWriter {
  public:
   explicit TokenWriter(std::size_t pixels) {
     for (std::string& stream : streams_.tokens) stream.resize(pixels);
   }
 
-  /// `rank` lies `run` right predictions after the token before, and was predicted wrongly.
+  /// Adds a token: after `run` right predictions, `rank` was predicted wrongly as `predicted`.
   void token(std::uint32_t run, Rank rank, Rank predicted) {
     const int step = rank - predicted;
     const TokenKind what = kind(rank, predicted);
@@ -75,7 +75,7 @@ class TokenWriter {
   Rank entry_before_ = 1;
 };
 
-/// Predicts a whole row at once, and packs where that fails into `wrong`, a bit a pixel.
+/// Predicts a whole row at once and sets `wrong`, one bit per pixel, where the prediction is wrong.
 TELEPALP_VECTORISED void predict_row(const Rank* row, const Rank* above, Rank* predicted, std::uint8_t* is_wrong,
                                      std::size_t width) {
   for (std::size_t x = 0; x < width; ++x) {
@@ -87,14 +87,14 @@ TELEPALP_VECTORISED void predict_row(const Rank* row, const Rank* above, Rank* p
   }
 }
 
-/// The top bits of eight bytes, the first lowest.
+/// The top bits of eight bytes; the bit of the first byte is the lowest.
 std::uint64_t top_bits(const std::uint8_t* eight_bytes) noexcept {
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, eight_bytes, 8);
   return (((bytes >> 7) * 0x0102040810204080) >> 56) & 0xff;
 }
 
-/// One bit for each of the 64 pixels from `is_wrong` on.
+/// Packs 64 bytes from `is_wrong` on into one bit for each pixel.
 std::uint64_t wrong_bits(const std::uint8_t* is_wrong) noexcept {
   std::uint64_t bits = 0;
   for (unsigned i = 0; i < 8; ++i) bits |= top_bits(is_wrong + std::size_t{8} * i) << (8 * i);
@@ -110,9 +110,9 @@ TokenStreams write_tokens(std::span<const std::uint16_t> samples, int width, con
   PaddedRow row(columns);
   PaddedRow above(columns);
   std::vector<Rank> predicted(columns);
-  std::vector<std::uint8_t> is_wrong(columns + kBlock);  // beyond the row: never wrong
+  std::vector<std::uint8_t> is_wrong(columns + kBlock);  // bytes beyond the row stay 0, "not wrong"
   TokenWriter writer(samples.size());
-  std::size_t next = 0;  // the pixel after the last token's
+  std::size_t next = 0;  // the pixel after the last token's pixel
   for (std::size_t first = 0; first < samples.size(); first += columns) {
     for (std::size_t x = 0; x < columns; ++x) row.data()[x] = static_cast<Rank>(rank_of[samples[first + x]]);
     predict_row(row.data(), above.data(), predicted.data(), is_wrong.data(), columns);

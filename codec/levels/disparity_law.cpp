@@ -10,15 +10,15 @@ namespace {
 constexpr std::size_t kFewest = 16;
 constexpr std::size_t kMost = 4096;
 constexpr int kRounds = 4;
-constexpr double kUnit = 1e9;  // about an inverse at a metre, to keep weights near one
+constexpr double kUnit = 1e9;  // about the inverse at 1 m, so that weights are near 1
 
-/// Inverse depth as a line over the steps, by numbers that only the encoder needs.
+/// Inverse depth as a linear function of the step. Only the encoder needs it.
 struct Line {
   double farthest = 0.0;
   double step = 0.0;
 };
 
-/// Weighted least squares of 1/z over `steps`; an inverse is as uncertain as z's rounding makes it, by 1/z².
+/// Weighted least squares of 1/z over `steps`. The rounding of z makes 1/z uncertain in proportion to 1/z².
 Line fit_line(std::span<const double> inverses, std::span<const double> steps) {
   double w = 0.0, wn = 0.0, wnn = 0.0, wi = 0.0, wni = 0.0;
   for (std::size_t i = 0; i < inverses.size(); ++i) {
@@ -34,8 +34,9 @@ Line fit_line(std::span<const double> inverses, std::span<const double> steps) {
   return {(wi - slope * wn) / w, slope};
 }
 
-/// `inverses` ascend: the farthest level first. From a first guess of the step, which steps there are and how large
-/// they are is found in turns; the far levels, which rounding hardly touches, say first.
+/// Fits a line to ascending `inverses`, the farthest level first. Starting with a guess of the step's size, it
+/// alternates between numbering the levels and fitting the size. The far levels are fitted first, because rounding
+/// hardly affects them.
 Line settle(std::span<const double> inverses, double guess) {
   std::vector<double> steps(inverses.size(), 0.0);
   for (std::size_t i = 1; i < inverses.size(); ++i)
@@ -50,7 +51,7 @@ Line settle(std::span<const double> inverses, double guess) {
   return line;
 }
 
-/// How many levels the law does not name, and a little for each step that is no level.
+/// Cost of a law: the number of levels that it does not express, plus a small amount for each step without a level.
 double misses(const DisparityLaw& law, std::span<const std::uint16_t> levels) {
   double sum = 0.1 * law.step_of(levels.front());
   for (const std::uint16_t level : levels) sum += law.level_at(law.step_of(level)) == level ? 0.0 : 1.0;
@@ -77,7 +78,8 @@ std::optional<DisparityLaw> fit_disparity_law(std::span<const std::uint16_t> lev
   std::optional<DisparityLaw> best;
   double fewest = static_cast<double>(levels.size());
   for (const std::size_t share :
-       {std::size_t{2}, std::size_t{4}}) {  // the usual gap is one step; where levels are few, a small one
+       {std::size_t{2}, std::size_t{4}}) {  // the usual gap between levels is one step; with few levels, the gap of one
+                                            // step is among the small ones
     const Line line = settle(inverses, gaps[gaps.size() * share / 8]);
     if (!(line.step >= 1.0) || !(line.farthest >= 1.0) || !(line.step < 4e9) || !(line.farthest <= one)) continue;
     const DisparityLaw law{static_cast<std::uint64_t>(std::llround(line.farthest)),

@@ -13,7 +13,7 @@ constexpr std::size_t kSamples = 65536;
 LevelPalette palette_of(std::span<const std::uint16_t> samples) {
   std::vector<std::uint8_t> seen(kSamples);
   for (const std::uint16_t sample : samples) seen[sample] = 1;
-  seen[0] = 0;  // is in every palette already
+  seen[0] = 0;  // sample 0 is in every palette already
   LevelPalette palette;
   palette.levels.reserve(512);
   for (std::size_t level = 0; level < kSamples; level += 8) {

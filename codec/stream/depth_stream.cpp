@@ -22,9 +22,8 @@ bool same_size_and_unit(const DepthImage& a, const DepthImage& b) noexcept {
 
 struct DepthEncoder::State {
   DepthStreamSettings settings;
-  ReconstructionLevels
-      reconstruction;   // of Bounded; kept for a group: levels that change from frame to frame cost more
-  CodedFrame previous;  // as the decoder has it
+  ReconstructionLevels reconstruction;  // of Bounded; kept for a whole group, because changes of levels cost bits
+  CodedFrame previous;                  // the last frame as the decoder has it
   int since_key = 0;
   bool key_frame_requested = true;
 

@@ -25,7 +25,8 @@ Result<DepthImage> PacketDecoder::decode(const Packet& packet) {
         .fix = "wait for the next key frame, or request one"};
   Result<DecodedFrame> frame = read_frame(packet, is_key ? Reference{} : reference());
   if (!frame) return frame.error();
-  if (!is_predictive(header.mode)) return std::move(frame->depth);  // never a reference: not copied
+  if (!is_predictive(header.mode))
+    return std::move(frame->depth);  // such a frame is never a reference, so it is not copied
   previous_ = frame->depth;
   previous_palette_ = std::move(frame->palette);
   previous_crc_ = header.crc;

@@ -1,6 +1,7 @@
 // Trains the depth codec's tables and prints codec/model/depth_tables.cpp: train_depth_tables A.pgm B.pgm … >
-// depth_tables.cpp 16-bit binary PGM, as `telepalp-codec decode --to pgm` writes. Contexts whose symbols are alike
-// share a model: k-means under relative entropy, which is the bits that sharing costs.
+// depth_tables.cpp 16-bit binary PGM, as `telepalp-codec decode --to pgm` writes. Contexts with similar statistics
+// share a model. They are clustered by k-means with relative entropy as distance: the number of bits that sharing
+// costs.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ constexpr std::size_t kGroups = 255;
 constexpr std::size_t kDependentGroups = 96;
 constexpr int kRounds = 25;
 constexpr double kGroupWeight = 60.0;
-constexpr double kParentWeight = 12.0;  // sightings that the coarser context's word is worth
+constexpr double kParentWeight = 12.0;  // weight of the coarser context's statistics, in symbols
 constexpr double kLeastShare = 1e-4;
 
 using Shares = std::array<double, kSymbols>;
@@ -52,7 +53,7 @@ std::optional<Frame> read_pgm(const char* path) {
   return frame;
 }
 
-/// Calls `visit(PixelSymbol)` for each pixel of a frame, coded after `before`, or alone where that is empty.
+/// Calls `visit(PixelSymbol)` for each pixel of a frame. `before`: its reference frame; empty for a key frame.
 template <class Visit>
 void for_each_of(const Frame& frame, std::span<const std::uint16_t> before, Visit visit) {
   const LevelPalette palette = palette_of(frame.samples);
@@ -61,7 +62,7 @@ void for_each_of(const Frame& frame, std::span<const std::uint16_t> before, Visi
   for_each_symbol(ranks_by(ranks_of(palette), frame.samples), then, frame.width, visit);
 }
 
-/// Symbols counted in `sets` places, of which `place_of(PixelSymbol)` names one.
+/// Counts symbols in `sets` sets; `place_of(PixelSymbol)` gives the set of a symbol.
 template <class Place>
 Counts count(const std::vector<Frame>& frames, std::size_t sets, Place place_of) {
   Counts counts(sets);
@@ -71,7 +72,8 @@ Counts count(const std::vector<Frame>& frames, std::size_t sets, Place place_of)
   return counts;
 }
 
-/// A context with its least telling parts put to their first class; at level 3 only what was measured is left.
+/// A coarser context: the least informative parts are set to their first class. At level 3 only the measured neighbours
+/// remain.
 std::size_t coarser(std::size_t context, int level) {
   std::array<std::size_t, 4> classes{context % 5, context / 5 % 5, context / 25 % 5, context / 125 % 5};
   if (level >= 1) classes[0] = 0;
@@ -82,7 +84,7 @@ std::size_t coarser(std::size_t context, int level) {
 
 double sum(const Shares& shares) { return std::accumulate(shares.begin(), shares.end(), 0.0); }
 
-/// Shares of each symbol in each context; one seldom seen is told by the coarser ones it is part of.
+/// Share of each symbol in each context. A rare context takes its statistics from the coarser contexts that contain it.
 Counts estimate(const Counts& counts) {
   Shares all{};
   for (const Shares& seen : counts)
@@ -136,7 +138,7 @@ Clusters cluster(const Counts& counts, const Counts& shares, std::size_t cluster
   return clusters;
 }
 
-/// Shares of each symbol in each place, of which one seldom seen is told by its cluster.
+/// Share of each symbol in each set. A rare set takes its statistics from its cluster.
 Counts estimate_beyond(const Counts& counts, const Clusters& clusters) {
   Counts shares(counts.size());
   for (std::size_t place = 0; place < counts.size(); ++place)
@@ -146,12 +148,12 @@ Counts estimate_beyond(const Counts& counts, const Clusters& clusters) {
   return shares;
 }
 
-/// Where a sighting counts, once contexts are in clusters.
+/// The set in which a symbol counts once contexts are clustered.
 std::size_t place_of(const PixelSymbol& seen, const Clusters& clusters) {
   return static_cast<std::size_t>(seen.beyond_class) * kClusters + clusters.of[static_cast<std::size_t>(seen.context)];
 }
 
-/// Models of dependent frames, kBeforeClasses for each group; one seldom seen is told by its group.
+/// Models of dependent frames, kBeforeClasses for each group. A rare model takes its statistics from its group.
 std::vector<Shares> dependent_models(const Clusters& clusters, const Clusters& groups,
                                      const std::vector<Frame>& sequence) {
   std::vector<Shares> models;

@@ -1,7 +1,7 @@
 #include "codec/context/interleaved_decoder.h"
 
-// The browser's kernel, in place of codec/context/kernel_portable.cpp and kernel_v3.cpp: it decodes alone, which leaves
-// a quarter of the module out.
+// The browser's kernel replaces codec/context/kernel_portable.cpp and kernel_v3.cpp. It only decodes, which makes the
+// module a quarter smaller.
 
 namespace telepalp::codec {
 

@@ -1,5 +1,5 @@
-// The depth decoder for browsers: the same C++, behind a few functions that JavaScript can call. zstd is not compiled
-// in: ZSTD_decompress is imported, and the page's own JavaScript decoder stands behind it.
+// The depth decoder for browsers: the same C++ code with a few functions that JavaScript can call. zstd is not compiled
+// in; ZSTD_decompress is imported from the page, which has a decoder in JavaScript.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ using telepalp::Result;
 
 namespace {
 
-std::vector<std::byte> g_packet;  // one decoder in each module: a worker owns its instance
+std::vector<std::byte> g_packet;  // one decoder per module; each worker has its own instance
 telepalp::codec::DepthDecoder g_decoder;
 DepthImage g_depth;
 std::string g_problem;
@@ -24,13 +24,13 @@ std::string g_problem;
 
 #define TELEPALP_EXPORT(name) extern "C" __attribute__((export_name(#name))) auto name
 
-/// Room for a packet of `bytes` bytes, to be filled before decode().
+/// A buffer for a packet of `bytes` bytes, which the caller fills before decode().
 TELEPALP_EXPORT(packet)(std::uint32_t bytes)->std::byte* {
   g_packet.resize(bytes);
   return g_packet.data();
 }
 
-/// 1 when the packet has been decoded, 0 when problem() says why not.
+/// Returns 1 if the packet was decoded, 0 if not; problem() then gives the reason.
 TELEPALP_EXPORT(decode)()->std::int32_t {
   Result<DepthImage> depth = g_decoder.decode(g_packet);
   if (!depth) {
@@ -47,6 +47,6 @@ TELEPALP_EXPORT(unit_m)()->double { return g_depth.unit_m; }
 TELEPALP_EXPORT(samples)()->const std::uint16_t* { return g_depth.samples.data(); }
 TELEPALP_EXPORT(problem)()->const char* { return g_problem.c_str(); }
 
-// What a failed demand() prints has nowhere to go here; the trap itself reaches JavaScript as an exception.
+// A failed demand() cannot print here; its trap reaches JavaScript as an exception.
 extern "C" int fprintf(FILE*, const char*, ...) { return 0; }
 extern "C" void abort() { __builtin_trap(); }

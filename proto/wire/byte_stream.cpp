@@ -11,13 +11,13 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 
-/// About one depth image: enough to keep the wire busy while the next one is fetched from the queue.
+/// About one depth image: enough to keep the network busy while the next message is taken from the queue.
 constexpr int kUnsentBytes = 128 << 10;
 
 class PlainTcp : public ByteStream {
  public:
   explicit PlainTcp(tcp::socket socket) : socket_(std::move(socket)) {
-    boost::system::error_code ignored;  // the options make it quicker; without them it still works
+    boost::system::error_code ignored;  // the options only reduce latency; an error is harmless
     socket_.set_option(tcp::no_delay(true), ignored);
     socket_.set_option(asio::detail::socket_option::integer<IPPROTO_TCP, TCP_NOTSENT_LOWAT>(kUnsentBytes), ignored);
     boost::system::error_code gone;

@@ -18,7 +18,7 @@ using boost::system::error_code;
 constexpr std::chrono::milliseconds kFirstRetry = 100ms;
 constexpr std::chrono::milliseconds kLongestRetry = 2s;
 constexpr auto kConnectDeadline = 3s;
-constexpr int kEagerProbes = 8;  // quickly, so that the clock is good when the first image comes
+constexpr int kEagerProbes = 8;  // probes in quick succession, so that the clock is accurate before the first image
 constexpr auto kEagerProbePeriod = 20ms;
 constexpr auto kProbePeriod = 1s;
 
@@ -153,7 +153,7 @@ void ClientLink::connect_to(const tcp::endpoint& endpoint) {
   }));
   connecting_.async_connect(
       endpoint, while_alive([this](const error_code& code) {
-        if (state_ == LinkState::Stopped) return;  // it may have been done already when stop() came
+        if (state_ == LinkState::Stopped) return;  // the operation may have ended before stop() was called
         retry_.cancel();
         if (code) return on_connect_failed(code.message());
         ConnectionOwner& owner = *this;
@@ -175,7 +175,7 @@ void ClientLink::retry_later() {
   retry_.expires_after(back_off_);
   back_off_ = std::min(2 * back_off_, kLongestRetry);
   retry_.async_wait(while_alive([this](const error_code& code) {
-    if (!code && state_ != LinkState::Stopped) connect();  // the timer may have fired already when stop() came
+    if (!code && state_ != LinkState::Stopped) connect();  // the timer may have expired before stop() was called
   }));
 }
 
@@ -193,14 +193,15 @@ void ClientLink::probe_later() {
                                                 : std::chrono::steady_clock::duration{kProbePeriod});
   probe_.async_wait(while_alive([this](const error_code& code) {
     if (code || !connection_) return;
-    probe_later();  // first, since the connection may end in the next line
+    probe_later();  // first, because the next line may end the connection
     connection_->probe_clock();
   }));
 }
 
 void ClientLink::on_clock(const ClockSample& sample) {
   if (!clock_sync_.add(sample)) return;
-  // In this order, a reader between the two stores still sees the old target, or a line no higher than the old offset.
+  // With this order, a reader between the two stores still sees the old target, or a line that is not above the old
+  // offset.
   offset_line_at_zero_ns_.store(clock_sync_.offset()->line_at_zero.count(), std::memory_order_release);
   offset_target_ns_.store(clock_sync_.offset()->target.count(), std::memory_order_release);
   if (state_ != LinkState::Connecting) return;
@@ -225,7 +226,7 @@ void ClientLink::on_closed(const std::string& reason) {
     counts_.not_sent +=
         outgoing_.remove_if([](const Message& message) { return !waits_for_a_connection(message.topic); });
     become(LinkState::Lost, reason);
-    if (state_ == LinkState::Stopped) return;  // its handler called stop()
+    if (state_ == LinkState::Stopped) return;  // the handler called stop()
     become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port));
     return retry_later();
   }

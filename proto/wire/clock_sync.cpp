@@ -8,11 +8,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t kWindow = 32;    // half a minute of probes, one a second
-constexpr Nanoseconds kStep = 1s;      // beyond any network delay: another session, or a machine that slept
-constexpr std::size_t kAgreeing = 3;   // samples that must contradict the old ones before these are dropped
+constexpr std::size_t kWindow = 32;  // half a minute of probes, one a second
+constexpr Nanoseconds kStep = 1s;    // longer than any network delay: another session, or a computer that was suspended
+constexpr std::size_t kAgreeing = 3;   // so many new samples must contradict the old ones before these are dropped
 constexpr double kDrift = 200e-6;      // two crystals of 100 ppm that err in opposite directions
-constexpr Nanoseconds kSlack = 100us;  // of the stamps themselves: scheduling between stamp and socket
+constexpr Nanoseconds kSlack = 100us;  // error of the stamps themselves, by scheduling between stamp and socket
 
 /// True when no offset lies within both samples' bounds, even allowing for drift: the clocks have jumped between them.
 bool contradict(const ClockSample& a, const ClockSample& b) noexcept {
@@ -22,7 +22,7 @@ bool contradict(const ClockSample& a, const ClockSample& b) noexcept {
   return std::chrono::abs(difference) > a.round_trip() / 2 + b.round_trip() / 2 + std::chrono::abs(drift) + kSlack;
 }
 
-/// How far `sample` may be from the truth at local time `now`: NTP's root distance, without the root.
+/// Bound on the error of `sample` at local time `now`: NTP's root distance without the terms of the root server.
 Nanoseconds distance(const ClockSample& sample, Nanoseconds now) noexcept {
   const auto age = static_cast<double>((now - sample.heard).count());
   return sample.round_trip() / 2 + Nanoseconds{static_cast<std::int64_t>(kDrift * age)};

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t kMaxHelloBytes = 4096;
 constexpr std::size_t kMaxWaitingControl = 64;
-constexpr std::size_t kMaxProbes = 64;  // under way: a way of a second, probed each 20 ms
+constexpr std::size_t kMaxProbes = 64;  // unanswered probes: a probe each 20 ms with a delay of a second
 constexpr std::size_t kMaxChannels = 256;
 constexpr int kMaxSubscriptions = 64;
 constexpr std::size_t kMaxNameBytes = 128;
@@ -28,7 +28,7 @@ Nanoseconds local_now() noexcept { return std::chrono::steady_clock::now().time_
 
 std::uint64_t stamp(Nanoseconds since_epoch) noexcept { return static_cast<std::uint64_t>(since_epoch.count()); }
 
-/// The number under which `topic` is sent: its place among what this end publishes, from 1.
+/// The channel number of `topic`: its position, from 1, in the list of topics that this end publishes.
 std::uint32_t channel_of(const std::vector<Topic>& publishes, const Topic& topic) {
   const auto found =
       std::find_if(publishes.begin(), publishes.end(), [&](const Topic& t) { return t.name == topic.name; });
@@ -78,9 +78,10 @@ void Connection::wake() { write(); }
 
 void Connection::subscribe(const std::vector<std::string>& topics) {
   msg::Control control;
-  control.mutable_subscribe();  // present even when it asks for nothing
+  control.mutable_subscribe();  // the field must be present even with an empty list
   for (const std::string& topic : topics) control.mutable_subscribe()->add_topics(topic);
-  for (auto& [number, channel] : channels_) channel.last_sequence = 0;  // what was not asked for is not missed
+  for (auto& [number, channel] : channels_)
+    channel.last_sequence = 0;  // messages from before the subscription do not count as missed
   send(std::move(control));
 }
 
@@ -147,7 +148,8 @@ void Connection::read() {
                            });
 }
 
-/// Each read moves the due time on by what it took; a peer that was quiet may be two seconds ahead of it.
+/// Each read delays the next one in proportion to its bytes. A peer that was silent may first send as much as in two
+/// seconds.
 void Connection::read_when_due(std::size_t bytes_before) {
   if (options_.max_read_bytes_per_s == 0) return read();
   constexpr auto kBurst = 2s;
@@ -212,7 +214,7 @@ Result<void> Connection::on_control(const Frame& frame) {
       finish("peer left: " + control.goodbye().reason());
       return {};
     case msg::Control::KIND_NOT_SET:
-      return {};  // a kind of a later version: additive, so that it may be passed over
+      return {};  // a control message of a later version; such additions may be ignored
   }
   return {};
 }
@@ -258,9 +260,9 @@ void Connection::on_clock_reply(const msg::ClockReply& reply) {
   const Nanoseconds heard = local_now();
   const auto question =
       std::find_if(asked_.begin(), asked_.end(), [&](Nanoseconds asked) { return stamp(asked) == reply.asked_ns(); });
-  if (question == asked_.end()) return;  // not the answer to a question of ours
+  if (question == asked_.end()) return;  // no reply to a probe of this connection
   const Nanoseconds asked = *question;
-  asked_.erase(asked_.begin(), question + 1);  // answers come in order
+  asked_.erase(asked_.begin(), question + 1);  // replies come in order
   if (reply.received_ns() > kLatestStamp || reply.replied_ns() > kLatestStamp) return;
   owner_->on_clock({.asked = asked,
                     .received = Nanoseconds{static_cast<std::int64_t>(reply.received_ns())},
@@ -314,7 +316,8 @@ void Connection::write() {
 }
 
 void Connection::write_control(msg::Control control) {
-  // Stamped here, not when it was queued: the wait behind an image is no part of the way.
+  // The probe is stamped when it is written, not when it is queued, because the wait behind an image is no network
+  // delay.
   if (control.has_clock_probe()) {
     asked_.push_back(local_now());
     if (asked_.size() > kMaxProbes) asked_.pop_front();

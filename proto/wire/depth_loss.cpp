@@ -8,7 +8,7 @@ namespace telepalp::wire {
 namespace {
 
 constexpr std::string_view kMovingMode = "bounded";
-constexpr std::size_t kLongestMode = 32;  // a peer chooses the name, and people read it
+constexpr std::size_t kLongestMode = 32;  // limits the name, because a peer chooses it and logs show it
 
 /// Also false for NaN.
 bool is_credible(double bound) noexcept { return bound >= 0.0 && bound <= 1.0; }

@@ -90,7 +90,7 @@ Result<std::optional<Frame>> FrameParser::next(std::span<const std::byte>& bytes
       return *failed_;
     }
     header_ = *header;
-    payload_.reserve(header_->payload_bytes);  // room only: pages that never come are never touched
+    payload_.reserve(header_->payload_bytes);  // only reserves: memory pages that are never written cost nothing
   }
   const std::size_t taken = std::min(bytes.size(), header_->payload_bytes - payload_.size());
   payload_.append(reinterpret_cast<const char*>(bytes.data()), taken);

@@ -13,7 +13,8 @@ bool is_camera(const Topic& topic) noexcept { return topic.name.starts_with("/ca
 }  // namespace
 
 QueueLimit queue_limit(std::string_view topic) noexcept {
-  constexpr QueueLimit kImages{.messages = 2, .bytes = 2 * kMaxPayloadBytes};   // one about to go, one newest
+  constexpr QueueLimit kImages{.messages = 2,
+                               .bytes = 2 * kMaxPayloadBytes};  // one that is sent next and the newest one
   constexpr QueueLimit kSmall{.messages = 256, .bytes = std::size_t{1} << 20};  // 2.5 s of the 100 Hz topics
   return topic == kCameraColor.name || topic == kCameraDepth.name ? kImages : kSmall;
 }
@@ -79,7 +80,7 @@ std::optional<Message> SendQueue::pop() {
     others_credit_bytes_ -= others_.front().payload->size();
     return take(others_, others_.begin());
   }
-  constexpr std::size_t kMostCredit = kMaxPayloadBytes;  // any message gets its turn
+  constexpr std::size_t kMostCredit = kMaxPayloadBytes;  // enough for the largest message
   constexpr std::size_t kShare = 4;
   Message message = take(camera_, camera_.begin());
   others_credit_bytes_ = std::min(kMostCredit, others_credit_bytes_ + message.payload->size() / kShare);

@@ -3,7 +3,7 @@
 namespace telepalp::wire {
 namespace {
 
-/// False for what is not a number, too.
+/// False for NaN, too.
 bool is_near(double coordinate_m) noexcept {
   constexpr double kFurthest_m = 10.0;
   return coordinate_m >= -kFurthest_m && coordinate_m <= kFurthest_m;

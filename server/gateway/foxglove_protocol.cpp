@@ -15,7 +15,7 @@ namespace texts = telepalp::foxglove_websocket;
 
 std::string to_json(const google::protobuf::Message& message) {
   json::JsonPrintOptions options;
-  options.always_print_primitive_fields = true;  // clients read `capabilities` without asking whether it is there
+  options.always_print_primitive_fields = true;  // clients read `capabilities` without checking that it exists
   options.preserve_proto_field_names = true;
   std::string text;
   demand(json::MessageToJsonString(message, &text, options).ok(), "our own messages can be written as JSON");

@@ -17,7 +17,7 @@ using boost::system::error_code;
 constexpr int kMostUnderWay = 16;
 std::atomic<int> under_way = 0;
 
-/// Reads on after its answer, for closing with unread bytes sends a reset that may overtake the answer.
+/// Continues to read after its reply. To close with unread bytes would send a TCP reset, which may destroy the reply.
 class Refusal : public std::enable_shared_from_this<Refusal> {
  public:
   Refusal(tcp::socket socket, const std::string& reason)

@@ -68,9 +68,9 @@ Gateway::Gateway(tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context
 Gateway::~Gateway() {
   boost::system::error_code ignored;
   acceptor_.close(ignored);
-  const std::unordered_set<Connection*> open = context_->connections;  // close() may take them out
+  const std::unordered_set<Connection*> open = context_->connections;  // a copy: close() may change the set
   for (Connection* const connection : open) connection->close();
-  context_->view_maker.reset();  // the hub may be gone before the last connection is
+  context_->view_maker.reset();  // the hub may be destroyed before the last connection
 }
 
 std::string Gateway::url() const {
@@ -82,7 +82,7 @@ std::string Gateway::url() const {
 void Gateway::accept() {
   acceptor_.async_accept([this](boost::system::error_code failed, tcp::socket socket) {
     if (failed == asio::error::operation_aborted) return;
-    if (failed) {  // out of descriptors, most likely: trying at once would spin until one is free
+    if (failed) {  // probably no file descriptor is free; an immediate retry would waste the processor
       accept_again_.expires_after(std::chrono::milliseconds(100));
       accept_again_.async_wait([this](boost::system::error_code cancelled) {
         if (!cancelled) accept();
@@ -98,14 +98,14 @@ void Gateway::accept() {
   });
 }
 
-/// When all places are taken, a viewer that subscribed to nothing gives its own to the newcomer.
+/// When all places are taken, closes a viewer that has subscribed to nothing, to make room for the new one.
 void Gateway::make_room() {
   if (context_->connections.size() < context_->options.max_connections) return;
   const auto idle = std::find_if(context_->connections.begin(), context_->connections.end(),
                                  [](const Connection* connection) { return connection->is_idle(); });
   if (idle == context_->connections.end()) return;
   Connection* const connection = *idle;
-  context_->connections.erase(idle);  // its pending handlers end it later; its place is free now
+  context_->connections.erase(idle);  // its pending handlers destroy it later; its place is free at once
   connection->close();
 }
 

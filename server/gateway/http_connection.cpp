@@ -18,11 +18,11 @@ namespace http = beast::http;
 using boost::asio::ip::tcp;
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
-constexpr std::uint64_t kMaxBodyBytes = 1024;  // nothing asked here needs a body
+constexpr std::uint64_t kMaxBodyBytes = 1024;  // no supported request has a body
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
-/// A parser's complaint about the bytes, not about their end.
+/// True for an error in the bytes of a request, not for the end of the stream.
 bool is_malformed(beast::error_code failed) {
   return failed.category() == http::make_error_code(http::error::bad_method).category() &&
          failed != http::error::end_of_stream && failed != http::error::partial_message;
@@ -101,7 +101,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
 }  // namespace
 
 void start_http_connection(tcp::socket socket, std::shared_ptr<GatewayContext> context) {
-  // shared: the connection is owned by whichever read or write is pending
+  // shared_ptr: the pending read or write owns the connection
   std::make_shared<HttpConnection>(std::move(socket), std::move(context))->read();
 }
 

@@ -11,8 +11,8 @@ namespace http = boost::beast::http;
 
 std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
-/// Everything from this server and nothing from elsewhere; no text that is run as code. `blob:` images are the
-/// camera's pictures, 'wasm-unsafe-eval' lets a decoder be a WebAssembly module from this server.
+/// Allows content from this server only, and no code from strings. `blob:` images are the camera's pictures;
+/// 'wasm-unsafe-eval' allows the decoder, a WebAssembly module from this server.
 constexpr const char* kContentSecurityPolicy =
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; "
     "img-src 'self' blob: data:; font-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'; "
@@ -37,7 +37,8 @@ HttpReply with_security(HttpReply reply, const HttpRequest& request) {
   return reply;
 }
 
-/// Files keep their names from build to build, so a browser asks each time; the ETag spares it the bytes.
+/// File names are the same in each build, so a browser must ask each time; the ETag avoids the transfer of an unchanged
+/// file.
 HttpReply serve(const HttpRequest& request, const StaticFile& file) {
   const bool as_gzip = !file.gzip_bytes.empty() && takes_gzip(view(request[http::field::accept_encoding]));
   const std::string& etag = as_gzip ? file.gzip_etag : file.etag;

@@ -39,7 +39,7 @@ Error cannot_serve(const fs::path& folder, std::string what) {
           .fix = "name the folder that the telepalp_viewer target builds, the one with index.html in it"};
 }
 
-/// FNV-1a, 64 bits: tells builds apart, and nothing more is asked of an ETag.
+/// FNV-1a, 64 bits. An ETag must only distinguish builds.
 std::string etag_of(std::string_view bytes) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;

@@ -19,13 +19,13 @@ namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 using asio::ip::tcp;
 
-constexpr std::size_t kMaxTextBytes = 64 * 1024;  // of a client's message; a larger one closes with 1009
+constexpr std::size_t kMaxTextBytes = 64 * 1024;  // of a client's message; a larger one closes with code 1009
 constexpr std::size_t kMaxSubscriptions = 256;
 constexpr std::size_t kMaxWaitingTexts = 32;
 constexpr std::string_view kSubscriberName = "viewer";
-/// A hand that no station takes is told of at most so often: a viewer publishes it 100 times a second.
+/// Minimum time between two warnings that no station uses the hand; a viewer publishes it 100 times a second.
 constexpr std::chrono::seconds kUntakenWarnedEvery{1};
-/// Bounds how old a frame can get between us and a slow viewer: what waits in the kernel can no longer be overtaken.
+/// Limits the age of a frame at a slow viewer: a message in the kernel's buffer cannot be replaced by a newer one.
 constexpr int kSendBufferBytes = 256 * 1024;
 
 std::string to_text(const tcp::endpoint& peer) {
@@ -79,7 +79,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   }
 
   void greet(const std::string& peer) {
-    if (!socket().is_open()) return;  // the gateway was closed meanwhile, and the hub may be gone
+    if (!socket().is_open()) return;  // the gateway was closed meanwhile; the hub may be destroyed
     subscriber_ = context()->hub.join(std::string(kSubscriberName), peer, [this] { write_next(); });
     views_subscriber_ = context()->views.join(std::string(kSubscriberName), peer, [this] { write_next(); });
     say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_));
@@ -89,7 +89,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void read() {
     stream_.async_read(incoming_, [self = shared_from_this()](beast::error_code failed, std::size_t) {
-      if (failed) return self->leave();  // Beast has answered a close, or closed with 1009 what was too long
+      if (failed)
+        return self->leave();  // the client closed, or Beast closed with code 1009 because of a too large message
       self->handle(beast::buffers_to_string(self->incoming_.data()));
       self->incoming_.consume(self->incoming_.size());
       self->read();
@@ -151,7 +152,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void warn(const std::string& text) { say(foxglove::status(foxglove::Level::Warning, text)); }
 
-  /// A viewer that asks for nonsense faster than it reads the answers gets only some of them.
+  /// Queues a text. A viewer that sends invalid requests faster than it reads the replies gets only some of them.
   void say(std::string text) {
     if (texts_.size() >= kMaxWaitingTexts) return;
     texts_.push_back(std::move(text));
@@ -168,7 +169,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     }
   }
 
-  /// From our own topics and from the views in turn, so that neither waits for all of the other.
+  /// Takes messages alternately from telepalp's topics and from the view topics, so that neither blocks the other.
   std::optional<wire::Message> next_message() {
     view_is_next_ = !view_is_next_;
     std::optional<wire::Message> message =
@@ -177,7 +178,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     return view_is_next_ ? context()->hub.next(*subscriber_) : context()->views.next(views_subscriber_);
   }
 
-  /// Makes `message` the one to write to each of its topic's subscriptions; false when it was unsubscribed meanwhile.
+  /// Prepares to write `message` to each subscription of its topic; false if the client has unsubscribed meanwhile.
   bool start_message(wire::Message message) {
     for (const auto& [id, topic] : subscriptions_)
       if (topic == message.topic.name) to_.push_back(id);
@@ -214,16 +215,16 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   websocket::stream<beast::tcp_stream> stream_;
   beast::flat_buffer incoming_;             // bounded by read_message_max
-  std::optional<SubscriberId> subscriber_;  // from the greeting until the end
-  SubscriberId views_subscriber_ = 0;       // as long as subscriber_
+  std::optional<SubscriberId> subscriber_;  // set from the handshake until the end
+  SubscriberId views_subscriber_ = 0;       // valid while subscriber_ is set
   bool view_is_next_ = false;
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics or kViewTopics
   ViewerCommands voice_;
   std::optional<SessionTime> untaken_warned_;
-  std::deque<std::string> texts_;  // to write before data
+  std::deque<std::string> texts_;  // texts to write before messages
   bool writing_ = false;
-  std::optional<wire::Message> message_;  // being written
-  std::deque<std::uint32_t> to_;          // subscriptions that it still goes to
+  std::optional<wire::Message> message_;  // the message that is being written
+  std::deque<std::uint32_t> to_;          // subscriptions to which the message is still to be written
   std::array<std::uint8_t, foxglove::kMessageHeaderBytes> header_{};
 };
 

@@ -63,7 +63,8 @@ void Hub::remove_waiting(Subscriber& subscriber, Matches matches) {
   waiting_bytes_ -= before - subscriber.queue.other_bytes();
 }
 
-/// A viewer that lost its place unsubscribes and subscribes again: what still waits would be of no use to it.
+/// Drops queued messages of topics that the subscriber no longer wants. A viewer that lost its reference frame
+/// unsubscribes and subscribes again, and older messages are useless to it.
 void Hub::forget_unwanted(Subscriber& subscriber) {
   remove_waiting(subscriber,
                  [&](const wire::Message& message) { return !wants(subscriber.topics, message.topic.name); });
@@ -87,7 +88,7 @@ bool Hub::is_wanted(std::string_view topic) const {
                      [&](const auto& subscriber) { return wants(subscriber.second.topics, topic); });
 }
 
-/// The subscriber that has the most waiting gives up its oldest.
+/// Drops the oldest message of the subscriber with the most queued bytes, until the bound holds.
 void Hub::drop_beyond_the_bound() {
   const auto fuller = [](const auto& a, const auto& b) {
     return a.second.queue.other_bytes() < b.second.queue.other_bytes();
@@ -160,7 +161,7 @@ std::optional<wire::Message> Hub::next(SubscriberId id) {
     ++count.sent;
     count.bytes += message->payload->size();
     ++topics_[message->topic.name].sent;
-    // Not when its queue was full: a key frame for who takes nothing would be made again and again.
+    // No request if its queue was full: a subscriber that reads nothing would cause one key frame after another.
     if (found->second.places[message->topic.name].last == 0) ask_for_key(message->topic.name);
   }
   return message;

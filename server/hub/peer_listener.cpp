@@ -26,7 +26,8 @@ Error cannot_listen(const tcp::endpoint& endpoint, const error_code& code) {
 error_code open_acceptor(tcp::acceptor& acceptor, const tcp::endpoint& endpoint) {
   error_code code;
   acceptor.open(endpoint.protocol(), code);
-  // A server that comes back at once finds its port still cooling down; SO_REUSEADDR does not let two listen.
+  // After a quick restart the server's port may still be in TIME_WAIT. On Linux, SO_REUSEADDR does not allow two
+  // listeners.
   if (!code) acceptor.set_option(tcp::acceptor::reuse_address(true), code);
   if (!code) acceptor.bind(endpoint, code);
   if (!code) acceptor.listen(tcp::acceptor::max_listen_connections, code);
@@ -80,7 +81,7 @@ void PeerListener::accept() {
       admit(std::move(socket));
       return accept();
     }
-    // Out of descriptors, most likely: trying at once would only burn the processor.
+    // Probably no file descriptor is free; an immediate retry would waste the processor.
     accept_again_.expires_after(kAcceptBackOff);
     accept_again_.async_wait([this](const error_code& stopped) {
       if (!stopped) accept();
@@ -95,7 +96,8 @@ void PeerListener::admit(tcp::socket socket) {
   peers_.emplace(number, std::make_unique<Peer>(*this, number, std::move(socket)));
 }
 
-/// A peer that comes back keeps its number; two that are here at once never share one, whatever they say.
+/// A peer that reconnects keeps its number. Two connected peers never have the same number, even if they state the same
+/// run.
 std::uint32_t PeerListener::sender_number(std::uint64_t run) const {
   const auto is_free = [this](std::uint32_t number) {
     return number != 0 && std::none_of(peers_.begin(), peers_.end(),
@@ -107,7 +109,7 @@ std::uint32_t PeerListener::sender_number(std::uint64_t run) const {
 }
 
 void PeerListener::forget(PeerNumber number) {
-  // Later, for the peer is on the call stack.
+  // The peer is on the call stack, so it is destroyed later.
   asio::post(io_, [this, number] { peers_.erase(number); });
 }
 
@@ -116,7 +118,8 @@ std::size_t PeerListener::taken(std::optional<PlaceKind> kind) const {
       std::count_if(peers_.begin(), peers_.end(), [&](const auto& peer) { return peer.second->place() == kind; }));
 }
 
-/// Who greets does so within a round trip, so the one that has waited longest is the least likely to.
+/// A valid peer sends its Hello within a round trip, so the stranger that has waited longest is the least likely to
+/// send one.
 void PeerListener::let_a_stranger_go() {
   const auto oldest =
       std::find_if(peers_.begin(), peers_.end(), [](const auto& peer) { return !peer.second->place(); });
@@ -139,7 +142,7 @@ void PeerListener::let_idle_go_every_second() {
   });
 }
 
-/// The first at once, then one line in five seconds at most: a flood must not fill the log.
+/// Logs the first refusal at once and then at most one line in five seconds, so that many refusals do not fill the log.
 void PeerListener::note_refusal(const std::string& text) {
   constexpr std::chrono::seconds kQuiet{5};
   ++counts_.refused;

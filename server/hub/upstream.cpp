@@ -46,7 +46,7 @@ bool is_valid_upstream(const wire::Message& message) {
 }
 
 Rate upstream_rate(const wire::Topic& topic) {
-  constexpr double kBurstMessages = 512;  // a client's queue holds 256 of a topic
+  constexpr double kBurstMessages = 512;  // a client's queue holds 256 messages of a topic
   constexpr double kLeastBurst = 256 * kKiB;
   const Allowed* allowed = find(topic);
   demand(allowed != nullptr, "only what may be published has a rate");
@@ -64,7 +64,7 @@ bool UpstreamRates::passes(const wire::Message& message, RateLimiter::TimePoint 
 }
 
 wire::Message with_sender(wire::Message message, std::uint32_t sender) {
-  msg::Sender field;  // Protobuf: of a field that comes twice, the last one counts
+  msg::Sender field;  // in Protobuf the last value of a repeated scalar field on the wire counts
   field.set_sender(sender);
   message.payload = std::make_shared<const std::string>(*message.payload + field.SerializeAsString());
   return message;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds kPatience = 100ms;  // how late a stop or a status may be while no frame comes
+constexpr Nanoseconds kPatience = 100ms;  // longest delay of a stop or a status while no frame comes
 constexpr Nanoseconds kRepeat = 1s;
 
 }  // namespace

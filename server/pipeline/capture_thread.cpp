@@ -7,8 +7,8 @@
 namespace telepalp::server {
 namespace {
 
-/// A second of both images. The hub's queues are the ones that decide what is dropped; this bound only holds the
-/// memory if the network thread should stop altogether.
+/// One second of depth and colour images. Normally the hub's queues drop messages; this bound limits memory only if the
+/// network thread stops completely.
 constexpr int kMostOnTheWay = 64;
 
 }  // namespace

@@ -11,7 +11,7 @@ constexpr double kMostPerM2_mm = 20.0;
 
 std::string option_name(std::string_view option) { return "--" + std::string(option); }
 
-/// A number from 0 to `most`, and nothing beside it.
+/// Parses a number from 0 to `most`; nullopt for any other text.
 std::optional<double> read_mm(std::string_view text, double most) {
   double value = 0.0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);

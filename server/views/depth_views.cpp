@@ -18,7 +18,7 @@ void add_field(foxglove::PointCloud& cloud, const char* name, std::uint32_t offs
   field.set_type(foxglove::PackedElementField::FLOAT32);
 }
 
-/// Every how many rows and columns a point is kept.
+/// The step in rows and columns between the points that are kept.
 int thinning(const DepthImage& depth) noexcept {
   constexpr int kMostPoints = 500'000;
   int step = 1;
@@ -52,7 +52,7 @@ foxglove::RawImage depth_view(const DepthImage& depth, SessionTime captured) {
   bytes.resize(depth.samples.size() * 2);
   for (std::size_t pixel = 0; pixel < depth.samples.size(); ++pixel) {
     const std::uint16_t depth_mm = millimetres(depth.samples[pixel], depth.unit_m);
-    std::memcpy(bytes.data() + 2 * pixel, &depth_mm, sizeof depth_mm);  // little-endian, as this machine
+    std::memcpy(bytes.data() + 2 * pixel, &depth_mm, sizeof depth_mm);  // little-endian, like this machine
   }
   return image;
 }

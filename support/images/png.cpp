@@ -14,7 +14,7 @@ namespace {
 struct PngState {
   png_structp png = nullptr;
   png_infop info = nullptr;
-  std::span<const std::byte> rest;  // yet to be read
+  std::span<const std::byte> rest;  // bytes that are not read yet
   std::string* out = nullptr;       // written so far
   models::PngBounds bounds;
   char message[160] = "is damaged";

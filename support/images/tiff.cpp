@@ -11,7 +11,7 @@
 namespace telepalp::images {
 namespace {
 
-/// The file in memory, as libtiff wants to see it.
+/// The file in memory, in the form that libtiff needs.
 struct Memory {
   std::span<const std::byte> bytes;
   std::size_t at = 0;
@@ -104,7 +104,7 @@ bool read_color(TIFF* tiff, ColorImage& image) {
   return true;
 }
 
-/// True when what libtiff decodes at once, a strip or a tile, is no larger than the largest image that is read.
+/// True when a strip or tile, which libtiff decodes at once, is no larger than the largest accepted image.
 bool decodes_in_bounds(TIFF* tiff, const TiffHeader& header) {
   constexpr tmsize_t kMostBytes = tmsize_t{4} * kMaxImageSide * kMaxImageSide;
   constexpr std::uint16_t kMostChannels = 4;

@@ -9,7 +9,7 @@ bool lzf_decompress(std::span<const std::byte> compressed, std::span<std::byte> 
   std::size_t done = 0;
   while (in < compressed.size()) {
     const auto control = static_cast<std::size_t>(compressed[in++]);
-    if (control < 32) {  // that many literals, plus one
+    if (control < 32) {  // a run of control + 1 literal bytes
       const std::size_t count = control + 1;
       if (count > compressed.size() - in || count > out.size() - done) return false;
       std::memcpy(&out[done], &compressed[in], count);
@@ -26,7 +26,7 @@ bool lzf_decompress(std::span<const std::byte> compressed, std::span<std::byte> 
     if (in == compressed.size()) return false;
     const std::size_t distance = ((control & 31U) << 8U) + static_cast<std::size_t>(compressed[in++]) + 1;
     if (distance > done || length > out.size() - done) return false;
-    for (std::size_t i = 0; i < length; ++i, ++done) out[done] = out[done - distance];  // may overlap itself
+    for (std::size_t i = 0; i < length; ++i, ++done) out[done] = out[done - distance];  // source and target may overlap
   }
   return done == out.size();
 }

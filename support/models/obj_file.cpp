@@ -5,7 +5,7 @@
 namespace telepalp::models {
 namespace {
 
-/// "3" or "-1": counted from one, or back from the newest of `count`.
+/// The index in a word such as "3", counted from one, or "-1", counted back from the newest of `count` items.
 std::optional<std::uint32_t> obj_index(std::string_view word, std::size_t count) {
   const auto number = TextCursor::number<long long>(word);
   if (!number || *number == 0) return std::nullopt;
@@ -14,10 +14,10 @@ std::optional<std::uint32_t> obj_index(std::string_view word, std::size_t count)
   return static_cast<std::uint32_t>(index);
 }
 
-/// What an OBJ holds, while it is read.
+/// The content of an OBJ file while it is read.
 struct ObjMesh {
   PointModel model;
-  std::vector<Eigen::Vector3f> normals;  ///< as they are listed
+  std::vector<Eigen::Vector3f> normals;  ///< in the order of the file
   std::vector<std::array<std::uint32_t, 3>> body;
   bool in_body = false;
   bool normals_used = false;
@@ -33,7 +33,8 @@ std::optional<Eigen::Vector3f> obj_vector(std::string_view& rest) {
   return at;
 }
 
-/// A corner, "3", "3/1", "3/1/2" or "3//2": its vertex; a normal that it names is added to the vertex's.
+/// The vertex of a corner such as "3", "3/1", "3/1/2" or "3//2". The corner's normal, if it has one, is added to the
+/// vertex's normal.
 std::optional<std::uint32_t> obj_corner(std::string_view word, ObjMesh& mesh) {
   const auto vertex = obj_index(word.substr(0, word.find('/')), mesh.model.points.size());
   const std::size_t last = word.rfind('/');
@@ -61,7 +62,7 @@ bool obj_face(std::string_view rest, ObjMesh& mesh) {
   return true;
 }
 
-/// Without the vertices that no triangle has: helpers must not count for the model's size and middle.
+/// Removes the vertices that no triangle uses, because helper vertices must not change the model's size and middle.
 PointModel only_used(const PointModel& model) {
   constexpr std::uint32_t kUnused = 0xFFFFFFFF;
   std::vector<std::uint32_t> place(model.points.size(), kUnused);

@@ -30,7 +30,7 @@ Error bad(const std::string& name, const std::string& what) {
   return {.what = what, .where = name, .fix = "write the cloud anew, as PCD v0.7"};
 }
 
-/// Places of x, y, z, the normal and the colour in a point, in fields.
+/// Field indices of x, y, z, the normal and the colour in a point.
 struct Places {
   std::array<std::size_t, 3> at{};
   std::array<std::size_t, 3> normal{};
@@ -181,7 +181,7 @@ float value_at(const std::byte* at, std::size_t bytes) {
   return static_cast<float>(value);
 }
 
-/// `by_field`: all of one field, then all of the next (compressed), else point by point.
+/// `by_field`: all values of one field, then all of the next (compressed files); otherwise point by point.
 Result<PointModel> parse_binary(std::span<const std::byte> bytes, const Header& header, const Places& places,
                                 bool by_field, const std::string& name) {
   std::size_t point_bytes = 0;

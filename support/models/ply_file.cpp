@@ -12,7 +12,7 @@ struct Property {
   std::string name;
   std::size_t bytes = 4;
   bool real = true;
-  std::size_t count_bytes = 0;  ///< of a list's length; 0: not a list
+  std::size_t count_bytes = 0;  ///< size of a list's length; 0: not a list
 };
 
 struct Element {
@@ -31,7 +31,7 @@ std::optional<Property> type_of(std::string_view word) {
   return Property{.name = {}, .bytes = one ? 1U : (two ? 2U : 4U), .real = false};
 }
 
-/// Reads numbers one after another, from text or from little-endian bytes; fails for good at the end of the data.
+/// Reads numbers in order, from text or from little-endian bytes. Fails permanently at the end of the data.
 class Numbers {
  public:
   Numbers(std::span<const std::byte> bytes, bool ascii) : bytes_(bytes), text_(bytes), ascii_(ascii) {}
@@ -138,13 +138,13 @@ Result<void> read_vertices(const Element& element, Numbers& numbers, PointModel&
   return {};
 }
 
-/// The vertex that a number names; one that is no vertex's names none that there can be.
+/// The vertex index in a number. An invalid number becomes an index that no vertex can have.
 std::uint32_t to_corner(double value) {
   constexpr std::uint32_t kNone = 0xFFFFFFFF;
   return value >= 0.0 && value < kNone ? static_cast<std::uint32_t>(value) : kNone;
 }
 
-/// Faces, or an element that is skipped.
+/// Reads the faces, or skips an element that is not needed.
 Result<void> read_lists(const Element& element, Numbers& numbers, PointModel& model, const std::string& name) {
   constexpr double kMostCorners = 1000.0;
   std::vector<std::uint32_t> corners;

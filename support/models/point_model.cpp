@@ -23,7 +23,7 @@ Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& file) {
   return bytes;
 }
 
-/// Extent of the middle 98 % along each axis: one stray point must not decide about the unit.
+/// Extent of the middle 98 % along each axis: a few stray points must not decide about the unit.
 double extent(const PointModel& model) {
   double widest = 0.0;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {

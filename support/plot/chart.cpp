@@ -33,7 +33,7 @@ std::vector<LegendEntry> legend_of(const Chart& chart) {
   return entries;
 }
 
-/// Width of `text` [px]: no font metrics here, so an average that errs on the wide side.
+/// Estimated width of `text` [px], without font metrics: an average letter width, rather too wide.
 double width_of(std::string_view text, double size) { return 0.6 * size * static_cast<double>(text.size()); }
 
 double entry_width(const LegendEntry& entry) { return 24.0 + width_of(entry.name, kTextSize) + 14.0; }
@@ -77,7 +77,7 @@ Range data_range(const Chart& chart, bool vertical) {
   if (!vertical)
     for (const Band& band : chart.bands) finite.insert(finite.end(), {band.from, band.to});
   Range range = padded(range_of(finite, {logarithmic ? 1.0 : 0.0, 1.0}), vertical ? chart.y : chart.x);
-  if (vertical && !logarithmic) {  // head room, so that a curve does not run along the frame
+  if (vertical && !logarithmic) {  // space above the data, so that a curve does not run along the frame
     const double room = 0.04 * (range.most - range.least);
     range = {range.least - room, range.most + room};
   }

@@ -32,7 +32,7 @@ std::vector<Tick> nice_ticks(Range range, int wanted) {
   const double step = nice_step(span / wanted);
   const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 12);
   std::vector<Tick> ticks;
-  const double slack = step * 1e-9;  // so that a range that ends on a tick keeps it despite rounding
+  const double slack = step * 1e-9;  // so that rounding does not remove a tick at the end of the range
   for (double index = std::ceil((range.least - slack) / step); index * step <= range.most + slack; index += 1.0)
     ticks.push_back({std::clamp(index * step, range.least, range.most), number(index * step, decimals)});
   return ticks;

@@ -10,7 +10,7 @@
 namespace telepalp::plot {
 namespace {
 
-/// The samples that stand for one column.
+/// The samples that represent one pixel column.
 struct Column {
   std::size_t first, least, greatest, last;
 };

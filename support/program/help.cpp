@@ -9,12 +9,12 @@
 namespace telepalp::program {
 namespace {
 
-/// An option's or command's line: what is typed, and what it does.
+/// The line of an option or command: its syntax and its description.
 using Row = std::pair<std::string, std::string>;
 
 constexpr std::size_t kWidestLeft = 24;  // a longer left side stands on a line of its own
 
-/// Columns that UTF-8 `text` takes: its letters, not its bytes.
+/// Number of columns of UTF-8 `text`: its characters, not its bytes.
 std::size_t columns(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char letter) { return (letter & '\xc0') != '\x80'; }));

@@ -36,7 +36,7 @@ Error asked_wrongly(const Usage& usage, std::string what) {
           .fix = "see " + std::string(usage.program) + " --help"};
 }
 
-/// What `option` asks the program to say of itself, if it does. `-h` is the only short option.
+/// The text that `--help`, `-h` or `--version` asks for; nullopt for any other option. `-h` is the only short option.
 std::optional<std::string> asked_about(const Usage& usage, const po::option& option) {
   const bool short_help = option.string_key == kPositional && !option.value.empty() && option.value.front() == "-h";
   if (short_help || option.string_key == "help") return help_text(usage);
@@ -99,7 +99,7 @@ Result<std::int64_t> Arguments::whole(std::string_view option, std::int64_t leas
 
 Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv) try {
   const po::options_description description = describe(usage);
-  // Long options only, written out in full: a guessed prefix of a safety setting is not what was asked.
+  // Only complete long options are accepted: a guessed prefix could select the wrong safety setting.
   using namespace po::command_line_style;
   const int style = allow_long | long_allow_next | long_allow_adjacent;
   const po::parsed_options parsed = po::command_line_parser(argc, argv)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uintmax_t kMaxTextBytes = 1 << 20;
 
-/// Keeps the first complaint: the later ones are mostly its echoes.
+/// Keeps the first error, because later ones are mostly consequences of it.
 class FirstError : public google::protobuf::io::ErrorCollector {
  public:
   void AddError(int line, google::protobuf::io::ColumnNumber column, const std::string& message) override {
@@ -21,7 +21,7 @@ class FirstError : public google::protobuf::io::ErrorCollector {
     line_ = line + 1;
     column_ = column + 1;
     message_ = message;
-    while (message_.ends_with('.')) message_.pop_back();  // what follows is ". fix:"
+    while (message_.ends_with('.')) message_.pop_back();  // the message continues with ". fix:"
   }
   [[nodiscard]] Error error(const std::string& name) const {
     return {.what = message_.empty() ? "not a text-format file" : message_,

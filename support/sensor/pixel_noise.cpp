@@ -3,7 +3,8 @@
 namespace telepalp::sensor {
 namespace {
 
-/// The normal distribution's quantile by bisection of erfc: slow, exact, run once for each entry of a table.
+/// The normal distribution's quantile by bisection of erfc: slow and exact; it is called once for each entry of a
+/// table.
 double normal_quantile(double probability) {
   double low = -8.0;
   double high = 8.0;
@@ -22,7 +23,7 @@ GaussianTable make_table() {
     sum_of_squares += value * value;
     table[i] = static_cast<float>(value);
   }
-  // The cut tails took a little of the variance with them.
+  // Restores the variance that the truncation of the tails removed.
   const double scale = std::sqrt(static_cast<double>(table.size()) / sum_of_squares);
   for (float& value : table) value = static_cast<float>(scale * static_cast<double>(value));
   return table;

@@ -8,7 +8,7 @@
 namespace telepalp::server {
 Result<void> compare_recordings(const std::filesystem::path& first, const std::filesystem::path& second, double unit_m,
                                 const std::optional<DepthErrorBound>& bound) {
-  std::vector<std::string> frames;  // compressed: ten minutes of them as they are would not fit into memory
+  std::vector<std::string> frames;  // compressed, because ten minutes of raw images do not fit into memory
   const Result<void> read = for_each_depth(first, unit_m, [&](const NamedDepth& named) -> Result<void> {
     frames.push_back(codec::encode_depth(named.depth, codec::DepthMode::Fast));
     return {};

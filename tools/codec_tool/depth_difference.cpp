@@ -47,7 +47,7 @@ void DepthDifference::add(const DepthImage& original, const DepthImage& other) {
 }
 
 void DepthDifference::hold(const DepthImage& original, const DepthImage& other, std::size_t pixel) {
-  constexpr double kRounding_mm = 1e-6;  // of the sums here, far below any camera's unit
+  constexpr double kRounding_mm = 1e-6;  // rounding of the sums, far below any camera's unit
   const double before = depth_mm(original, pixel);
   const double after = depth_mm(other, pixel);
   const double allowed = 1000.0 * bound_->at(before / 1000.0);

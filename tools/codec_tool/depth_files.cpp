@@ -45,7 +45,7 @@ Result<images::AnyImage> read_any(const fs::path& file) {
   return images::AnyImage{*std::move(image)};
 }
 
-/// Visits the image in `file`; one without depth is passed over where `colour_may_be`.
+/// Visits the image in `file`. An image without depth is skipped if `colour_may_be` is set, else it is an error.
 Result<void> visit_image(const fs::path& file, double unit_m, bool colour_may_be, const Visit& visit) {
   Result<images::AnyImage> image = read_any(file);
   if (!image) return image.error();

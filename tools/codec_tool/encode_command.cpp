@@ -10,14 +10,14 @@
 namespace telepalp::server {
 namespace {
 
-constexpr Nanoseconds kAssumedPeriod{33'333'333};  // of images that do not say when they were taken
+constexpr Nanoseconds kAssumedPeriod{33'333'333};  // frame period assumed for images without a capture time
 
 SessionTime captured_of(const NamedDepth& named, std::size_t number) {
   if (named.captured != SessionTime{}) return named.captured;
   return SessionTime{kAssumedPeriod * static_cast<std::int64_t>(number)};
 }
 
-/// A recording that a camera's program did not finish still gives the frames that it holds.
+/// Prints a note about damage: a recording that was not finished still gives the frames that it has.
 void say_what_is_missing(const Error& damage) { std::fprintf(stderr, "note: %s\n", to_string(damage).c_str()); }
 
 }  // namespace

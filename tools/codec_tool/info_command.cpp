@@ -66,7 +66,7 @@ Result<void> describe_in_words(const std::filesystem::path& input) {
   return {};
 }
 
-/// Prints nothing unless all images could be read: half a JSON text helps no program.
+/// Prints only if all images could be read, because a truncated JSON text is useless.
 Result<void> describe_in_json(const std::filesystem::path& input) {
   program::Json json;
   json.begin_object();

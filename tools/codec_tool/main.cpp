@@ -1,4 +1,4 @@
-// telepalp-codec: compresses depth recordings, gives them back, and says what that cost.
+// telepalp-codec: compresses and decompresses depth recordings and prints the errors and sizes.
 
 #include "server/pipeline/depth_options.h"
 #include "support/program/options.h"
@@ -33,7 +33,7 @@ program::Usage usage() {
 struct Asked {
   std::vector<std::string> words;  ///< the command and its files
   codec::DepthStreamSettings settings;
-  std::optional<DepthErrorBound> bound_to_keep;  ///< by the second of two that are compared
+  std::optional<DepthErrorBound> bound_to_keep;  ///< for `compare`: the bound that the second recording must keep
   double unit_m = 0.001;
   std::string to;
   bool json = false;

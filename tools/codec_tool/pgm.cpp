@@ -9,7 +9,7 @@ namespace {
 
 bool is_space(char letter) noexcept { return letter == ' ' || (letter >= '\t' && letter <= '\r'); }
 
-/// Takes the next number off the header, past white space and comments; -1 when there is none.
+/// Removes the next number from the header, after white space and comments; -1 when there is none.
 int take_number(std::string_view& rest) {
   while (!rest.empty() && (is_space(rest.front()) || rest.front() == '#'))
     rest.remove_prefix(rest.front() == '#' ? std::min(rest.find('\n'), rest.size()) : 1);

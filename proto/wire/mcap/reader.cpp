@@ -12,7 +12,7 @@ using mcap::StoredMessage;
 
 namespace {
 
-/// Chunks that overlap in time are held at once; a file that makes all of them overlap is refused above this.
+/// Chunks that overlap in time are in memory together. A file whose overlapping chunks exceed this size is refused.
 constexpr std::uint64_t kMaxOpenBytes = 4 * mcap::kMaxChunkBytes;
 
 bool matches(const std::string& pattern, const std::string& topic) {
@@ -48,7 +48,7 @@ Error McapReader::in_chunk(std::size_t chunk, const char* what) const {
 bool McapReader::wanted(std::size_t chunk) const {
   const ChunkIndex& index = summary_.chunks[chunk];
   if (index.message_end_time < from_ || index.message_start_time > last_) return false;
-  if (index.message_index_offsets.empty()) return true;  // not said: it may hold anything
+  if (index.message_index_offsets.empty()) return true;  // no index of the chunk: it may contain any channel
   return std::any_of(index.message_index_offsets.begin(), index.message_index_offsets.end(),
                      [&](const auto& entry) { return channels_.contains(entry.first); });
 }

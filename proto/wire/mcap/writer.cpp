@@ -13,7 +13,7 @@ std::uint64_t stored_time(SessionTime at) {
   return static_cast<std::uint64_t>(std::max<std::int64_t>(to_nanoseconds(at), 0));
 }
 
-/// A record's bytes with a neutral id: equal for records that say the same.
+/// A record's bytes with a fixed id, so that records with equal content are equal.
 template <class Record>
 std::string identity(Record record) {
   record.id = 0;

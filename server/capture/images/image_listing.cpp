@@ -25,7 +25,7 @@ bool is_image(const fs::path& file) {
   return extension == ".png" || extension == ".tif" || extension == ".tiff";
 }
 
-/// Takes the first of `words` out of `key`, with one separator; false when none is in it.
+/// Removes the first of `words` that occurs in `key`, with one separator; false when none occurs.
 template <class Words>
 bool take_word(const Words& words, std::string& key) {
   for (const std::string_view word : words) {
@@ -42,11 +42,11 @@ bool take_word(const Words& words, std::string& key) {
 
 struct Image {
   fs::path file;
-  std::string key;  // the name without its role: what depth and colour of one instant share
+  std::string key;  // the name without the word for depth or colour; equal for both images of a frame
   std::optional<std::uint64_t> number;
 };
 
-/// The last run of digits in the name, unless the name tells a time.
+/// The last number in the name; nullopt if the name has a time of day.
 std::optional<std::uint64_t> number_of(const std::string& key) {
   static const std::regex kTime{R"(\d{8}T\d{6})"};
   static const std::regex kLastDigits{R"((\d{1,18})\D*$)"};

@@ -124,7 +124,7 @@ Result<std::unique_ptr<CaptureSource>> open_images(const std::string& folder, co
   Result<std::vector<RgbdFrame>> kept = load_all(*recording);
   if (!kept) return kept.error();
   const Nanoseconds period = from_seconds(1.0 / recording->camera.frames_per_s);
-  // Shared only because std::function copies what it holds; nobody changes it any more.
+  // shared_ptr, because std::function copies its captures; the frames are constant.
   const auto frames = std::make_shared<const std::vector<RgbdFrame>>(std::move(*kept));
   return play({.count = recording->pairs.size(),
                .period = period,

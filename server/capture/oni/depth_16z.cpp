@@ -5,10 +5,10 @@ namespace {
 
 constexpr unsigned kFirstRun = 0xE0;      // 0xE0 + n: 2n samples equal to the last one
 constexpr unsigned kWholeByte = 0xFF;     // one sample follows, as an 8-bit difference or as a whole value
-constexpr unsigned kNibbleEscape = 0x0F;  // the same, as the second half of a byte
+constexpr unsigned kNibbleEscape = 0x0F;  // like kWholeByte, but in the second half of a byte
 constexpr unsigned kNibbleNothing = 0x0D;
-constexpr int kNibbleZero = 6;   // the nibble that stands for no difference
-constexpr int kByteZero = 0xC0;  // the byte that does
+constexpr int kNibbleZero = 6;   // the nibble for a difference of 0
+constexpr int kByteZero = 0xC0;  // the byte for a difference of 0
 constexpr unsigned kIsByte = 0x80;
 
 class Bytes {
@@ -32,7 +32,7 @@ class Bytes {
   std::span<const std::byte> left_;
 };
 
-/// Samples until `count` are there; one more is refused.
+/// Collects up to `count` samples; a further one is refused.
 class Samples {
  public:
   Samples(std::span<const std::uint16_t> table, std::size_t count) : table_(table), count_(count) {
@@ -56,7 +56,7 @@ class Samples {
   std::vector<std::uint16_t> samples_;
 };
 
-/// A sample that is too far from the last one for four bits.
+/// Decodes a sample whose difference does not fit four bits.
 bool decode_far(Bytes& bytes, Samples& samples) {
   const auto first = bytes.take();
   if (!first) return false;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::chrono::microseconds kStaleColor{200'000};
 
-/// Half the pixels over the tangent of half the angle; a recording that states no usable angle is taken for a Kinect's.
+/// Focal length: half the pixels / tangent of half the angle. Without a usable angle in the recording, a Kinect's is
+/// assumed.
 double focal_px(int pixels, double angle_rad, int width) {
   if (angle_rad > 0.1 && angle_rad < 3.0) return 0.5 * pixels / std::tan(0.5 * angle_rad);
   return 525.0 * width / 640.0;
@@ -68,8 +69,8 @@ Result<std::unique_ptr<OniFrames>> OniFrames::open(const std::string& file) {
   return frames;
 }
 
-/// An error when none of the first depth images can be decoded: then most likely the stream's own description is
-/// damaged, and no later image can be decoded either.
+/// An error when none of the first depth images can be decoded: then the description of the stream is probably damaged,
+/// and no later image can be decoded either.
 Result<void> OniFrames::check_first_images() {
   constexpr std::size_t kMostTried = 10;
   const std::vector<OniImage>& images = recording_.depth.images;

@@ -78,7 +78,7 @@ std::optional<OniRecord> OniRecordWalk::read_record() {
   return record;
 }
 
-/// Moves to the next record mark after the damage at the current place; false where there is none.
+/// Moves to the next record mark after the damage; false if there is none.
 bool OniRecordWalk::find_mark() {
   for (std::uint64_t from = at_ + 1; from + kRecordMark.size() <= file_bytes_;) {
     const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(kBlockBytes, file_bytes_ - from));
@@ -88,7 +88,7 @@ bool OniRecordWalk::find_mark() {
       at_ = from + mark;
       return true;
     }
-    from += count - (kRecordMark.size() - 1);  // a mark may lie across two blocks
+    from += count - (kRecordMark.size() - 1);  // the mark may extend over two blocks
   }
   return false;
 }

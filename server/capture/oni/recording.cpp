@@ -17,7 +17,7 @@ constexpr std::uint32_t kDepthNode = 2;
 constexpr std::uint32_t kImageNode = 3;
 constexpr std::size_t kMostImages = 10'000'000;
 
-/// A stream while the file is read.
+/// Data of a stream, collected while the file is read.
 struct Gathering {
   std::uint32_t type = 0;
   std::uint32_t declared_frames = 0;
@@ -43,7 +43,7 @@ void add_node(const OniRecord& record, Nodes& nodes) {
   gathering.stream.codec = codec_of(node->codec);
 }
 
-/// A pixel format by OpenNI 1's number.
+/// Sets the pixel format from OpenNI 1's number.
 void set_format1(OniStream& stream, std::uint64_t format) {
   constexpr std::uint64_t kRgb24 = 1;
   constexpr std::uint64_t kMotionJpeg = 5;
@@ -51,7 +51,7 @@ void set_format1(OniStream& stream, std::uint64_t format) {
   if (format == kMotionJpeg) stream.codec = OniCodec::Jpeg;
 }
 
-/// A pixel format by OpenNI 2's number.
+/// Sets the pixel format from OpenNI 2's number.
 void set_format2(OniStream& stream, std::uint64_t format) {
   constexpr std::uint64_t kDepth100um = 101;
   constexpr std::uint64_t kRgb888 = 200;
@@ -82,17 +82,17 @@ void take_property(const OniProperty& property, OniStream& stream) {
   }
 }
 
-/// The image that a record of new data holds; nullopt when the record is no whole one.
+/// The image in a data record; nullopt when the record is incomplete.
 std::optional<OniImage> image_in(const OniRecord& record) {
   constexpr std::uint64_t kLongest_us = std::uint64_t{365} * 24 * 3600 * 1'000'000;
-  constexpr std::uint32_t kMostBytes = 64U << 20U;  // a raw colour image of the largest size that is read has 48 MiB
+  constexpr std::uint32_t kMostBytes = 64U << 20U;  // a raw colour image of the largest accepted size has 48 MiB
   if (record.fields.size() < 12 || record.payload_bytes == 0 || record.payload_bytes > kMostBytes) return std::nullopt;
   const auto time_us = little_endian<std::uint64_t>(record.fields, 0);
   if (time_us > kLongest_us) return std::nullopt;
   return OniImage{std::chrono::microseconds{time_us}, record.payload_at, record.payload_bytes};
 }
 
-/// Reads one record into `nodes`; false when it belongs to a stream and makes no sense.
+/// Reads one record into `nodes`; false for an invalid record of a stream.
 bool take(const OniRecord& record, Nodes& nodes) {
   if (record.kind == OniRecordKind::NodeAdded || record.kind == OniRecordKind::NodeAdded5 ||
       record.kind == OniRecordKind::NodeAdded4)
@@ -111,7 +111,7 @@ bool take(const OniRecord& record, Nodes& nodes) {
   return image.has_value();
 }
 
-/// The first node of a type that has images, or else the first of the type.
+/// The first node of a type with images, or else the first node of that type.
 const Gathering* first_of(const Nodes& nodes, std::uint32_t type) {
   const Gathering* first = nullptr;
   for (const auto& [id, node] : nodes)
@@ -135,7 +135,7 @@ std::string reason_against(const OniStream& depth) {
 
 void say(std::string& complaint, const std::string& more) { complaint += (complaint.empty() ? "" : "; ") + more; }
 
-/// What is wrong with the file as a whole, for people.
+/// Text about the damage of the file.
 std::string complaint_of(const OniRecordWalk& walk, std::uint64_t senseless, const Gathering& depth) {
   std::string complaint;
   if (walk.damaged() > 0)

@@ -5,7 +5,7 @@
 namespace telepalp::server {
 namespace {
 
-/// Reads fields one after the other; once one is missing, all that follow are.
+/// Reads fields in order; after a missing field, all later ones count as missing.
 class Fields {
  public:
   explicit Fields(std::string_view left) : left_(left) {}
@@ -45,7 +45,7 @@ std::optional<OniProperty> property_in(const OniRecord& record) {
 
 std::optional<OniNode> node_in(const OniRecord& record) {
   Fields fields(record.fields);
-  (void)fields.counted();  // its name
+  (void)fields.counted();  // the node's name
   const auto type = fields.number();
   const auto codec = fields.bytes(4);
   if (!codec) return std::nullopt;

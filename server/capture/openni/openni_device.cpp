@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kTwoPeriods{70};
 
-/// OpenNI's own words for its last failure, on one line.
+/// OpenNI's text about its last error, on one line.
 std::string last_words() {
   std::string words = openni::OpenNI::getExtendedError();
   for (char& letter : words)
@@ -26,7 +26,7 @@ std::string last_words() {
   return words.empty() ? "no reason given" : words;
 }
 
-/// OpenNI counts its initialisations: one for each device object.
+/// Initialises OpenNI. OpenNI counts initialisations, so each device object has its own session.
 class Session {
  public:
   Session() : status_(openni::OpenNI::initialize()) {}
@@ -41,7 +41,7 @@ class Session {
   openni::Status status_;
 };
 
-/// Told by OpenNI's own thread that a device was unplugged.
+/// Listens for an unplugged device; OpenNI calls it on its own thread.
 class Unplugged final : public openni::OpenNI::DeviceDisconnectedListener {
  public:
   Unplugged() { openni::OpenNI::addDeviceDisconnectedListener(this); }
@@ -61,7 +61,7 @@ class Unplugged final : public openni::OpenNI::DeviceDisconnectedListener {
  private:
   static std::size_t hash_of(std::string_view uri) { return std::hash<std::string_view>{}(uri); }
 
-  std::atomic<std::size_t> watched_{0};  // of the URI, since two threads cannot share a text without a lock
+  std::atomic<std::size_t> watched_{0};  // hash of the URI, because two threads cannot share a string without a lock
   std::atomic<bool> gone_{false};        // set by: OpenNI's thread
 };
 
@@ -86,7 +86,7 @@ class OpenNiDevice final : public CameraDevice {
 
   std::string uri_;
   wire::SessionClock clock_;
-  // Destroyed last to first: streams before their device, all before OpenNI itself; the other order crashes.
+  // Members are destroyed from last to first: streams, then the device, then OpenNI. Any other order crashes.
   Session session_;
   Unplugged unplugged_;
   openni::Device device_;
@@ -193,8 +193,8 @@ CameraDevice::Read OpenNiDevice::paired() {
 
 void OpenNiDevice::close() {
   if (depth_.isValid()) {
-    // A driver's thread may start after start() and outlast stop() by the frame it is making, and then run in memory
-    // that destroy() freed, or in a library that shutdown() unloaded: OpenNI2's own Dummy driver does both.
+    // Waits for the driver's thread. It may start after start() returned, and after stop() it may finish its frame in
+    // memory that destroy() freed or in a library that shutdown() unloaded. OpenNI2's Dummy driver does both.
     std::this_thread::sleep_until(started_ + kTwoPeriods);
     depth_.stop();
     color_.stop();

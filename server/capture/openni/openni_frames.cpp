@@ -11,7 +11,7 @@ constexpr int kWidth = 640;
 constexpr int kHeight = 480;
 constexpr int kFramesPerSecond = 30;
 
-/// True when the frame really has `bytes_per_pixel` for each pixel of each row.
+/// True when the frame has `bytes_per_pixel` for each pixel of each row.
 bool rows_are_there(const openni::VideoFrameRef& frame, int bytes_per_pixel) {
   const int width = frame.getWidth();
   const int height = frame.getHeight();
@@ -26,7 +26,7 @@ void copy_rows(const openni::VideoFrameRef& frame, std::size_t bytes_per_row, vo
                 static_cast<const char*>(frame.getData()) + row * frame.getStrideInBytes(), bytes_per_row);
 }
 
-/// Half the pixels over the tangent of half the angle; a driver that states no angle is taken for a Kinect.
+/// Focal length: half the pixels / tangent of half the angle. Without an angle from the driver, a Kinect's is assumed.
 double focal_px(int pixels, float angle_rad, int width) {
   if (angle_rad > 0.1F && angle_rad < 3.0F) return 0.5 * pixels / std::tan(0.5 * static_cast<double>(angle_rad));
   return 525.0 * width / kWidth;

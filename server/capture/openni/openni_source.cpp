@@ -8,7 +8,7 @@
 namespace telepalp::server {
 
 Result<std::unique_ptr<CaptureSource>> open_camera(const std::string& uri, const SourceOptions& options) {
-  // OpenNI2 would play a file by its own player, which a damaged file crashes.
+  // A file is not passed to OpenNI2, because a damaged file crashes OpenNI2's player.
   std::error_code code;
   if (std::filesystem::exists(uri, code) && !std::filesystem::is_character_file(uri, code))
     return Error{.what = "is a file, not a camera", .where = uri, .fix = "give --source oni:" + uri};

@@ -7,8 +7,8 @@
 namespace telepalp::server {
 namespace {
 
-constexpr Nanoseconds kBetweenRounds{33'333'333};    // from a recording's last frame to its first again
-constexpr Nanoseconds kTooLate{50'000'000};          // a frame nobody fetched for so long is dropped, as a camera would
+constexpr Nanoseconds kBetweenRounds{33'333'333};  // time from a recording's last frame to the repeated first one
+constexpr Nanoseconds kTooLate{50'000'000};  // a frame that was not fetched for this long is dropped, like a camera's
 constexpr Nanoseconds kLongestPause{2'000'000'000};  // a longer pause in a recording is cut to this
 
 class RecordedSource final : public CaptureSource {
@@ -52,7 +52,7 @@ class RecordedSource final : public CaptureSource {
   std::string complaint() const override { return frames_->complaint(); }
 
  private:
-  /// False at the end of a recording that is not to be played again, or in which no frame could be decoded.
+  /// Restarts the recording. False if it is not repeated, or if no frame could be decoded.
   bool start_over() {
     if (state_ == CaptureState::Ended) return false;
     if (!options_.loop || played_ == played_before_round_) {
@@ -78,7 +78,7 @@ class RecordedSource final : public CaptureSource {
   std::string description_;
   SourceOptions options_;
   CaptureState state_ = CaptureState::Waiting;
-  std::optional<SessionTime> last_then_;  // of the frame before, in the recording and now
+  std::optional<SessionTime> last_then_;  // times of the previous frame, in the recording and in this session
   std::optional<SessionTime> last_due_;
   std::uint64_t played_ = 0;
   std::uint64_t played_before_round_ = 0;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kFewestPoints = 100;
 constexpr double kMostResidual_px = 0.7;
 
-/// Least squares of pixel = focal * ratio + centre, gathered point by point.
+/// Least squares for pixel = focal * ratio + centre; points are added one at a time.
 class Line {
  public:
   void add(double ratio, double pixel) {

@@ -61,7 +61,7 @@ void SessionFrames::read_on() {
     Result<std::optional<wire::Message>> message = reader_.next();
     if (!message) {
       ++damaged_;
-      continue;  // the reader goes on behind the chunk it could not read
+      continue;  // the reader continues after the damaged chunk
     }
     if (!*message) {
       next_ = std::exchange(gathering_, std::nullopt);

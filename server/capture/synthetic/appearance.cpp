@@ -13,7 +13,7 @@ namespace {
 
 // Linear light, 0 to 1.
 const Eigen::Vector3d kSkin{0.62, 0.38, 0.28};
-const Eigen::Vector3d kFlush{0.60, 0.28, 0.22};  // where blood shows
+const Eigen::Vector3d kFlush{0.60, 0.28, 0.22};  // skin colour where blood is visible
 const Eigen::Vector3d kAreola{0.36, 0.17, 0.13};
 const Eigen::Vector3d kCloth{0.10, 0.22, 0.36};
 const Eigen::Vector3d kSheet{0.62, 0.68, 0.66};
@@ -99,7 +99,7 @@ ColorImage paint(const RestShape& rest, std::uint64_t seed) {
       const Eigen::Vector2d at = rest.body_coordinates_m(u, v);
       const Eigen::Vector3d albedo =
           point.on_body ? body_albedo(at, rest.cloth_share(u, v), noise) : sheet_albedo(at, noise);
-      // Wrapped Lambert: light that enters skin comes out again around the edge of the shadow.
+      // Wrapped Lambert shading: skin scatters light into the edge of the shadow.
       const double lambert = std::max(0.0, (point.normal.v.dot(to_light) + 0.25) / 1.25);
       const double light = static_cast<double>(open[picture.rgb.size() / 3]) * (0.16 + 0.95 * lambert);
       for (int channel = 0; channel < 3; ++channel) picture.rgb.push_back(display(light * albedo[channel]));

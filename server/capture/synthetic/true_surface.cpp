@@ -37,7 +37,7 @@ TrueSurfacePoint TrueSurface::on_layer(double u, double v, bool body) const noex
   const BodyRise rise = body_rise(pose_, rest_->body_coordinates_m(u, v).x());
   const double lift_m = pose_.breath.lift_m;
   const double z = rest.value - lift_m * share.value - rise.m;
-  const double du = rest.du - lift_m * share.du;  // of the shape at rest, which slides over the image
+  const double du = rest.du - lift_m * share.du;  // derivative of the shape at rest, which slides over the image
   const double dv = rest.dv - lift_m * share.dv;
   const double m_per_px = rest_->view_depth_m / camera.fx;
   // P(u, v) = z ray. Its tangents are dz/du ray + z/fx e_x and dz/dv ray + z/fy e_y; their cross product, turned
@@ -46,7 +46,8 @@ TrueSurfacePoint TrueSurface::on_layer(double u, double v, bool body) const noex
   const double across = z_du * camera.fx;
   const double down = dv * camera.fy;
   const Eigen::Vector3d normal = Eigen::Vector3d{across, down, -z - across * ray.x() - down * ray.y()}.normalized();
-  // A slide carries the skin over the image by `slide_px`; on a fixed ray, the depth changes by what comes along.
+  // A slide moves the skin over the image by `slide_px`. The depth on a fixed ray then changes by the slope of the
+  // skin.
   const Eigen::Vector2d slide_px = -rest_->pixels_per_m().cwiseProduct(pose_.slide_m_per_s);
   const double z_dt = -pose_.breath.speed_m_per_s * share.value - rise.per_s - du * slide_px.x() - dv * slide_px.y();
   const Eigen::Vector3d along_u = z_du * ray + z / camera.fx * Eigen::Vector3d::UnitX();
@@ -72,7 +73,8 @@ TrueSurfacePoint TrueSurface::on_ray_through(const Point<DepthCamera>& point) co
 }
 
 std::optional<TrueSurfacePoint> TrueSurface::at_xy(double x_m, double y_m) const noexcept {
-  // Newton on z: the tangent plane at the ray's hit, met by the parallel to the axis through (x, y).
+  // Newton's method on z: intersects the tangent plane at the ray's surface point with the parallel to the optical axis
+  // through (x, y).
   Eigen::Vector3d guess{x_m, y_m, rest_->view_depth_m};
   for (int step = 0; step < kMaxSteps; ++step) {
     const TrueSurfacePoint hit = on_ray_through({guess});

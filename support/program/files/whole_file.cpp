@@ -28,7 +28,7 @@ Error cannot_be_written(const fs::path& file, int code) {
                       : "check that the folder exists and that you may write there"};
 }
 
-/// A file under a name that nobody else has. It is removed again unless it is published.
+/// A temporary file with a unique name. It is removed unless it is published.
 class Unfinished {
  public:
   explicit Unfinished(fs::path name, mode_t mode)
@@ -43,7 +43,7 @@ class Unfinished {
 
   [[nodiscard]] bool created() const noexcept { return created_; }
 
-  /// Each of these is false on failure, with the reason in errno.
+  /// Each of these functions returns false on failure, with the reason in errno.
   [[nodiscard]] bool append(std::string_view bytes) {
     while (!bytes.empty()) {
       const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
@@ -74,7 +74,7 @@ fs::path fresh_name_beside(const fs::path& file) {
   return file.parent_path() / ("." + file.filename().string() + tail.data());
 }
 
-/// Renaming over a device or a pipe would take it away from everyone else.
+/// Error if `file` is a device or a pipe: renaming a file over it would remove it for every program.
 Result<void> check_replaceable(const fs::path& file) {
   struct stat at {};
   const bool is_there = ::lstat(file.c_str(), &at) == 0;

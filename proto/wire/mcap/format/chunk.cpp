@@ -39,7 +39,7 @@ Result<std::optional<ChunkWalk::Entry>> ChunkWalk::next() {
   const std::string_view content = from.raw(from.u64());
   if (!from.ok()) return what("a record reaches past its end");
   const bool allowed = opcode == Opcode::Schema || opcode == Opcode::Channel || opcode == Opcode::Message ||
-                       opcode > Opcode::DataEnd;  // unknown to us: skipped, as the specification asks
+                       opcode > Opcode::DataEnd;  // an unknown record is skipped, as the specification requires
   if (!allowed) return what("holds a record of a kind that may not stand in a chunk");
   rest_ = from.rest();
   return std::optional<Entry>{{opcode, content}};

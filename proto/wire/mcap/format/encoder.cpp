@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kZstd = "zstd";
 
-/// Appends each of `records` and says where the group lies; an empty group has no offset record.
+/// Appends each of `records` and an offset record with the position of the group; an empty group has none.
 template <class Record>
 void append_group(std::string& out, std::uint64_t out_offset, Opcode opcode, const std::vector<Record>& records,
                   std::vector<SummaryOffset>& offsets) {
@@ -63,7 +63,8 @@ void Encoder::add(std::string& out, const MessageRecord& message) {
   open_.start = std::min(open_.start, message.log_time);
   open_.end = std::max(open_.end, message.log_time);
   append(open_.records, message);
-  // The span is a channel's own: two senders whose clocks differ must not make a chunk of every message.
+  // The time span is measured per channel. Otherwise two senders with different clocks would close the chunk at every
+  // message.
   const std::uint64_t first = index.entries.front().log_time;
   const bool long_enough = message.log_time >= first && message.log_time - first >= limits_.span_ns;
   if (open_.records.size() >= limits_.bytes || long_enough) flush(out);
@@ -122,7 +123,7 @@ void Encoder::flush(std::string& out) {
 void Encoder::end(std::string& out) {
   flush(out);
   append(out, DataEnd{now_.data_crc});
-  // Offsets in `out` are turned into offsets in the file by what precedes `out`: all but what is not committed yet.
+  // An offset in the file is the offset in `out` plus the number of committed bytes.
   const std::uint64_t out_offset = committed_.bytes;
   Statistics statistics = now_.statistics;
   statistics.schema_count = static_cast<std::uint16_t>(schemas_.size());
@@ -142,7 +143,7 @@ void Encoder::end(std::string& out) {
   const std::size_t summary_offsets = out.size();
   for (const SummaryOffset& offset : offsets) append(out, offset);
 
-  // The summary's CRC covers it all and the footer up to, but without, the CRC itself.
+  // The CRC covers the summary and the footer's bytes before the CRC.
   append(out, Footer{out_offset + summary, out_offset + summary_offsets, 0});
   const std::size_t crc_at = out.size() - sizeof(std::uint32_t);
   const std::uint32_t crc = crc32(std::string_view(out).substr(summary, crc_at - summary));

@@ -10,7 +10,7 @@ static_assert(kMagic[5] == '0' + kMcapVersion);
 
 namespace {
 
-/// Writes head and content; the length is filled in once the content is known.
+/// Writes head and content; the length is set after the content is written.
 template <class Write>
 std::size_t append_record(std::string& out, Opcode opcode, Write write) {
   const std::size_t start = out.size();
@@ -48,7 +48,7 @@ TextMap read_text_map(ByteCursor& from) {
     std::string key{entries.text()};
     map[std::move(key)] = entries.text();
   }
-  if (!entries.ok()) from.raw(UINT64_MAX);  // the map lies: so does the record
+  if (!entries.ok()) from.raw(UINT64_MAX);  // an invalid map makes the whole record invalid
   return map;
 }
 

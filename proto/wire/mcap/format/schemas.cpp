@@ -19,7 +19,8 @@ using google::protobuf::Descriptor;
 using google::protobuf::DescriptorPool;
 using google::protobuf::FileDescriptor;
 
-/// A static library's type is known at run time only if something names it: one type for each file of topics' types.
+/// The linker keeps a type of a static library only if the program refers to it, so this function refers to one type of
+/// each .proto file.
 const DescriptorPool& pool_with_our_types() {
   static const Descriptor* const linked[] = {foxglove::CameraCalibration::descriptor(),
                                              foxglove::CompressedImage::descriptor(),

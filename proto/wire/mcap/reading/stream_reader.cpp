@@ -41,7 +41,7 @@ Result<void> McapStreamReader::enter_chunk(const RecordHead& head) {
   return {};
 }
 
-/// Steps over one record of the data section; true while there may be more.
+/// Reads one record of the data section; true while more may follow.
 Result<bool> McapStreamReader::enter_next_record() {
   const Result<RecordHead> head = mcap::read_head(*source_, offset_, source_->size());
   if (!head) {
@@ -69,7 +69,7 @@ Result<bool> McapStreamReader::enter_next_record() {
       complete_ = true;
       return false;
     default:
-      return true;  // header, indexes, and what the specification may add later
+      return true;  // header, indexes and records of later versions of the specification are skipped
   }
 }
 

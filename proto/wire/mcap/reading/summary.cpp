@@ -13,7 +13,7 @@ constexpr std::uint64_t kTailBytes = kRecordHeadBytes + kFooterContentBytes + kM
 
 struct Footing {
   Footer footer;
-  std::uint64_t offset;  // of the footer's head
+  std::uint64_t offset;  // file offset of the footer
 };
 
 Result<Footing> read_footer(ByteSource& source) {
@@ -36,7 +36,7 @@ bool lies_within(std::uint64_t offset, std::uint64_t length, std::uint64_t end) 
   return offset >= kMagic.size() && offset <= end && length <= end - offset;
 }
 
-/// Adds one summary record; false if it lies.
+/// Adds one summary record; false if it is invalid.
 bool take(Summary& summary, Opcode opcode, std::string_view content, std::uint64_t data_end) {
   switch (opcode) {
     case Opcode::Schema: {
@@ -87,7 +87,7 @@ Result<Summary> read_summary(ByteSource& source) {
   if (length > kMaxChunkBytes)
     return refused(source, "its summary is larger than 64 MiB", "split the recording into shorter files");
 
-  std::string bytes;  // the summary, and of the footer what its CRC covers
+  std::string bytes;  // the summary and the footer's part that the CRC covers
   const std::uint64_t covered = length + kRecordHeadBytes + kFooterContentBytes - sizeof(std::uint32_t);
   if (!source.read(start, covered, bytes)) return damaged(source, "cannot be read");
   if (footing->footer.summary_crc != 0 && footing->footer.summary_crc != crc32(bytes))

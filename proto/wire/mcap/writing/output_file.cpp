@@ -21,7 +21,7 @@ std::filesystem::path folder_of(const std::filesystem::path& name) {
 void sync_folder(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
-  (void)::fsync(descriptor);  // best effort: not every file system can
+  (void)::fsync(descriptor);  // errors are ignored: some file systems do not support it
   ::close(descriptor);
 }
 
@@ -41,7 +41,7 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& name) {
     return Error{.what = "exists already", .where = name.string(), .fix = "choose another name, or move it away"};
   const int descriptor = ::open(partial(name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0640);
   if (descriptor >= 0) {
-    (void)::flock(descriptor, LOCK_EX | LOCK_NB);  // best effort: not every file system can
+    (void)::flock(descriptor, LOCK_EX | LOCK_NB);  // errors are ignored: some file systems do not support it
     return OutputFile(name, descriptor);
   }
   if (errno == EEXIST)
@@ -79,7 +79,7 @@ Result<void> OutputFile::append(std::string_view bytes) {
 }
 
 void OutputFile::cut(std::uint64_t size) noexcept {
-  // If even this fails, the half-written record stays at the end, where every reader expects damage.
+  // If this fails too, the partial record stays at the end of the file, where readers expect damage.
   if (::ftruncate(descriptor_, static_cast<off_t>(size)) == 0) (void)::lseek(descriptor_, 0, SEEK_END);
 }
 

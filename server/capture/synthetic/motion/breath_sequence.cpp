@@ -11,7 +11,7 @@ namespace telepalp::server {
 namespace {
 
 constexpr int kBreaths = 256;
-constexpr double kRestSpread = 0.1;  // of the level between breaths, as a share of the amplitude
+constexpr double kRestSpread = 0.1;  // spread of the end level between breaths, as a share of the amplitude
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 namespace telepalp::server {
 
 Breath breath_at(SessionTime time, double amplitude_m, double rate_hz) noexcept {
-  // Session time counts from 1970: the whole breaths are taken off before the sine would lose them.
+  // Session time counts from 1970. Whole breaths are subtracted first, so that the sine keeps its precision.
   const double breaths = to_seconds(time.time_since_epoch()) * rate_hz;
   const double angle = std::numbers::pi * (breaths - std::floor(breaths));
   const double sine = std::sin(angle);

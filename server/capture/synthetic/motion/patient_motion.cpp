@@ -14,7 +14,7 @@ constexpr std::array kMotions{Motion::Regular, Motion::Irregular, Motion::Cough,
 constexpr std::array<std::string_view, kMotions.size()> kNames{"regular", "irregular", "cough", "hold",
                                                                "speech",  "shift",     "drift", "sit-up"};
 
-/// A stretch of time of fixed length, in which an event happens; its number is the event's.
+/// A time slot of fixed length with one event. The slot's number identifies the event.
 struct Slot {
   std::int64_t number;
   double from_begin_s;
@@ -27,7 +27,7 @@ Slot slot_at(SessionTime time, double length_s) noexcept {
   return {number, 1e-9 * static_cast<double>(now_ns - number * length_ns)};
 }
 
-/// From 0 to 1 in `takes_s` from `begins_s` on.
+/// A smooth step from 0 to 1 that begins at `begins_s` and takes `takes_s`.
 Changing ramp(double now_s, double begins_s, double takes_s) noexcept {
   const Changing step = smooth_step((now_s - begins_s) / takes_s);
   return {step.value, step.rate / takes_s};
@@ -41,7 +41,7 @@ constexpr double kHoldEnds_s = 0.4;
 /// Integral of 1 - smooth_step over [0, t], for t in [0, 1].
 double slowing(double t) noexcept { return t - t * t * t * t * (2.5 - 3.0 * t + t * t); }
 
-/// The time that the breath's own clock shows, and its speed: it stands while the breath is held.
+/// The time of the breath and its rate; it stands still while the breath is held.
 Changing held_clock(SessionTime time, std::uint64_t seed) noexcept {
   const Slot slot = slot_at(time, kHoldSlot_s);
   const double onset_s = seeded_draw(seed, slot.number, 20, 4.0, 9.0);
@@ -73,7 +73,7 @@ void add_coughs(SessionTime time, std::uint64_t seed, Breath& breath) noexcept {
   }
 }
 
-/// Where the patient has settled after the move of slot `number`.
+/// The pose after the move in slot `number`.
 PatientPose settled(std::uint64_t seed, std::int64_t number, double slide_m, double least_rise_m, double most_rise_m) {
   PatientPose pose;
   pose.slide_m = {seeded_draw(seed, number, 40, -slide_m, slide_m), seeded_draw(seed, number, 41, -slide_m, slide_m)};
@@ -81,7 +81,7 @@ PatientPose settled(std::uint64_t seed, std::int64_t number, double slide_m, dou
   return pose;
 }
 
-/// From one settled pose to the next.
+/// Adds the move from one pose to the next.
 void add_move(const PatientPose& from, const PatientPose& to, const Changing& done, PatientPose& pose) noexcept {
   pose.slide_m = from.slide_m + done.value * (to.slide_m - from.slide_m);
   pose.slide_m_per_s = done.rate * (to.slide_m - from.slide_m);

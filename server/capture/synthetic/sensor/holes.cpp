@@ -7,13 +7,13 @@ namespace telepalp::server {
 namespace {
 
 constexpr float kProjectorToTheRight_m = 0.075F;
-constexpr float kJump_m = 0.012F;          // between neighbouring pixels: a silhouette
+constexpr float kJump_m = 0.012F;          // depth step between neighbouring pixels at a silhouette
 constexpr int kRaggedReach_px = 2;         // the correlation window straddles the silhouette this far
 constexpr float kGrazingSlope_m = 0.005F;  // depth change a pixel: rays within about 17 degrees of the skin at 0.8 m
 constexpr std::uint8_t kAlways = 255;
 
-/// Marks what the projector cannot light: going away from it along a row, a point whose direction from the projector
-/// has already been passed lies in the shadow of something nearer.
+/// Marks the pixels that the projector cannot light. Along a row, away from the projector, the direction to the points
+/// must increase; a point with a smaller direction than an earlier one lies in that one's shadow.
 void mark_shadow(const float* depth_m, int width, float fx, std::uint8_t* hole) {
   float reached = static_cast<float>(width) * 2.0F;
   for (int u = width - 1; u >= 0; --u) {

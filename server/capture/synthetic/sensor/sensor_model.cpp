@@ -76,7 +76,7 @@ void add_color_noise(std::vector<std::uint8_t>& rgb, std::int64_t instant, std::
   const sensor::PixelNoise noise{seed ^ 0xC01055ULL, instant};
   for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
     const std::uint32_t bits = noise.bits(static_cast<std::uint32_t>(i));
-    // The sum of two uniform two-bit numbers: -3 to 3, most often 0.
+    // The sum of two uniform two-bit numbers minus 3: -3 to 3, most often 0.
     const int by = static_cast<int>((bits >> 8U) & 3U) + static_cast<int>((bits >> 16U) & 3U) - 3;
     for (std::size_t channel = i; channel < i + 3; ++channel)
       rgb[channel] = static_cast<std::uint8_t>(std::clamp(rgb[channel] + by, 0, 255));

@@ -7,7 +7,7 @@ namespace telepalp::server {
 namespace {
 
 constexpr float kShapeFactor = 0.75F;
-constexpr float kNearest_m = 0.05F;  // a triangle that reaches behind this is no part of a patient under a camera
+constexpr float kNearest_m = 0.05F;  // a triangle that is nearer than this is not drawn
 
 struct Corner {
   Eigen::Vector3f at;

@@ -10,12 +10,12 @@
 namespace telepalp::server {
 namespace {
 
-constexpr double kSmoothing_m = 0.005;       // rounds off facets of 13 mm; a navel stays
-constexpr double kClothSmoothing_m = 0.022;  // cloth spans the hollows of what it covers
+constexpr double kSmoothing_m = 0.005;       // smooths facets of 13 mm and keeps the navel
+constexpr double kClothSmoothing_m = 0.022;  // cloth spans the hollows of the body
 constexpr double kHem_m = -0.225;            // along the body from the picture's middle, negative towards the feet
-constexpr double kHips_m = 0.28;             // to either side: beyond lie the hands
-constexpr double kSilhouette_px = 1.2;       // rounds the stairs of the mask
-constexpr float kBodyAboveTable_m = 0.004F;  // skin nearer to the table than this is not told from it
+constexpr double kHips_m = 0.28;             // half width of the hips; the hands lie beyond
+constexpr double kSilhouette_px = 1.2;       // smooths the steps of the mask
+constexpr float kBodyAboveTable_m = 0.004F;  // skin nearer to the table than this counts as table
 constexpr double kSmallestBody_m = 0.1;
 constexpr double kLargestBody_m = 4.0;
 

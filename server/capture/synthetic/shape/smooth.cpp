@@ -33,7 +33,7 @@ void blur_rows(const std::vector<float>& in, std::vector<float>& out, const std:
   }
 }
 
-/// Row by row as well, so that memory is read in order.
+/// Works row by row, too, so that memory is read in order.
 void blur_columns(const std::vector<float>& in, std::vector<float>& out, const std::vector<float>& kernel,
                   ImageSize size) {
   const int radius = static_cast<int>(kernel.size()) / 2;
