@@ -28,24 +28,24 @@ program::Usage usage() {
           .options = {{"source", "SOURCE",
                        "openni2[:URI] | oni:FILE | images:DIR | pcd:FILE | synthetic[:MODEL] | session:FILE.mcap",
                        "synthetic"},
-                      {"loop", "yes|no", "a recording starts again at its end", "yes"},
-                      {"seconds", "S", "stop after so long; 0: run on", "0"},
+                      {"loop", "yes|no", "repeat a recording when it ends", "yes"},
+                      {"seconds", "S", "stop after this time; 0: never", "0"},
                       {"bind", "ADDRESS", "loopback address to listen on", "127.0.0.1"},
                       {"port", "PORT", "for stations and recorders; 0: any free one", program::kServerPort},
-                      {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; left out: none"},
+                      {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; default: none"},
                       {.name = "allow-origin",
                        .argument = "ORIGIN",
                        .help = "a page that may open the stream beside ours, such as https://app.foxglove.dev",
                        .repeatable = true},
-                      {"viewer", "DIR", "the web viewer's files; left out: those built beside this program"},
-                      {"ready-file", "FILE", "write the ports there once it listens"},
-                      {"depth-mode", "MODE", "fast, intra, temporal (all without loss) or bounded (for the eye alone)",
-                       "fast"},
+                      {"viewer", "DIR", "the web viewer's files; default: those built beside this program"},
+                      {"ready-file", "FILE", "file to write the ports to once it listens"},
+                      {"depth-mode", "MODE",
+                       "fast, intra, temporal (lossless) or bounded (near-lossless, for display only)", "fast"},
                       {"depth-bound", "LEAST,PER_M2",
                        "bounded: a depth of z m moves by max(LEAST, PER_M2 z²) mm at most [1,2.85]"},
-                      {"key-every", "N", "frames from key frame to key frame, temporal and bounded", "12"},
+                      {"key-every", "N", "temporal, bounded: frames from key frame to key frame", "12"},
                       {"jpeg-quality", "1..100", "of colour", "85"},
-                      {"name", "NAME", "told to peers", kProgram}},
+                      {"name", "NAME", "name shown to peers", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};
 }
 
@@ -147,7 +147,7 @@ int run(const Asked& asked) {
     program::log(kProgram, "stopping: " + reason);
     boost::system::error_code ignored;
     signals.cancel(ignored);  // not clear(): the handlers stay installed, so a second signal has no further effect
-    program::end_within(program::kTimeToEnd, "telepalp-server: the camera did not let go in time");
+    program::end_within(program::kTimeToEnd, "telepalp-server: the camera did not stop in time");
     time_is_up.cancel();
     gateway.reset();
     server.stop(reason);
@@ -158,7 +158,7 @@ int run(const Asked& asked) {
   if (asked.seconds.count() > 0.0) {
     time_is_up.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(asked.seconds));
     time_is_up.async_wait([&](const boost::system::error_code& cancelled) {
-      if (!cancelled) stop("the time asked for is up");
+      if (!cancelled) stop("the time limit is over");
     });
   }
   server.start(std::move(source).value(), asked.source, [&] { stop("the source came to its end"); });

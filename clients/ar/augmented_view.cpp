@@ -25,7 +25,7 @@ bool is_finite(const Touch& touch) {
          touch.force.N.allFinite() && std::isfinite(touch.indentation_m);
 }
 
-/// The middle of what is seen: the median in each direction, which stray pixels do not move.
+/// The middle of the visible mesh: the median in each direction, because stray pixels do not change it.
 Eigen::Vector3f middle_of(const Mesh& mesh) {
   std::vector<float> values;
   Eigen::Vector3f middle(0.0F, 0.0F, 1.0F);
@@ -40,7 +40,7 @@ Eigen::Vector3f middle_of(const Mesh& mesh) {
   return middle;
 }
 
-/// Mean normal of the surface within `reach` of `at`; towards the camera where nothing is near.
+/// Mean normal of the surface within `reach` of `at`; the direction to the camera if no surface is near.
 Eigen::Vector3f surface_normal(const Mesh& mesh, const Eigen::Vector3f& at, float reach) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const auto& triangle : mesh.triangles) {
@@ -50,8 +50,8 @@ Eigen::Vector3f surface_normal(const Mesh& mesh, const Eigen::Vector3f& at, floa
   return sum.norm() > 1e-3F ? sum.normalized() : Eigen::Vector3f(0.0F, 0.0F, -1.0F);
 }
 
-/// Without what stands between the eye and the touch, and with a dark room brightened: the median of what is near
-/// `target` is to be a mid grey, by at most twofold, so that black stays dark.
+/// Removes the vertices between the eye and the touch, and brightens a dark room: the median colour near `target`
+/// becomes a mid grey. The gain is at most 2, so that black stays dark.
 Mesh cleared(Mesh mesh, const ViewCamera& camera, const Eigen::Vector3f& target) {
   constexpr float kRoom_m = 0.5F, kMidGrey = 0.2F, kMostGain = 2.0F;
   const Eigen::Vector3f forward = camera.view_from_scene.row(2).transpose();
@@ -81,8 +81,8 @@ ViewCamera three_quarter_view(const Eigen::Vector3f& target, float distance_m, i
                  width_px, height_px);
 }
 
-/// Stands the avatar on the surface: its fingers point up the image, its back along the surface's normal, halfway
-/// between that and the view from above so that a steep flank does not turn the hand over.
+/// Places the avatar on the surface. Its fingers point up in the image. Its back points halfway between the surface's
+/// normal and the direction to the camera, so that a steep flank does not turn the hand over.
 Eigen::Matrix3f scene_from_hand(const Eigen::Vector3f& surface_normal) {
   const Eigen::Vector3f z = (surface_normal + Eigen::Vector3f(0.0F, 0.0F, -1.0F)).normalized();
   const Eigen::Vector3f ahead(0.25F, -1.0F, 0.0F);
@@ -101,7 +101,7 @@ struct Scene {
   void draw(const Mesh& mesh, const Paint& paint) const { canvas.draw(mesh, camera, lights, shadow, paint); }
 };
 
-/// Draws the touch over the body, which is on the canvas already. What lies beneath the skin shimmers through it.
+/// Draws the touch over the body, which is already on the canvas. Parts below the skin show through it.
 void draw_touch(const Scene& scene, const Touch& touch, const Mesh& skin, const Mesh& sleeve) {
   const Eigen::Vector3f proxy = touch.proxy.m.cast<float>(), device = touch.device.m.cast<float>();
   const Eigen::Vector3f force = touch.force.N.cast<float>();

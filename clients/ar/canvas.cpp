@@ -10,7 +10,7 @@
 namespace telepalp::ar {
 namespace {
 
-/// A point of a surface as the eye meets it.
+/// A visible point of a surface.
 struct Fragment {
   Eigen::Vector3f at, normal, color;
 };
@@ -64,7 +64,8 @@ void Canvas::draw(const Mesh& mesh, const ViewCamera& camera_px, const Lights& l
       const float depth = wa * pa.depth + wb * pb.depth + wc * pc.depth;
       const bool in_front = depth < depth_[pixel];
       if (!in_front && paint.behind <= 0.0F) return;
-      // Weights are those of the image, not of space: triangles are a few pixels wide, the difference is not seen.
+      // The weights are linear in the image instead of in space. Triangles are a few pixels wide, so the difference is
+      // invisible.
       Fragment fragment{wa * a.at + wb * b.at + wc * c.at, (wa * a.normal + wb * b.normal + wc * c.normal).normalized(),
                         wa * a.color + wb * b.color + wc * c.color};
       const Eigen::Vector3f to_eye = (camera.eye - fragment.at).normalized();

@@ -23,9 +23,9 @@ struct Grid {
   }
 };
 
-/// Neighbouring depths whose difference is below this belong to one surface: it is steeper than about 80 degrees
-/// otherwise, or a silhouette. `pixel_rad` is the angle between neighbours; Kinect v1's own steps, 2.85 mm at 1 m and
-/// growing with the square of depth, stay below it within the sensor's range.
+/// Neighbouring depths with a smaller difference belong to one surface. A greater difference means a slope of more than
+/// about 80 degrees, or a silhouette. `pixel_rad` is the angle between neighbours; Kinect v1's own steps, 2.85 mm at 1
+/// m and growing with the square of depth, stay below it within the sensor's range.
 float jump_m(float z, float pixel_rad) { return 0.005F + 5.0F * pixel_rad * z + 0.002F * z * z; }
 
 Grid grid_of(const DepthImage& depth, const Intrinsics& camera) {
@@ -69,7 +69,7 @@ Eigen::Vector3f place(const Grid& grid, const Intrinsics& camera, int x, int y) 
           (v - static_cast<float>(camera.cy)) / static_cast<float>(camera.fy) * z, z};
 }
 
-/// The neighbour `(dx, dy)` steps away, or the nearest on the way that is on the same surface.
+/// The point `(dx, dy)` steps away, or the farthest point on the way to it that is on the same surface.
 Eigen::Vector3f neighbour(const Grid& grid, const Intrinsics& camera, int x, int y, int dx, int dy) {
   const float z = grid.at(x, y);
   for (int step = 3; step > 0; --step) {
@@ -88,7 +88,8 @@ Eigen::Vector3f normal_at(const Grid& grid, const Intrinsics& camera, int x, int
   return length > 0.0F ? Eigen::Vector3f(normal / length) : Eigen::Vector3f(0.0F, 0.0F, -1.0F);
 }
 
-/// Colour of a point: where the colour camera sees it. Registered images share their pixels, but for their size.
+/// Colour of a point, from the pixel at which the colour camera sees it. Registered images have the same pixels, apart
+/// from their size.
 Eigen::Vector3f color_at(const RgbdFrame& frame, int column, int row) {
   const ColorImage& color = frame.color;
   if (color.rgb.empty()) return linear_from_srgb(205, 200, 194);
@@ -96,7 +97,7 @@ Eigen::Vector3f color_at(const RgbdFrame& frame, int column, int row) {
   if (frame.camera.color_registered) {
     u *= static_cast<double>(color.width) / frame.depth.width;
     v *= static_cast<double>(color.height) / frame.depth.height;
-  } else {  // two pinholes side by side; the few centimetres between them are unknown here
+  } else {  // two cameras side by side; the few centimetres between them are unknown and ignored
     const Intrinsics &from = frame.camera.depth, &to = frame.camera.color;
     u = (u - from.cx) / from.fx * to.fx + to.cx;
     v = (v - from.cy) / from.fy * to.fy + to.cy;

@@ -63,7 +63,7 @@ float hand_distance(const std::vector<std::vector<Bone>>& fingers, const std::ve
                     const Eigen::Vector3f& at) {
   float body = 1e6F;
   for (const Bone& bone : hand) body = smooth_union(body, distance(bone, at), 14.0F);
-  // Fingers melt into the palm but not into one another: each is joined with the palm alone.
+  // Fingers blend with the palm but not with one another, so each finger is joined only to the palm.
   float all = body;
   for (const auto& bones : fingers) {
     float finger = 1e6F;

@@ -34,7 +34,7 @@ class Samples {
   std::vector<float> values_;
 };
 
-/// Mean of where the surface crosses the twelve edges of the cube at `cube`; nothing when it does not.
+/// Mean of the points at which the surface crosses the twelve edges of the cube at `cube`; nullopt without a crossing.
 std::optional<Eigen::Vector3f> crossing(const Samples& samples, const Eigen::Vector3i& cube) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   int crossings = 0;

@@ -40,7 +40,7 @@ void ShadowMap::add(const Mesh& caster) {
 float ShadowMap::light_at(const Eigen::Vector3f& at) const noexcept {
   constexpr int kSoft_px = 5;
   constexpr int kStep_px = 2;
-  constexpr float kBias_m = 0.004F;  // without it a caster shades itself in stripes
+  constexpr float kBias_m = 0.004F;  // without it, surfaces shadow themselves in stripes
   const Eigen::Vector3f here = to_map(at);
   if (!(here.x() > kSoft_px && here.y() > kSoft_px && here.x() < kSide - 1 - kSoft_px &&
         here.y() < kSide - 1 - kSoft_px))

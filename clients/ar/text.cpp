@@ -9,7 +9,7 @@ namespace {
 struct Glyph {
   std::uint32_t code;
   int advance_px;
-  std::array<std::string_view, 27> rows;  ///< a hexadecimal digit of coverage for each pixel
+  std::array<std::string_view, 27> rows;  ///< one hexadecimal digit per pixel: its coverage
 };
 
 #include "clients/ar/font_data.inc"
@@ -20,7 +20,7 @@ const Glyph& glyph_of(std::uint32_t code) noexcept {
   return glyph_of('?');
 }
 
-/// Takes the next code point off UTF-8 of up to three bytes; what is malformed or longer becomes '?'.
+/// Removes the next code point from UTF-8 text. A malformed one, or one of more than three bytes, becomes '?'.
 std::uint32_t next_code(std::string_view& text) noexcept {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
   const std::uint32_t first = byte(0);

@@ -7,7 +7,7 @@ namespace {
 
 constexpr auto kFlushAfter = std::chrono::seconds(1);
 
-/// What a waiting message takes, roughly: an empty one is not free either.
+/// Approximate memory of a queued message; an empty one takes memory, too.
 std::size_t weight(const wire::Message& message) { return message.payload->size() + 128; }
 
 }  // namespace

@@ -41,8 +41,8 @@ std::string made_by(const SessionFacts& facts) {
   return program::escaped(line) + "\n";
 }
 
-/// How far the depth in the file is from what the camera measured: as the recorder noted it at the end, and else (an
-/// encoded or repaired file) as the first image tells.
+/// The bound on the error of the depth in the file: the recorder's note at the end of the file or, without it (an
+/// encoded or repaired file), the bound in the first image.
 std::string depth_of(wire::McapReader& reader) {
   for (const wire::mcap::MetadataIndex& index : reader.summary().metadata) {
     if (index.name != wire::kRecordingMetadata) continue;

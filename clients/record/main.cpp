@@ -21,26 +21,26 @@ int info_command(int argc, const char* const* argv);
 int repair_command(int argc, const char* const* argv);
 
 program::Usage usage() {
-  return {
-      .program = kProgram,
-      .purpose = "writes what a server publishes to a session file, and looks after such files",
-      .positional = {},
-      .options = {{"connect", "HOST:PORT", "the server", program::kServerAddress},
-                  {"out", "FILE.mcap", "record to this new file; until it is whole it is called FILE.mcap.partial"},
-                  {"topics", "LIST", "by commas; a name ending in * is a prefix", "*"},
-                  {"seconds", "S", "stop after so long; 0: until Ctrl-C", "0"},
-                  program::patience_option("how long to wait for the server at the start; 0: for ever"),
-                  {"ready-file", "FILE", "write there once the server is subscribed to"},
-                  {"info", "FILE", "the same as the command info"},
-                  {"repair", "FILE", "the same as the command repair; the copy goes to --out or beside the file"}},
-      .example = "telepalp-record --out session.mcap --seconds 60",
-      .commands = {{"info", "FILE", "tell what a session file holds", info_command},
-                   {"repair", "FILE", "finish a recording that was cut off, or mend a damaged file", repair_command}}};
+  return {.program = kProgram,
+          .purpose = "records a server's messages to a session file; describes and repairs such files",
+          .positional = {},
+          .options = {{"connect", "HOST:PORT", "the server", program::kServerAddress},
+                      {"out", "FILE.mcap", "new session file; named FILE.mcap.partial until it is complete"},
+                      {"topics", "LIST", "comma-separated; a name ending in * is a prefix", "*"},
+                      {"seconds", "S", "stop after this time; 0: at Ctrl-C", "0"},
+                      program::patience_option("how long to wait for the server at the start; 0: for ever"),
+                      {"ready-file", "FILE", "file to write once the subscription is active"},
+                      {"info", "FILE", "the same as the command info"},
+                      {"repair", "FILE", "the same as the command repair; the copy goes to --out or beside the file"}},
+          .example = "telepalp-record --out session.mcap --seconds 60",
+          .commands = {
+              {"info", "FILE", "describe a session file", info_command},
+              {"repair", "FILE", "finish a recording that was cut off, or repair a damaged file", repair_command}}};
 }
 
 program::Usage info_usage() {
   return {.program = "telepalp-record info",
-          .purpose = "tells what a session file holds: length, size, origin, topics and rates",
+          .purpose = "describes a session file: length, size, origin, topics and rates",
           .positional = "FILE",
           .options = {{"json", "", "print JSON instead of a table"}},
           .example = "telepalp-record info session.mcap"};
@@ -50,11 +50,11 @@ program::Usage repair_usage() {
   return {.program = "telepalp-record repair",
           .purpose = "finishes a recording that was cut off, or copies what can be read of a damaged file",
           .positional = "FILE",
-          .options = {{"out", "FILE.mcap", "where the copy goes; left out: beside FILE"}},
+          .options = {{"out", "FILE.mcap", "file for the copy; default: beside FILE"}},
           .example = "telepalp-record repair session.mcap"};
 }
 
-/// The one file that a command is about.
+/// The one file of a command.
 Result<std::string> file_of(const program::Arguments& arguments, const program::Usage& usage) {
   if (arguments.positional().size() == 1) return arguments.positional().front();
   return Error{.what = "name one session file",

@@ -27,7 +27,8 @@ using boost::system::error_code;
 
 constexpr const char* kProgram = "telepalp-record";
 constexpr const char* kNotFinished =
-    "telepalp-record: the disk did not take the rest in time; the file stays as NAME.partial. fix: telepalp-record "
+    "telepalp-record: the disk did not store the remaining messages in time; the file stays as NAME.partial. fix: "
+    "telepalp-record "
     "--repair NAME.partial";
 constexpr auto kProgressEvery = std::chrono::milliseconds(500);
 
@@ -47,7 +48,7 @@ std::uint64_t total(const std::map<std::string_view, std::uint64_t>& by_topic) {
   return sum;
 }
 
-/// Goes into the file, so that who reads it later knows what it lacks, and how exact its depth is.
+/// Metadata for the file: the gaps of the recording and the accuracy of its depth.
 wire::mcap::Metadata what_was_found(const RecordingReport& report,
                                     const std::map<std::string_view, std::uint64_t>& dropped,
                                     const std::set<std::string>& depth) {
@@ -58,7 +59,7 @@ wire::mcap::Metadata what_was_found(const RecordingReport& report,
   return metadata;
 }
 
-/// One recording in progress. All but what `disk_` runs is on the network thread.
+/// One recording in progress. Everything runs on the network thread, except for the functions that `disk_` calls.
 class Recording {
  public:
   Recording(const RecordingOptions& options, wire::McapWriter writer)
@@ -93,7 +94,7 @@ class Recording {
   }
 
  private:
-  /// Depth that depends on a frame which the disk did not take would be of no use to whoever reads the file.
+  /// After a dropped depth frame, the frames that depend on it are useless in the file, so a key frame is requested.
   void on_message(const wire::Message& message) {
     const bool taken = disk_.offer(message);
     if (message.topic.name != wire::kCameraDepth.name) return;
@@ -113,7 +114,7 @@ class Recording {
     if (state == wire::LinkState::Refused) return fail(wire::refused_error(detail, address_text(options_.server)));
     if (state == wire::LinkState::Lost && !stopping_) {
       away_since_ = Clock::now();
-      say("the server is away (" + detail + "); the recording goes on when it is back");
+      say("the server is away (" + detail + "); the recording continues when it is back");
     }
   }
 
@@ -122,7 +123,7 @@ class Recording {
       const double away_s = seconds_since(*std::exchange(away_since_, std::nullopt));
       ++report_.gaps;
       report_.gap_s += away_s;
-      say("the server is back after " + fixed(away_s, 1) + " s, which the recording lacks");
+      say("the server is back after " + fixed(away_s, 1) + " s; the recording has no messages from that time");
     }
     if (std::exchange(started_, started_.value_or(Clock::now()))) return;
     say("recording " + address_text(options_.server) + " to " + options_.file.string());
@@ -138,7 +139,7 @@ class Recording {
     });
   }
 
-  /// Looks after the disk, and shows how it goes.
+  /// Checks the disk thread and shows the progress.
   void watch() {
     watch_.expires_after(kProgressEvery);
     watch_.async_wait([this](const error_code& cancelled) {
@@ -172,7 +173,7 @@ class Recording {
     if (std::exchange(stopping_, true)) return;
     say("finishing the file: " + reason);
     error_code ignored;
-    signals_.cancel(ignored);  // and not clear(): a second signal shall change nothing
+    signals_.cancel(ignored);  // not clear(): the handlers stay installed, so a second signal has no further effect
     deadline_.cancel();
     watch_.cancel();
     link_.stop(reason);
@@ -180,7 +181,7 @@ class Recording {
 
   void fail(const Error& error) {
     if (!failed_) failed_ = error;
-    stop("it cannot go on");
+    stop("the recorder failed");
   }
 
   Result<RecordingReport> finish() {
@@ -216,7 +217,8 @@ class Recording {
   boost::asio::steady_timer watch_{io_};
   wire::ClientLink link_;
   RecordingReport report_;
-  std::set<std::string> depth_;  // what was told of the depth recorded, in words; one, but for a server that comes back
+  std::set<std::string>
+      depth_;  // accuracy of the recorded depth as text; several texts only if the server changed during the recording
   std::optional<Clock::time_point> started_;
   std::optional<Clock::time_point> away_since_;
   std::optional<Error> failed_;

@@ -83,7 +83,8 @@ Result<RepairReport> finish(const fs::path& partial) {
   const Result<Lock> lock = Lock::take(partial);
   if (!lock) return lock.error();
   if (!lock->is_of(partial)) return cannot_be_finished(partial, "its recorder has just finished it");
-  const fs::path made = name.string() + ".finishing";  // under the lock: whatever has this name was left by a crash
+  const fs::path made =
+      name.string() + ".finishing";  // under the lock, so a file with this name is the rest of a crash
   fs::remove(made, ignored);
   fs::remove(made.string() + std::string(kPartial), ignored);
   Result<RepairReport> report = repair(partial, made);

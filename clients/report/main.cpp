@@ -16,18 +16,18 @@ namespace {
 
 const program::Usage kUsage{
     .program = "telepalp-report",
-    .purpose = "tells what a session file holds: report.html for people, report.json for programs, view.png",
+    .purpose = "reports on a session file: report.html for people, report.json for programs, view.png",
     .positional = "SESSION.mcap",
     .options =
-        {{.name = "out", .argument = "DIR", .help = "folder for the three files; made when missing", .initial = "."}},
+        {{.name = "out", .argument = "DIR", .help = "folder for the three files; created if missing", .initial = "."}},
     .example = "telepalp-report out/session.mcap --out out"};
 
-/// A report shows a patient: its group may read it, nobody else.
+/// A report shows a patient, so only the file's owner and group may read it.
 Result<void> write_file(const std::filesystem::path& file, const std::string& bytes) {
   return program::write_whole_file(file, bytes, program::Readers::Group);
 }
 
-/// `asked`, or the session that is made of it when its recorder was cut off.
+/// `asked`, or, if its recorder was cut off, the session that is finished from it.
 Result<std::filesystem::path> finished(const std::filesystem::path& asked) {
   const auto partial = record::unfinished(asked);
   if (!partial) return asked;

@@ -79,7 +79,7 @@ Result<void> write_calibration(const std::filesystem::path& file, const msg::Cal
   std::string text;
   google::protobuf::TextFormat::PrintToString(calibration, &text);
   constexpr auto kHead =
-      "# Where things stand, as telepalp-station calibrate measured it. telepalp-station --calibration reads it.\n";
+      "# Transforms, measured by telepalp-station calibrate and read by telepalp-station --calibration.\n";
   return program::write_whole_file(file, kHead + text, program::Readers::Anyone);
 }
 

@@ -18,7 +18,8 @@ Error refusal(std::string what, std::string fix) {
 std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name) {
   constexpr double kRotationError = 1e-3;
   if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > 10.0)
-    return refusal(name + " is not finite, or further than 10 m", "leave out what tracker or device lost");
+    return refusal(name + " is not finite, or further than 10 m",
+                   "leave out poses that the tracker or the device has lost");
   const Matrix3d r = pose.linear();
   if ((r * r.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() > kRotationError)
     return refusal(name + " is no rotation: its axes are not square or not of length one", "give a rotation matrix");

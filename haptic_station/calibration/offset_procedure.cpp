@@ -25,7 +25,8 @@ Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const
   Vector3d end_effector = Vector3d::Zero();
   for (const Touch& touch : touches) {
     if (!usable(touch.hand.m) || !usable(touch.end_effector.m))
-      return refusal("a touch is not finite, or further than 10 m", "leave out what tracker or device lost");
+      return refusal("a touch is not finite, or further than 10 m",
+                     "leave out touches that the tracker or the device has lost");
     hand += touch.hand.m / static_cast<double>(touches.size());
     end_effector += touch.end_effector.m / static_cast<double>(touches.size());
   }

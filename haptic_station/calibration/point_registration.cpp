@@ -131,7 +131,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
     if (const auto far = [](const Vector3d& p) { return !p.allFinite() || p.cwiseAbs().maxCoeff() > kFurthest_m; };
         far(pairs[i].to) || far(pairs[i].from))
       return refusal("pair " + std::to_string(i + 1) + " is not finite, or further than 10 m",
-                     "give positions in metres; leave out what the tracker lost");
+                     "give positions in metres; leave out points that the tracker has lost");
 
   const std::vector<Place> places = averaged(pairs);
   const Centred c = centred(places);
@@ -151,7 +151,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   fit.to_from_from.translation() = c.to_mean - fit.to_from_from.linear() * c.from_mean;
   fit.residuals = residuals_of(pairs, fit.to_from_from);
   if (fit.residuals.rms_m() > settings.largest_rms_share * from_widths[0])
-    return refusal("the pairs do not belong together: rms residual " + millimetres(fit.residuals.rms_m()) +
+    return refusal("the pairs do not match: rms residual " + millimetres(fit.residuals.rms_m()) +
                        " over places that spread " + millimetres(from_widths[0]) + "; worst is pair " +
                        std::to_string(fit.residuals.worst() + 1),
                    "measure the worst pair again, and check that both columns name the same places");

@@ -17,12 +17,12 @@ std::vector<program::Option> surface_options() {
   return {{"cloud", "FILE", "a .pcd, .ply or .obj to touch"},
           {"depth", "FILE", "or a 16-bit depth PNG"},
           {"camera", "FILE", "camera.textproto of that PNG"},
-          {"setting", "NAME", "how the surface is made: fast, smooth, paper, cloud …", "fast"},
+          {"setting", "NAME", "surface setting: fast, smooth, paper, cloud …", "fast"},
           {"unit-m", "M", "metres for one unit of the cloud's coordinates", "1"},
-          {"samples", "N", "points a mesh is resampled to; left out: as its shape needs"},
-          {"spacing-mm", "MM", "instead: how far apart they are"},
+          {"samples", "N", "points sampled on a mesh; default: as its shape needs"},
+          {"spacing-mm", "MM", "instead of --samples: spacing of the points"},
           {"anyway", "", "accept samples that are too coarse for the mesh"},
-          {"flip-normals", "", "the other side is outside"}};
+          {"flip-normals", "", "reverse all normals"}};
 }
 
 int path_command(int argc, const char* const* argv);
@@ -30,12 +30,12 @@ int path_command(int argc, const char* const* argv);
 program::Usage touch_usage() {
   program::Usage usage{.program = "telepalp-probe",
                        .purpose =
-                           "touches a cloud, a mesh or a depth image along a trajectory and writes what was "
-                           "felt",
+                           "touches a cloud, a mesh or a depth image along a trajectory and writes contact "
+                           "and force",
                        .positional = "",
                        .options = surface_options(),
                        .example = "telepalp-probe --cloud torso.pcd --trajectory path.csv --out felt.csv",
-                       .commands = {{"path", "", "make such a trajectory", path_command}}};
+                       .commands = {{"path", "", "make a trajectory", path_command}}};
   usage.options.insert(usage.options.end(),
                        {{"trajectory", "FILE", "CSV with columns t_s,x,y,z: metres, in the cloud's frame"},
                         {"k", "N/M", "stiffness of the coupling", "500"},
@@ -52,8 +52,8 @@ program::Usage path_usage() {
                        .positional = "",
                        .options = surface_options(),
                        .example = "telepalp-probe path --cloud torso.pcd --out path.csv"};
-  usage.options.insert(usage.options.end(), {{"at", "X,Y,Z", "where to begin, in metres; left out: in the middle"},
-                                             {"spots", "N", "where to press", "5"},
+  usage.options.insert(usage.options.end(), {{"at", "X,Y,Z", "first place, in metres; default: the middle"},
+                                             {"spots", "N", "number of places to press", "5"},
                                              {"depth-mm", "MM", "how deep", "10"},
                                              {"speed-mm-s", "MM/S", "how fast", "100"},
                                              {"rate-hz", "HZ", "waypoints a second", "2000"},

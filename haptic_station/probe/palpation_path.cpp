@@ -109,9 +109,9 @@ Result<std::vector<Waypoint>> palpation_path(const surface::SurfaceSnapshot& sna
   const std::vector<Spot> spots =
       on_surface.empty() ? std::vector<Spot>{} : choose_spots(snapshot, on_surface, settings);
   if (spots.empty())
-    return Error{.what = "nowhere is there whole surface around a point",
+    return Error{.what = "no point is surrounded by surface on all sides",
                  .where = "path",
-                 .fix = "give a denser cloud, or say by --at where it is dense"};
+                 .fix = "give a denser cloud, or name a dense place by --at"};
   Pen pen(settings);
   for (const Spot& spot : spots) {
     pen.move_to(spot.at + settings.above_m * spot.normal);

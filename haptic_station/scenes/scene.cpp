@@ -110,7 +110,7 @@ effects::Friction read_friction(FieldCheck& check, const msg::FrictionEffect& me
                 {10, 3000, "N/m"});
   const auto skin = std::ranges::find_if(scene.effects(), [](const msg::Effect& effect) { return effect.has_skin(); });
   if (skin == scene.effects().end())
-    check.complain("friction has no skin to rub on", "add effects { skin { anchor: ANCHOR_SLIDING } }");
+    check.complain("friction needs a skin effect", "add effects { skin { anchor: ANCHOR_SLIDING } }");
   else
     friction.load = read_skin_settings(check, skin->skin()).law;
   return effects::Friction(friction);

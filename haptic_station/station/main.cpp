@@ -27,26 +27,26 @@ program::Usage usage() {
           .purpose = "turns a served depth stream into a surface that can be touched, at 2 kHz",
           .positional = "",
           .options = {{"connect", "HOST:PORT", "the server", program::kServerAddress},
-                      {"scene", "FILE", "a *.scene.textproto; left out: palpation"},
+                      {"scene", "FILE", "a *.scene.textproto; default: palpation"},
                       {"surface", "NAME|model:FILE",
-                       "instead of the scene's: how the streamed surface is made, or a mesh or cloud to touch"},
-                      {"calibration", "FILE", "what telepalp-station calibrate measured"},
+                       "replaces the scene's: a setting for the streamed surface, or a mesh or cloud to touch"},
+                      {"calibration", "FILE", "a file of telepalp-station calibrate"},
                       program::patience_option("how long to wait for the server and its first image; 0: for ever"),
                       {"device", station::kDeviceWords, "the haptic device", "simulated"},
                       {"tracker", station::kTrackerWords,
                        "the hand tracker; held: the hand is where the device is; browser: in a viewer", "simulated"},
-                      {"check", "", "read the scene, say what can be felt in it, and leave"},
+                      {"check", "", "check the scene, list its effects, and exit"},
                       {"control", "PATH",
-                       "the socket by which telepalp-station rearm speaks to this station, or none; left out: in "
-                       "the user's runtime folder"},
-                      {"state-dir", "DIR", "where the last 10 s go at a fault; left out: the user's folder for state"},
-                      {"seconds", "S", "how long to tick; 0: until Ctrl-C", "0"},
+                       "socket for telepalp-station rearm, or none; default: in the user's runtime folder"},
+                      {"state-dir", "DIR", "folder for the last 10 s before a fault; default: the user's state folder"},
+                      {"seconds", "S", "run time; 0: until Ctrl-C", "0"},
                       {"realtime", "require|prefer", "whether to run without real-time priority", "prefer"}},
           .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10",
-          .commands = {{"trials", "", "run the palpation study's trials in virtual time", trials::trials_command},
-                       {"calibrate", "", "measure where camera, tracker and device stand", station::calibrate_command},
-                       {"rearm", "", "let a station touch again after a fault", station::rearm_command},
-                       {"tissue", "", "fit the skin to a compression test", station::tissue_command}}};
+          .commands = {
+              {"trials", "", "run the palpation study's trials in virtual time", trials::trials_command},
+              {"calibrate", "", "measure the transforms of camera, tracker and device", station::calibrate_command},
+              {"rearm", "", "end a station's fault, so that it gives force again", station::rearm_command},
+              {"tissue", "", "fit the skin to a compression test", station::tissue_command}}};
 }
 
 Result<station::Realtime> realtime_of(const std::string& word) {

@@ -151,13 +151,13 @@ void Station::stop(const std::string& reason) {
 
 void Station::give_up(const Error& error) {
   if (!failure_) failure_ = error;
-  stop("it cannot go on");
+  stop("the station failed");
 }
 
 /// Ends the station because no surface came within the operator's time limit.
 void Station::lose_patience() {
   const bool answered = link_.state() == wire::LinkState::Connected;
-  give_up({.what = answered ? "the server answers and sends no depth image that can be touched" : "does not answer",
+  give_up({.what = answered ? "the server answers but sends no depth image that can be touched" : "does not answer",
            .where = options_.host + ":" + std::to_string(options_.port),
            .fix = answered ? "look at the server's source, or wait longer by --patience S"
                            : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
@@ -223,9 +223,9 @@ void Station::say_depth(const msg::SurfaceReport& report) {
   const wire::DepthFidelity told = wire::depth_fidelity(report);
   const std::string words = wire::in_words(told);
   if (std::exchange(depth_, words) == words) return;
-  if (!told.moved) return say("depth comes without loss (" + told.mode + ")");
+  if (!told.moved) return say("depth is lossless (" + told.mode + ")");
   const std::string warning =
-      "what is touched is not what the camera measured: depth is " + words + ": for the eye and not for touch. fix: " +
+      "the touched depth is not as the camera measured it: " + words + "; it is for display, not for touch. fix: " +
       (told.mode == codec::name(codec::DepthMode::Bounded) ? "telepalp-server --depth-mode fast, intra or temporal"
                                                            : "give the server a source whose depth is as measured");
   say(warning);

@@ -289,7 +289,7 @@ Result<void> Connection::on_data(Frame frame) {
 
 void Connection::send(msg::Control control) {
   if (phase_ == Phase::Leaving || phase_ == Phase::Closed) return;
-  if (control_.size() >= kMaxWaitingControl) return finish("peer asks and does not listen");
+  if (control_.size() >= kMaxWaitingControl) return finish("sends requests without reading the replies");
   control_.push_back(std::move(control));
   write();
 }

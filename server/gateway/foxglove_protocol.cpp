@@ -123,7 +123,7 @@ Result<Request> read_request(const std::string& text) {
   } else if (client.op() == "unadvertise") {
     request.unadvertise.assign(client.channelids().begin(), client.channelids().end());
   } else {
-    return refused("operation '" + client.op().substr(0, 64) + "' is not offered here");
+    return refused("operation '" + client.op().substr(0, 64) + "' is not supported");
   }
   return request;
 }

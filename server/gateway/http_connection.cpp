@@ -54,7 +54,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     HttpRequest nothing;
     nothing.keep_alive(false);
     if (failed == http::error::header_limit || failed == http::error::body_limit)
-      write(refuse(nothing, http::status::payload_too_large, "the request is larger than any that is answered here"));
+      write(refuse(nothing, http::status::payload_too_large, "the request is too large"));
     else if (is_malformed(failed))
       write(refuse(nothing, http::status::bad_request, "this is no HTTP request"));
     else
@@ -73,7 +73,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     const RequestPolicy& policy = context()->options.policy;
     const std::string_view host = view(request[http::field::host]);
     if (!host_is_ours(policy, host))
-      return write(refuse(request, http::status::misdirected_request, "this server is not known by that name"));
+      return write(refuse(request, http::status::misdirected_request, "the Host header is not a name of this server"));
     if (!origin_is_allowed(policy, view(request[http::field::origin]), host, peer.address().is_loopback()))
       return write(refuse(request, http::status::forbidden, "pages from that origin may not open the stream"));
     const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));

@@ -75,7 +75,7 @@ HttpReply refuse(const HttpRequest& request, http::status status, std::string_vi
 HttpReply reply_to(const HttpRequest& request, const StaticFiles& files, const RequestPolicy& policy, SessionTime now) {
   if (!host_is_ours(policy, view(request[http::field::host])))
     return refuse(request, http::status::misdirected_request,
-                  "this server is not known by that name: use its address, or let the server allow the name");
+                  "the Host header is not a name of this server: use its address, or let the server allow the name");
   if (request.method() != http::verb::get && request.method() != http::verb::head)
     return refuse(request, http::status::method_not_allowed, "only GET and HEAD are answered here");
   if (view(request.target()) == kClockTarget) return clock(request, now);

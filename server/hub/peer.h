@@ -86,7 +86,8 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     const Rate rate = upstream_rate(topic);
     listener_.note(name_ + " at " + connection_->peer() + " publishes " + std::string(topic.name) + " faster than " +
                    std::to_string(std::lround(rate.messages_per_s)) + " messages or " +
-                   std::to_string(std::lround(rate.bytes_per_s / 1024)) + " KiB a second: what is over is dropped");
+                   std::to_string(std::lround(rate.bytes_per_s / 1024)) +
+                   " KiB a second: the messages beyond that are dropped");
   }
   void on_want_key(const wire::Topic& topic, SessionTime published) override {
     listener_.hub_.want_key(subscriber_, topic, published);

@@ -125,7 +125,7 @@ void PeerListener::let_a_stranger_go() {
       std::find_if(peers_.begin(), peers_.end(), [](const auto& peer) { return !peer.second->place(); });
   if (oldest == peers_.end()) return;
   note_refusal("a connection is closed: " + std::to_string(options_.places.strangers) +
-               " others wait that have not greeted either");
+               " too many connections wait that have sent no Hello");
   peers_.erase(oldest);
 }
 

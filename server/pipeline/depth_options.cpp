@@ -53,7 +53,7 @@ Result<codec::DepthStreamSettings> read_depth_settings(const program::Arguments&
   codec::DepthStreamSettings settings{.mode = *mode, .key_every = static_cast<int>(*key_every)};
   if (!arguments.has(names.bound)) return settings;
   if (*mode != codec::DepthMode::Bounded)
-    return Error{.what = "the mode " + text + " is without loss and keeps no bound",
+    return Error{.what = "the mode " + text + " is lossless and takes no bound",
                  .where = option_name(names.bound),
                  .fix = "leave it out, or say " + option_name(names.mode) + " bounded"};
   const Result<DepthErrorBound> bound = read_depth_bound(arguments.text(names.bound), names.bound);

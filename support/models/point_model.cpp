@@ -50,7 +50,7 @@ Result<PointModel> read_point_model(const std::filesystem::path& file) {
   if (ending == ".pcd") return parse_pcd(*bytes, file.string());
   if (ending == ".ply") return parse_ply(*bytes, file.string());
   if (ending == ".obj") return parse_obj(*bytes, file.string());
-  return Error{.what = "is not a kind of file that is read", .where = file.string(), .fix = "give .pcd, .ply or .obj"};
+  return Error{.what = "is not a supported kind of file", .where = file.string(), .fix = "give .pcd, .ply or .obj"};
 }
 
 std::string unit_complaint(const PointModel& model) {

@@ -83,8 +83,8 @@ std::vector<Row> option_rows(const Usage& usage) {
   for (const Option& option : usage.options)
     rows.emplace_back("--" + joined(option.name, option.argument),
                       joined(option.help, option.initial.empty() ? "" : "[" + std::string(option.initial) + "]"));
-  rows.emplace_back("-h, --help", "print this and leave");
-  rows.emplace_back("--version", "print version, commit and formats, and leave");
+  rows.emplace_back("-h, --help", "print this help and exit");
+  rows.emplace_back("--version", "print version, commit and formats, and exit");
   return rows;
 }
 
@@ -96,7 +96,7 @@ std::string help_text(const Usage& usage) {
   const bool own_help = std::any_of(usage.commands.begin(), usage.commands.end(),
                                     [](const Command& command) { return command.run != nullptr; });
   if (!usage.commands.empty())
-    text += table(own_help ? "commands (COMMAND --help tells more)" : "commands", command_rows(usage));
+    text += table(own_help ? "commands (details: COMMAND --help)" : "commands", command_rows(usage));
   return text + table("options", option_rows(usage)) + "\nexample: " + std::string(usage.example) + "\n";
 }
 

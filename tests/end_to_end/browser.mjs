@@ -12,7 +12,7 @@ const FLAGS = [
   '--disable-component-update', '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
 ];
 
-/** A page in a browser of its own; `problems` collects what the page's console calls an error. */
+/** A page in a new browser; `problems` collects the errors on the page's console. */
 export async function openBrowser(folder, viewport = {width: 900, height: 640}) {
   const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
   if (!existsSync(executablePath)) throw new Error(`no ${executablePath}: install chromium, or name it in CHROMIUM`);
@@ -32,14 +32,14 @@ export async function openBrowser(folder, viewport = {width: 900, height: 640}) 
 
 export const status = (page) => page.evaluate(() => window.telepalp);
 
-/** Waits until `holds(status)` does. */
+/** Waits until `holds(status)` is true. */
 export const untilStatus = (page, what, holds, timeout_ms = 120_000) =>
     until(what, async () => {
       const now = await status(page);
       return now !== undefined && holds(now) ? now : undefined;
     }, timeout_ms);
 
-/** Of the picture's middle: which share differs from the empty background, and how many colours there are. */
+/** For the middle of the picture: the share that differs from the empty background, and the number of colours. */
 export async function lookAtMiddle(context, png) {
   const page = await context.newPage();
   try {

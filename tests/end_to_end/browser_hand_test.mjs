@@ -17,7 +17,9 @@ const protobuf = borrowed('protobufjs');
 const descriptor = borrowed('protobufjs/ext/descriptor');
 const [server, station, viewer] = process.argv.slice(2);
 
-/** A level patient of 160 x 120 points, 0.7 m before the camera: small, for a browser that draws without a graphics card. */
+/**
+ * A level patient of 160 x 120 points, 0.7 m from the camera; small, because the browser draws without a graphics card.
+ */
 function levelPatient(folder) {
   const [width, height, focal, depth_m] = [160, 120, 145, 0.7];
   const points = [];
@@ -95,7 +97,7 @@ test('deploy/demo --hand browser: the page says that there is no hand, and a mou
   }
 });
 
-/** Foxglove's own client, holding a hand. */
+/** Foxglove's client, which holds a hand. */
 async function connect(port) {
   const client = new FoxgloveClient({
     ws: new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]),

@@ -36,7 +36,7 @@ async function packetsOf(mode) {
   });
 }
 
-/** Runs in the page: what the worker answers to each packet, in order. */
+/** Runs in the page; returns the worker's answer to each packet, in order. */
 async function decodeAll({script, packets, rounds}) {
   const worker = new Worker(URL.createObjectURL(new Blob([script], {type: 'text/javascript'})));
   const failed = new Promise((_, reject) => { worker.onerror = ({message}) => reject(new Error(message)); });

@@ -69,7 +69,7 @@ test('Foxglove\'s client hears every topic and decodes camera frames with the sc
   }
 });
 
-/** The status with which an upgrade from a page of `origin` is refused; 101 when it is taken. */
+/** The HTTP status of an upgrade request from a page of `origin`; 101 if it is accepted. */
 const upgradeStatus = (port, origin) => new Promise((resolve) => {
   const socket = new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL], {origin});
   socket.once('unexpected-response', (_, {statusCode}) => resolve(statusCode));

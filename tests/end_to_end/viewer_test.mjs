@@ -84,7 +84,7 @@ test('the viewer draws the patient, follows the hand, and says when what it show
 
 const SAFETY = ['force', 'indentation', 'phase-name', 'surface-age', 'picture-age', 'link-age', 'computer-age', 'late'];
 
-/** Which of `ids` cannot be read: not shown, not whole in the window, or under something else. */
+/** Those of `ids` that cannot be read: not shown, not completely in the window, or covered. */
 const unreadable = (page, ids) => page.evaluate((wanted) => {
   const boxOf = (element) => element.getBoundingClientRect();
   const covers = [...document.querySelectorAll('.banner:not([hidden]), .tools, .top')];
@@ -119,7 +119,7 @@ test('the safety readings stay in view in a small window, with a banner and a no
   }
 });
 
-/** Of `times` looks at the page: instants and numbers as drawn, and what stands beside them. */
+/** Reads the page `times` times: the drawn instants and numbers, and the texts beside them. */
 async function looks(page, times) {
   const found = [];
   for (let look = 0; look < times; ++look) {

@@ -136,7 +136,7 @@ TEST(ServerProgram, BadInputIsOneLineWithItsFixAndItsExitCode) {
       {{"--seconds", "soon"}, 2, "--seconds"},
       {{"--loop", "maybe"}, 2, "--loop"},
       {{"--depth-mode", "magic"}, 2, "--depth-mode"},
-      {{"--depth-bound", "1,2.85"}, 2, "--depth-bound: the mode fast is without loss"},
+      {{"--depth-bound", "1,2.85"}, 2, "--depth-bound: the mode fast is lossless"},
       {{"--depth-mode", "bounded", "--depth-bound", "2"}, 2, "--depth-bound: '2' is not two numbers"},
       {{"--depth-mode", "bounded", "--depth-bound", "101,1"}, 2, "a number from 0 to 100"},
       {{"--depth-mode", "bounded", "--depth-bound", "1,-2"}, 2, "a number from 0 to 20"},

@@ -124,7 +124,7 @@ Result<void> for_each_depth(const fs::path& input, double unit_m, const Visit& v
   if (input.extension() == ".mcap") return visit_session(input, visit, pass_over);
   if (input.extension() == ".oni") return visit_source("oni:" + input.string(), visit, pass_over);
   if (input.extension() == ".pcd") return visit_source("pcd:" + input.string(), visit, pass_over);
-  return Error{.what = "is of no kind that holds depth",
+  return Error{.what = "is not a depth file",
                .where = input.string(),
                .fix = "give PNG, TIFF, PGM, .oni, .pcd, .mcap, or a directory of images"};
 }

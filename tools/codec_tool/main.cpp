@@ -13,11 +13,11 @@ constexpr std::string_view kProgram = "telepalp-codec";
 program::Usage usage() {
   return {
       .program = kProgram,
-      .purpose = "compresses depth recordings, gives them back, describes and compares them",
+      .purpose = "compresses, decompresses, describes and compares depth recordings",
       .positional = {},
-      .options = {{"mode", "MODE", "fast, intra, temporal (all without loss) or bounded", "temporal"},
-                  {"key-every", "N", "frames from key frame to key frame, temporal and bounded", "30"},
-                  {"unit-mm", "MM", "one step of a sample, where images do not say", "1"},
+      .options = {{"mode", "MODE", "fast, intra, temporal (lossless) or bounded (near-lossless)", "temporal"},
+                  {"key-every", "N", "temporal, bounded: frames from key frame to key frame", "30"},
+                  {"unit-mm", "MM", "depth unit of images that do not state one", "1"},
                   {"bound", "LEAST,PER_M2",
                    "z m may be off by max(LEAST, PER_M2 z²) mm: for bounded [1,2.85]; compare fails beyond it"},
                   {"to", "KIND", "decode: png or pgm, 16 bits a sample", "png"},
@@ -25,8 +25,8 @@ program::Usage usage() {
       .example = "telepalp-codec encode recording.oni depth.mcap && telepalp-codec compare recording.oni depth.mcap",
       .commands = {{"encode", "IN OUT.mcap", "compress the depth of a recording, session or folder of images"},
                    {"decode", "IN.mcap OUT_DIR", "write each depth image as a file"},
-                   {"info", "IN.mcap", "tell how each depth image is compressed"},
-                   {"compare", "A B", "tell how far the depth of B lies from that of A"}},
+                   {"info", "IN.mcap", "print how each depth image is compressed"},
+                   {"compare", "A B", "print the differences between the depth of A and B"}},
       .needs_command = true};
 }
 
@@ -47,9 +47,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
               .json = arguments.has("json")};
   const std::string command = asked.words.empty() ? "" : asked.words.front();
   if (command != "encode" && command != "decode" && command != "info" && command != "compare")
-    return Error{.what = "'" + command + "' is nothing this program does",
-                 .where = std::string(kProgram),
-                 .fix = "telepalp-codec --help"};
+    return Error{
+        .what = "'" + command + "' is not a command", .where = std::string(kProgram), .fix = "telepalp-codec --help"};
   const std::size_t wanted = command == "info" ? 2 : 3;
   if (asked.words.size() != wanted)
     return Error{.what = command + " takes " + std::to_string(wanted - 1) + " files",

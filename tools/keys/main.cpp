@@ -67,7 +67,7 @@ Result<const Row*> command_of(const program::Arguments& arguments) {
     if (words.size() == (row.takes_file ? 2U : 1U)) return &row;
     return asked_wrongly(words.front() + (row.takes_file ? " takes one file" : " takes options alone"));
   }
-  return asked_wrongly("'" + words.front() + "' is nothing this program does");
+  return asked_wrongly("'" + words.front() + "' is not a command");
 }
 
 Result<Asked> read_asked(const program::Arguments& arguments) {

@@ -8,7 +8,7 @@ namespace {
 using plot::Chart;
 using plot::Series;
 
-/// `take` of every message, against seconds since the session began.
+/// The value `take(message)` of each message over the time since the session's start [s].
 template <class Take>
 Series over_time(const Session& session, std::string name, std::string_view color, Take take) {
   Series series{std::move(name), {}, {}, std::string(color)};
@@ -34,13 +34,13 @@ std::vector<Chart> compensation(const Session& session) {
   using Told = const msg::StationCompensation&;
   if (session.compensations.empty()) return {};
   return {
-      chart_of("How old what the force is made of was", "age [ms]",
+      chart_of("Age of the data behind the force", "age [ms]",
                {over_time(session, "surface", plot::kBlue, [](Told t) { return t.surface_age_s() * 1e3; }),
                 over_time(session, "hand", plot::kVermilion, [](Told t) { return t.hand_age_s() * 1e3; })}),
       chart_of(
           "The surface, carried forward along its normal", "distance [mm]",
           {over_time(session, "carried forward", plot::kBlue, [](Told t) { return t.surface_carried_m() * 1e3; }),
-           over_time(session, "kept back, so that nothing steps", plot::kVermilion,
+           over_time(session, "offset that hides steps between snapshots", plot::kVermilion,
                      [](Told t) { return t.slewed_m() * 1e3; }),
            over_time(session, "uncertainty, 1 sigma", plot::kGrey, [](Told t) { return t.surface_sigma_m() * 1e3; })}),
       chart_of(

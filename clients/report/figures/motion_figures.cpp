@@ -49,7 +49,7 @@ std::vector<Band> bands_of(const Ticks& ticks, const std::vector<double>& second
   return bands;
 }
 
-/// `values` where `keep` says so, gaps elsewhere.
+/// `values` where `keep` is true, gaps elsewhere.
 template <class Keep>
 std::vector<double> only(std::vector<double> values, Keep keep) {
   for (std::size_t i = 0; i < values.size(); ++i)

@@ -82,21 +82,23 @@ std::string states_section(const Summary& summary) {
 
 std::string motion_sections(const Session& session) {
   if (session.ticks.size() == 0) return "";
-  std::string out = section("Position by state",
-                            "Out of the body the end-effector follows the hand on a plane above it; in the body it is "
-                            "pushed. There should be no jump where the state changes.",
-                            stacked({position_by_state(session)}));
+  std::string out =
+      section("Position by state",
+              "Outside the body, the end-effector follows the hand on a plane above it; in the body, the hand "
+              "pushes it. There should be no jump where the state changes.",
+              stacked({position_by_state(session)}));
   out += section("Force against indentation",
-                 "In contact, counted from the first point touched. The way in and the way out enclose the energy that "
-                 "was lost: a loop that turns the other way would be energy given to the hand.",
+                 "In contact; the indentation is measured from the first contact point. The curves of pressing and "
+                 "leaving enclose the energy that was lost. A loop in the other direction would be energy given to the "
+                 "hand.",
                  in_pairs(force_against_indentation(session)));
   const auto cylinder = around_the_cylinder(session);
   out += cylinder.empty() ? section("The cylinder under the skin", "Its states were not visited in this run.", "")
                           : section("The cylinder under the skin",
-                                    "Where the end-effector went in the cylinder's states, and the force.",
+                                    "Path of the end-effector in the cylinder's states, and the force.",
                                     in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
   return out + section("The whole run",
-                       "State, height and force on one time axis. Out of the body the force moves the free "
+                       "State, height and force on one time axis. Outside the body, the force moves the free "
                        "end-effector; the hand feels none.",
                        stacked(timeline(session)));
 }
@@ -111,12 +113,11 @@ std::string timing_sections(const Session& session, const Summary& summary) {
   if (!session.surfaces.empty()) way += plot::to_svg(latency_by_stage(summary));
   if (!session.states.empty()) way += plot::to_svg(surface_age(session));
   way += plot::to_svg(frame_rate(session));
-  out += section("From the camera to the hand",
-                 "Latency by stage, the age of what was touched, and how steadily frames came.", way);
+  out += section("From the camera to the hand", "Latency by stage, age of the touched surface, and frame rate.", way);
   if (const std::vector<plot::Chart> done = compensation(session); !done.empty())
-    out += section("What is done about delay",
-                   "Hand and surface are carried forward to now by their own motion; a newer surface is let in slowly. "
-                   "Where the uncertainty outgrows what is carried, the hand feels a guess.",
+    out += section("Compensation of delay",
+                   "Hand and surface are predicted to now by their own motion; a newer surface is displayed gradually. "
+                   "Where the uncertainty is larger than the predicted motion, the hand feels a guess.",
                    stacked(done));
   if (summary.bill.empty()) return out;
   std::vector<std::vector<std::string>> rows;
@@ -135,7 +136,7 @@ std::string senders_section(const Summary& summary) {
     rows.push_back({in_words(sender), std::to_string(sender.messages), std::to_string(sender.ticks),
                     std::to_string(sender.touches), count(sender.frames_sent), count(sender.frames_received),
                     count(sender.frames_dropped)});
-  return section("Senders", "Who spoke as a station. All other figures of this page are those of the first alone.",
+  return section("Senders", "Who published as a station. All other figures of this page are those of the first one.",
                  table({"sender", "messages", "ticks", "touches", "frames sent to it", "received", "dropped"}, rows));
 }
 
@@ -155,7 +156,7 @@ std::string events_section(const Session& session) {
   if (rows.empty()) return "";
   const std::string more = session.events.size() > kMost ? "The first " + std::to_string(kMost) + " of " +
                                                                std::to_string(session.events.size()) + " events."
-                                                         : "What the station told, in order.";
+                                                         : "The events of the station, in order.";
   return section("Events", more, table({"time", "what"}, rows));
 }
 

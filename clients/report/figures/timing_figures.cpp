@@ -19,7 +19,8 @@ Chart tick_histogram(std::string title, std::string label, const std::vector<flo
   Series series{"", {}, {}, std::string(plot::kBlue), Style::Area};
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     series.x.push_back(histogram.edges[i]);
-    series.y.push_back(histogram.counts[i] > 0.0 ? histogram.counts[i] : 0.5);  // nothing lies below the axis at 0.5
+    series.y.push_back(histogram.counts[i] > 0.0 ? histogram.counts[i]
+                                                 : 0.5);  // an empty bin ends at the axis, which is at 0.5
   }
   if (!histogram.counts.empty()) {
     series.x.push_back(histogram.edges.back());
@@ -46,7 +47,7 @@ Series rate_series(std::string name, std::vector<std::int64_t> captured_ns, std:
   if (captured_ns.size() < 2) return series;
   const double first = static_cast<double>(captured_ns.front() - origin_ns) * 1e-9;
   const double last = static_cast<double>(captured_ns.back() - origin_ns) * 1e-9;
-  constexpr double kMostWindows = 1e5;  // a stamp from another clock must not ask for a million windows
+  constexpr double kMostWindows = 1e5;  // a stamp from another clock must not cause a million windows
   std::size_t next = 0;
   for (double from = first; from + kWindow_s <= last && (from - first) / kWindow_s < kMostWindows; from += kWindow_s) {
     std::size_t frames = 0;

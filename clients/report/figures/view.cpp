@@ -12,7 +12,7 @@ Eigen::Vector3d vector(const msg::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 bool in_front_of_camera(const msg::Vec3& at) { return std::isfinite(at.z()) && at.z() > 0.0; }
 
-/// The station cannot be drawn before it knows where its hand is in the camera's frame.
+/// True once the station knows the position of its hand in the camera's frame.
 bool is_drawable(const msg::StationState& state) {
   return state.has_device_camera() && in_front_of_camera(state.device_camera());
 }
@@ -29,7 +29,7 @@ const msg::StationState* state_at(const Session& session, std::int64_t at_ns) {
 
 ar::Touch touch_of(const msg::StationState& state) {
   const Point<DepthCamera> device{vector(state.device_camera())};
-  // Out of the body there may be no proxy: the hand is drawn where the device is, and the proxy with it.
+  // Outside the body there may be no proxy. Then hand and proxy are drawn at the device.
   const Point<DepthCamera> proxy =
       in_front_of_camera(state.proxy_camera()) ? Point<DepthCamera>{vector(state.proxy_camera())} : device;
   const Point<DepthCamera> hand = in_front_of_camera(state.displayed_hand_camera())

@@ -16,7 +16,7 @@ void extend(Column& column, const Values& values) {
   column.insert(column.end(), values.begin(), values.end());
 }
 
-/// A batch whose columns differ in length is damaged: its ticks could not be told apart.
+/// Adds a batch of ticks. A batch with columns of different lengths is damaged, because its ticks are ambiguous.
 bool add_ticks(Ticks& ticks, const msg::StationTicks& batch) {
   const int size = batch.late_ns_size();
   const int lengths[] = {
@@ -49,7 +49,7 @@ bool add_ticks(Ticks& ticks, const msg::StationTicks& batch) {
   return true;
 }
 
-/// Reads the payload as `Proto` and hands it to `take`, whose answer says whether it made sense.
+/// The record of this sender; a new one at its first message.
 SenderRecord& record_of(Session& session, std::uint32_t sender) {
   if (session.sent_messages == 0) session.sender = sender;
   if (session.sender == sender) return session;
@@ -58,6 +58,7 @@ SenderRecord& record_of(Session& session, std::uint32_t sender) {
   return other;
 }
 
+/// Parses the payload as `Proto` and passes it to `take`. False if it cannot be parsed or `take` rejects it.
 template <class Proto, class Take>
 bool read(const wire::Message& message, Take take) {
   Proto proto;
@@ -83,7 +84,7 @@ bool keep_ticks(Session& session, const wire::Message& message) {
   });
 }
 
-/// A station whose ticks take no longer than the recording so far was started while it was recorded.
+/// True if the sender started during the recording: its ticks take less time than the recording so far.
 bool started_here(const Session& session, std::uint64_t ticks, SessionTime told) {
   constexpr double kSlack_s = 0.5, kPeriod_s = 5e-4;
   const double recorded_s = to_seconds(Nanoseconds(to_nanoseconds(told) - session.first_ns.value_or(0)));

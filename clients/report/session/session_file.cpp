@@ -13,12 +13,13 @@
 namespace telepalp::report {
 namespace {
 
-/// A frame is logged within this time of its capture: bounds how much of a long file is read again for one picture.
+/// Longest time from a frame's capture to its log time. It limits the part of a long file that is read again for one
+/// picture.
 constexpr Nanoseconds kReach = std::chrono::seconds(2);
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-/// Where in `times` the one nearest to `at` is.
+/// Index in `times` of the time nearest to `at`.
 std::optional<std::size_t> nearest(const std::vector<std::int64_t>& times, std::int64_t at) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < times.size(); ++i)
@@ -36,7 +37,7 @@ std::int64_t captured_ns(const foxglove::CompressedImage& image) {
   return image.timestamp().seconds() * 1'000'000'000 + image.timestamp().nanos();
 }
 
-/// Calibration of the frame called `name`; else the only one there is.
+/// Calibration of the frame of reference `name`, or the only calibration of the session.
 std::optional<Intrinsics> camera_named(const Session& session, const std::string& name) {
   const auto found = session.calibrations.find(name);
   if (found != session.calibrations.end()) return intrinsics(found->second);
@@ -44,7 +45,8 @@ std::optional<Intrinsics> camera_named(const Session& session, const std::string
   return std::nullopt;
 }
 
-/// The model for a depth image of this size. A calibration of another size is scaled: pixel centres are whole numbers.
+/// The model for a depth image of this size. A calibration of another size is scaled; pixel centres have integer
+/// coordinates.
 Intrinsics fitted(Intrinsics camera, int width, int height) {
   const double across = static_cast<double>(width) / camera.width, down = static_cast<double>(height) / camera.height;
   return {width,

@@ -62,7 +62,7 @@ void add_compensation(Summary& summary, const Session& session) {
 
 std::size_t index_of(msg::Phase phase) { return static_cast<std::size_t>(&words_for(phase) - kPhases.data()); }
 
-/// Dwell times from the ticks themselves; a gap in the recording counts as nothing.
+/// Dwell times from the ticks. A gap in the recording adds no time.
 void add_dwells(Summary& summary, const Ticks& ticks) {
   const double period_s = ticks.period_ns * 1e-9;
   bool contact_before = false;
@@ -96,7 +96,8 @@ std::uint64_t count_non_finite(const Ticks& ticks) {
   return count;
 }
 
-/// Ticks that ended after the next one was due: what the station counts as missed, for a session without its totals.
+/// Number of ticks that ended after the next one was due. For a session without the station's totals it replaces their
+/// count of missed deadlines.
 std::uint64_t count_overruns(const Ticks& ticks) {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < ticks.size(); ++i)
@@ -122,7 +123,7 @@ void add_ticks(Summary& summary, const Ticks& ticks) {
   add_dwells(summary, ticks);
 }
 
-/// What the ticks cannot tell, and everything when the session holds no ticks.
+/// Adds the values that the ticks do not contain; without ticks, all values.
 void add_stats(Summary& summary, const Session& session) {
   if (!session.station_stats) return;
   const msg::StationStats& stats = *session.station_stats;
@@ -145,12 +146,12 @@ wire::DepthFidelity depth_of(const Session& session) {
   return touched.mode.empty() && !touched.moved ? session.depth : touched;
 }
 
-/// Whether the subscription is the sender's; a session of an older server tells only names.
+/// True if the subscription is the sender's. A session of an older server contains only names.
 bool is_of(const Subscription& subscription, std::uint32_t sender) {
   return sender != 0 ? subscription.sender == sender : subscription.name.find("station") != std::string::npos;
 }
 
-/// Over all connections of the sender: it may have reconnected.
+/// Adds the frames of all connections of the sender, because it may have reconnected.
 void add_frames(SenderSummary& summary, const Session& session, const SenderRecord& record) {
   if (record.station_stats) summary.frames_received = record.frames_received.in_recording();
   for (const auto& [key, subscription] : session.subscriptions) {

@@ -16,21 +16,21 @@ double known(const std::optional<std::uint64_t>& count) { return count ? static_
 
 double percent(double part, double whole) { return whole > 0.0 ? 100.0 * part / whole : kUnknown; }
 
-/// What is touched is to be what the camera measured.
+/// The check that the touched depth is as the camera measured it.
 Check depth_check(const Summary& s) {
   const wire::DepthFidelity& depth = s.depth;
   const bool told = s.ticks > 0 && (depth.moved || !depth.mode.empty());
   const std::string meaning =
-      "the depth that was touched is " + wire::in_words(depth) + ": for the eye, and not what the camera measured";
+      "the depth that was touched is " + wire::in_words(depth) + ": for display, and not as the camera measured it";
   if (depth.moved && !depth.within)
-    return {"depth moved, untold how far", told ? 1.0 : kUnknown, 0.0, "", true, meaning};
+    return {"depth error, bound not stated", told ? 1.0 : kUnknown, 0.0, "", true, meaning};
   const double off_mm = depth.within ? wire::at_1_m_mm(*depth.within) : 0.0;
-  return {"depth off, at 1 m", told ? off_mm : kUnknown, 0.0, "mm", true, meaning};
+  return {"depth error, at 1 m", told ? off_mm : kUnknown, 0.0, "mm", true, meaning};
 }
 
 double missed_percent(const Summary& s) { return percent(known(s.deadlines_missed), static_cast<double>(s.ticks)); }
 
-/// Late ticks as the computer's timer alone would make them, but not more than there were.
+/// The share of late ticks that the computer's timer explains, at most the share of all late ticks.
 double of_the_timer_percent(const Summary& s) {
   return s.idle_timer ? std::min(100.0 * s.idle_timer->missed_share(), missed_percent(s)) : 0.0;
 }
@@ -42,7 +42,7 @@ std::string what_to_do(const Summary& s) {
   return rights + "close other programs, or take a computer that is not shared";
 }
 
-/// Two checks where the idle timer was measured: what is left for telepalp, and what is the computer's.
+/// If the idle timer was measured, two checks: the late ticks of telepalp and those of the computer's timer.
 std::vector<Check> deadline_checks(const Summary& s) {
   constexpr double kBudget = 0.1;
   const std::string late = "the force was late more often than one tick in a thousand";
@@ -57,16 +57,16 @@ std::vector<Check> deadline_checks(const Summary& s) {
            true}};
 }
 
-/// Budgets: the force limit and rates are S1's (§II.A, §II.D); a frame is to be touchable before the next one comes
-/// (33 ms at 30 Hz) and, but for one in a hundred, within the 100 ms in which breathing moves the skin by less than
-/// 1 mm; a handful of late ticks on a machine without real-time rights is not felt: one in a thousand.
+/// Budgets: the force limit and the rates are S1's (§II.A, §II.D). A frame must be touchable before the next one comes
+/// (33 ms at 30 Hz), and 99 of 100 frames within 100 ms, in which breathing moves the skin by less than 1 mm. On a
+/// computer without real-time priority, one late tick in a thousand cannot be felt.
 std::vector<Check> checks_of(const Summary& s) {
   const double faulted = s.ticks > 0 ? static_cast<double>(s.dwells.back().entries) : kUnknown;
   std::vector<Check> checks{
       {"largest force", s.force_max_N, 10.0, "N", true, "the device was asked for more than its peak force"},
       {"not a number", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
-       "a computation broke down"},
-      {"faults", faulted, 0.0, "", true, "the station let go and stayed so"},
+       "a force, position or depth was not finite"},
+      {"faults", faulted, 0.0, "", true, "the station ended in a fault, without force"},
       {"control rate", s.ticks_per_s, 1990.0, "Hz", false, "the loop ran slower than its 2 kHz"},
       {"tick time, p99.9", s.tick_us.p999, 500.0, "µs", true, "a tick took longer than its period"},
       {"camera to hand, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
@@ -92,7 +92,7 @@ std::string timers_part(const Summary& s) {
 std::string account_of(const Summary& s) {
   std::string text;
   if (s.ticks == 0)
-    return "The session lasts " + number(s.seconds, 1) + " s and holds no word of the station." +
+    return "The session lasts " + number(s.seconds, 1) + " s and has no message of a station." +
            (s.depth.moved ? " Its depth is " + wire::in_words(s.depth) + "." : "");
   if (s.touches == 0 && !(s.contact_s > 0.0)) {
     text = "In " + number(s.seconds, 1) + " s the doctor's hand did not touch the patient.";
@@ -114,7 +114,7 @@ std::string account_of(const Summary& s) {
 
 std::string senders_warning(const Summary& s) {
   if (s.senders.size() < 2) return "";
-  std::string text = std::to_string(s.senders.size()) + " senders spoke as a station:";
+  std::string text = std::to_string(s.senders.size()) + " senders published as a station:";
   for (const SenderSummary& sender : s.senders)
     text += (&sender == &s.senders.front() ? " " : ", ") + in_words(sender) + " (" + std::to_string(sender.ticks) +
             " ticks, " + std::to_string(sender.states) + " states)";
@@ -155,7 +155,7 @@ Verdict judge(const Summary& summary) {
   for (const Check& check : verdict.checks) verdict.good = verdict.good && check.standing() != Standing::Misses;
   verdict.good = verdict.good && summary.senders.size() < 2;
   const std::string warning = senders_warning(summary);
-  verdict.headline = (warning.empty() ? "" : "Look at who spoke: " + warning) + headline_of(verdict.checks, judged);
+  verdict.headline = (warning.empty() ? "" : "Check the senders: " + warning) + headline_of(verdict.checks, judged);
   verdict.account = account_of(summary);
   return verdict;
 }

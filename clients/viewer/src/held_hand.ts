@@ -5,14 +5,14 @@ import {toCamera} from './scene/frames';
 import type {SceneView} from './scene/scene_view';
 
 const EVERY_MS = 10;
-const HOVER_M = 0.05;     // over the skin, towards the camera
-const PRESSED_M = -0.04;  // under it
+const HOVER_M = 0.05;     // height over the skin, towards the camera
+const PRESSED_M = -0.04;  // height of a pressing hand: below the skin
 const SINKS_M_PER_S = 0.1;
 const RISES_M_PER_S = 0.25;
 const FASTEST_M_PER_S = 0.5;
-const LONGEST_STEP_S = 0.05;  // a browser that was busy for longer does not make up for it in one jump
+const LONGEST_STEP_S = 0.05;  // after a longer pause of the browser the hand does not jump
 
-/** Tells people who holds the hand, when that is not simply this page. */
+/** The text that tells the user who holds the hand; empty if only this page does. */
 class HolderNotice {
   private readonly box = document.createElement('div');
   private readonly text = document.createElement('span');
@@ -37,10 +37,10 @@ class HolderNotice {
 }
 
 /**
- * A hand that the pointer holds: over the skin it hovers, and while the first button or a finger is down it presses
- * slowly in. It is told about 100 times a second while it is held. When the pointer leaves or the browser is busy it
- * falls silent: the station lets go, but the hand stays this viewer's. The button, a hidden page and the end of the
- * connection give it up; until then another viewer only asks.
+ * A hand that follows the pointer. It hovers over the skin, and it presses slowly in while the first button or a finger
+ * is down. Its position is sent about 100 times a second. When the pointer leaves the picture or the browser is busy,
+ * nothing is sent: the station releases, but this viewer still holds the hand. The button, a hidden page or the end of
+ * the connection gives up the hand; until then, other viewers can only ask for it.
  */
 export class HeldHand {
   private pointer: {x: number; y: number; pressed: boolean} | undefined;
@@ -50,7 +50,7 @@ export class HeldHand {
   private timer: number | undefined;
   private stepped_ms = 0;
   private holder: HandHolder = {viewer: 0n, asking: []};
-  private mine = false;  // the server takes this viewer's hand
+  private mine = false;  // true: this viewer holds the hand
   private readonly notice = new HolderNotice(() => document.getElementById('hold-hand')?.click());
 
   constructor(
@@ -100,7 +100,7 @@ export class HeldHand {
     this.tell({sampledUs: BigInt(Math.round(1000 * now_ms)), handCamera: toCamera(at)});
   }
 
-  /** `me`: this viewer's number at the server. A hand that has just become this viewer's begins over the skin. */
+  /** `me`: this viewer's number at the server. When this viewer gets the hand, the hand starts over the skin. */
   showHolder(holder: HandHolder, me: bigint): void {
     const mine = me !== 0n && holder.viewer === me;
     if (mine && !this.mine) this.rest();
@@ -124,7 +124,7 @@ export class HeldHand {
     this.height_m = HOVER_M;
   }
 
-  /** No faster than a hand; a pointer jumps. */
+  /** Limits the speed to that of a hand, because a pointer can jump. */
   private movedTowards(wanted: Vector3, step_s: number): Vector3 {
     this.at ??= wanted.clone();
     return this.at.add(wanted.sub(this.at).clampLength(0, FASTEST_M_PER_S * step_s));

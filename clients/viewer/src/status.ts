@@ -10,7 +10,7 @@ interface Facts extends Reading {
   coarseness: number;
 }
 
-/** What `window.telepalp` tells: for tests and for the curious, to read and not to set. */
+/** The status in `window.telepalp`, for tests and for debugging; read-only. */
 export interface ViewerStatus {
   readonly connected: boolean;
   readonly frames: number;
@@ -35,7 +35,7 @@ export interface ViewerStatus {
   readonly coarseness: number;
 }
 
-/** Puts a live, read-only status on the window; what is returned is for figures that are set from outside. */
+/** Sets `window.telepalp` to a live, read-only status. Returns an object for values that other code sets. */
 export function publishStatus(facts: () => Facts): {decode_ms: number} {
   const own = {decode_ms: 0};
   const snapshot = (): ViewerStatus => {

@@ -9,7 +9,7 @@ import {accountFor, type FrameTimes, type TimeAccount, WorstOfSecond} from './pr
 
 const UNTAKEN_MS = 2500;
 
-/** All that the page shows in words and numbers, at one time. */
+/** All texts and numbers that the page shows at one time. */
 export interface Reading extends Health {
   force_N: number | undefined;
   indentation_mm: number | undefined;
@@ -33,7 +33,10 @@ interface DrawnPicture {
   drawn_ms: number;
 }
 
-/** What is presented, and how link and site are. No page and no workers: `read` gives the whole of it at a time. */
+/**
+ * The state of the viewer: the presented instant, the link and the patient's site. It uses neither the page nor
+ * workers; `read` returns the whole state at one time.
+ */
 export class ViewerState {
   news: News | undefined;
   holdsHand = false;
@@ -50,7 +53,7 @@ export class ViewerState {
     this.coming = instant;
   }
 
-  /** `instant` is on the screen: from now on its numbers are told, too. */
+  /** `instant` is on the screen, so its numbers are shown, too. */
   drawn({picture, station, times}: Instant, now_ms: number): void {
     this.coming = undefined;
     this.station = station;
@@ -92,7 +95,7 @@ export class ViewerState {
     };
   }
 
-  /** Since the exposure when the session clock is known, else since the picture was drawn. */
+  /** Age since the exposure if the session clock is known, else since the picture was drawn. */
   private pictureAge_ms(now_ms: number): number | undefined {
     if (this.picture === undefined) return undefined;
     const offset_ms = this.news?.offset_ms;

@@ -128,7 +128,7 @@ const char* name(FaultCause cause) noexcept {
     case FaultCause::NotFinite:
       return "a number that is not finite";
     case FaultCause::DeviceImplausible:
-      return "the haptic device reports movements beyond physics";
+      return "the haptic device reports impossibly fast movements";
   }
   return "?";
 }

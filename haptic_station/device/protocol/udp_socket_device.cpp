@@ -25,7 +25,7 @@ Result<std::unique_ptr<UdpDevice>> UdpDevice::open(const program::Address& addre
   const asio::ip::address ip =
       address.host == "localhost" ? asio::ip::address_v4::loopback() : asio::ip::make_address(address.host, error);
   if (error || !ip.is_loopback())
-    return Error{.what = "is not an address of this machine, and device datagrams are not sealed",
+    return Error{.what = "is not an address of this machine, and device datagrams are not encrypted",
                  .where = name,
                  .fix = "run the device's program here and give udp:127.0.0.1:PORT"};
   std::unique_ptr<UdpDevice> device(new UdpDevice(name));
@@ -44,8 +44,8 @@ Result<void> UdpDevice::start(std::chrono::milliseconds limit) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     if (read().age_s < 1.0) return {};
   }
-  const std::string why = faulted_       ? "tells that its motors are off"
-                          : refused_ > 0 ? "sends datagrams that are not of its protocol"
+  const std::string why = faulted_       ? "reports that its motors are off"
+                          : refused_ > 0 ? "sends datagrams of another protocol"
                                          : "does not answer";
   return Error{.what = why, .where = name_, .fix = "start the device's program (UDP_DEVICE.md), or --device simulated"};
 }

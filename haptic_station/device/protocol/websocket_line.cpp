@@ -31,7 +31,7 @@ Result<WebSocketUrl> parse_websocket_url(std::string_view text, const WebSocketU
   if (!text.starts_with(kScheme) || text.size() > 512) return refused("is no ws:// URL");
   std::string_view rest = text.substr(kScheme.size());
   for (const char c : rest)
-    if (c <= ' ' || c > '~' || c == '@' || c == '#') return refused("has a letter that no URL has here");
+    if (c <= ' ' || c > '~' || c == '@' || c == '#') return refused("has a character that is not allowed here");
   WebSocketUrl url = standard;
   if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
     if (slash + 1 < rest.size()) url.path = rest.substr(slash);
@@ -155,7 +155,7 @@ void WebSocketLine::Connection::read() {
   if (dead_) return;
   beast::get_lowest_layer(stream_).expires_after(line_->settings.silence);
   stream_.async_read(incoming_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-    if (error == beast::error::timeout) return self->lost("nothing came any more");
+    if (error == beast::error::timeout) return self->lost("no more messages came");
     if (error) return self->lost(error.message());
     const auto bytes = self->incoming_.data();
     self->line_->handlers.on_text({static_cast<const char*>(bytes.data()), bytes.size()});

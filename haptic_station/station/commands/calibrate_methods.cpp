@@ -87,7 +87,7 @@ Result<Measured> from_probe(const program::Arguments& arguments) {
   const auto fit = calibration::calibrate_hand_on_probe(*poses, *probe_from_hand);
   if (!fit) return fit.error();
   const double widest_rad = *std::max_element(fit->angles_rad.begin(), fit->angles_rad.end());
-  std::printf("the poses' turns agree to %.2f degrees\n", widest_rad * 180.0 / std::numbers::pi);
+  std::printf("the poses' rotations agree to %.2f degrees\n", widest_rad * 180.0 / std::numbers::pi);
   return Measured{calibration::measured(fit->haptic_from_tracker, fit->residuals, "hand on probe",
                                         std::chrono::system_clock::now()),
                   false};

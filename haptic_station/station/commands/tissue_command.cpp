@@ -12,15 +12,15 @@ namespace {
 program::Usage usage() {
   return {.program = "telepalp-station tissue",
           .purpose =
-              "fits the skin's stiffness to a compression test of a tissue or phantom, and tells the fit's error; "
-              "without a test, lists the presets and theirs",
+              "fits the skin's stiffness to a compression test of a tissue or phantom, and prints the fit's error; "
+              "without a test, lists the presets and their errors",
           .positional = "",
           .options = {{"test", "FILE", "CSV: a header row, then rows compression_mm,load_N"},
-                      {"diameter-mm", "MM", "of the specimen", "50"},
-                      {"height-mm", "MM", "of the specimen", "30"},
+                      {"diameter-mm", "MM", "diameter of the specimen", "50"},
+                      {"height-mm", "MM", "height of the specimen", "30"},
                       {"contact-mm", "MM", "diameter that the fingers press with", "30"},
-                      {"thickness-mm", "MM", "of the tissue under the hand", "60"},
-                      {"to-strain", "SHARE", "how far the law is to follow the test", "0.5"}},
+                      {"thickness-mm", "MM", "thickness of the tissue under the hand", "60"},
+                      {"to-strain", "SHARE", "largest strain of the test that the fit uses", "0.5"}},
           .example = "telepalp-station tissue --test tests/data/tissue/EF10_50T.csv"};
 }
 

@@ -62,13 +62,13 @@ error_code connecting_to(const std::string& path) {
 /// The reason why `entry` may not be replaced; nullopt if it may. Only a socket of this user on which nobody listens
 /// may be replaced: a crashed station left it.
 std::optional<std::string> in_the_way(const OwnFolder::Entry& entry, const std::string& path) {
-  if (S_ISLNK(entry.mode)) return "a symbolic link stands there, which could lead anywhere";
-  if (!S_ISSOCK(entry.mode)) return "a file or folder stands there that is not a socket, and stays as it is";
-  if (entry.owner != ::geteuid()) return "a socket of another user stands there";
+  if (S_ISLNK(entry.mode)) return "the path is a symbolic link, which could lead anywhere";
+  if (!S_ISSOCK(entry.mode)) return "the path is a file or folder and no socket; it is left as it is";
+  if (entry.owner != ::geteuid()) return "the path is a socket of another user";
   const error_code error = connecting_to(path);
   if (!error) return "another station listens there";
   if (error == boost::asio::error::connection_refused) return std::nullopt;
-  return "a socket stands there that is not a station's: " + error.message();
+  return "the path is a socket of another program: " + error.message();
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ Result<void> ControlSocket::listen(const fs::path& asked) {
     return Error{.what = what, .where = path.string(), .fix = "name another place by --control, or --control none"};
   };
   const std::string name = path.filename().string();
-  if (name.empty() || name == "." || name == "..") return why("is a folder's name and not a socket's");
+  if (name.empty() || name == "." || name == "..") return why("is a folder, not a socket");
   if (!fits(path)) return why("the path is too long for a socket");
   Result<OwnFolder> folder = OwnFolder::open(path.has_parent_path() ? path.parent_path() : fs::path("."), true);
   if (!folder) return folder.error();

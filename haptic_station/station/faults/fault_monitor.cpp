@@ -45,7 +45,7 @@ void FaultMonitor::add(const TickSample& sample) noexcept {
 void FaultMonitor::look(bool ending) {
   if (const std::optional<TickSample> fault = watch_.begun()) {
     const std::string cause = control::name(static_cast<control::FaultCause>(fault->fault));
-    say("fault: " + cause + ": let go, until an operator re-arms. fix: remove the cause, then " + how_to_rearm());
+    say("fault: " + cause + ": no force until an operator re-arms. fix: remove the cause, then " + how_to_rearm());
     telemetry_.tell_event(handlers_.now(), msg::EVENT_KIND_FAULT, cause);
   }
   if (auto ticks = watch_.due(ending)) {
@@ -88,7 +88,7 @@ void FaultMonitor::rearm(const ControlSocket::Reply& reply) {
     telemetry_.drain(handlers_.now());
     if (!is_faulted()) {
       say("re-armed by the operator");
-      return reply("re-armed: the station touches again");
+      return reply("re-armed: the station gives force again");
     }
     const auto stands = static_cast<control::FaultCause>(last_.fault_stands);
     reply(std::string("not re-armed: ") + control::name(stands) + ". fix: remove the cause, then try again");

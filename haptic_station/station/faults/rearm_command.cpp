@@ -12,9 +12,9 @@ namespace {
 
 program::Usage usage() {
   return {.program = "telepalp-station rearm",
-          .purpose = "lets a station that has let go at a fault touch again, once the cause of the fault is gone",
+          .purpose = "ends the fault of a station, so that it gives force again, once the cause of the fault is gone",
           .positional = "",
-          .options = {{"control", "PATH", "the station's control socket; left out: of the one that runs here"},
+          .options = {{"control", "PATH", "the station's control socket; default: that of the only station"},
                       program::patience_option("how long to wait for its answer; 0: for ever", "3")},
           .example = "telepalp-station rearm"};
 }

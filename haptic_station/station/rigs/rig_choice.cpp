@@ -67,7 +67,7 @@ Result<RigChoice> read_rig_choice(const std::string& device, const std::string& 
                  .where = "--tracker",
                  .fix = "give --tracker leap, or --tracker held when the hand holds the device's grip"};
   if (simulated && std::holds_alternative<Held>(*chosen_tracker))
-    return Error{.what = "nobody holds a simulated device",
+    return Error{.what = "nobody can grip a simulated device",
                  .where = "--tracker",
                  .fix = "give --tracker simulated, --tracker leap or --tracker browser"};
   if (!simulated && std::holds_alternative<Browser>(*chosen_tracker))

@@ -72,17 +72,18 @@ void say(std::string& remarks, const std::string& remark) { remarks += (remarks.
 float mended(models::PointModel& mesh, const Winding& winding, std::string& remarks) {
   if (winding.turned > 0)
     say(remarks, std::to_string(winding.turned) + " of " + std::to_string(mesh.triangles.size()) +
-                     " faces looked the other way than their neighbours: they are turned");
-  if (mesh.normals.empty()) say(remarks, "the mesh has no normals: its faces' are taken");
+                     " faces were oriented against their neighbours: they are reversed");
+  if (mesh.normals.empty()) say(remarks, "the mesh has no normals: face normals are used");
   Closure closure = closure_of(mesh);
   constexpr double kLeastAgreement = 0.4;  // smooth shading over the edges of a cube gives 0.58
   if (!mesh.normals.empty() && std::abs(closure.agreement) < kLeastAgreement) {
-    say(remarks, "the mesh's normals contradict its faces: its faces' are taken");
+    say(remarks, "the mesh's normals contradict its faces: face normals are used");
     mesh.normals.clear();
     closure.agreement = 0.0;
   }
   if (closure.without_place > 0)
-    say(remarks, std::to_string(closure.without_place) + " triangles have a corner that is not a number: left out");
+    say(remarks,
+        std::to_string(closure.without_place) + " triangles with a corner that is not a number (NaN) are left out");
   if (winding.open_edges > 0) {
     say(remarks, "the mesh is open (" + std::to_string(winding.open_edges) +
                      " edges without a partner), so which side is outside is taken from its " +
@@ -90,7 +91,7 @@ float mended(models::PointModel& mesh, const Winding& winding, std::string& rema
     return 1.0F;
   }
   if ((closure.volume6 < 0.0) == (closure.agreement < 0.0)) return 1.0F;
-  say(remarks, "the mesh is inside out: its normals are turned over");
+  say(remarks, "the mesh is inside out: its normals are reversed");
   return -1.0F;
 }
 
@@ -120,7 +121,7 @@ std::vector<CloudPoint> cloud_points(const models::PointModel& cloud, const Stat
                                      const Vector3d& middle, std::string& remarks) {
   if (cloud.normals.empty()) {
     say(remarks, "the cloud has no normals: they are estimated from " + std::to_string(settings.normal_neighbors) +
-                     " neighbours and turned to the viewpoint");
+                     " neighbours and oriented towards the viewpoint");
     return with_normals(cloud.points, settings.normal_neighbors, (settings.viewpoint_m - middle).cast<float>());
   }
   std::vector<CloudPoint> points;

@@ -80,7 +80,7 @@ Result<void> McapReader::read_record(std::uint64_t offset, std::uint64_t length,
   const Result<mcap::RecordHead> head = mcap::read_head(*source_, offset, offset + length);
   if (!head) return head.error();
   if (head->opcode != opcode || head->end() != offset + length)
-    return mcap::damaged(*source_, "its index points at something else");
+    return mcap::damaged(*source_, "its index does not point at a chunk");
   return mcap::read_content(*source_, *head, into);
 }
 

@@ -142,7 +142,7 @@ std::string complaint_of(const OniRecordWalk& walk, std::uint64_t senseless, con
     say(complaint, std::to_string(walk.damaged()) + (walk.damaged() == 1 ? " part" : " parts") +
                        " damaged, the first at byte " + std::to_string(walk.first_damage_at()) + " of " +
                        std::to_string(walk.file_bytes()));
-  if (senseless > 0) say(complaint, std::to_string(senseless) + " records make no sense and are left out");
+  if (senseless > 0) say(complaint, std::to_string(senseless) + " records are invalid and are left out");
   if (!walk.reached_end_record())
     say(complaint,
         "the recording is cut off at byte " + std::to_string(walk.file_bytes()) + ", without its end record");
@@ -186,7 +186,7 @@ Result<OniRecording> read_oni_recording(std::istream& file, const std::string& n
   const OniCodec codec = color->stream.codec;
   const bool readable = (codec == OniCodec::Jpeg || codec == OniCodec::Uncompressed) && color->stream.is_jpeg_or_rgb;
   if (!readable || color->stream.cropped || !has_size(color->stream)) {
-    say(recording.complaint, "its colour is in a format that is not read: depth alone is played");
+    say(recording.complaint, "its colour format is not supported: only depth is played");
     return recording;
   }
   recording.color = color->stream;

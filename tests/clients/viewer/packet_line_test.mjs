@@ -15,7 +15,7 @@ const key = (number, bytes) => packet(number, 3, bytes);
 const dependent = (number) => packet(number, 4);
 const LAST = 1_000_000n;
 
-/** The numbers of all that is decoded when a picture is wanted, in order. */
+/** The numbers of the packets that are decoded for a picture, in order. */
 function drained(line, until = LAST) {
   const numbers = [];
   for (let next = line.next(until, true); next !== undefined; next = line.next(until, true))

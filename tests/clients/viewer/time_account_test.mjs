@@ -7,7 +7,9 @@ import {bundled} from './bundled.mjs';
 const {accountFor, slowest, total_ms, WorstOfSecond} = await bundled('present/time_account.ts');
 
 const frame = (captured_ms, published_ms, complete_ms) => ({captured_ms, published_ms, complete_ms});
-/** A frame captured at 0, published at 10, here at 40, drawn at 60; what is left out is a link that is heard. */
+/**
+ * A frame captured at 0, published at 10, here at 40, drawn at 60; without other values, the link receives messages.
+ */
 const account = (now_ms, {shown = {...frame(0, 10, 40), drawn_ms: 60}, next, heard} = {}) =>
     accountFor({shown, next, heard: heard ?? {published_ms: now_ms - 40, received_ms: now_ms - 10}}, now_ms);
 

@@ -120,7 +120,7 @@ std::vector<BadCloud> bad_clouds() {
       {"mesh that names what is not there", "a.obj", "v 0 0 1\nf 1 2 3\n", "line 2"},
       {"face that names a normal that is not there", "a.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1//1 2//1 3//1\n",
        "line 4"},
-      {"unknown kind", "a.stl", "solid\n", "is not a kind of file"},
+      {"unknown kind", "a.stl", "solid\n", "is not a supported kind of file"},
       {"PLY that promises too much", "a.ply",
        "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n", "than it has bytes for"}};
 }

@@ -77,7 +77,7 @@ TEST(Scene, AnOrgansFileIsNamedWhereItCannotBeUsed) {
 TEST(Scene, FrictionWithoutASkinIsRefused) {
   const auto scene = parse_scene("haptic_from_camera {} effects { friction {} }", "dry.scene.textproto");
   ASSERT_FALSE(scene.ok());
-  EXPECT_NE(to_string(scene.error()).find("no skin to rub on"), std::string::npos);
+  EXPECT_NE(to_string(scene.error()).find("friction needs a skin effect"), std::string::npos);
 }
 
 TEST(Scene, ASkinTakesACurveThatWasMeasured) {

@@ -10,7 +10,7 @@ export interface DepthFrame {
   samples: Uint16Array;
 }
 
-/** What the compiled decoder offers; see codec/wasm/depth_decoder_wasm.cpp. */
+/** The functions of the compiled decoder; see codec/wasm/depth_decoder_wasm.cpp. */
 interface Decoder {
   memory: WebAssembly.Memory;
   _initialize(): void;
@@ -25,12 +25,12 @@ interface Decoder {
 
 let decoder: Decoder | undefined;
 
-/** Reads a packet of any depth mode. Throws on a damaged one; never gives depth other than what was sent. */
+/** Decodes a packet of any depth mode. Throws on a damaged packet; never returns wrong depth. */
 export function decodeDepth(packet: Uint8Array): DepthFrame {
   try {
     return decodeWith((decoder ??= instantiate()), packet);
   } catch (problem) {
-    if (problem instanceof WebAssembly.RuntimeError) decoder = undefined;  // trapped: its state is not to be trusted
+    if (problem instanceof WebAssembly.RuntimeError) decoder = undefined;  // after a trap the decoder's state is undefined
     throw problem;
   }
 }
@@ -44,18 +44,18 @@ function decodeWith(wasm: Decoder, packet: Uint8Array): DepthFrame {
   return {width, height, unit_m: wasm.unit_m(), samples};
 }
 
-/** Why not asynchronous: outside the page's own thread, where depth is decoded, a module of any size may be awaited. */
+/** The module is compiled synchronously: a worker, which decodes depth, may block on a module of any size. */
 function instantiate(): Decoder {
   const bytes = Uint8Array.from(atob(DEPTH_DECODER_WASM), (letter) => letter.charCodeAt(0));
   const view = (at: number, size: number) => new Uint8Array(wasm.memory.buffer, at, size);
-  const noFiles = () => 52;  // ENOSYS: the C library would print there, and there is nowhere to print
+  const noFiles = () => 52;  // ENOSYS: the C library's output functions have no target here
   const instance = new WebAssembly.Instance(new WebAssembly.Module(bytes), {
     env: {
       ZSTD_decompress(to: number, room: number, from: number, size: number): number {
         try {
           return decompress(view(from, size), view(to, room)).length;
         } catch {
-          return -1;  // any length but the one declared is an error to the caller
+          return -1;  // the caller treats any length except the declared one as an error
         }
       },
     },

@@ -24,7 +24,7 @@ export class DepthDecoder {
   }
 
   decode(bytes: Uint8Array): void {
-    const own = bytes.slice().buffer;  // the packet lies inside a whole WebSocket message, which is not ours to give
+    const own = bytes.slice().buffer;  // a copy: the packet is part of a WebSocket message, whose buffer must not be transferred
     this.worker.postMessage({packet: own}, [own]);
   }
 }

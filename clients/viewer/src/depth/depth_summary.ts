@@ -1,8 +1,8 @@
 import type {DepthFrame} from './decode_depth';
 
-/** What the scene needs to know of a frame beside its samples. */
+/** The facts about a frame that the scene needs besides its samples. */
 export interface DepthSummary {
-  measured: number;  // samples that are not holes
+  measured: number;  // number of measured samples
   near_m: number;    // 5th, 50th and 95th percentile of the middle half of the picture
   middle_m: number;
   far_m: number;
@@ -15,7 +15,7 @@ const SAMPLE_EVERY = 7;  // enough for percentiles, whatever the width
 export function summarise({width, height, unit_m, samples}: DepthFrame): DepthSummary {
   let measured = 0;
   for (let i = 0; i < samples.length; ++i) if (samples[i] !== 0) ++measured;
-  const seen = new Uint32Array(LEVELS);  // counted, since to sort them took as long as decoding
+  const seen = new Uint32Array(LEVELS);  // a histogram, because sorting took as long as decoding
   let total = 0;
   for (let row = height >> 2; row < height - (height >> 2); ++row)
     for (let column = width >> 2; column < width - (width >> 2); column += SAMPLE_EVERY) {

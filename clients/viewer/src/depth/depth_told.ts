@@ -1,17 +1,17 @@
 import type {DepthImage} from '../link/messages';
 
-/** What a depth image tells of itself; twin of proto/wire/depth_told, in the same words. */
+/** The accuracy that a depth image states. The texts are the same as in proto/wire/depth_loss. */
 export interface DepthTold {
-  moved: boolean;  // whether depth may be other than measured
+  moved: boolean;  // true: depth may differ from the measurement
   mode: string;    // of the codec; empty: not told
   howFar: string;  // "off by up to 2.85 mm at 1 m"
-  more: string;    // for whoever asks what that means
+  more: string;    // explanation for the user
 }
 
 const MOVING_MODE = 'bounded';
 const LONGEST_MODE = 32;
 
-/** False for what is not a number, too. */
+/** False for NaN, too. */
 const isCredible = (bound: number) => bound >= 0 && bound <= 1;
 
 const millimetres = (m: number) => `${Number((1000 * m).toPrecision(3))} mm`;
@@ -20,7 +20,7 @@ export function depthTold({format, bound}: Pick<DepthImage, 'format' | 'bound'>)
   const mode = format.slice(0, LONGEST_MODE);
   if (bound === undefined && mode !== MOVING_MODE)
     return {moved: false, mode, howFar: mode === '' ? 'not told' : 'as measured', more: ''};
-  const more = 'Depth was moved to take fewer bytes: for the eye, and not what the camera measured.';
+  const more = 'Depth is near-lossless to save bytes: for display, and not as the camera measured it.';
   if (bound === undefined || !isCredible(bound.leastM) || !isCredible(bound.perM))
     return {moved: true, mode, howFar: 'off by an amount that is not told', more};
   return {

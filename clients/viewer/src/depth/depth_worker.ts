@@ -1,7 +1,7 @@
 import {decodeDepth} from './decode_depth';
 import {summarise} from './depth_summary';
 
-/** What the worker posts for each packet: a frame with its summary, or why there is none. */
+/** The worker's answer to each packet: a frame with its summary, or the reason why there is none. */
 onmessage = ({data}: MessageEvent<{packet: ArrayBuffer}>) => {
   try {
     const began_ms = performance.now();

@@ -1,4 +1,5 @@
-// Reads the stream beside the page, however busy that is with drawing, and hands it the newest instant when it asks.
+// Reads the stream in a worker, so that a page that is busy with drawing does not delay it. Sends the page the newest
+// instant on request.
 
 import {DepthDecoder} from '../depth/depth_decoder';
 import type {FrameTimes} from '../present/time_account';
@@ -61,7 +62,7 @@ const instants = new Instants({
   askForKey,
 });
 
-/** When the picture was taken; a server that does not say so publishes it at once. */
+/** Capture time of the picture, or its publishing time if the server does not state the capture time. */
 function takenAt({timestamp}: CompressedImage, published_ns: bigint): bigint {
   return timestamp === undefined ? published_ns : timestamp.seconds * 1_000_000_000n + BigInt(timestamp.nanos);
 }
@@ -74,7 +75,7 @@ function stationCame(state: StationState): void {
 const stream = new Stream(
     `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/stream`,
     {
-      '/clock': () => undefined,  // a word each second, though nothing else may happen: the stream listens for silence
+      '/clock': () => undefined,  // one message a second: the stream treats silence as a lost connection
       '/camera/depth': (image, published_ns) => {
         facts.depthCame(image);
         instants.depthCame({bytes: image.data, captured_ns: image.capturedNs, published_ns});

@@ -30,7 +30,7 @@ export enum CaptureState {
   Ended,
 }
 
-/** Of max(leastM, perM z²) metres at a depth of z metres. */
+/** Error bound max(leastM, perM z²) in metres at a depth of z metres. */
 export interface DepthBound {
   leastM: number;
   perM: number;
@@ -97,29 +97,29 @@ export interface Clock {
   sessionNs: bigint;
 }
 
-/** Where somebody holds the hand here; the server adds which viewer it was. */
+/** The position of the hand that this viewer holds; the server adds the viewer's number. */
 export type ViewerHand = {
   sampledUs: bigint;
   handCamera: Vec3;
 };
 
-/** Gives the hand up: until then it is held, however long its viewer rests. */
+/** Gives up the hand. Without it the viewer holds the hand even if it sends nothing. */
 export type LetGo = {
   letGo: true;
 };
 
-/** Which viewer holds the hand, 0 for none, and which ones ask for it. */
+/** The viewer that holds the hand (0: none) and the viewers that ask for it. */
 export interface HandHolder {
   viewer: bigint;
   asking: bigint[];
 }
 
-/** What the viewer itself says: topic name -> what its messages hold. */
+/** The topics that the viewer publishes: topic name -> fields of its messages. */
 export interface OwnTopics {
   '/viewer/hand': ViewerHand | LetGo;
 }
 
-/** Topic name -> what its messages hold. */
+/** Topic name -> fields of its messages. */
 export interface Topics {
   '/clock': Clock;
   '/camera/depth': DepthImage;

@@ -13,15 +13,15 @@ function typeOf(name: string, schema: string): DescMessage {
 }
 
 /**
- * A decoder for the Protobuf type `name`, made from the schema that the server advertises, so that the viewer carries
- * no types of its own. `schema`: a FileDescriptorSet in base64. Throws when the set does not hold the type.
+ * A decoder for the Protobuf type `name`, made from the schema that the server advertises, so that the viewer needs no
+ * generated types. `schema`: a FileDescriptorSet in base64. Throws if the set does not contain the type.
  */
 export function decoderFor(name: string, schema: string): Decode {
   const type = typeOf(name, schema);
   return (payload) => fromBinary(type, payload);
 }
 
-/** As decoderFor, the other way; a message is given as its fields, in camelCase. */
+/** The encoder for the type, the inverse of decoderFor. A message is an object with its fields in camelCase. */
 export function encoderFor(name: string, schema: string): Encode {
   const type = typeOf(name, schema);
   return (message) => toBinary(type, create(type, message));

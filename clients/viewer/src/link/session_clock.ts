@@ -6,32 +6,33 @@ interface Probe {
 const PROBES_KEPT = 8;
 const PROBE_EVERY_MS = 5000;
 
-/** Now, in milliseconds since 1970: the same in the page and in its workers, and steady. */
+/** The current time in milliseconds since 1970: monotonic, and equal in the page and its workers. */
 export const now_ms = () => performance.timeOrigin + performance.now();
 
 /** Session time `at_ns` in milliseconds. */
 export const milliseconds = (at_ns: bigint) => Number(at_ns / 1000n) / 1000;
 
 /**
- * The session clock as this browser knows it. The server's reading lies half-way between asking and hearing, give or
- * take half the round trip, so the quickest of the last probes is believed.
+ * An estimate of the session clock in the browser. It assumes that the server read its clock halfway between request
+ * and reply; the error is at most half the round trip. So the probe with the shortest round trip among the last ones is
+ * used.
  */
 export class SessionClock {
   private probes: Probe[] = [];
 
-  /** Asks the server from now on. */
+  /** Starts to probe the server. */
   start(): void {
     void this.probe();
     setInterval(() => void this.probe(), PROBE_EVERY_MS);
   }
 
-  /** Forgets what it knew: the server may be another one, with another session. */
+  /** Discards the estimate, because the server may be another one with another session. */
   restart(): void {
     this.probes = [];
     for (let times = 0; times < 3; ++times) void this.probe();
   }
 
-  /** Session time less now_ms(); undefined while the server's clock is not known. */
+  /** Session time minus now_ms(); undefined while the server's clock is not known. */
   get offset_ms(): number | undefined {
     return this.probes.reduce<Probe | undefined>(
         (least, probe) => (least && least.roundTrip_ms <= probe.roundTrip_ms ? least : probe), undefined)?.offset_ms;

@@ -4,7 +4,10 @@ import type {News} from './worker_messages';
 
 const LINK_SMOOTHING = 0.1;
 
-/** Gathers what the messages say of link and site. No sockets and no clock: times are arguments. */
+/**
+ * Collects facts about the link and the patient's site from the messages. It uses no sockets and no clock: times are
+ * arguments.
+ */
 export class SiteFacts {
   capture: CaptureStatus | undefined;
   lateTicks: number | undefined;
@@ -22,7 +25,7 @@ export class SiteFacts {
 
   connected(): void {
     this.everConnected = true;
-    this.lastSequence = undefined;  // frames missed while away are not the link's drops
+    this.lastSequence = undefined;  // frames missed without a connection are no drops of the link
     this.holder = {viewer: 0n, asking: []};
     this.station = this.stationHeard_ms = this.link_ms = this.heard = undefined;
   }
@@ -35,7 +38,7 @@ export class SiteFacts {
     this.link_ms = this.link_ms === undefined ? age_ms : this.link_ms + LINK_SMOOTHING * (age_ms - this.link_ms);
   }
 
-  /** A depth image came. What the sequence skips was overtaken on the way. */
+  /** A depth image came. A gap in the sequence numbers means frames that were dropped on the way. */
   depthCame(image: DepthImage): void {
     const {sequence} = image;
     this.depth = depthTold(image);

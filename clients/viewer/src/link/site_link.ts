@@ -2,7 +2,7 @@ import type {Instant} from '../present/instant';
 import type {LetGo, ViewerHand} from './messages';
 import type {FromWorker, News, ToWorker} from './worker_messages';
 
-/** The page's end of the link worker. What is asked for is answered once, and not asked for again before. */
+/** The page's interface to the link worker. Each request gets one answer, and it is not repeated before the answer. */
 export class SiteLink {
   private readonly worker = new Worker('link_worker.js', {type: 'module'});
   private readonly owed = new Set<'instant' | 'news'>();
@@ -16,7 +16,7 @@ export class SiteLink {
     };
   }
 
-  /** The answer comes later: at once for news, and for an instant when there is one that was not presented. */
+  /** The answer comes later: for news at once, for an instant as soon as a new one can be presented. */
   ask(what: 'instant' | 'news'): void {
     if (this.owed.has(what)) return;
     this.owed.add(what);

@@ -6,7 +6,7 @@ import {now_ms} from './session_clock';
 
 const FIRST_RETRY_MS = 500;
 const SLOWEST_RETRY_MS = 5000;
-/** Neither a message nor a word for so long: the connection is taken for dead, though no end was heard. */
+/** After this time without any message the connection counts as lost. */
 const SILENCE_MS = 10_000;
 
 type Handlers = {[Topic in keyof Topics]?: (message: Topics[Topic], published_ns: bigint, bytes: number) => void};
@@ -28,13 +28,16 @@ interface Publication {
   encode: Encode;
 }
 
-/** The server's messages, decoded, and ours to it. Connects, and connects again by itself for as long as the page is open. */
+/**
+ * Receives and decodes the server's messages and sends the viewer's. It connects, and reconnects while the page is
+ * open.
+ */
 export class Stream {
   connected = false;
   /** When the next attempt begins, on now_ms(); undefined while connected or connecting. */
   retryAt_ms: number | undefined;
   undecodable = 0;
-  /** This viewer's number at the server, as /viewer/hand_holder names it; 0 before the server has told. */
+  /** This viewer's number at the server, as /viewer/hand_holder names it; 0 until the server has sent it. */
   viewer = 0n;
 
   private readonly subscriptions = new Map<SubscriptionId, Subscription>();
@@ -53,13 +56,13 @@ export class Stream {
     this.connect();
   }
 
-  /** Sends `message` when there is a server that takes it; else it is lost, for a newer one comes soon. */
+  /** Sends `message` if the server accepts it; otherwise drops it, because a newer one follows soon. */
   publish<Topic extends keyof OwnTopics>(topic: Topic, message: OwnTopics[Topic]): void {
     const publication = this.publications.get(topic);
     if (publication !== undefined) this.client?.sendMessage(publication.channel, publication.encode(message));
   }
 
-  /** Whoever subscribes anew is sent first what stands alone: how a viewer says that it lost its place. */
+  /** Subscribes again to request a key frame: the server sends a new subscriber a key frame first. */
   subscribeAgain(topic: keyof Topics): void {
     const {client} = this;
     const held = [...this.subscriptions].find(([, subscription]) => subscription.topic === topic);
@@ -110,7 +113,7 @@ export class Stream {
     }
   }
 
-  /** The server tells the schema of each topic, of those too that viewers publish. */
+  /** The server advertises the schema of each topic, also of those that viewers publish. */
   private offer(client: FoxgloveClient, {topic, encoding, schema, schemaName}: Channel): void {
     if (!this.publishes.some((own) => own === topic) || encoding !== 'protobuf') return;
     const encode = encoderFor(schemaName, schema);
@@ -129,7 +132,7 @@ export class Stream {
     }
   }
 
-  /** A cable that was pulled ends no connection: without this a frozen picture would look alive to the stream. */
+  /** A pulled cable does not end a connection. Without this check, a frozen picture would look live. */
   private endIfSilent(): void {
     const silent = this.client;
     if (silent === undefined || performance.now() - this.heard_ms < SILENCE_MS) return;

@@ -1,12 +1,12 @@
-// What page and link worker say to each other. Each message from the worker is asked for, one at a time, so that nothing
-// piles up before a page that is busy.
+// Messages between page and link worker. The worker sends one message for each request of the page, so that no messages
+// queue up for a busy page.
 
 import type {DepthTold} from '../depth/depth_told';
 import type {FrameTimes} from '../present/time_account';
 import type {Instant} from '../present/instant';
 import type {CaptureStatus, HandHolder, LetGo, Phase, ViewerHand} from './messages';
 
-/** How link and site are, as of now. Times on now_ms(). */
+/** The present state of the link and the patient's site. Times are on the clock of now_ms(). */
 export interface News {
   connected: boolean;
   everConnected: boolean;
@@ -18,14 +18,14 @@ export interface News {
   capture: CaptureStatus | undefined;
   depth: DepthTold | undefined;
   stationHeard_ms: number | undefined;
-  phase: Phase;  // the newest, whatever is presented
+  phase: Phase;  // the newest phase, not that of the presented instant
   surfaceStale: boolean;
   lateTicks: number | undefined;
-  untaken_ms: number | undefined;  // when the server last said that no station takes our hand
+  untaken_ms: number | undefined;  // when the server last reported that no station uses this viewer's hand
   holder: HandHolder;
-  viewer: bigint;      // this page's number at the server; 0n before it is told
-  dropped: number;     // on the way here
-  overtaken: number;   // here, before they were decoded
+  viewer: bigint;      // this page's number at the server; 0n until the server has sent it
+  dropped: number;     // frames dropped on the way to this viewer
+  overtaken: number;   // frames that this viewer skipped before decoding
   undecodable: number;
 }
 

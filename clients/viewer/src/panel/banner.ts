@@ -2,15 +2,15 @@ import {CaptureState, type CaptureStatus, Phase} from '../link/messages';
 import {type Place, slowest, type TimeAccount, total_ms} from '../present/time_account';
 import {touchAdvice, type TouchHealth} from './touch_advice';
 
-/** What the banner depends on. Ages in milliseconds; undefined: nothing came yet. */
+/** The values on which the banner depends. Ages are in milliseconds; undefined: no message yet. */
 export interface Health extends TouchHealth {
   connected: boolean;
   retryIn_ms: number | undefined;
   everConnected: boolean;
   capture: CaptureStatus | undefined;
   picture_ms: number | undefined;
-  account: TimeAccount | undefined;  // of the oldest picture of the last second; undefined while it cannot be made
-  apart_ms: number | undefined;      // the numbers' instant less the picture's
+  account: TimeAccount | undefined;  // for the oldest picture of the last second; undefined while data is missing
+  apart_ms: number | undefined;      // instant of the numbers minus instant of the picture
   station_ms: number | undefined;
   surfaceStale: boolean;
   surface_ms: number | undefined;
@@ -28,7 +28,7 @@ const APART_MS = 400;
 
 const seconds = (ms: number) => `${(ms / 1000).toFixed(1)} s`;
 
-/** The one thing that matters most now, or undefined when all is well. The worst comes first. */
+/** The most important message for the user, or undefined if everything works. The worst problem comes first. */
 export function bannerFor(health: Health): Banner | undefined {
   if (!health.connected) {
     const wait = health.retryIn_ms === undefined ? 'Connecting…' : `Trying again in ${seconds(health.retryIn_ms)}`;
@@ -69,7 +69,7 @@ const BLAME: Record<Place, (part: string) => string> = {
   computer: (part) => `This computer: it needs ${part} to decode and draw. Close other programs, or make the window smaller.`,
 };
 
-/** Names the place where most of the picture's age came from. */
+/** Names the place that causes most of the picture's age. */
 function whereTo(age_ms: number, account: TimeAccount | undefined): string {
   if (account === undefined) return `It is ${seconds(age_ms)} old.`;
   const place = slowest(account);

@@ -16,10 +16,10 @@ const LOOKS: Record<Phase, PhaseLook> = {
   [Phase.AroundCylinder]: {name: 'Around the cylinder', tone: 'inner', says: 'beside the inner object'},
   [Phase.CylinderUpper]: {name: 'Cylinder upper area', tone: 'inner', says: 'upon the inner object'},
   [Phase.Released]: {name: 'Released', tone: 'quiet', says: 'let go, no force: waiting for valid data'},
-  [Phase.Faulted]: {name: 'Faulted', tone: 'alarm', says: 'let go until an operator re-arms'},
+  [Phase.Faulted]: {name: 'Faulted', tone: 'alarm', says: 'no force until an operator re-arms'},
 };
 
-/** How a phase is named and toned; a number from a newer station is shown as it came. */
+/** Name and colour of a phase; an unknown number from a newer station is shown as a number. */
 export function lookOf(phase: Phase): PhaseLook {
   return LOOKS[phase] ?? {name: `State ${Number(phase)}`, tone: 'quiet', says: 'a state that this viewer does not know'};
 }

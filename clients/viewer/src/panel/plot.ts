@@ -6,14 +6,14 @@ interface Sample {
 export interface PlotStyle {
   color: string;
   unit: string;
-  /** Top of the scale at least; it grows by steps when a value passes it. */
+  /** Least top of the scale; the scale grows in steps when a value exceeds it. */
   least: number;
   step: number;
 }
 
 const WINDOW_S = 15;
 
-/** The last seconds of one value, drawn on a canvas. Time is the station's own, so a pause shows as a gap. */
+/** The last seconds of one value, drawn on a canvas. The time axis is the station's time, so a pause shows as a gap. */
 export class Plot {
   private readonly samples: Sample[] = [];
   private readonly context: CanvasRenderingContext2D;
@@ -26,7 +26,7 @@ export class Plot {
 
   add(at_s: number, value: number): void {
     const last = this.samples[this.samples.length - 1];
-    if (last !== undefined && at_s < last.at_s) this.samples.length = 0;  // the station was started anew
+    if (last !== undefined && at_s < last.at_s) this.samples.length = 0;  // the station was restarted
     this.samples.push({at_s, value});
     while (this.samples[0] !== undefined && this.samples[0].at_s < at_s - WINDOW_S) this.samples.shift();
   }

@@ -18,12 +18,12 @@ const milliseconds = (ms: number | undefined) =>
 
 const OLD_MS = 250;
 
-/** Writes what is known to the page. The only place that knows the page's elements by name, but for the buttons. */
+/** Writes the values to the page. Only this class knows the names of the page's elements, except for the buttons. */
 export class Readouts {
   readonly force = new Plot(element('force-plot'), {color: '#ffab5e', unit: 'N', least: 5, step: 5});
   readonly indentation = new Plot(element('indentation-plot'), {color: '#5ad1e6', unit: 'mm', least: 40, step: 20});
 
-  /** What the station said since the last one that was presented. */
+  /** The station's values since the last presented instant. */
   addTrail(trail: readonly Touch[]): void {
     for (const {at_s, force_N, indentation_m} of trail) {
       this.force.add(at_s, force_N);
@@ -54,7 +54,7 @@ export class Readouts {
     setText('source', away ? '' : capture.source + (capture.colorRegistered ? '' : ' · colour not aligned'));
   }
 
-  /** Only what is out of the ordinary: depth as measured needs no words. */
+  /** Shows the depth's accuracy only if depth is not as measured. */
   private showDepth({depth}: Reading): void {
     element('depth').hidden = !depth?.moved;
     if (!depth?.moved) return;

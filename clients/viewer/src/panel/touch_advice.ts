@@ -1,19 +1,22 @@
 import type {StationState, Vec3} from '../link/messages';
 import type {Banner} from './banner';
 
-/** A tracker that is silent for longer sees no hand; above the 0.1 s after which a station lets go. */
+/**
+ * After this time without a sample the tracker counts as seeing no hand. It is longer than the 0.1 s after which a
+ * station releases.
+ */
 const HAND_GONE_MS = 250;
 
-/** Where the station says that the hand is shown; undefined while its tracker sees none. */
+/** The displayed hand's position from the station; undefined while the tracker sees no hand. */
 export function shownHand({stampNs, handSampledNs, displayedHandCamera}: StationState): Vec3 | undefined {
   if (handSampledNs === 0n) return undefined;
   return Number(stampNs - handSampledNs) / 1e6 > HAND_GONE_MS ? undefined : displayedHandCamera;
 }
 
 export interface TouchHealth {
-  handShown: boolean | undefined;  // undefined: no station is heard
+  handShown: boolean | undefined;  // undefined: no station sends messages
   holdsHand: boolean;              // "Touch" is on in this page
-  untaken: boolean;                // the server says that no station takes the hand of this page
+  untaken: boolean;                // the server reports that no station uses this page's hand
 }
 
 /** What a user who wants to touch should do next; undefined when there is nothing to say. */

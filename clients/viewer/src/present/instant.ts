@@ -11,14 +11,14 @@ export interface Touch {
 
 export interface Picture extends DecodedDepth {
   captured_ns: bigint;
-  color: ImageBitmap | undefined;  // undefined: the one shown before stays
+  color: ImageBitmap | undefined;  // undefined: the previous image stays
   cameraMatrix: readonly number[] | undefined;
 }
 
-/** All that is presented together: a picture, and what the station said of the same instant. */
+/** The data that is presented together: a picture, and the station's values of the same instant. */
 export interface Instant {
-  picture: Picture | undefined;  // undefined: no new one; the station's word goes on alone
+  picture: Picture | undefined;  // undefined: no new picture; only the station's values are new
   station: StationState | undefined;
-  trail: readonly Touch[];  // up to this instant, since the one before
+  trail: readonly Touch[];  // touches since the previous instant, up to this one
   times: FrameTimes | undefined;  // of the picture; undefined while the session clock is not known
 }

@@ -15,11 +15,11 @@ export interface ColorPicture {
   captured_ns: bigint;
 }
 
-/** When the parts of a picture were there: session time, and this computer's. */
+/** Arrival times of the parts of a picture, in session time and on this computer's clock. */
 export interface Arrival {
   captured_ns: bigint;
   published_ns: bigint;
-  complete_ms: number | undefined;  // undefined: the station's word of that instant has not come
+  complete_ms: number | undefined;  // undefined: the station's state of that instant has not come
 }
 
 export interface Chosen extends Omit<Instant, 'picture' | 'times'> {
@@ -28,28 +28,28 @@ export interface Chosen extends Omit<Instant, 'picture' | 'times'> {
   arrival: Arrival | undefined;
 }
 
-/** What chooses needs of the world. */
+/** The functions that Instants calls. */
 export interface Means {
   now_ms(): number;
   decode(packet: Packet): void;     // answered by Instants.decoded or Instants.undecodable
   present(chosen: Chosen): void;    // once for each ask()
-  askForKey(): void;                // nothing can be decoded until a frame comes that stands alone
+  askForKey(): void;                // requests a key frame, because nothing can be decoded without one
 }
 
 const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
 
 /**
- * Chooses what the page presents next. The page asks when it is ready to draw, and is given the newest instant of which
- * both picture and numbers are here: a page that draws slowly skips instants, and none of its queues grows.
+ * Chooses what the page presents next. The page asks when it is ready to draw. It gets the newest instant of which both
+ * picture and numbers have arrived. A slow page therefore skips instants, and no queue grows.
  */
 export class Instants {
   private readonly line = new PacketLine();
-  private arrivals: Arrival[] = [];  // of what was pushed, newest last
+  private arrivals: Arrival[] = [];  // arrivals of pushed messages, newest last
   private states: StationState[] = [];
   private colors: ColorPicture[] = [];
   private asked = false;
   private decoding: Packet | undefined;
-  private outdated: Packet | undefined;  // decoding when the connection ended
+  private outdated: Packet | undefined;  // packet that was being decoded when the connection ended
   private ready: {decoded: DecodedDepth; captured_ns: bigint} | undefined;
   private newestCapture_ns = 0n;
   private presentedCapture_ns: bigint | undefined;
@@ -87,7 +87,7 @@ export class Instants {
 
   stationCame(state: StationState): void {
     const newest = this.states[this.states.length - 1];
-    if (newest !== undefined && state.stampNs < newest.stampNs) this.states = [];  // the station was started anew
+    if (newest !== undefined && state.stampNs < newest.stampNs) this.states = [];  // the station was restarted
     this.states.push(state);
     if (this.states.length > MOST_STATES) this.states.shift();
     this.serve();
@@ -106,7 +106,7 @@ export class Instants {
     this.serve();
   }
 
-  /** Another connection begins: what came by the last one is of no use. An answer that is owed is still given. */
+  /** A new connection begins and the data of the last one is discarded. A pending request is still answered. */
   restart(): void {
     this.line.clear();
     this.states = [];

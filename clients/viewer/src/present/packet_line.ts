@@ -3,29 +3,29 @@ export interface Packet {
   captured_ns: bigint;
 }
 
-/** Bounds of what waits: a camera at 60 Hz may run a second ahead of the station's numbers. */
+/** Limits of the waiting packets: a camera at 60 Hz may be a second ahead of the station's values. */
 const MOST_WAITING = 64;
 const MOST_BYTES = 16 * 1024 * 1024;
 
-/** As codec/depth_packet.h has it: byte 5 names the coding, and 4 is the one that depends on the frame before. */
+/** From the depth packet's header: byte 5 is the coding, and coding 4 depends on the previous frame. */
 const CODING_AT = 5;
 const DEPENDENT = 4;
 
 const standsAlone = ({bytes}: Packet) => bytes[CODING_AT] !== DEPENDENT;
 
 /**
- * The depth packets that wait to be decoded. What is too old to draw is dropped here, before it is decoded: when a packet
- * is asked for, one that stands alone replaces all before it. A packet that depends on the one before keeps its place,
- * and is of no use once that one is lost. No page, no worker: packets in, packets out.
+ * The depth packets that wait to be decoded. Packets that are too old to draw are dropped before they are decoded: a
+ * key frame replaces all packets before it. A predicted frame keeps its place in the queue, and it is dropped if its
+ * reference frame is lost. This class uses neither the page nor a worker.
  */
 export class PacketLine {
   overtaken = 0;
 
   private waiting: Packet[] = [];
   private bytes = 0;
-  private lost = true;  // from the start: what comes first may depend on what was sent to others
+  private lost = true;  // true at the start, because the first packet may depend on an earlier one
 
-  /** False: the packet is of no use, for want of the one before it, and so is all until one stands alone. */
+  /** False: the packet lacks its reference frame, so it and all packets until the next key frame are dropped. */
   push(packet: Packet): boolean {
     while (this.isFull(packet)) this.dropFirst(this.firstAlone(1) ?? this.waiting.length, !standsAlone(packet));
     if (this.lost && !standsAlone(packet)) {
@@ -39,8 +39,8 @@ export class PacketLine {
   }
 
   /**
-   * The packet to decode next, of those captured until `until_ns`. `wanted`: a picture is to be drawn now. Otherwise only
-   * packets that a later one depends on are decoded ahead.
+   * The packet to decode next, among those captured until `until_ns`. `wanted`: a picture is needed now. Otherwise only
+   * packets on which a later one depends are decoded in advance.
    */
   next(until_ns: bigint, wanted: boolean): Packet | undefined {
     let last = this.waiting.length - 1;
@@ -60,7 +60,7 @@ export class PacketLine {
     this.dropFirst(this.firstAlone(0) ?? this.waiting.length, true);
   }
 
-  /** Forgets all: another connection begins. */
+  /** Discards all packets, because a new connection begins. */
   clear(): void {
     this.dropFirst(this.waiting.length, true);
   }
@@ -75,7 +75,7 @@ export class PacketLine {
     return found < 0 ? undefined : found;
   }
 
-  /** `loses`: when nothing is left, what comes next has lost the packet that it depends on. */
+  /** `loses`: if no packet remains, the next packet lacks its reference frame. */
   private dropFirst(count: number, loses: boolean): void {
     for (const {bytes} of this.waiting.splice(0, count)) this.bytes -= bytes.byteLength;
     this.overtaken += count;

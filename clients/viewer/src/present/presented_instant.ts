@@ -1,20 +1,26 @@
-// One instant is presented at a time: picture, hand, force and numbers belong together. The station tells of itself 100
-// times a second, so that the word nearest to a picture's exposure lies within half a period of it.
+// One instant is presented at a time: picture, hand, force and numbers belong together. The station sends its state 100
+// times a second, so the state nearest to a picture's exposure is at most half a period (5 ms) away.
 
 /** Half a period of /station/state. */
 const TOGETHER_NS = 5_000_000n;
-/** A station whose word is further behind the pictures is not waited for. */
+/** If the station's values are later than the pictures by more than this, the viewer does not wait for them. */
 const LONGEST_WAIT_NS = 500_000_000n;
-/** Numbers go on alone when the newest picture is older than the station's newest word by this. */
+/**
+ * If the newest picture is older than the station's newest values by more than this, the values are presented without a
+ * new picture.
+ */
 const ALONE_NS = 250_000_000n;
 
-/** Pictures captured until then can be presented: the station's word of their instant has come, or is not waited for. */
+/**
+ * Pictures captured until this time can be presented: the station's values of their instant have arrived, or the viewer
+ * does not wait for them.
+ */
 export function presentableUntil(newestStamp_ns: bigint | undefined, newestCapture_ns: bigint): bigint {
   if (newestStamp_ns === undefined || newestCapture_ns - newestStamp_ns > LONGEST_WAIT_NS) return newestCapture_ns;
   return newestStamp_ns + TOGETHER_NS;
 }
 
-/** Whether the station's word is presented without a new picture, because none comes. */
+/** True when the station's values are presented without a new picture, because no picture comes. */
 export function goesAlone(stamp_ns: bigint, presentedCapture_ns: bigint | undefined): boolean {
   return presentedCapture_ns === undefined || stamp_ns - presentedCapture_ns > ALONE_NS;
 }

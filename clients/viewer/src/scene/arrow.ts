@@ -2,7 +2,7 @@ import {type ColorRepresentation, ConeGeometry, CylinderGeometry, Group, Mesh, M
 
 const UP = new Vector3(0, 1, 0);
 
-/** An arrow that is always seen whole, whatever stands before it. Unlit, so that its colour can be read off. */
+/** An arrow that nothing hides. It has no shading, so that its colour can be compared with the scale. */
 export class Arrow {
   readonly group = new Group();
   private readonly material: MeshBasicMaterial;

@@ -1,6 +1,6 @@
 import {Color} from 'three';
 
-/** The limit of the device's peak force, where the scale ends [N]. */
+/** The device's peak force [N], at which the scale ends. */
 export const FULL_SCALE_N = 10;
 
 const STOPS: readonly (readonly [number, Color])[] = [

@@ -1,11 +1,11 @@
-/** How finely the view is drawn: every n-th pixel of the depth image, and screen pixels for each point of the page. */
+/** A level of detail: the step between drawn pixels of the depth image, and the screen pixels per point of the page. */
 export interface Detail {
   stride: number;
   pixelRatio: number;
 }
 
 const POLL_MS = 4;
-/** After a slow frame the page rests for as long as that took, at most this: messages wait behind drawing. */
+/** Longest rest after a slow frame. The page rests for the duration of the frame, so that messages are handled. */
 const LONGEST_REST_MS = 500;
 const TOO_SLOW_MS = 90;
 const EASY_MS = 12;
@@ -13,13 +13,13 @@ const SLOW_FRAMES = 4;
 const EASY_FRAMES = 240;
 
 /**
- * Draws no frame before the graphics card has finished the one before, so that a slow one holds up neither the page
- * nor the messages; and draws less finely where that takes too long, as without a graphics card.
+ * Draws a frame only after the graphics card has finished the last one, so that a slow card delays neither the page nor
+ * the messages. If drawing takes too long, as without a graphics card, it selects a coarser level of detail.
  */
 export class FramePacer {
-  /** Into what the view may be drawn as, from the finest. */
+  /** The levels of detail, finest first. */
   level = 0;
-  /** From the drawing's start to its end on the graphics card, of the last frame. */
+  /** Duration of the last frame, from the start of drawing to its end on the graphics card. */
   drawn_ms = 0;
 
   private wanted = false;
@@ -28,9 +28,8 @@ export class FramePacer {
   private easy = 0;
 
   /**
-   * `draw` is called with the animation frame and says whether its time tells anything; `onDrawn` when it is finished, and
-   * `onFree` when the next one may begin.
-   * `level` stays below `levels`.
+   * `draw` is called in the animation frame and returns whether its duration counts. `onDrawn` is called when the frame
+   * is finished, `onFree` when the next one may begin. `level` stays below `levels`.
    */
   constructor(
       private readonly gl: WebGL2RenderingContext,
@@ -40,7 +39,7 @@ export class FramePacer {
       private readonly onFree: () => void,
   ) {}
 
-  /** Asks for a frame. Asking often costs nothing: one is drawn for all that asked before it began. */
+  /** Requests a frame. One frame answers all requests made before it began. */
   ask(): void {
     this.wanted = true;
     if (this.busy) return;

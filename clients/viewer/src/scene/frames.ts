@@ -7,7 +7,7 @@ export function fromCamera({x, y, z}: Vec3): Vector3 {
   return new Vector3(x, -y, -z);
 }
 
-/** The other way. */
+/** The inverse conversion. */
 export function toCamera({x, y, z}: Vector3): Vec3 {
   return {x, y: -y, z: -z};
 }

@@ -4,12 +4,13 @@ import {handGeometry} from './hand_shape';
 
 const CALM = new Color('#e8c9b4');
 const DEEPEST = new Color('#d4142a');
-/** The indentation at which the hand is all red: the depth at which S1 III.A states its forces. */
+/** The indentation at which the hand is fully red: the depth for which S1 III.A states forces. */
 const ALL_RED_M = 0.06;
 
 /**
  * S1 II.E: an avatar of the doctor's hand, at the displayed hand position, whose colour shifts gradually to red the
- * deeper the end-effector is inside the surface. It keeps one attitude: the tracked rotation is not on the wire.
+ * deeper the end-effector is inside the surface. Its rotation is constant, because the protocol does not carry the
+ * tracked rotation.
  */
 export class Hand {
   private readonly material = new MeshStandardMaterial(
@@ -17,7 +18,7 @@ export class Hand {
   readonly mesh = new Mesh(handGeometry(), this.material);
 
   private known = false;
-  private shown = true;  // the user's wish
+  private shown = true;  // as the user has set it
 
   constructor() {
     this.mesh.visible = false;

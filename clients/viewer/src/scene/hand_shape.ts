@@ -10,7 +10,7 @@ interface Joint {
 }
 const joint = (x: number, y: number, z: number, radius: number): Joint => ({at: [x, y, z], radius});
 
-/** The pad of the middle finger: what touches, and the origin of the shape that `handGeometry` makes. */
+/** The pad of the middle finger, which touches; it is the origin of the shape that `handGeometry` makes. */
 const PAD: Point = [-6, 110, -25];
 
 const CHAINS: readonly (readonly Joint[])[] = [
@@ -31,12 +31,12 @@ const PALM_BLEND_MM = 13;
 const FINGER_BLEND_MM = 8;
 const CELL_MM = 3;
 const LEAST: Point = [-84, -168, -40];
-/** The forearm fades out between these, along y. */
+/** The forearm fades out between these positions along y. */
 const FADED_MM = -142;
 const WHOLE_MM = -78;
 const MOST: Point = [66, 132, 40];
 
-/** Signed distance to a round cone, well enough near its surface. */
+/** Signed distance to a round cone, accurate near its surface. */
 function distanceToBone(x: number, y: number, z: number, from: Joint, to: Joint): number {
   const [bx, by, bz] = [to.at[0] - from.at[0], to.at[1] - from.at[1], to.at[2] - from.at[2]];
   const [px, py, pz] = [x - from.at[0], y - from.at[1], z - from.at[2]];
@@ -50,7 +50,7 @@ function smoothMin(a: number, b: number, blend: number): number {
   return Math.min(a, b) - (near * near * blend) / 4;
 }
 
-/** Fingers blend with the palm but not with each other: each chain is whole before it joins the rest. */
+/** Fingers blend with the palm but not with each other: each finger is complete before it is joined to the rest. */
 function distanceToHand(x: number, y: number, z: number): number {
   let whole = Infinity;
   let fingers = Infinity;
@@ -76,7 +76,7 @@ export function handGeometry(): BufferGeometry {
         field[at(i, j, k)] = distanceToHand(LEAST[0] + i * CELL_MM, LEAST[1] + j * CELL_MM, LEAST[2] + k * CELL_MM);
 
   const positions: number[] = [];
-  const colors: number[] = [];  // white, and how solid
+  const colors: number[] = [];  // white, with an opacity
   const vertexOf = new Int32Array(nx * ny * nz).fill(-1);
   for (let k = 0; k + 1 < nz; ++k)
     for (let j = 0; j + 1 < ny; ++j)

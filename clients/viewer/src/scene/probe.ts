@@ -42,7 +42,7 @@ export class Probe {
     const shape = new SphereGeometry(BALL_RADIUS_M, 48, 32);
     const glass = new MeshPhysicalMaterial(
         {color: '#8fb4d9', roughness: 0.25, metalness: 0, clearcoat: 0.6, transparent: true, opacity: 0.5});
-    // Where the skin hides the ball it shows through faintly: how deep the device is, is what the eye looks for.
+    // The part of the ball below the skin shows through faintly, so that the user sees how deep the device is.
     const hidden = new MeshBasicMaterial(
         {color: '#8fc4ff', transparent: true, opacity: 0.2, depthFunc: GreaterDepth, depthWrite: false});
     const seen = new Mesh(shape, glass);

@@ -23,7 +23,7 @@ import {Probe} from './probe';
 import {Surface} from './surface';
 
 const BACKGROUND = new Color('#070b10');
-/** From the finest; a browser without a graphics card begins at SOFTWARE_LEVEL. */
+/** Levels of detail, finest first. A browser without a graphics card starts at SOFTWARE_LEVEL. */
 const DETAILS: readonly Detail[] = [
   {stride: 1, pixelRatio: 2},
   {stride: 1, pixelRatio: 1},
@@ -33,18 +33,20 @@ const DETAILS: readonly Detail[] = [
 ];
 const SOFTWARE_LEVEL = 2;
 
-/** The 3D view: what is in it, the eye that looks at it, and when it is drawn (only when something changed). */
+/** The 3D view: its objects, its camera, and its drawing, which happens only after a change. */
 export class SceneView {
   readonly surface = new Surface();
   readonly hand = new Hand();
   readonly probe = new Probe();
 
-  /** Told of each drawing: as it begins, when the graphics card has finished it, and when the next one may begin. */
+  /**
+   * Callbacks of each drawing: when it begins, when the graphics card has finished it, and when the next one may begin.
+   */
   onDraw: () => void = () => undefined;
   onDrawn: () => void = () => undefined;
   onFree: () => void = () => undefined;
 
-  /** Of the surface, in the last frame that the graphics card has finished. */
+  /** Data about the surface in the last frame that the graphics card has finished. */
   drawnVertices = 0;
 
   private readonly renderer: WebGLRenderer;
@@ -87,12 +89,12 @@ export class SceneView {
     this.resetView();
   }
 
-  /** Asks for the view to be drawn with the next picture of the screen. */
+  /** Requests a drawing with the next screen refresh. */
   invalidate(): void {
     this.pacer.ask();
   }
 
-  /** What the last drawing took on the graphics card, and how coarsely the view is drawn for it (0: finest). */
+  /** Duration of the last drawing on the graphics card, and the level of detail that it led to (0: finest). */
   get drawn_ms(): number {
     return this.pacer.drawn_ms;
   }
@@ -100,7 +102,10 @@ export class SceneView {
     return this.pacer.level;
   }
 
-  /** Where the view returns to: in front of what the middle of the picture shows. The first frame moves the eye there. */
+  /**
+   * The home position of the view: in front of the surface at the picture's middle. The first frame moves the view
+   * there.
+   */
   setHome({near_m, middle_m}: DepthSummary): void {
     if (middle_m <= 0) return;
     this.home.target.set(0, 0, -0.5 * (near_m + middle_m));
@@ -109,13 +114,13 @@ export class SceneView {
     this.placed = true;
   }
 
-  /** Whether the first button and one finger turn the view; else they are free for something else. */
+  /** True if the first button and one finger turn the view; false if they are used for something else. */
   setTurning(wanted: boolean): void {
     this.controls.mouseButtons.LEFT = wanted ? MOUSE.ROTATE : null;
     this.controls.touches.ONE = wanted ? TOUCH.ROTATE : null;
   }
 
-  /** Where the measured surface is under a place of the page. */
+  /** The point of the measured surface under a position on the page. */
   surfaceUnder(clientX: number, clientY: number): Vector3 | undefined {
     const {left, top, width, height} = this.canvas.getBoundingClientRect();
     const place = new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
@@ -131,7 +136,7 @@ export class SceneView {
     this.invalidate();
   }
 
-  /** Turns the eye around what it looks at [rad], and moves it nearer (`zoom` < 1) or away. */
+  /** Orbits the view around its target [rad], and moves it nearer (`zoom` < 1) or away. */
   orbit(azimuth: number, polar: number, zoom = 1): void {
     const away = this.camera.position.clone().sub(this.controls.target);
     const place = new Spherical().setFromVector3(away);
@@ -152,7 +157,7 @@ export class SceneView {
     return this.drawingVertices > 0;
   }
 
-  /** Sizes what is drawn on. Just before drawing, for it clears the picture. */
+  /** Sets the size of the canvas. Called just before drawing, because it clears the picture. */
   private fit({stride, pixelRatio}: Detail): void {
     this.surface.setStride(stride);
     const {clientWidth, clientHeight} = this.canvas;

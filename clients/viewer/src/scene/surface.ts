@@ -35,7 +35,7 @@ function gridTriangles(width: number, height: number, stride: number): Uint32Arr
   return corners;
 }
 
-/** S1 II.E: the remote scene as a 3D mesh in the camera's colours. Nothing spans a break in depth. */
+/** S1 II.E: the remote scene as a 3D mesh in the camera's colours. No triangle spans a depth break. */
 export class Surface {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
 
@@ -62,7 +62,7 @@ export class Surface {
     eye: {value: new Vector3()},
   };
 
-  /** Vertices that are on the measured surface in the frame shown, about; 0 before the first. */
+  /** Approximate number of vertices on the measured surface in the displayed frame; 0 before the first. */
   get meshVertices(): number {
     return Math.round(this.measured / this.stride ** 2);
   }
@@ -79,12 +79,12 @@ export class Surface {
       uniforms: this.uniforms,
     });
     this.mesh = new Mesh(new BufferGeometry(), material);
-    this.mesh.frustumCulled = false;  // the vertices have their places on the graphics card alone
+    this.mesh.frustumCulled = false;  // only the graphics card knows the positions of the vertices
     this.mesh.visible = false;
     this.mesh.onBeforeRender = (_renderer, _scene, camera) => this.uniforms.eye.value.copy(camera.position);
   }
 
-  /** `k`: the camera matrix, row-major; without one, what a Kinect's lens would be for the frame's size. */
+  /** `k`: the camera matrix, row-major; without one, that of a Kinect is assumed for the frame's size. */
   showDepth(frame: DepthFrame, summary: DepthSummary, k: readonly number[] | undefined): void {
     const {width, height} = frame;
     this.frame = frame;
@@ -101,9 +101,11 @@ export class Surface {
     this.mesh.visible = true;
   }
 
-  /** Where the ray first meets the measured surface; undefined: nowhere within 4 m. `direction` is of length one. */
+  /**
+   * The first intersection of the ray with the measured surface; undefined: none within 4 m. `direction` has length 1.
+   */
   meet(origin: Vector3, direction: Vector3): Vector3 | undefined {
-    const [step_m, far_m, thick_m] = [0.004, 4, 0.05];  // so far behind what is seen, the ray passes behind its rim
+    const [step_m, far_m, thick_m] = [0.004, 4, 0.05];  // at this distance behind the surface, the ray passes behind its rim
     const at = new Vector3();
     for (let way_m = 0; way_m < far_m; way_m += step_m) {
       const measured_m = this.depthBehind(at.copy(direction).multiplyScalar(way_m).add(origin));
@@ -113,7 +115,7 @@ export class Surface {
     return undefined;
   }
 
-  /** The depth measured where the camera sees the point `at`; 0 where it measured none. */
+  /** The measured depth at the pixel in which the camera sees the point `at`; 0 if it is not measured. */
   private depthBehind({x, y, z}: Vector3): number {
     if (this.frame === undefined || z > -0.05) return 0;
     const {width, height, samples, unit_m} = this.frame;
@@ -131,13 +133,13 @@ export class Surface {
     this.applyColor();
   }
 
-  /** False: coloured by depth, as it is without a picture. */
+  /** False: the surface is coloured by depth, as it is without a colour picture. */
   setColored(wanted: boolean): void {
     this.showColor = wanted;
     this.applyColor();
   }
 
-  /** Marks where the surface is touched. `strength` 0 … 1. */
+  /** Marks the touched point of the surface. `strength` 0 … 1. */
   setTouch(at: Vector3 | undefined, strength: number, color: Color): void {
     if (at !== undefined) this.uniforms.touchedAt.value.copy(at);
     this.uniforms.touched.value = at === undefined ? 0 : strength;
@@ -159,7 +161,7 @@ export class Surface {
     this.layGrid();
   }
 
-  /** Draws every `stride`-th pixel of the depth image only. */
+  /** Draws only every `stride`-th pixel of the depth image. */
   setStride(stride: number): void {
     if (stride === this.stride) return;
     this.stride = stride;

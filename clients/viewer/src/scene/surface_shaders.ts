@@ -1,5 +1,5 @@
-// The surface is drawn from the depth image itself: one vertex a pixel, placed by the camera model, on the graphics
-// card. Only the depth image travels there for each frame.
+// The graphics card draws the surface directly from the depth image: one vertex per pixel, placed by the camera model.
+// Only the depth image is uploaded for each frame.
 
 const COMMON = /* glsl */ `
 precision highp float;
@@ -13,8 +13,8 @@ float depthAt(ivec2 pixel) {
   return float(texelFetch(depthSamples, clamp(pixel, ivec2(0), size - 1), 0).r) * unit_m;
 }
 
-// How far apart two neighbours on one surface may lie [m]: a steep slope close by, a sensor's own step far away,
-// where a disparity camera's steps grow with the square of the depth.
+// Largest depth difference of two neighbours on one surface [m]: near the camera, that of a steep slope; far away, one
+// step of a disparity sensor, which grows with the square of the depth.
 float largestStep(float z) { return 0.012 + 0.010 * z * z; }
 `;
 
@@ -24,7 +24,7 @@ out vec2 grid;
 out vec3 place;   // in the scene [m]
 out vec3 facing;  // unit normal
 
-// Averages the neighbours on the same surface: for the eye alone, the hand feels the station's own surface.
+// Averages the neighbours on the same surface, for display only. The hand feels the station's surface.
 float smoothDepth(ivec2 pixel, float z) {
   float sum = 0.0;
   float count = 0.0;
@@ -55,7 +55,7 @@ void main() {
   ivec2 pixel = ivec2(gl_VertexID % size.x, gl_VertexID / size.x);
   float z = depthAt(pixel);
   grid = vec2(pixel);
-  if (z == 0.0) {  // every triangle of this vertex is discarded; only its grid place matters
+  if (z == 0.0) {  // every triangle of this vertex is discarded; only its place in the grid matters
     place = vec3(0.0);
     facing = vec3(0.0, 0.0, 1.0);
     gl_Position = projectionMatrix * modelViewMatrix * vec4(placeOf(vec2(pixel), 1.0), 1.0);

@@ -40,7 +40,7 @@ Result<std::optional<ChunkWalk::Entry>> ChunkWalk::next() {
   if (!from.ok()) return what("a record reaches past its end");
   const bool allowed = opcode == Opcode::Schema || opcode == Opcode::Channel || opcode == Opcode::Message ||
                        opcode > Opcode::DataEnd;  // an unknown record is skipped, as the specification requires
-  if (!allowed) return what("holds a record of a kind that may not stand in a chunk");
+  if (!allowed) return what("has a record of a type that is not allowed in a chunk");
   rest_ = from.rest();
   return std::optional<Entry>{{opcode, content}};
 }

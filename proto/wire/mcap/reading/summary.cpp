@@ -28,7 +28,7 @@ Result<Footing> read_footer(ByteSource& source) {
   const auto footer = parse<Footer>(from.rest());
   if (!footer || footer->summary_start == 0) return no_summary;
   if (footer->summary_start < kMagic.size() || footer->summary_start > offset)
-    return damaged(source, "its summary is said to lie outside of the file");
+    return damaged(source, "the declared place of its summary lies outside the file");
   return Footing{*footer, offset};
 }
 
