@@ -9,13 +9,13 @@ fail() { echo "FAILED: $1" >&2; exit 1; }
 prefix=$work/prefix
 "$cmake" --install "$build" --prefix "$prefix" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "cmake --install"; }
 
-for program in server station record report codec probe keys demo; do
+for program in server station record report codec probe keys link demo; do
   [ -x "$prefix/bin/telepalp-$program" ] || fail "telepalp-$program is not installed"
   [ -s "$prefix/share/man/man1/telepalp-$program.1" ] || fail "telepalp-$program has no man page"
   grep -q " telepalp-$program\$" "$prefix/share/bash-completion/completions/telepalp-$program" ||
     fail "telepalp-$program has no completion"
 done
-[ "$(ls "$prefix/bin" | wc -l)" = 8 ] || fail "programs that are not users' are installed: $(ls "$prefix/bin")"
+[ "$(ls "$prefix/bin" | wc -l)" = 9 ] || fail "programs that are not users' are installed: $(ls "$prefix/bin")"
 for unit in server station; do
   grep -q '^ProtectSystem=strict' "$prefix/lib/systemd/system/telepalp-$unit.service" || fail "no hardened unit for the $unit"
 done
@@ -30,4 +30,4 @@ unset TELEPALP_HOME
 "$prefix/bin/telepalp-station" --check >"$work/check" 2>&1 || { cat "$work/check" >&2; fail "the station's default scene"; }
 timeout 30 "$prefix/bin/telepalp-server" --source synthetic --port 0 --http-port 0 --seconds 1 >"$work/server" 2>&1 ||
   { cat "$work/server" >&2; fail "the server with the synthetic patient and the viewer"; }
-echo "installation: 8 programs, man pages, completion, units, data: found from /"
+echo "installation: 9 programs, man pages, completion, units, data: found from /"

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <queue>
+#include <random>
+#include <vector>
+
+#include "proto/impaired/gilbert_elliott.h"
+#include "proto/impaired/impairment.h"
+
+namespace telepalp::impaired {
+
+struct Packet {
+  std::vector<std::byte> bytes;
+  std::uint64_t flow = 0;  ///< the sender's choice; it comes back with the packet
+  /// True: a segment of a TCP stream. It is neither lost nor damaged nor overtaken. A loss delays it, and all segments
+  /// behind it, by the round trip of a retransmission.
+  bool stream = false;
+};
+
+/// Counters since the start; a packet is one of lost, dropped, held or delivered.
+struct LinkStatistics {
+  std::uint64_t sent = 0;
+  std::uint64_t sent_bytes = 0;
+  std::uint64_t delivered = 0;  ///< duplicates included
+  std::uint64_t delivered_bytes = 0;
+  std::uint64_t lost = 0;     ///< by the loss model and in outages; for streams: delayed
+  std::uint64_t dropped = 0;  ///< did not fit in the queue
+  std::uint64_t reordered = 0;
+  std::uint64_t duplicated = 0;
+  std::uint64_t corrupted = 0;
+  Nanoseconds worst_delay{0};  ///< longest time in the link
+};
+
+/// One direction of an impaired link. Pure: packets go in with the time, and come out with the time. Times are since
+/// the start and never decrease. The same seed and the same packets give the same arrivals on every machine.
+class ImpairedLink {
+ public:
+  ImpairedLink(const Impairment& impairment, std::uint64_t seed, Trace trace = {});
+
+  void send(Nanoseconds now, Packet packet);
+  /// The next packet that has arrived by `now`; nullopt: none.
+  [[nodiscard]] std::optional<Packet> receive(Nanoseconds now);
+  /// When the next packet arrives; nullopt: the link is empty.
+  [[nodiscard]] std::optional<Nanoseconds> next_arrival() const;
+
+  /// Bytes in the bottleneck's queue.
+  [[nodiscard]] std::size_t queued_B(Nanoseconds now) const noexcept;
+  /// True if the bottleneck's queue has room for `bytes` more. A sender of a stream waits until it has.
+  [[nodiscard]] bool has_room(Nanoseconds now, std::size_t bytes) const noexcept;
+  /// Forgets a stream that has ended; its segments on the way still arrive.
+  void forget_stream(std::uint64_t flow) { last_segment_.erase(flow); }
+  [[nodiscard]] const LinkStatistics& statistics() const noexcept { return statistics_; }
+
+ private:
+  struct Arrival {
+    Nanoseconds at;
+    std::uint64_t number;  ///< keeps the order of packets that arrive at one instant
+    Nanoseconds sent_at;
+    Packet packet;
+    bool operator<(const Arrival& other) const noexcept {
+      return at != other.at ? at > other.at : number > other.number;
+    }
+  };
+  [[nodiscard]] double uniform() noexcept;
+  [[nodiscard]] bool happens(double share) noexcept { return share > 0.0 && uniform() < share; }
+  void follow_trace(Nanoseconds now) noexcept;
+  [[nodiscard]] std::optional<Nanoseconds> outage_end(Nanoseconds now) const noexcept;
+  [[nodiscard]] Nanoseconds leave_queue(Nanoseconds now, std::size_t bytes) noexcept;
+  [[nodiscard]] Nanoseconds propagation() noexcept;
+  void send_datagram(Nanoseconds now, Packet packet);
+  void send_segment(Nanoseconds now, Packet packet);
+  void corrupt(Packet& packet) noexcept;
+  void hold(Nanoseconds now, Nanoseconds arrives, Packet packet);
+
+  Impairment impairment_;
+  Trace trace_;
+  std::mt19937_64 random_;
+  GilbertElliott loss_;
+  Nanoseconds bottleneck_free_at_{0};
+  std::priority_queue<Arrival> held_;
+  std::size_t held_B_ = 0;
+  std::uint64_t arrivals_ = 0;
+  std::map<std::uint64_t, Nanoseconds> last_segment_;  ///< arrival of each stream's last segment
+  LinkStatistics statistics_;
+};
+
+}  // namespace telepalp::impaired

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "proto/words/time.h"
+
+namespace telepalp::impaired {
+
+/// What one direction of a link does to its packets.
+struct Impairment {
+  Nanoseconds delay{0};        ///< propagation, one way
+  Nanoseconds jitter{0};       ///< uniform, either way; the delay never becomes negative
+  double loss = 0.0;           ///< share of packets
+  double burst_packets = 1.0;  ///< mean length of a loss burst; 1: independent losses
+  double reorder = 0.0;        ///< share of packets that `reorder_by` holds back
+  Nanoseconds reorder_by = std::chrono::milliseconds(10);
+  double duplicate = 0.0;            ///< share of packets that arrive twice
+  double corrupt = 0.0;              ///< share of packets that arrive with one bit inverted
+  double rate_B_per_s = 0.0;         ///< of the bottleneck; 0: unlimited
+  std::size_t queue_B = 256 * 1024;  ///< in front of the bottleneck; a packet that does not fit is dropped
+  Nanoseconds outage_every{0};       ///< period of outages; 0: no outage
+  Nanoseconds outage_for{0};         ///< each period ends with an outage of this length
+};
+
+/// One row of a trace: the four figures that a measured path gives, valid from `at` until the next row.
+struct TraceRow {
+  Nanoseconds at{0};
+  Nanoseconds delay{0};
+  Nanoseconds jitter{0};
+  double loss = 0.0;
+  double rate_B_per_s = 0.0;  ///< 0: outage
+};
+/// Rows in order of time, the first at 0. After the last row, which only marks the end, the trace begins anew.
+using Trace = std::vector<TraceRow>;
+
+}  // namespace telepalp::impaired

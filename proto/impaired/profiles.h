@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "proto/impaired/impairment.h"
+#include "proto/words/result.h"
+
+namespace telepalp::impaired {
+
+/// Both directions of a kind of path.
+struct Profile {
+  std::string_view name;
+  std::string_view what;
+  Impairment down;  ///< from the server to the client
+  Impairment up;    ///< from the client to the server
+};
+
+/// `lan`, `lte`, `satellite` and `hostile`.
+[[nodiscard]] const std::vector<Profile>& profiles();
+/// Error: no profile has this name; the error lists the names.
+[[nodiscard]] Result<Profile> profile_named(std::string_view name);
+
+/// Reads a trace: CSV with the header `t_s,delay_ms,jitter_ms,loss_percent,rate_kbit_per_s`, at least two rows, times
+/// from 0 upwards. At most 1 MiB. `where`: the name of the source, for errors, which name the line.
+[[nodiscard]] Result<Trace> parse_trace(std::string_view text, std::string_view where);
+[[nodiscard]] Result<Trace> read_trace(const std::filesystem::path& file);
+
+}  // namespace telepalp::impaired

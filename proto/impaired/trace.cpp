@@ -1,0 +1,91 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "proto/impaired/profiles.h"
+
+namespace telepalp::impaired {
+namespace {
+
+constexpr std::string_view kHeader = "t_s,delay_ms,jitter_ms,loss_percent,rate_kbit_per_s";
+constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+constexpr double kMost = 1e6;  ///< of any figure: eleven days, a quarter of an hour of delay, 1 Gbit/s
+
+using Figures = std::array<double, 5>;
+
+std::string_view take_line(std::string_view& rest) noexcept {
+  const std::size_t end = rest.find('\n');
+  std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+/// The line's five numbers, each from 0 to kMost; false: it does not hold these.
+bool parse_figures(std::string_view line, Figures& figures) noexcept {
+  const char* at = line.data();
+  const char* const end = line.data() + line.size();
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const auto [after, code] = std::from_chars(at, end, figures[i]);
+    if (code != std::errc{} || !(figures[i] >= 0.0 && figures[i] <= kMost)) return false;
+    const bool last = i + 1 == figures.size();
+    if (last ? after != end : (after == end || *after != ',')) return false;
+    at = after + (last ? 0 : 1);
+  }
+  return true;
+}
+
+TraceRow row_of(const Figures& figures) noexcept {
+  return {.at = from_seconds(figures[0]),
+          .delay = from_seconds(figures[1] * 1e-3),
+          .jitter = from_seconds(figures[2] * 1e-3),
+          .loss = figures[3] * 1e-2,
+          .rate_B_per_s = figures[4] * 125.0};
+}
+
+/// Why `row` cannot follow the rows of `trace`; empty: it can.
+std::string_view wrong_with(const Trace& trace, const TraceRow& row) noexcept {
+  if (trace.empty() && row.at != Nanoseconds{0}) return "the first row is not at 0 s";
+  if (!trace.empty() && row.at <= trace.back().at) return "time does not increase";
+  if (row.loss > 1.0) return "the loss is above 100 percent";
+  return {};
+}
+
+}  // namespace
+
+Result<Trace> parse_trace(std::string_view text, std::string_view where) {
+  const auto wrong = [&](std::size_t line, std::string_view what) {
+    return Error{.what = "line " + std::to_string(line) + ": " + std::string(what),
+                 .where = std::string(where),
+                 .fix = "write the header " + std::string(kHeader) + " and rows such as 0,50,5,1,2000"};
+  };
+  if (text.size() > kMostBytes) return wrong(1, "the trace is longer than 1 MiB");
+  if (take_line(text) != kHeader) return wrong(1, "the header is another one");
+  Trace trace;
+  for (std::size_t line = 2; !text.empty(); ++line) {
+    Figures figures{};
+    if (!parse_figures(take_line(text), figures)) return wrong(line, "this is not five numbers from 0 to 1000000");
+    const TraceRow row = row_of(figures);
+    if (const std::string_view what = wrong_with(trace, row); !what.empty()) return wrong(line, what);
+    trace.push_back(row);
+  }
+  if (trace.size() < 2) return wrong(trace.size() + 1, "a trace has at least two rows; the last one marks the end");
+  return trace;
+}
+
+Result<Trace> read_trace(const std::filesystem::path& file) {
+  std::error_code failed;
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file, failed))
+    return Error{
+        .what = "the trace cannot be read", .where = file.string(), .fix = "name a CSV file that you may read"};
+  std::string text(kMostBytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return parse_trace(text, file.string());
+}
+
+}  // namespace telepalp::impaired

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "support/program/options.h"
+#include "tools/link_proxy/link_proxy.h"
+
+namespace telepalp::link_proxy {
+
+[[nodiscard]] program::Usage usage();
+
+/// The proxy's options from the command line: a profile or a trace first, then each figure that is given.
+[[nodiscard]] Result<ProxyOptions> proxy_options(const program::Arguments& arguments);
+
+}  // namespace telepalp::link_proxy

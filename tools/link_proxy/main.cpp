@@ -1,0 +1,68 @@
+// telepalp-link: a proxy for UDP and TCP that delays, loses, damages and limits what passes.
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <cstdio>
+
+#include "support/program/files/ready_file.h"
+#include "support/program/log.h"
+#include "tools/link_proxy/link_options.h"
+
+namespace {
+
+using namespace telepalp;
+using boost::system::error_code;
+
+constexpr const char* kProgram = "telepalp-link";
+
+/// Logs a line every second until the timer is cancelled.
+void log_each_second(boost::asio::steady_timer& timer, link_proxy::LinkProxy& proxy) {
+  timer.expires_after(std::chrono::seconds(1));
+  timer.async_wait([&](const error_code& cancelled) {
+    if (cancelled) return;
+    program::log(kProgram, proxy.live_line());
+    log_each_second(timer, proxy);
+  });
+}
+
+int run(const program::Arguments& arguments, const link_proxy::ProxyOptions& options, double seconds) {
+  boost::asio::io_context io(1);
+  const auto started = link_proxy::LinkProxy::start(io, options);
+  if (!started) return program::fail(started.error());
+  link_proxy::LinkProxy& proxy = **started;
+  const std::string port = std::to_string(proxy.port());
+  program::log(kProgram, "listens at " + options.listen.host + ":" + port + ", server " + options.server.host + ":" +
+                             std::to_string(options.server.port));
+  const Result<void> written = program::write_ready_file(arguments.text("ready-file"), "port=" + port + "\n");
+  if (!written) return program::fail(written.error());
+
+  boost::asio::steady_timer each_second(io);
+  boost::asio::steady_timer end(io);
+  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
+  const auto stop = [&](const error_code& cancelled, auto...) {
+    if (!cancelled) io.stop();
+  };
+  signals.async_wait(stop);
+  if (seconds > 0.0) {
+    end.expires_after(from_seconds(seconds));
+    end.async_wait(stop);
+  }
+  if (!arguments.has("quiet")) log_each_second(each_second, proxy);
+  io.run();
+  proxy.stop();
+  if (arguments.has("json")) std::fputs(proxy.totals_json().c_str(), stdout);
+  return program::kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto arguments = program::read_arguments(link_proxy::usage(), argc, argv);
+  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
+  if (!*arguments) return program::kDone;
+  const auto options = link_proxy::proxy_options(**arguments);
+  if (!options) return program::fail(options.error(), program::kAskedWrongly);
+  const Result<double> seconds = (*arguments)->number("seconds", 0.0, 1e7);
+  if (!seconds) return program::fail(seconds.error(), program::kAskedWrongly);
+  return run(**arguments, *options, *seconds);
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <memory>
+#include <set>
+
+#include "tools/link_proxy/lines.h"
+
+namespace telepalp::link_proxy {
+
+class TcpPair;
+
+/// Accepts TCP connections and joins each to a new one to the server, through the lines. Each connection ends at the
+/// proxy: a loss delays a stream by a round trip, and no congestion window becomes smaller.
+class TcpProxy {
+ public:
+  TcpProxy(boost::asio::io_context& io, Lines& lines, boost::asio::ip::tcp::endpoint server);
+  ~TcpProxy();
+
+  [[nodiscard]] boost::system::error_code listen(const boost::asio::ip::tcp::endpoint& at);
+  [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+  [[nodiscard]] std::size_t connections() const noexcept { return pairs_.size(); }
+  void stop();
+
+ private:
+  void accept();
+
+  boost::asio::io_context& io_;
+  Lines& lines_;
+  boost::asio::ip::tcp::endpoint server_;
+  boost::asio::ip::tcp::acceptor acceptor_;
+  std::set<std::shared_ptr<TcpPair>> pairs_;  // shared with the handlers of a pair's reads and writes
+};
+
+}  // namespace telepalp::link_proxy
