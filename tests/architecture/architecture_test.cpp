@@ -43,11 +43,12 @@ const std::vector<Rule> kRules{
     {"haptic_station/loop", {"proto/words", "haptic_station"}},
     {"haptic_station", {"proto", "support", "codec", "haptic_station", "messages", "foxglove"}},
     {"clients", {"proto", "support", "codec", "clients", "messages", "foxglove"}},
-    // Reads recordings as the server does, and no camera.
+    // It reads recordings as the server does, and it needs no camera.
     {"tools", {"proto", "support", "codec", "server/capture", "server/pipeline", "tools", "messages"}},
 };
 
-/// What the real-time part must never see: what waits, and what is not in its libraries.
+/// Headers that the real-time part must not include: those of functions that can wait, and those of libraries that it
+/// does not link.
 const std::vector<std::string> kNotInRealTime{"<mutex>",  "<condition_variable>", "<thread>",
                                               "<future>", "boost/asio",           ".pb.h",
                                               "pcl/",     "<iostream>",           "<fstream>"};
@@ -62,7 +63,7 @@ fs::path root() { return TELEPALP_SOURCE_DIR; }
 
 bool is_source(const fs::path& file) { return file.extension() == ".h" || file.extension() == ".cpp"; }
 
-/// Relative to the repository.
+/// Paths of source files, relative to the repository.
 std::vector<std::string> sources(const std::string& folder) {
   std::vector<std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(root() / folder))
@@ -77,7 +78,7 @@ std::vector<std::string> all_sources() {
   return all;
 }
 
-/// As written between quotes or angle brackets, the latter kept: <mutex>.
+/// The included names of a file. Names in angle brackets keep the brackets: <mutex>.
 std::vector<std::string> includes(const std::string& file) {
   static const std::regex kInclude(R"re(^\s*#\s*include\s*(?:"([^"]+)"|(<[^>]+>)))re");
   std::vector<std::string> found;
@@ -101,7 +102,7 @@ std::string folder_of(const std::string& file) { return fs::path(file).parent_pa
 /// The rooms of the house, as the CMakeLists.txt files name them.
 struct Rooms {
   std::map<std::string, std::set<std::string>> doors;  ///< folder to its doors
-  std::set<std::string> with_a_reason;                 ///< for more doors than a few
+  std::set<std::string> with_a_reason;                 ///< rooms that state a reason for many doors
 };
 
 Rooms read_rooms() {
@@ -126,7 +127,7 @@ const Rule* rule_for(const std::string& file) {
   return best;
 }
 
-TEST(Architecture, EveryFileIncludesOnlyWhatItsFolderMayKnow) {
+TEST(Architecture, EveryFileIncludesOnlyAllowedFolders) {
   for (const std::string& file : all_sources()) {
     const Rule* rule = rule_for(file);
     ASSERT_NE(rule, nullptr) << file;
@@ -182,7 +183,7 @@ TEST(Architecture, NoFolderIsCrowded) {
 
 using Graph = std::map<std::string, std::set<std::string>>;
 
-/// Folder to the other folders that its files include.
+/// For each folder, the other folders that its files include.
 Graph folder_graph() {
   Graph graph;
   for (const std::string& file : all_sources())
@@ -223,7 +224,7 @@ TEST(Architecture, NoFolderDependsOnItselfThroughOthers) {
   }
 }
 
-TEST(Architecture, NothingOfTheRealTimePartCanWaitOrSerialise) {
+TEST(Architecture, NoRealTimeCodeCanWaitOrSerialise) {
   for (const std::string& folder : kRealTimeFolders)
     for (const std::string& file : sources(folder))
       for (const std::string& include : includes(file))

@@ -37,7 +37,7 @@ std::vector<fs::path> documents() {
   return found;
 }
 
-/// What `pattern`'s first group matches in `text`.
+/// The texts that the first group of `pattern` matches in `text`.
 std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> found;
   for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)

@@ -22,7 +22,7 @@ constexpr Part kParts[] = {{"surface", surface_section},       {"patients", pati
                            {"prediction", prediction_section}, {"organ", organ_section},
                            {"z-width", z_width_section},       {"depth", depth_section}};
 
-/// All parts, or the one that is asked for.
+/// All parts, or the part named on the command line.
 Result<std::vector<Part>> parts_of(const program::Arguments& arguments) {
   if (!arguments.has("part")) return std::vector<Part>(std::begin(kParts), std::end(kParts));
   std::string names;

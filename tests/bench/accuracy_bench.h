@@ -4,9 +4,8 @@
 
 namespace telepalp::bench {
 
-/// Error against ground truth beside cost: every setting of the surface and its parameters, what predicts hand and
-/// surface, and what the depth codec's bound costs the finger. `--write docs` makes docs/accuracy.md and its plots
-/// anew.
+/// Measures error against ground truth, and cost: of every surface setting and parameter, of the predictions of hand
+/// and surface, and of the depth codec's error bound. `--write docs` rewrites docs/accuracy.md and its plots.
 [[nodiscard]] Result<Report> run_accuracy(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

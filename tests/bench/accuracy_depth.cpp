@@ -21,7 +21,7 @@ constexpr double kStiffness_N_per_m = 500.0;
 constexpr double kDepth_m = 0.005;
 constexpr int kPlaceStep_px = 12;
 
-/// CPU time of this thread [ms]: a busy machine does not lengthen it as it does wall time.
+/// CPU time of this thread [ms]. Other programs lengthen it less than wall time.
 double cpu_ms() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -47,7 +47,7 @@ Result<DepthSequence> recorded_room() {
   return room;
 }
 
-/// Where a finger comes from and how deep it goes, on rays through every 12th pixel of what is near.
+/// Start and depth of a finger's press, on rays through every 12th pixel of the near scene.
 struct Press {
   Vector3d from = Vector3d::Zero();
   Vector3d to = Vector3d::Zero();
@@ -83,7 +83,7 @@ std::vector<std::optional<Vector3d>> forces_of(const surface::SurfaceSnapshot& s
       const double share = std::min(1.0, static_cast<double>(i) / kSteps);
       last = touch.step({press.from + share * (press.to - press.from)}, snapshot.captured, 0.0005);
     }
-    const bool whole = last.in_body && last.support > 0.99;  // at a rim a hole decides, not the codec
+    const bool whole = last.in_body && last.support > 0.99;  // at a rim, holes determine the force instead of the codec
     forces.push_back(whole ? std::optional<Vector3d>(kStiffness_N_per_m * (last.proxy.m - press.to)) : std::nullopt);
   }
   return forces;

@@ -10,7 +10,7 @@ namespace {
 
 using codec::DepthMode;
 
-/// The default bound, times each of these.
+/// Factors of the default bound.
 constexpr double kScales[] = {0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
 
 DepthErrorBound scaled(double scale) {
@@ -41,7 +41,7 @@ PageTable bounded_table(const std::vector<Priced>& all, double near_m) {
   return table;
 }
 
-/// What nobody feels has no place on a logarithmic axis.
+/// The force in mN, at least a small value, because a logarithmic axis cannot show zero.
 double felt_mN(double force_N) {
   constexpr double kUnfelt_N = 1e-3;
   return force_N < kUnfelt_N ? std::nan("") : 1e3 * force_N;
@@ -50,7 +50,7 @@ double felt_mN(double force_N) {
 plot::Series curve(const std::vector<Priced>& all, const std::string& name, std::string_view color, bool rare) {
   plot::Series series{name, {}, {}, std::string(color), rare ? plot::Style::Dashed : plot::Style::Line};
   for (auto one = all.rbegin(); one != all.rend(); ++one) {
-    if (!one->name.empty()) continue;  // without loss: no error, which a logarithm cannot show
+    if (!one->name.empty()) continue;  // lossless: no error, which a logarithmic axis cannot show
     series.x.push_back(one->price.bits_per_pixel);
     series.y.push_back(felt_mN(rare ? one->price.force_p99_N : one->price.force_rms_N));
   }

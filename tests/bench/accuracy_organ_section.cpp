@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kCells_m[] = {0.002, 0.003, 0.004, 0.006, 0.008};
 const double kUsualCell_m = organs::OrganShapeSettings{}.cell_m;
-constexpr double kTruthCell_m = 0.0053;  // shares few nodes with any lattice of the table
+constexpr double kTruthCell_m = 0.0053;  // few of its nodes coincide with those of the table's lattices
 constexpr double kDeepest_m = 0.02;      // as deep as a finger pushes into an organ
 
 struct OrganPrice {
@@ -35,14 +35,15 @@ Result<std::shared_ptr<const effects::DistanceLattice>> liver(double cell_m) {
                                   {.cell_m = cell_m});
 }
 
-/// A place inside the organ, its true distance, and the true way out where it is well defined.
+/// A point inside the organ, its true distance, and the true direction outwards where that is well defined.
 struct Place {
   Eigen::Vector3d at_m;
   double distance_m;
   Eigen::Vector3d outwards;
 };
 
-/// The nodes of a lattice are exact; so is their difference where the distance is linear between them.
+/// Points at the nodes of a lattice, whose distances are exact. Their differences are exact where the distance is
+/// linear between nodes.
 std::vector<Place> places_in(const effects::DistanceLattice& truth) {
   std::vector<Place> places;
   for (int k = 1; k + 1 < truth.size[2]; ++k)

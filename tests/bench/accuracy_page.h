@@ -15,15 +15,15 @@ struct PageTable {
 };
 [[nodiscard]] std::string to_markdown(const PageTable& table);
 
-/// What a benchmark writes of a page: `text` goes between the page's lines `<!-- begin NAME -->` and `<!-- end NAME
+/// A part of a page that a benchmark writes: `text` replaces the lines between `<!-- begin NAME -->` and `<!-- end NAME
 /// -->`.
 struct PagePart {
   std::string name;
   std::string text;
 };
 
-/// `page` with its parts' text made anew; all that stands outside of markers stays, since people wrote it. An error
-/// names the markers that are missing.
+/// `page` with the text of its parts replaced. Text outside the markers is written by people and stays. An error names
+/// missing markers.
 [[nodiscard]] Result<std::string> with_parts(const std::string& page, const std::vector<PagePart>& parts,
                                              const std::string& name);
 
@@ -33,7 +33,7 @@ struct PagePicture {
   std::string svg;
 };
 
-/// Rewrites the parts of the page that stands there, and its pictures.
+/// Rewrites the parts of the page file `page`, and its pictures.
 [[nodiscard]] Result<void> rewrite_page(const std::filesystem::path& page, const std::vector<PagePart>& parts,
                                         const std::vector<PagePicture>& pictures);
 

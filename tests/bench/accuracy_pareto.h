@@ -6,18 +6,18 @@
 
 namespace telepalp::bench {
 
-/// A way to do something: what it errs and what it costs, both positive, less is better.
+/// One alternative with its error and its cost; both are positive, and less is better.
 struct Tradeoff {
   double error = 0.0;
   double cost = 0.0;
-  bool allowed = true;  ///< keeps every other promise, so that it may be the knee
+  bool allowed = true;  ///< meets all other requirements, so that it may be the knee
 };
 
-/// Those that no other beats in both, by rising cost.
+/// Indices of the alternatives that no other one beats in both error and cost, by rising cost.
 [[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const Tradeoff> all);
 
-/// Of those allowed, the one with the least error × cost: from there, either gets better only by making the other worse
-/// by a larger factor. `all.size()` when none is allowed.
+/// Index of the allowed alternative with the least error × cost. From there, an improvement of one value worsens the
+/// other by a larger factor. `all.size()` if none is allowed.
 [[nodiscard]] std::size_t knee_of(std::span<const Tradeoff> all);
 
 }  // namespace telepalp::bench

@@ -11,12 +11,13 @@ namespace telepalp::bench {
 namespace {
 
 constexpr double kLasts_s = 24.0;
-constexpr double kFrom_s = 12.0;  // a breath is known by then
+constexpr double kFrom_s = 12.0;  // the breathing model has locked on by then
 constexpr int kEvery_frames = 10;
-constexpr double kAge_s = 0.1;    // of the snapshot when the hand touches it
-constexpr double kMost_m = 0.02;  // what counts for a place where the snapshot knows no surface
+constexpr double kAge_s = 0.1;    // age of the snapshot when the hand touches it
+constexpr double kMost_m = 0.02;  // error that counts for a point without a surface in the snapshot
 
-/// How far the snapshot, carried on by `kAge_s`, lies from the true skin of that instant, at 25 places of the belly.
+/// Adds the distance between the snapshot, predicted by `kAge_s`, and the true skin of that instant, at 25 points of
+/// the belly.
 void add_error(const surface::SurfaceSnapshot& snapshot, const server::TrueSurface& truth, const Intrinsics& camera,
                const hand::Spot& spot, RootMeanSquare& error_m) {
   const surface::MotionBasis basis = surface::motion_basis(snapshot.motion, kAge_s);

@@ -20,7 +20,7 @@ using testing::scene_time;
 
 constexpr Eigen::Index kHeight = 1;  // the tracker's y
 
-/// The hand at a sample's time, by every model, from the samples up to `newest`.
+/// Predicts the hand at a sample's time by every model, from the samples up to `newest`.
 class HandModels {
  public:
   HandModels() {
@@ -106,7 +106,7 @@ std::vector<TimeVariant> time_variants() {
   return variants;
 }
 
-/// f where the true surface is: 25 places around the spot, at one instant.
+/// Adds f at points of the true surface: 25 points around the spot, at one instant.
 void add_error(const surface::SurfaceSnapshot& snapshot, const server::TrueSurface& truth, const testing::Spot& spot,
                double age_s, RootMeanSquare& error_m) {
   const surface::MotionBasis basis = surface::motion_basis(snapshot.motion, age_s);
@@ -126,7 +126,7 @@ Stream builders(const std::vector<TimeVariant>& variants) {
   return all;
 }
 
-/// Three seconds of a still patient, then it is 3 mm nearer at once.
+/// Three seconds of a still patient, then a step of 3 mm towards the camera.
 Result<void> watch_still(const std::vector<TimeVariant>& variants, std::vector<SurfacePredictionError>& errors) {
   const auto patient = testing::torso({.sigma_m = 0.001});
   if (!patient) return patient.error();
@@ -159,7 +159,8 @@ Result<void> watch_still(const std::vector<TimeVariant>& variants, std::vector<S
   return {};
 }
 
-/// Twelve seconds of breathing; judged from the eighth on, when the breath is known.
+/// Twelve seconds of breathing. The error is measured from the eighth second on, when the breathing model has locked
+/// on.
 Result<void> watch_breathing(const std::vector<TimeVariant>& variants, std::vector<SurfacePredictionError>& errors) {
   const auto patient = testing::torso({.sigma_m = 0.001, .amplitude_m = 0.005});
   if (!patient) return patient.error();

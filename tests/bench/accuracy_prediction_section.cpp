@@ -54,7 +54,8 @@ PageTable time_table(const std::vector<SurfacePredictionError>& errors) {
   return table;
 }
 
-/// Which memory is the knee of still and breathing error, among those with the breathing model.
+/// The text about the knee: the memory with the least still error × breathing error, among the variants with the
+/// breathing model.
 std::string time_text(const std::vector<SurfacePredictionError>& errors) {
   constexpr std::size_t kDelayed = 2;  // 100 ms old
   const auto product = [](const SurfacePredictionError& error) {

@@ -4,7 +4,7 @@
 
 namespace telepalp::bench {
 
-/// Root of the mean of squares, grown one by one; NaN of none.
+/// Root mean square of values that are added one at a time; NaN without values.
 class RootMeanSquare {
  public:
   void add(double value) {

@@ -7,7 +7,7 @@
 
 namespace telepalp::bench {
 
-/// What a part of the accuracy benchmark found: figures, and how the page tells of them.
+/// Result of one part of the accuracy benchmark: its figures, and its text for the page.
 struct Section {
   std::vector<Row> rows;
   std::vector<PagePart> parts;
@@ -16,15 +16,15 @@ struct Section {
 
 /// The surface's settings and parameters: error, cost, the front of both and its knee; then over noise and density.
 [[nodiscard]] Result<Section> surface_section();
-/// What each setting errs on patients who move.
+/// The error of each setting on moving patients.
 [[nodiscard]] Result<Section> patients_section();
-/// Models that predict the hand, and what carries the surface forward.
+/// Errors of the models that predict the hand and the surface.
 [[nodiscard]] Result<Section> prediction_section();
-/// An organ's cells: what a coarser lattice saves, and how far the organ moves.
+/// The cell size of an organ: time that a coarser lattice saves, and error that it causes.
 [[nodiscard]] Result<Section> organ_section();
 /// The stiffest wall that the simulated device can show, over sampling rate and damping.
 [[nodiscard]] Result<Section> z_width_section();
-/// The depth codec's modes, and what Bounded's error costs the finger.
+/// The depth codec's modes, and the force error that Bounded causes.
 [[nodiscard]] Result<Section> depth_section();
 
 }  // namespace telepalp::bench

@@ -26,15 +26,15 @@ using testing::scene_time;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kReach_m = 0.10;
-constexpr double kSteepestView = 0.77;  // cosine of 40 degrees: beyond it the sampling is no longer what was asked
+constexpr double kSteepestView = 0.77;  // cosine of 40 degrees: on a steeper surface the pixels are too far apart
 constexpr int kPressSteps = 24;
 constexpr int kSettleSteps = 12;
-constexpr double kMostSeconds = 1.0;  // of one measurement: the slow variants take fewer places
+constexpr double kMostSeconds = 1.0;  // longest time of a measurement; slow variants are measured at fewer points
 constexpr int kLeastPlaces = 9;
 
 double since_s(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Where a shape is right beneath: the unit normal, and the signed distance of a point from it.
+/// The true surface at a point: unit normal and signed distance.
 struct Truth {
   Vector3d normal = Vector3d::Zero();
   double distance_m = 0.0;
@@ -54,7 +54,7 @@ TouchSample press(const SurfaceSnapshot& snapshot, const Vector3d& from, const V
   return last;
 }
 
-/// Presses along each of `on_surface`'s rays, until they are done or the time is up.
+/// Presses along the ray to each point of `on_surface`, until all are done or the time is over.
 TouchError press_all(const SurfaceSnapshot& snapshot, const std::vector<Vector3d>& on_surface,
                      const std::function<std::optional<Truth>(const Vector3d&)>& truth) {
   TouchError error;
@@ -76,7 +76,7 @@ TouchError press_all(const SurfaceSnapshot& snapshot, const std::vector<Vector3d
   return error;
 }
 
-/// Greatest change of f over 1 µm of travel, on random lines through where the surface was seen.
+/// Greatest change of f over 1 µm of travel, on random lines through points of the surface.
 double jump_um(const SurfaceSnapshot& snapshot, const testing::Spot& spot) {
   constexpr int kLines = 30;
   constexpr int kSteps = 1000;
@@ -154,7 +154,8 @@ Result<FilmedTorso> film(Result<server::SyntheticPatient> patient) {
   return torso;
 }
 
-/// The snapshot after all frames of a torso; what does not remember sees the last alone. `times_ms`: of each build.
+/// The snapshot after all frames of a torso. A variant without temporal filter gets only the last frame. `times_ms`:
+/// duration of each build.
 std::shared_ptr<const SurfaceSnapshot> watch(const FilmedTorso& torso, const SurfaceVariant& variant,
                                              Distribution& times_ms) {
   constexpr std::size_t kAlone = 8;
@@ -173,7 +174,7 @@ std::shared_ptr<const SurfaceSnapshot> watch(const FilmedTorso& torso, const Sur
   return snapshot;
 }
 
-/// The cheaper of two measurements is the one that less else came in between of.
+/// Keeps the smaller of two measured times, because other programs disturbed it less.
 void keep_cheaper(SurfaceFigures& figures, const Distribution& build_ms, const Distribution& step_us) {
   figures.build_p50_ms = std::min(figures.build_p50_ms, build_ms.p50());
   figures.build_p99_ms = std::min(figures.build_p99_ms, build_ms.p99());

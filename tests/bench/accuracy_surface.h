@@ -14,21 +14,21 @@ namespace telepalp::bench {
 /// One way to make a surface, as a line of the table.
 struct SurfaceVariant {
   std::string family;  ///< lattice, paper or cloud
-  std::string name;    ///< a setting's name, or what it changes of one
-  std::string index;   ///< how neighbours are found
+  std::string name;    ///< name of a setting, or of the parameter that is changed
+  std::string index;   ///< the neighbour index
   std::string support;
   std::string normals;
   surface::SurfaceSettings settings;
-  bool named = false;        ///< may be asked for by this name
-  int normal_neighbors = 0;  ///< of Cloud: instead of the builder's own sixteen
+  bool named = false;        ///< true: a setting that users can select by this name
+  int normal_neighbors = 0;  ///< for Cloud: replaces the builder's sixteen neighbours
 };
 
-/// Every named setting, and around each what one parameter changes.
+/// Every named setting, and variants of each with one changed parameter.
 [[nodiscard]] std::vector<SurfaceVariant> surface_variants();
-/// The named settings that stand for a way each: what the tables over noise, density and motion compare.
+/// One named setting for each method; the tables over noise, density and motion compare these.
 [[nodiscard]] std::vector<SurfaceVariant> few_variants();
 
-/// Frames in, snapshots out: what a variant makes of a stream.
+/// Turns a stream of frames into snapshots by one variant.
 class VariantStream {
  public:
   explicit VariantStream(const SurfaceVariant& variant) : variant_(variant), builder_(variant.settings) {}
@@ -40,17 +40,17 @@ class VariantStream {
   surface::SurfaceBuilder builder_;
 };
 
-/// How far a touched surface is from the true one.
+/// Error of a touched surface.
 struct TouchError {
   double position_m = 0.0;  ///< RMS of the foot from the true surface
   double normal_deg = 0.0;  ///< RMS
   int places = 0;
-  int touched = 0;  ///< of these, in contact at the end of the press
+  int touched = 0;  ///< number of points in contact at the end of the press
 };
 
-/// What a variant errs and costs.
+/// Errors and costs of a variant.
 struct SurfaceFigures {
-  TouchError shapes;     ///< the worst of each over the shapes, without noise
+  TouchError shapes;     ///< worst values over the shapes, without noise
   TouchError torso;      ///< 1 mm noise, still patient, after one second of frames
   double jump_um = 0.0;  ///< greatest change of f over 1 µm of travel
   double build_p50_ms = std::numeric_limits<double>::infinity();
@@ -58,9 +58,9 @@ struct SurfaceFigures {
   double step_p50_us = std::numeric_limits<double>::infinity();
   double step_p99_us = std::numeric_limits<double>::infinity();
 
-  /// Share of one core that live touch takes: 30 snapshots and 2000 steps a second.
+  /// Share of one core that live touch needs: 30 snapshots and 2000 steps a second.
   [[nodiscard]] double load() const noexcept { return 0.03 * build_p50_ms + 0.002 * step_p50_us; }
-  /// Whether the surface is as right as was asked for, and felt at every place.
+  /// True if the errors meet their requirements and every point was in contact.
   [[nodiscard]] bool right_enough() const noexcept;
 };
 
@@ -87,7 +87,8 @@ struct FilmedTorso {
 };
 /// One second of a still patient.
 [[nodiscard]] Result<FilmedTorso> filmed_torso(double sigma_m);
-/// The same as a Kinect sees it from `above_m`: noise that grows with depth, disparity steps, holes.
+/// One second of a still patient through a Kinect-like sensor at `above_m`: noise that grows with depth, disparity
+/// steps, holes.
 [[nodiscard]] Result<FilmedTorso> kinect_torso(double above_m);
 
 [[nodiscard]] TouchError shape_touch_error(const RenderedShape& shape, const SurfaceVariant& variant);
@@ -95,7 +96,8 @@ struct FilmedTorso {
 [[nodiscard]] SurfaceFigures measure_surface(const SurfaceVariant& variant, const std::vector<RenderedShape>& shapes,
                                              const FilmedTorso& torso);
 
-/// Once more, later: what else the machine did the first time must not decide which setting is the knee.
+/// Measures the cost a second time, later, so that other programs during the first measurement do not decide about the
+/// knee.
 void measure_cost_again(const SurfaceVariant& variant, const FilmedTorso& torso, SurfaceFigures& figures);
 
 }  // namespace telepalp::bench

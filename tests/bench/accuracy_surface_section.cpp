@@ -21,7 +21,7 @@ std::string percent(double share) { return cell(100.0 * share); }
 
 std::string with_mark(double value, bool holds) { return cell(value) + (holds ? "" : " ✗"); }
 
-/// A cell of an error; one that lost contact at some places says so.
+/// A table cell with an error; it states the number of points without contact, if any.
 std::string touched(const TouchError& error, const std::string& text) {
   if (error.touched == error.places) return text;
   return text + " (" + std::to_string(error.touched) + "/" + std::to_string(error.places) + ")";
@@ -48,7 +48,7 @@ PageTable surface_table(const std::vector<Tried>& all, const std::vector<std::si
   return table;
 }
 
-/// Names on the plot: the knee and the default first, then the named settings that are not on top of one another.
+/// Labels of the plot: the knee and the default, then the named settings whose labels do not overlap.
 std::vector<plot::Mark> marks_of(const std::vector<Tried>& all, std::size_t knee) {
   std::vector<std::size_t> order;
   if (knee < all.size()) order.push_back(knee);
@@ -115,7 +115,7 @@ const Tried& named(const std::vector<Tried>& all, const std::string& name) {
 
 std::string ratio(double a, double b) { return cell(a / b); }
 
-/// Why the default is the default, in figures of this run.
+/// The reason for the default setting, with figures of this run.
 std::string knee_text(const std::vector<Tried>& all, std::size_t knee) {
   const std::string name = surface::SurfaceSettings{}.name;
   const Tried& usual = named(all, name);
@@ -126,7 +126,7 @@ std::string knee_text(const std::vector<Tried>& all, std::size_t knee) {
   std::string text = "**The knee is `" + best.variant.name +
                      "`**: of the settings that keep every promise above, error × "
                      "load is least there. ";
-  constexpr double kAsGood = 1.10;  // less is not told from chance, nor felt
+  constexpr double kAsGood = 1.10;  // a smaller difference is within the noise and cannot be felt
   if (best.variant.name == name)
     text += "It is the default.\n";
   else if (usual.figures.right_enough() && product(usual) <= kAsGood * product(best))

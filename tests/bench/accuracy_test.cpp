@@ -10,13 +10,13 @@
 namespace telepalp::bench {
 namespace {
 
-TEST(Pareto, TheFrontIsWhatNothingElseBeatsInBoth) {
+TEST(Pareto, TheFrontContainsTheTradeoffsThatNoneBeatsInBoth) {
   const Tradeoff all[] = {{3.0, 1.0}, {1.0, 3.0}, {2.0, 2.0}, {2.5, 2.5}, {2.0, 4.0}, {3.0, 1.0}};
   EXPECT_EQ(pareto_front(all), (std::vector<std::size_t>{0, 2, 1}));
   EXPECT_TRUE(pareto_front({}).empty());
 }
 
-TEST(Pareto, AFigureThatIsNoNumberIsOnNoFront) {
+TEST(Pareto, AValueThatIsNotFiniteIsOnNoFront) {
   const Tradeoff all[] = {{std::nan(""), 1.0}, {1.0, 2.0}};
   EXPECT_EQ(pareto_front(all), std::vector<std::size_t>{1});
   EXPECT_EQ(knee_of(all), 1U);
@@ -29,7 +29,7 @@ TEST(Pareto, TheKneeIsTheLeastProductOfThoseAllowed) {
   EXPECT_EQ(knee_of(none), 1U);
 }
 
-TEST(Page, WhatPeopleWroteStaysAndWhatIsMeasuredIsMadeAnew) {
+TEST(Page, TheTextStaysAndTheMeasuredPartsAreRewritten) {
   const std::string page = "by hand\n<!-- begin a -->\nold\n<!-- end a -->\nalso\n<!-- begin b -->\n<!-- end b -->\n";
   const auto once = with_parts(page, {{"a", "1\n"}, {"b", "2\n"}}, "page.md");
   ASSERT_TRUE(once.ok());

@@ -8,7 +8,7 @@
 
 namespace telepalp::bench {
 
-/// One benchmark: measures, and answers with its figures.
+/// One benchmark; it measures and returns its figures.
 struct Bench {
   std::string_view name;
   std::string_view purpose;

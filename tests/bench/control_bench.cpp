@@ -32,7 +32,7 @@ DepthImage noisy_plane() {
   return depth;
 }
 
-/// Processor time of this thread: what the tick costs where other programs take the core away between.
+/// Processor time of this thread; it does not include other programs on the same core.
 double thread_us() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -186,7 +186,7 @@ PredictionError predict_held_out(const tracking::HandTrace& trace, const trackin
       const tracking::TraceSample& before = *used[used.size() - 2];
       const double ahead_s = to_seconds(sample.at - last.at);
       const double span_s = to_seconds(last.at - before.at);
-      if (ahead_s > 0.03 || span_s > 0.05) continue;  // the tracker lost the hand
+      if (ahead_s > 0.03 || span_s > 0.05) continue;  // the tracker had lost the hand
       const Eigen::Vector3d line = last.palm.m + (last.palm.m - before.palm.m) * (ahead_s / span_s);
       sum.hold_m += (last.palm.m - sample.palm.m).squaredNorm();
       sum.line_m += (line - sample.palm.m).squaredNorm();
@@ -234,7 +234,7 @@ void batter_limiter(Report& report) {
   Force<HapticBase> wanted;
   for (int i = 0; i < 1'000'000; ++i) {
     if (random.bits() % 4 == 0) limiter.rearm();
-    // Held for a while, or the slew would keep the peak out of reach.
+    // Each force is held for a while; otherwise the slew limit would keep the force below the peak.
     if (random.bits() % 30 == 0) wanted.N = {anything(), anything(), anything()};
     const Eigen::Vector3d given = limiter.limit(wanted, kTick_s).N;
     most_N = given.allFinite() ? std::max(most_N, given.norm()) : std::numeric_limits<double>::infinity();
@@ -249,7 +249,7 @@ void batter_limiter(Report& report) {
 /// Longest time from an input's age limit to no force, over inputs and depths.
 void time_watchdog(Report& report) {
   double worst_ms = 0.0;
-  for (const int which : {1, 2})  // a lost hand lets go of the skin slowly, which a hard case checks
+  for (const int which : {1, 2})  // a lost hand releases the skin slowly; a hard case checks that
     for (const double depth_m : {0.01, 0.03, 0.06}) {
       effects::EffectBank bank;
       (void)bank.add(effects::Skin{});
@@ -266,7 +266,7 @@ void time_watchdog(Report& report) {
       };
       ticks_at(0.05, 2000);
       ticks_at(0.02, 1000);
-      ticks_at(-depth_m, 5000);  // sinks in at 0.03 m/s
+      ticks_at(-depth_m, 5000);  // the sink-in rises at 0.03 m/s
       if (which == 1) in.contact.age_s = 1e9;
       if (which == 2) in.device_age_s = 1e9;
       int ticks = 0;

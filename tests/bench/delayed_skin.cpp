@@ -80,7 +80,8 @@ SkinMotion::Fit SkinMotion::fit_at(double rad_per_s) const {
   return {c, std::sqrt(left / static_cast<double>(recent_.size()))};
 }
 
-/// Looks for the rate once a second and fits at it with every frame; locked when little is left unexplained.
+/// Searches the rate once a second and fits at this rate with every frame. The model is locked when the residual is
+/// small.
 void SkinMotion::fit_breath() {
   locked_ = false;
   if (last_s_ - recent_.front().time_s < 6.0) return;
@@ -92,7 +93,8 @@ void SkinMotion::fit_breath() {
       if (unexplained_m < least_m) rad_per_s_ = kTau * hz;
       least_m = std::min(least_m, unexplained_m);
     }
-    for (double step = 0.005; step > 1e-4; step /= 2.0)  // 1 % would still be 0.15 mm off at the window's end
+    for (double step = 0.005; step > 1e-4;
+         step /= 2.0)  // an error of 1 % would still cause 0.15 mm at the window's end
       for (const double rate : {rad_per_s_ * (1.0 - step), rad_per_s_ * (1.0 + step)})
         if (fit_at(rate).unexplained_m < fit_at(rad_per_s_).unexplained_m) rad_per_s_ = rate;
   }
@@ -129,7 +131,7 @@ void DelayedSkin::capture(double time_s) {
   if (!in_burst_) on_the_way_.push_back({time_s, arrives_s, height_m});
 }
 
-/// Newest only: of what has arrived, frames older than the newest seen are dropped.
+/// Takes the newest frame that has arrived; older ones are dropped.
 void DelayedSkin::receive(double time_s) {
   std::sort(on_the_way_.begin(), on_the_way_.end(),
             [](const Frame& a, const Frame& b) { return a.arrives_s < b.arrives_s; });

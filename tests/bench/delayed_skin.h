@@ -11,12 +11,13 @@
 
 namespace telepalp::bench {
 
-/// What the network does to the frames. Gilbert and Elliott's loss: bursts of four frames on average.
+/// Faults of the network. Losses follow the model of Gilbert and Elliott: bursts of four frames on average.
 struct LinkFaults {
   double one_way_s = 0.0;
-  double jitter_s = 0.0;                           ///< uniform, either way
-  double loss = 0.0;                               ///< share of frames
-  std::vector<std::pair<double, double>> outages;  ///< from, to; what was sent meanwhile comes in a burst at the end
+  double jitter_s = 0.0;  ///< uniform, in both directions
+  double loss = 0.0;      ///< share of frames
+  std::vector<std::pair<double, double>>
+      outages;  ///< begin and end; the frames sent meanwhile arrive in a burst at the end
 };
 
 /// A level surface that moves as a snapshot's motion model says; the frame that Touch works in has y up here.
@@ -49,7 +50,7 @@ class SkinMotion {
     double height_m;
   };
   struct Fit {
-    Eigen::Vector3d c;  ///< of 1, cos, sin
+    Eigen::Vector3d c;  ///< coefficients of 1, cos, sin
     double unexplained_m;
   };
   [[nodiscard]] Fit fit_at(double rad_per_s) const;
@@ -62,11 +63,11 @@ class SkinMotion {
   int until_search_ = 0;
   bool locked_ = false;
   double rad_per_s_ = 0.0;
-  double cosine_m_ = 0.0;  ///< of the breath, its phase counted from the newest moment
+  double cosine_m_ = 0.0;  ///< cosine of the breath; phase 0 is the newest frame
   double sine_m_ = 0.0;
 };
 
-/// The true skin, the camera on it at 30 Hz, the link, and the real Touch at the hand's end.
+/// The true skin, a camera at 30 Hz, the link, and the station's Touch.
 class DelayedSkin {
  public:
   DelayedSkin(const device::BreathingPlane& truth, double noise_m, LinkFaults faults, std::uint64_t seed);

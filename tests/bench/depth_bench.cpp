@@ -20,10 +20,10 @@ namespace {
 
 constexpr std::size_t kSyntheticFrames = 20;
 constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of samples held in memory: 1700 frames of 640 x 480
-constexpr std::size_t kFrameTimes = 60;  // of one codec, at least: rounds over the frames, for times above the noise
+constexpr std::size_t kFrameTimes = 60;  // least number of measured frames per codec; small sets are repeated
 constexpr double kMostSeconds = 3;       // of one codec
 
-/// CPU time of this thread [ms]: a busy machine does not lengthen it as it does wall time.
+/// CPU time of this thread [ms]. Other programs lengthen it less than wall time.
 double cpu_ms() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -35,7 +35,7 @@ struct Frames {
   std::size_t left_out = 0;  ///< beyond kMostBytes
 };
 
-/// All frames of `input`, as far as they fit into memory; some of the synthetic patient's where `input` is empty.
+/// The frames of `input` that fit into memory; frames of the synthetic patient if `input` is empty.
 Result<Frames> frames_of(const std::string& input) {
   Frames frames;
   std::size_t bytes = 0;
@@ -61,12 +61,12 @@ Result<Frames> frames_of(const std::string& input) {
   return frames;
 }
 
-/// What one codec did with all frames.
+/// Results of one codec over all frames.
 struct Measured {
   double bytes = 0.0;
   Distribution encode_ms;
   Distribution decode_ms;
-  Distribution yard_encode_ms;  // of zstd-3 in between, if it is measured by that
+  Distribution yard_encode_ms;  // times of zstd-3, measured alternately, if the codec is compared with it
   Distribution yard_decode_ms;
   double worst_mm = 0.0;
   double squares_mm2 = 0.0;
@@ -88,7 +88,7 @@ void compare(const DepthImage& sent, const DepthImage& got, Measured& into) {
   }
 }
 
-/// Both ways with one frame; false when it does not come back.
+/// Encodes and decodes one frame; false if the result differs.
 template <class Encode, class Decode>
 bool time_both(const DepthImage& frame, Encode& encode, Decode& decode, Distribution& encode_ms,
                Distribution& decode_ms, std::string& packet, DepthImage& got) {
@@ -101,8 +101,8 @@ bool time_both(const DepthImage& frame, Encode& encode, Decode& decode, Distribu
   return came_back;
 }
 
-/// `encode` and `decode` are made anew for each round, so that streams begin with a key frame each time. `yard`: what
-/// takes turns with them, frame by frame, so that a machine which is slow for a while is so for both.
+/// `encode` and `decode` are created for each round, so that each stream begins with a key frame. `yard` is measured
+/// alternately with them, frame by frame, so that a temporary slowdown of the machine affects both.
 template <class MakeEncode, class MakeDecode>
 Measured measure(const std::vector<DepthImage>& frames, MakeEncode make_encode, MakeDecode make_decode,
                  const DepthPeer* yard = nullptr) {
@@ -190,8 +190,8 @@ TimesAsked times_asked(codec::DepthMode mode) {
 constexpr std::array kModes{codec::DepthMode::Fast, codec::DepthMode::Intra, codec::DepthMode::Temporal,
                             codec::DepthMode::Bounded};
 
-/// Whether levels lie as a Kinect v1's do, about 2.85 mm apart at 1 m and further with the square of depth. The budgets
-/// of time are for its frames: zstd takes a third of the time for an empty frame, and twice for noise.
+/// True if the levels are those of a Kinect v1: about 2.85 mm apart at 1 m, and farther with the square of depth. The
+/// budgets of time are for its frames: zstd takes a third of the time for an empty frame, and twice for noise.
 bool is_kinects(const DepthImage& frame) {
   constexpr double kStep_per_m = 2.85e-3;
   constexpr std::size_t kFewest = 16;
@@ -200,7 +200,7 @@ bool is_kinects(const DepthImage& frame) {
   for (std::size_t i = 2; i < levels.size(); ++i) {
     const double near_m = levels[i - 1] * frame.unit_m;
     const double far_m = levels[i] * frame.unit_m;
-    if (near_m >= 1.0) steps.push_back((far_m - near_m) / (near_m * far_m));  // nearer ones are rounded too coarsely
+    if (near_m >= 1.0) steps.push_back((far_m - near_m) / (near_m * far_m));  // nearer levels are rounded too coarsely
   }
   if (steps.size() < kFewest) return false;
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
@@ -208,7 +208,7 @@ bool is_kinects(const DepthImage& frame) {
   return std::abs(*middle / kStep_per_m - 1.0) < 0.1;
 }
 
-/// The geometric mean of each mode's ratio over several sets of a Kinect's frames, on none of which it was trained.
+/// The geometric mean of each mode's ratio over several sets of Kinect frames that were not used for training.
 Result<void> add_held_out(const std::string& sets, Report& report) {
   std::array<double, kModes.size()> log_ratio{};
   int count = 0;

@@ -34,7 +34,7 @@ Context open(const AVCodec* codec, int width, int height) {
   context->level = 3;
   context->gop_size = 1;  // every frame stands alone
   context->strict_std_compliance = FF_COMPLIANCE_EXPERIMENTAL;
-  av_opt_set_int(context->priv_data, "slicecrc", 0, 0);  // ours are checked by compare()
+  av_opt_set_int(context->priv_data, "slicecrc", 0, 0);  // compare() checks the samples instead
   demand(avcodec_open2(context.get(), codec, nullptr) == 0, "libavcodec opens FFV1");
   return context;
 }

@@ -37,7 +37,7 @@ DepthPeer zstd_peer(int level) {
           }};
 }
 
-/// libpng as most programs call it: level 6, its own choice of filters.
+/// libpng with its usual settings: level 6 and automatic choice of filters.
 std::string encode_png_6(const DepthImage& depth) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(png);

@@ -9,17 +9,17 @@
 
 namespace telepalp::bench {
 
-/// Something else that compresses 16-bit images without loss.
+/// Another lossless codec for 16-bit images.
 struct DepthPeer {
   std::string name;
   std::function<std::string(const DepthImage& depth)> encode;
   std::function<bool(const std::string& packet, DepthImage& depth)> decode;  ///< `depth` has the size already
 };
 
-/// zstd and PNG, and those of CharLS, FFV1 and JPEG XL that the build found.
+/// zstd, PNG, and CharLS, FFV1 and JPEG XL if the build found them.
 [[nodiscard]] std::vector<DepthPeer> depth_peers();
 
-/// What the build did not find, for the report's foot.
+/// Names of the codecs that the build did not find, for the foot of the report.
 [[nodiscard]] std::string missing_depth_peers();
 
 }  // namespace telepalp::bench

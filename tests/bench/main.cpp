@@ -16,7 +16,7 @@ namespace {
 
 using namespace telepalp;
 
-/// Every benchmark there is. A new one: a file <name>_bench.cpp, its declaration and a row here.
+/// All benchmarks. A new one needs a file <name>_bench.cpp, a declaration and a row here.
 constexpr std::array kBenches{
     bench::Bench{"accuracy", "what accuracy costs: error against ground truth beside time, setting by setting",
                  bench::run_accuracy},

@@ -19,12 +19,12 @@ struct RunSettings {
   double seconds = 10.0;
   double stiffness_N_per_m = 500.0;
   device::BreathingPlane skin{.amplitude_m = 0.005};
-  double noise_m = 0.0002;  ///< of a height, after the camera's many pixels are averaged
+  double noise_m = 0.0002;  ///< noise of a height after averaging the camera's pixels
   LinkFaults link;
 };
 
 struct RunFigures {
-  double least_J = 0.0;  ///< of the hand's work on the display, relative to the surface, over the run
+  double least_J = 0.0;  ///< least balance of the hand's work on the display, relative to the surface, over the run
   double worst_step_N = 0.0;
   double contact_s = 0.0;
   double dissipated_J = 0.0;
@@ -102,7 +102,7 @@ double force_error_N(double one_way_s, double loss) {
   const device::BreathingPlane truth{.amplitude_m = 0.005};
   DelayedSkin delayed(truth, 0.0001, {.one_way_s = one_way_s, .jitter_s = 0.0, .loss = loss, .outages = {}}, 11);
   constexpr double kStiffness = 500.0;
-  constexpr double kSettles_s = 12.0;  // the breath is known after eight
+  constexpr double kSettles_s = 12.0;  // the breathing model locks on after eight seconds
   double sum = 0.0;
   int count = 0;
   for (double t = 0.0; t < 32.0; t += kTick_s) {

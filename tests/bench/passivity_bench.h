@@ -4,8 +4,8 @@
 
 namespace telepalp::bench {
 
-/// 1000 seeded runs of a hand on a breathing skin behind a bad link, each --seconds long (60 is the figure that is
-/// asked for; the default of 10 takes about a minute), and the force error that plain delay leaves.
+/// 1000 seeded runs of a hand on a breathing skin behind a bad link, each of --seconds (the requirement is for 60; the
+/// default of 10 takes about a minute), and the force error under delay alone.
 [[nodiscard]] Result<Report> run_passivity(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
-/// What a subscriber hears of a run.
+/// The messages that a subscriber gets in a run.
 struct Heard {
   Distribution encode_ms;
   Distribution transfer_ms;

@@ -6,10 +6,10 @@
 
 namespace telepalp::bench {
 
-/// What a figure must do to hold.
+/// The kind of a figure's requirement.
 enum class Bound { None, AtMost, AtLeast };
 
-/// One figure that somebody named, and whether it holds.
+/// One figure with its name and its requirement.
 struct Row {
   std::string name;
   double value = 0.0;
@@ -20,7 +20,7 @@ struct Row {
   [[nodiscard]] bool holds() const noexcept;
 };
 
-/// What one benchmark measured.
+/// Results of one benchmark.
 struct Report {
   std::string bench;
   std::vector<Row> rows;
@@ -33,8 +33,8 @@ struct Report {
 [[nodiscard]] Row at_most(std::string name, double value, std::string unit, double reach);
 [[nodiscard]] Row at_least(std::string name, double value, std::string unit, double reach);
 
-/// {"bench","commit","machine","rows":[{"name","value","unit","reach","holds"}]}; a figure that is not finite is
-/// null and does not hold; `reach` is null where nothing is asked.
+/// {"bench","commit","machine","rows":[{"name","value","unit","reach","holds"}]}; a figure that is not finite is null
+/// and does not hold; `reach` is null without a requirement.
 [[nodiscard]] std::string to_json(const Report& report);
 [[nodiscard]] std::string to_table(const Report& report);
 

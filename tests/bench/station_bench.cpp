@@ -16,10 +16,10 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/// Machines have good and bad seconds: both threads get the same ones, turn by turn.
+/// The load of a machine varies, so both threads are measured alternately in short turns.
 constexpr auto kTurn = 500ms;
 
-/// What one thread suffered.
+/// Lateness of one thread.
 struct Jitter {
   Distribution late_us;
   Distribution work_us;
@@ -27,7 +27,7 @@ struct Jitter {
   bool realtime = false;
 };
 
-/// A thread like the haptic one, which does nothing but wait for its next deadline.
+/// A thread like the haptic thread, which only waits for its next deadline.
 void idle_turn(Jitter& jitter) {
   std::thread idle([&jitter] {
     const Result<bool> granted = station::enter_realtime(station::Realtime::Prefer);

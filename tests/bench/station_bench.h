@@ -4,8 +4,8 @@
 
 namespace telepalp::bench {
 
-/// The station on this machine: how late the 2 kHz thread is woken, beside a thread that only waits, and how well
-/// calibration by point pairs finds its way under the noise that S3 measured.
+/// The station on this machine: the lateness of the 2 kHz thread, compared with a thread that only waits, and the
+/// accuracy of calibration by point pairs under the noise that S3 measured.
 [[nodiscard]] Result<Report> run_station(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

@@ -24,7 +24,7 @@ using testing::scene_time;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kStiffness_N_per_m = 500.0;
-constexpr double kReach_m = 0.16;  // the station's: two frames of a hand at 2 m/s, and the support around it
+constexpr double kReach_m = 0.16;  // as in the station: two frames of a hand at 2 m/s, plus the support
 
 double since_us(Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count();

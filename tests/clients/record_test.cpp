@@ -393,7 +393,7 @@ TEST(DiskThread, ASlowDiskDropsWhatDoesNotFitCountsItByTopicAndNeverBlocksTheLin
   EXPECT_EQ(written, 10);
 }
 
-TEST(DiskThread, AFailedStoreIsToldOnceAndTakesNoMore) {
+TEST(DiskThread, AFailedStoreReportsOneErrorAndGetsNoMoreMessages) {
   DiskThread disk({.write = [](const wire::Message&) -> Result<void> {
                      return Error{.what = "full", .where = "disk", .fix = "free space"};
                    },

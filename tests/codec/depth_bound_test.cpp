@@ -19,7 +19,7 @@ namespace {
 constexpr int kWidth = 96;
 constexpr int kHeight = 200;
 
-TEST(DepthBound, HoldsForEverySampleThereIs) {
+TEST(DepthBound, HoldsForEveryPossibleSample) {
   DepthImage all{.width = 256, .height = 256, .unit_m = 0.001, .samples = std::vector<std::uint16_t>(65536)};
   std::iota(all.samples.begin(), all.samples.end(), std::uint16_t{0});
   for (const DepthErrorBound& bound :
@@ -74,7 +74,7 @@ std::int64_t least_cost(const std::vector<Range>& levels, const std::vector<int>
   return least;
 }
 
-TEST(DepthBound, StandInsPartAsFewNeighboursAsAnySetCould) {
+TEST(DepthBound, ReconstructionLevelsSeparateAsFewNeighboursAsPossible) {
   constexpr int kBound = 6;
   std::mt19937 random(11);
   for (int round = 0; round < 60; ++round) {
@@ -104,14 +104,14 @@ DepthImage moved(const DepthImage& depth) {
   return code_bounded(depth, palette, reconstruction, {}).depth;
 }
 
-TEST(DepthBound, DepthsThatShareWithNoneAreNotMoved) {
+TEST(DepthBound, DepthsThatCanShareNoLevelAreUnchanged) {
   DepthImage depth = filled(64, 48, 0);
   for (std::size_t i = 0; i < depth.samples.size(); ++i)
     depth.samples[i] = static_cast<std::uint16_t>(i % 9 == 0 ? 0 : 1000 + 100 * (i / 7 % 20));
   EXPECT_EQ(moved(depth).samples, depth.samples);
 }
 
-TEST(DepthBound, WhatIsOfferedLiesAsMuchTowardsTheCameraAsAway) {
+TEST(DepthBound, ReconstructionLevelsAreUnbiased) {
   const DepthImage depth = kinect_like(320, 240, 5);
   const LevelPalette palette = palette_of(depth.samples);
   ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, kOneDisparityStep);

@@ -37,7 +37,7 @@ TEST_P(Golden, PacketsOfThisFormatDecodeAsTheyAlwaysDid) {
   }
 }
 
-TEST_P(Golden, ThisEncoderStillWritesThem) {
+TEST_P(Golden, ThisEncoderStillWritesTheGoldenPackets) {
   DepthEncoder encoder({.mode = GetParam()});
   for (unsigned i = 0; i < 3; ++i) {
     const DepthImage depth = i == 2 ? noise(24, 18, 9) : kinect_like(24, 18, i, static_cast<int>(i));

@@ -20,7 +20,7 @@ std::vector<std::string> stream_of(DepthMode mode, unsigned frames, int key_ever
   return packets;
 }
 
-TEST(DepthReader, ReadsAnyFrameThoughThoseBeforeItWerePassedOver) {
+TEST(DepthReader, ReadsAnyFrameAfterSkippedOnes) {
   for (const DepthMode mode : {DepthMode::Fast, DepthMode::Intra, DepthMode::Temporal}) {
     const std::vector<std::string> packets = stream_of(mode, 12, 5);
     for (unsigned wanted = 0; wanted < 12; ++wanted) {
@@ -33,7 +33,7 @@ TEST(DepthReader, ReadsAnyFrameThoughThoseBeforeItWerePassedOver) {
   }
 }
 
-TEST(DepthReader, ReadsOnAfterSomeWereReadAndSomePassedOver) {
+TEST(DepthReader, ReadsOnAfterReadAndSkippedFrames) {
   const std::vector<std::string> packets = stream_of(DepthMode::Temporal, 20, 9);
   DepthReader reader;
   for (unsigned i = 0; i < packets.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(DepthReader, KeepsItsPlaceInAGroupLongerThanItKeepsPackets) {
   EXPECT_EQ(back->image.samples, frame(79).samples);
 }
 
-TEST(DepthReader, DamageAmongWhatWasPassedOverIsAnErrorUntilTheNextKeyFrameAndNeverWrongDepth) {
+TEST(DepthReader, DamageInASkippedFrameIsAnErrorUntilTheNextKeyFrame) {
   std::vector<std::string> packets = stream_of(DepthMode::Temporal, 10, 6);
   char& byte = packets[3][packets[3].size() / 2];
   byte = static_cast<char>(byte ^ 1);
@@ -69,7 +69,7 @@ TEST(DepthReader, DamageAmongWhatWasPassedOverIsAnErrorUntilTheNextKeyFrameAndNe
   EXPECT_EQ(key->image.samples, frame(6).samples);
 }
 
-TEST(KeyFrameRequest, AsksAtOnceAndAgainOnlyWhileNothingCanBeRead) {
+TEST(KeyFrameRequest, AsksAtOnceAndAgainWhileDecodingFails) {
   KeyFrameRequest asking;
   const SessionTime start = session_time(1'000'000'000);
   EXPECT_TRUE(asking.failed(start));

@@ -16,7 +16,7 @@ constexpr int kHeight = 200;
 
 class LosslessMode : public testing::TestWithParam<DepthMode> {};
 
-TEST_P(LosslessMode, GivesASequenceBackAsItWas) {
+TEST_P(LosslessMode, DecodesASequenceUnchanged) {
   DepthEncoder encoder({.mode = GetParam(), .key_every = 4});
   DepthDecoder decoder;
   for (unsigned i = 0; i < 10; ++i) {

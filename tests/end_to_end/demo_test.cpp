@@ -126,7 +126,7 @@ struct WrongCase {
 
 class WronglyAsked : public ::testing::TestWithParam<WrongCase> {};
 
-TEST_P(WronglyAsked, SaysWhatAndHowToFixAndLeavesNoSession) {
+TEST_P(WronglyAsked, SaysWhatAndHowToFixAndWritesNoSession) {
   const DemoRun run = demo("wrong_" + GetParam().name, "--headless --seconds 2 " + GetParam().arguments);
   EXPECT_EQ(run.exit_code, GetParam().exit_code) << run.log;
   EXPECT_NE(run.log.find(GetParam().says), std::string::npos) << run.log;

@@ -85,7 +85,7 @@ class StationFault : public ::testing::Test {
   std::optional<ChildProcess> station_;
 };
 
-TEST_F(StationFault, LetsGoKeepsWhatLedToItAndIsRearmedOnlyWhenTheCauseIsGone) {
+TEST_F(StationFault, ReleasesRecordsTheTicksAndIsRearmedOnlyWhenTheCauseIsGone) {
   EXPECT_EQ(rearm(), 1);
   EXPECT_NE(text_of(path("rearm.log")).find("there is no fault"), std::string::npos);
 

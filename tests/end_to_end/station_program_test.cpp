@@ -172,7 +172,7 @@ TEST_F(StationProgram, AValueInTheWrongUnitIsRefusedWithItsRange) {
   EXPECT_NE(text_of(log()).find("textproto:31:5: cylinder.radius_m"), std::string::npos) << text_of(log());
 }
 
-TEST_F(StationProgram, WhatIsAskedWronglyEndsWithTwo) {
+TEST_F(StationProgram, AWrongCommandLineEndsWithTwo) {
   EXPECT_EQ(run({"--connect", "nowhere"}), 2);
   EXPECT_EQ(run({"--realtime", "perhaps"}), 2);
   EXPECT_EQ(run({"--seconds", "-3"}), 2);

@@ -28,12 +28,12 @@ TEST(DepthFidelity, DepthWithoutLossIsAsMeasured) {
   }
 }
 
-TEST(DepthFidelity, BoundedDepthSaysHowFarItMayBeOff) {
+TEST(DepthFidelity, BoundedDepthStatesItsBound) {
   EXPECT_EQ(in_words(depth_fidelity(bounded_image(0.001, 0.00285))), "bounded, off by up to 2.85 mm at 1 m");
   EXPECT_EQ(how_far(depth_fidelity(bounded_image(0.004, 0.00285))), "off by up to 4 mm at 1 m") << "the larger counts";
 }
 
-TEST(DepthFidelity, AnAbsurdBoundIsAsGoodAsNoneButTheLossIsBelieved) {
+TEST(DepthFidelity, AnAbsurdBoundCountsAsUnknown) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double absurd : {nan, infinite, -0.001, 1.5})
@@ -45,12 +45,12 @@ TEST(DepthFidelity, AnAbsurdBoundIsAsGoodAsNoneButTheLossIsBelieved) {
     }
 }
 
-TEST(DepthFidelity, AServerThatTellsNoBoundIsStillKnownToMoveDepth) {
+TEST(DepthFidelity, NearLosslessDepthWithoutABoundIsNotAsMeasured) {
   EXPECT_EQ(in_words(depth_fidelity(image_of("bounded"))), "bounded, off by an amount that is not told");
   EXPECT_EQ(in_words(depth_fidelity(image_of(""))), "not told");
 }
 
-TEST(DepthFidelity, DepthThatWasMovedBeforeItWasCompressedIsNotAsMeasured) {
+TEST(DepthFidelity, LosslessCodingOfNearLosslessDepthIsNotAsMeasured) {
   msg::DepthImage image = bounded_image(0.001, 0.00285);
   image.set_format("fast");
   EXPECT_EQ(in_words(depth_fidelity(image)), "fast, off by up to 2.85 mm at 1 m");
@@ -59,7 +59,7 @@ TEST(DepthFidelity, DepthThatWasMovedBeforeItWasCompressedIsNotAsMeasured) {
   EXPECT_FALSE(loss_of(depth_fidelity(image)));
 }
 
-TEST(DepthFidelity, TheNameOfAModeIsShownOnlyAsFarAsOneMayBeLong) {
+TEST(DepthFidelity, ALongNameOfAModeIsShortened) {
   EXPECT_EQ(depth_fidelity(image_of(std::string(100'000, 'x'))).mode.size(), 32u);
 }
 

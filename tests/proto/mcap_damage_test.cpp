@@ -99,7 +99,7 @@ TEST(McapDamage, AFileCutOffAnywhereGivesBackEveryWholeChunkAndSaysWhereItEnds) 
   }
 }
 
-TEST(McapDamage, ACutInAChunkIsToldAsTheHouseTellsIt) {
+TEST(McapDamage, ACutInAChunkIsAnErrorWithWhatWhereAndFix) {
   const Sample sample = make_sample();
   const Outcome outcome = stream(sample.bytes.substr(0, sample.summary.chunks[3].chunk_start_offset + 100));
   ASSERT_EQ(outcome.errors.size(), 1u);
@@ -224,7 +224,7 @@ TEST(McapDamage, AChunkIndexThatPointsOutsideOfTheFileIsRefused) {
   }
 }
 
-TEST(McapDamage, AChunkIndexThatPointsAtSomethingElseIsToldAndPassedOver) {
+TEST(McapDamage, AChunkIndexThatDoesNotPointAtAChunkIsAnErrorAndSkipped) {
   const std::string chunk = chunk_of(one_message(), one_message().size());
   const Outcome outcome = indexed(file_with(schema_and_channel() + chunk, [&](std::string& out, std::uint64_t start) {
     out += schema_and_channel();
@@ -273,7 +273,7 @@ TEST(McapDamage, ARecordOfFourExabytesIsATruncationAndAllocatesNothing) {
   EXPECT_NE(outcome.errors.front().find("chunk 0: truncated"), std::string::npos);
 }
 
-TEST(McapDamage, AMessageOnAChannelThatIsNotThereIsToldAndPassedOver) {
+TEST(McapDamage, AMessageOnAnUnknownChannelIsAnErrorAndSkipped) {
   std::string records = one_message();
   mcap::append(records, mcap::MessageRecord{9, 1, 5, 5, "lost"});
   records += one_message();

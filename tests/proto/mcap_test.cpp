@@ -50,7 +50,7 @@ TEST(Mcap, WhatWasWrittenIsReadBackInOrderThroughTheIndex) {
   expect_equal(all_of(*reader), messages);
 }
 
-TEST(Mcap, AFileSaysWhatMadeItAndFromWhat) {
+TEST(Mcap, AFileStatesItsProgramAndItsSource) {
   const auto file = fresh_file("session_info.mcap");
   ASSERT_TRUE(write_file(file, samples::session(0.1)));
   auto reader = McapReader::open(file);

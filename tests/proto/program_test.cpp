@@ -35,7 +35,7 @@ Result<std::optional<Arguments>> read(std::vector<const char*> words) {
   return read_arguments(usage(), static_cast<int>(words.size()), words.data());
 }
 
-TEST(Arguments, WhatIsLeftOutHasItsDefault) {
+TEST(Arguments, AnOmittedOptionHasItsDefault) {
   const auto arguments = read({"a.file"});
   ASSERT_TRUE(arguments.ok());
   EXPECT_EQ((*arguments)->number("rate", 1, 100).value(), 30);
@@ -43,12 +43,12 @@ TEST(Arguments, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ((*arguments)->positional(), std::vector<std::string>{"a.file"});
 }
 
-TEST(Arguments, AnUnknownOptionOrAGuessedPrefixIsAskedWrongly) {
+TEST(Arguments, AnUnknownOptionOrAnAbbreviatedOneIsAnError) {
   EXPECT_FALSE(read({"--speed", "3"}).ok());
   EXPECT_FALSE(read({"--rat", "3"}).ok());
 }
 
-TEST(Arguments, AnOptionGivenTwiceIsAskedWrongly) {
+TEST(Arguments, AnOptionGivenTwiceIsAnError) {
   for (const auto& words :
        {std::vector<const char*>{"--rate", "10", "--rate", "70"}, std::vector<const char*>{"--rate=10", "--rate=10"},
         std::vector<const char*>{"--loop", "--loop"}}) {
@@ -58,7 +58,7 @@ TEST(Arguments, AnOptionGivenTwiceIsAskedWrongly) {
   }
 }
 
-TEST(Arguments, AnEmptyValueIsAskedWrongly) {
+TEST(Arguments, AnEmptyValueIsAnError) {
   EXPECT_FALSE(read({"--rate", ""}).ok());
   EXPECT_FALSE(read({"--rate="}).ok());
 }
@@ -181,7 +181,7 @@ TEST(Ending, IsBoundedByTimeAndNotByTheNumberOfSignals) {
   EXPECT_LT(took, std::chrono::seconds(20));
 }
 
-TEST(ShippedFile, IsFoundAboveTheProgramAndWhatIsNotThereIsNot) {
+TEST(ShippedFile, IsFoundAboveTheProgramAndAMissingOneIsNot) {
   EXPECT_TRUE(shipped_file("LICENSE").has_value());
   EXPECT_FALSE(shipped_file("no/such/file").has_value());
 }

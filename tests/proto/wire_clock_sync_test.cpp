@@ -32,7 +32,7 @@ TEST(ClockSync, ASymmetricPathGivesTheExactOffset) {
   EXPECT_EQ(sync.uncertainty(), 20ms);
 }
 
-TEST(ClockSync, AnAsymmetricPathErrsByNoMoreThanItSays) {
+TEST(ClockSync, TheErrorOfAnAsymmetricPathIsWithinTheStatedUncertainty) {
   ClockSync sync;
   ASSERT_TRUE(sync.add(probe(1s, -5s, 1ms, 39ms)));
   EXPECT_LE(std::chrono::abs(given(sync) - -5s), sync.uncertainty());
@@ -109,7 +109,7 @@ TEST(ClockSync, ACorrectionDownwardsIsSlewedInTwiceItsOwnTime) {
   EXPECT_EQ(sync.offset()->at(heard + 10s), 100s);
 }
 
-TEST(ClockSync, ADriftingCrystalIsFollowedAndTheErrorStaysWithinWhatIsSaid) {
+TEST(ClockSync, ADriftingClockIsFollowedWithinTheStatedUncertainty) {
   // 100 ppm: ten minutes drift 60 ms apart. Queueing noise of up to 30 ms on each way.
   std::mt19937 random(3);
   ClockSync sync;

@@ -82,7 +82,7 @@ TEST_F(CodecProgram, FailsWhereACloserBoundIsNotKeptAndNamesAPixel) {
   EXPECT_EQ(run({"compare", in("original"), in("bounded.mcap")}).first, 0) << "nothing is asked without a bound";
 }
 
-TEST_F(CodecProgram, WithoutLossEvenABoundOfNothingIsKept) {
+TEST_F(CodecProgram, LosslessDepthKeepsABoundOfZero) {
   for (const std::string mode : {"fast", "intra", "temporal"}) {
     const std::string file = in(mode + ".mcap");
     ASSERT_EQ(run({"encode", in("original"), file, "--mode", mode}).first, 0);
@@ -92,7 +92,7 @@ TEST_F(CodecProgram, WithoutLossEvenABoundOfNothingIsKept) {
   }
 }
 
-TEST_F(CodecProgram, DepthOnceMovedIsNotCalledExactWhenItIsEncodedAgain) {
+TEST_F(CodecProgram, NearLosslessDepthIsNotCalledLosslessWhenItIsEncodedAgain) {
   ASSERT_EQ(run({"encode", in("original"), in("bounded.mcap"), "--mode", "bounded", "--bound", "3,10"}).first, 0);
   ASSERT_EQ(run({"encode", in("bounded.mcap"), in("again.mcap"), "--mode", "fast"}).first, 0);
   const auto [code, told] = run({"info", in("again.mcap")});

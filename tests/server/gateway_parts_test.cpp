@@ -228,7 +228,7 @@ TEST(FoxgloveProtocol, RequestsAreReadAndOtherOperationsAreNamedInTheRefusal) {
   EXPECT_NE(to_string(other.error()).find("'setParameters'"), std::string::npos);
 }
 
-TEST(FoxgloveProtocol, NonsenseIsAnErrorAndNeverMore) {
+TEST(FoxgloveProtocol, InvalidTextIsOnlyAnError) {
   const std::string deep(60'000, '[');
   std::string nested = R"({"op":)";
   for (int depth = 0; depth < 10'000; ++depth) nested += R"({"a":)";

@@ -222,7 +222,7 @@ TEST(Gateway, AMessageThatIsTooLongClosesWith1009) {
   EXPECT_TRUE(server.comes_to(0));
 }
 
-TEST(Gateway, NonsenseIsAnsweredAndBoundedWhileOthersAreServed) {
+TEST(Gateway, InvalidMessagesAreAnsweredAndBoundedWhileOthersAreServed) {
   Running server;
   Viewer hostile(server.port());
   Viewer honest(server.port());
@@ -298,7 +298,7 @@ TEST(Gateway, AViewerThatSubscribedToNothingGivesItsPlaceToANewcomer) {
   EXPECT_EQ(newcomer.read().substr(13), "heard");
 }
 
-TEST(Gateway, HttpNonsenseIsRefusedWithinBounds) {
+TEST(Gateway, InvalidHttpIsRefusedWithinBounds) {
   Running server({.request_timeout = 1000ms});
   const std::string host = "Host: 127.0.0.1\r\n";
   EXPECT_NE(answer_to(server.port(), "\x16\x03\x01 hello\r\n\r\n").find("400"), std::string::npos);

@@ -41,7 +41,7 @@ struct Stage {
   }
 };
 
-TEST(HubGroups, WhoJoinsMidGroupIsGivenNothingUntilAKeyFrameWhichIsAskedForAtOnce) {
+TEST(HubGroups, ANewSubscriberGetsNothingUntilAKeyFrameWhichIsRequestedAtOnce) {
   Stage stage;
   stage.key();
   stage.dependent();
@@ -70,7 +70,7 @@ TEST(HubGroups, TwoWhoJoinTogetherAskOnceAndFollowFromTheSameKeyFrame) {
   EXPECT_EQ(stage.taken(second), "5 6");
 }
 
-TEST(HubGroups, WhoDoesNotKeepUpIsNeverGivenAFrameWithoutTheOneBeforeIt) {
+TEST(HubGroups, ASlowSubscriberNeverGetsAFrameWithoutItsReference) {
   Stage stage;
   const SubscriberId slow = stage.join();
   stage.key();
@@ -90,7 +90,7 @@ TEST(HubGroups, WhoDoesNotKeepUpIsNeverGivenAFrameWithoutTheOneBeforeIt) {
   EXPECT_EQ(count.sent + count.dropped, count.published);
 }
 
-TEST(HubGroups, WhoTakesNothingHasNoKeyFramesMadeForIt) {
+TEST(HubGroups, ASubscriberThatReadsNothingCausesNoKeyFrames) {
   Stage stage;
   (void)stage.join();
   stage.key();
@@ -110,7 +110,7 @@ TEST(HubGroups, AKeyFrameOvertakesTheKeyFrameThatWaitsWithAllThatDependsOnIt) {
   EXPECT_EQ(stage.hub.topic_counts().at(wire::kCameraDepth.name).dropped, 2u);
 }
 
-TEST(HubGroups, OthersNoticeNothingOfOneThatDoesNotKeepUp) {
+TEST(HubGroups, ASlowSubscriberDoesNotAffectOthers) {
   Stage stage;
   (void)stage.join();
   const SubscriberId quick = stage.join();
@@ -123,7 +123,7 @@ TEST(HubGroups, OthersNoticeNothingOfOneThatDoesNotKeepUp) {
   EXPECT_EQ(all, "1 2 3 4 5 6 7");
 }
 
-TEST(HubGroups, WhoSaysThatItsReferenceIsMissingIsGivenAKeyFrameNext) {
+TEST(HubGroups, ASubscriberWithoutReferenceGetsAKeyFrameNext) {
   Stage stage;
   const SubscriberId id = stage.join();
   stage.key();
@@ -137,7 +137,7 @@ TEST(HubGroups, WhoSaysThatItsReferenceIsMissingIsGivenAKeyFrameNext) {
   EXPECT_EQ(stage.taken(id), "4");
 }
 
-TEST(HubGroups, WhatWaitsForWhoLostItsPlaceIsDropped) {
+TEST(HubGroups, MessagesAreDroppedForASubscriberThatLostItsReference) {
   Stage stage;
   const SubscriberId id = stage.join();
   stage.key();
@@ -151,7 +151,7 @@ TEST(HubGroups, WhatWaitsForWhoLostItsPlaceIsDropped) {
   EXPECT_EQ(count.sent + count.dropped, count.published);
 }
 
-TEST(HubGroups, WhoAsksAgainBeforeTheKeyFrameIsThereAsksForNothingMore) {
+TEST(HubGroups, ASecondRequestBeforeTheKeyFrameHasNoEffect) {
   Stage stage;
   const SubscriberId id = stage.join();
   stage.key();
@@ -163,7 +163,7 @@ TEST(HubGroups, WhoAsksAgainBeforeTheKeyFrameIsThereAsksForNothingMore) {
   EXPECT_EQ(stage.asked, 1);
 }
 
-TEST(HubGroups, NobodyAsksForWhatItDidNotSubscribeToNorWhereEveryMessageStandsAlone) {
+TEST(HubGroups, AKeyFrameRequestNeedsASubscriptionToATopicWithPredictedFrames) {
   Stage stage;
   const SubscriberId other = stage.hub.join("other", "", [] {});
   const SubscriberId id = stage.join();
@@ -175,7 +175,7 @@ TEST(HubGroups, NobodyAsksForWhatItDidNotSubscribeToNorWhereEveryMessageStandsAl
   EXPECT_EQ(stage.asked, 0);
 }
 
-TEST(HubGroups, WhoSubscribesAgainBeginsWithAKeyFrame) {
+TEST(HubGroups, ARepeatedSubscriptionBeginsWithAKeyFrame) {
   Stage stage;
   const SubscriberId id = stage.join();
   stage.key();
@@ -188,7 +188,7 @@ TEST(HubGroups, WhoSubscribesAgainBeginsWithAKeyFrame) {
   EXPECT_EQ(stage.taken(id), "4");
 }
 
-TEST(KeyFramePacing, WhoeverAsksAtEveryFrameGetsOneKeyFrameInFour) {
+TEST(KeyFramePacing, ARequestAtEveryFrameGivesOneKeyFrameInFour) {
   KeyFramePacing pacing;
   std::string made;
   for (int i = 0; i < 13; ++i) {
@@ -200,7 +200,7 @@ TEST(KeyFramePacing, WhoeverAsksAtEveryFrameGetsOneKeyFrameInFour) {
   EXPECT_EQ(made, "K...K...K...K");
 }
 
-TEST(KeyFramePacing, AWishIsKeptUntilAKeyFrameIsMadeForWhateverReason) {
+TEST(KeyFramePacing, ARequestIsKeptUntilAnyKeyFrame) {
   KeyFramePacing pacing = after_frame({}, true);
   pacing.asked = true;
   pacing = after_frame(pacing, false);

@@ -78,7 +78,7 @@ TEST(Hub, ALateSubscriberIsGivenTheCameraModel) {
   EXPECT_EQ(*next->payload, "7");
 }
 
-TEST(Hub, WhatLeftIsSentNothing) {
+TEST(Hub, ASubscriberThatLeftGetsNothing) {
   Hub hub;
   const SubscriberId id = hub.join("a", "", [] { FAIL(); });
   hub.subscribe(id, {"*"});

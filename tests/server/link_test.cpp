@@ -31,7 +31,7 @@ TEST(Link, TheSessionClockIsKnownWithinItsStatedUncertaintyOnceConnected) {
   EXPECT_LT(client.link.clock_uncertainty(), 100ms);  // half a round trip of a machine that is busy with other things
 }
 
-TEST(Link, AWayOfATenthOfASecondIsConnectedAtItsSecondRoundTripAndItsClockIsRight) {
+TEST(Link, ALinkWithADelayOfATenthOfASecondIsConnectedAtItsSecondRoundTrip) {
   Site site;
   site.clock = wire::SessionClock{site.clock.offset() + 1h};
   site.listener = site.listen(0);
@@ -204,7 +204,7 @@ TEST(Link, ALinkThatIsDestroyedWhileItConnectsLeavesNothingBehind) {
   EXPECT_TRUE(site.run_until([&] { return site.listener->peers() == 0; }));
 }
 
-TEST(Link, AClientThatLostItsPlaceIsHeardAndGivenAKeyFrame) {
+TEST(Link, AClientWithoutReferenceGetsAKeyFrame) {
   Site site;
   int asked = 0;
   site.hub.on_key_wanted([&](std::string_view) { ++asked; });

@@ -55,7 +55,7 @@ TEST(Places, APlaceThatIsLeftIsGivenToWhoAsksAgain) {
   EXPECT_TRUE(site.run_until([&] { return second.connected(); }));
 }
 
-TEST(Places, WhoAsksForNothingAndPublishesNothingIsLetGoWithinSecondsAndOthersAreKept) {
+TEST(Places, APeerWithoutTopicsIsDisconnectedWithinSecondsAndOthersAreKept) {
   Site site;
   site.listener = site.listen(0, {}, {.without_topics = 500ms, .silent = 60s});
   wire::ClientLink idle(site.io, {.port = site.listener->port(), .name = "idle"}, {});
@@ -68,7 +68,7 @@ TEST(Places, WhoAsksForNothingAndPublishesNothingIsLetGoWithinSecondsAndOthersAr
   EXPECT_EQ(publisher.link.counts().connections, 1u);
 }
 
-TEST(Places, APublisherThatFallsSilentIsLetGoInItsTime) {
+TEST(Places, ASilentPublisherIsDisconnected) {
   Site site;
   site.listener = site.listen(0, {}, {.without_topics = 100ms, .silent = 500ms});
   Client silent(site, {}, "silent");

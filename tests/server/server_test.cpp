@@ -86,7 +86,7 @@ TEST(Server, PublishesEveryCameraTopicWithTheTimesOfItsFrames) {
   ASSERT_EQ(info.p_size(), 12);
 }
 
-TEST(Server, ASourceThatEndsIsSaidOnTheWireAndInTheGoodbye) {
+TEST(Server, TheEndOfTheSourceIsPublishedAndStatedInTheGoodbye) {
   ServedSource run;
   ASSERT_FALSE(run.messages[wire::kCameraStatus.name].empty());
   const auto status = parsed<msg::CaptureStatus>(run.messages[wire::kCameraStatus.name].back());

@@ -47,7 +47,7 @@ TEST(ViewerCommands, AHandIsPublishedStampedAndSignedByTheServer) {
   EXPECT_EQ(hand->hand_camera().y(), -0.2);
 }
 
-TEST(ViewerCommands, NothingElseMayBeSaid) {
+TEST(ViewerCommands, NoOtherMessageIsAllowed) {
   ViewerCommands viewer;
   for (const auto& channel :
        {foxglove::Request::Channel{1, "/station/events", "protobuf"},
@@ -59,7 +59,7 @@ TEST(ViewerCommands, NothingElseMayBeSaid) {
   EXPECT_FALSE(viewer.advertise({8, "/viewer/hand", "protobuf"})) << "channels are bounded";
 }
 
-TEST(ViewerCommands, HandsThatCannotBeAreRefused) {
+TEST(ViewerCommands, ImpossibleHandPositionsAreRefused) {
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
   ViewerCommands viewer = voice();
@@ -108,7 +108,7 @@ TEST(HandHolder, AHandIsHeldThroughAnySilenceUntilItsViewerLetsGo) {
   EXPECT_FALSE(holder.moves(1, began + 2h + 2ms));
 }
 
-TEST(HandHolder, WhoAsksIsToldOnceAndForgottenAfterThreeSeconds) {
+TEST(HandHolder, ARequestIsPublishedOnceAndForgottenAfterThreeSeconds) {
   HandHolder holder;
   const SessionTime began = session_time(1'000);
   EXPECT_FALSE(holder.news(began)) << "nobody holds it, nobody asks";

@@ -47,7 +47,7 @@ TEST(CloudView, HoldsTheMeasuredPixelsWhereThePinholePutsThem) {
   EXPECT_EQ(cloud.timestamp().nanos(), 500'000'000);
 }
 
-TEST(CloudView, AnImageOfSixteenMegapixelsIsThinnedOutToWhatMayWait) {
+TEST(CloudView, AnImageOfSixteenMegapixelsIsSubsampled) {
   DepthImage depth{.width = 4096, .height = 4096, .samples = std::vector<std::uint16_t>(4096 * 4096, 1000)};
   const Intrinsics camera{.width = 4096, .height = 4096, .fx = 1, .fy = 1, .cx = 0, .cy = 0};
   EXPECT_LE(cloud_view(depth, camera, {}).data().size(), wire::kMaxPayloadBytes);

@@ -5,18 +5,18 @@
 #include "tests/bench/hand/studies.h"
 
 // A hand rubs over the breathing skin, in step with the breath, for a minute, and comes back to where it first touched.
-// How far is the skin that it feels there from the true one?
+// Measures the distance there between the felt skin and the true skin.
 
 namespace telepalp::bench::hand {
 namespace {
 
 constexpr double kSoft_N_per_m = 100.0;  // far from the anchor the force must not reach the device's peak
 constexpr double kRubs_s = 60.0;
-constexpr double kFrom_s = 12.0;  // the breath is known by then
+constexpr double kFrom_s = 12.0;  // the breathing model has locked on by then
 constexpr double kDepth_m = 0.012;
 constexpr double kBreath_hz = 0.25;
 
-/// Offset of the felt from the true skin at the anchor, over the last second.
+/// Offset between the felt and the true skin at the anchor, over the last second.
 double play(double reach_m, const Spot& spot, double phase) {
   const auto patient = torso();
   Feed feed({.patient = patient,

@@ -7,17 +7,17 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// What a tick and a snapshot cost, beside a fixed piece of arithmetic in the same run: the ratio is the code's, not the
-// machine's.
+// Measures the cost of a tick and of a snapshot, relative to a fixed computation in the same run. The ratio depends on
+// the code and hardly on the machine.
 
 namespace telepalp::bench::hand {
 namespace {
 
-// As measured before the surface learned to see its side; what is asked is at most a tenth more.
+// Ratios measured before the surface decided on its side by itself; the requirement is at most a tenth more.
 constexpr double kTickRatio = 5.7;
 constexpr double kSnapshotRatio = 825.0;
 
-/// Time that this thread has run [us]: what other programs take does not count.
+/// CPU time of this thread [us]; other programs do not count.
 double now_us() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

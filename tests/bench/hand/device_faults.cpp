@@ -6,8 +6,8 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// What the devices say is wrong for a moment while a hand presses: one position of the encoder, or half a second of the
-// tracker.
+// The devices give wrong data for a moment while a hand presses: one wrong encoder position, or half a second without
+// tracker samples.
 
 namespace telepalp::bench::hand {
 namespace {
@@ -20,7 +20,7 @@ class Glitch {
  public:
   explicit Glitch(double height_m) : height_m_(height_m) {}
   void operator()(double time_s, ports::DeviceReading& reading) {
-    constexpr double kShare = 0.32;  // of a new difference in the reported velocity
+    constexpr double kShare = 0.32;  // share of a new position difference in the reported velocity
     const auto since = std::llround((time_s - kFault_s) / kTick_s);
     velocity_ *= 1.0 - kShare;
     if (since == 0) velocity_ += kShare * height_m_ / kTick_s;
@@ -38,10 +38,10 @@ struct Outcome {
   double step_N = 0.0;
   double excess_J = 0.0;
   double fell_m = 0.0;
-  bool touched = false;  ///< at the fault
+  bool touched = false;  ///< true: in contact at the time of the fault
 };
 
-/// `eases_m`: the hand presses and eases by so much, so that a drag that stays on it does work.
+/// `eases_m`: amplitude by which the hand presses and eases, so that a lasting drag would do work on it.
 Outcome play(effects::SkinAnchor anchor, double glitch_m, bool tracker_silent, double eases_m) {
   const auto patient = torso();
   Feed feed({.patient = patient, .pose = [](double) { return server::PatientPose{}; }, .link = {}, .builder = {}});

@@ -6,8 +6,8 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// A hand presses and lets go while the patient breathes irregularly and shifts by 10 mm. How much more work is done on
-// it in each contact than the true skin would have done on the same path?
+// A hand presses and lets go while the patient breathes irregularly and shifts by 10 mm. Measures the work on the hand
+// in each contact beyond the work that the true skin would have done on the same path.
 
 namespace telepalp::bench::hand {
 namespace {
@@ -15,11 +15,12 @@ namespace {
 constexpr double kLasts_s = 14.0;
 constexpr double kStarts_s = 2.0;
 
-/// Sums the work of each contact: it lasts from the first touch, true or displayed, until neither has been for 20 ms.
+/// Sums the work of each contact. A contact begins with the first touch of the true or the displayed skin and ends 20
+/// ms after the last touch of either.
 class ContactWork {
  public:
   void add(const Tick& tick) {
-    // The force of the tick before was held while the device moved.
+    // While the device moved, it held the force of the previous tick.
     excess_J_ += (force_N_ - law_N_).dot(tick.moved_m);
     force_N_ = tick.force_N;
     law_N_ = tick.law_N() * tick.normal;
@@ -44,10 +45,10 @@ class ContactWork {
 struct Bad {
   double least_rtt_s;
   double most_rtt_s;
-  bool outage;  ///< half a second without frames around a shift
+  bool outage;  ///< true: half a second without frames around a shift
 };
 
-/// Where the patient lies: at random times another 10 mm up, or back.
+/// The patient's height: at random times it changes by 10 mm up, or back.
 struct Shifts {
   explicit Shifts(device::Random& random) {
     for (double& at_s : at_s_) at_s = random.uniform(3.0, kLasts_s - 1.5);
@@ -70,7 +71,7 @@ std::vector<double> play(const Bad& bad, int number) {
   const auto seed = static_cast<std::uint64_t>(number) + 1;
   device::Random random(7000 + seed);
   const auto patient = torso(Sensor::Kinect, server::Motion::Irregular);
-  const double begins_s = random.uniform(0.0, 900.0);  // another stretch of the same patient's breathing
+  const double begins_s = random.uniform(0.0, 900.0);  // another interval of the same patient's breathing
   const Shifts shifts(random);
   Feed feed({.patient = patient,
              .pose =
@@ -85,7 +86,7 @@ std::vector<double> play(const Bad& bad, int number) {
   const double depth_m = random.uniform(0.01, 0.03);
   const double period_s = random.uniform(1.5, 4.0);
   const Spot spot = spots()[random.bits() % spots().size()];
-  const Eigen::Vector3d normal = normal_at(*patient, spot).v;  // straight in: the law has no force along the skin
+  const Eigen::Vector3d normal = normal_at(*patient, spot).v;  // the law has no tangential force
   const auto anchor = number % 2 == 0 ? effects::SkinAnchor::FollowsSurface : effects::SkinAnchor::Sliding;
   BenchStation station(with_skin(anchor), haptic_from_camera(*patient, spot),
                        std::make_unique<ArmHand>(300.0, [&](double t) {
@@ -104,7 +105,7 @@ std::vector<Row> measure(const std::string& name, const Bad& bad, double worst_m
   Distribution contacts_mJ;
   for (const auto& one : all)
     for (const double mJ : one) contacts_mJ.add(mJ);
-  const bool touched = contacts_mJ.count() >= all.size();  // at least one contact a seed, or nothing was tried
+  const bool touched = contacts_mJ.count() >= all.size();  // at least one contact per seed, or the study is invalid
   std::vector<Row> rows{at_most(name + ": a contact, worst", touched ? contacts_mJ.max() : NAN, "mJ", worst_mJ),
                         measured(name + ": contacts", static_cast<double>(contacts_mJ.count()), "")};
   if (worst_mJ < 10.0) rows.push_back(at_most(name + ": a contact, median", contacts_mJ.p50(), "mJ", 0.5));

@@ -11,10 +11,10 @@
 
 namespace telepalp::bench::hand {
 
-/// What the network does to the frames; lost frames come in bursts of four on average (Gilbert and Elliott).
+/// Delay, jitter and loss of the network. Losses come in bursts of four frames on average (Gilbert and Elliott).
 struct Link {
   double one_way_s = 0.05;
-  double jitter_s = 0.03;  ///< uniform, either way; never more than the delay itself
+  double jitter_s = 0.03;  ///< uniform, in both directions; never more than the delay
   double loss = 0.1;
   std::uint64_t seed = 1;
 };
@@ -24,8 +24,8 @@ using PoseScript = std::function<server::PatientPose(double time_s)>;
 /// Damages a frame on its way; false: the frame is lost.
 using Damage = std::function<bool(double captured_s, DepthImage& depth)>;
 
-/// The camera on the patient, the link, and the product's builder behind it. Frames are built in the order in which
-/// they arrive; stations that share the feed may each add a delay of their own.
+/// The camera on the patient, the link, and the station's SurfaceBuilder. Snapshots are built in the order in which
+/// frames arrive. Stations that share the feed may each add a delay.
 class Feed {
  public:
   struct Settings {
@@ -38,7 +38,8 @@ class Feed {
   };
   explicit Feed(Settings settings);
 
-  /// A snapshot that became touchable since the last call; call once a tick. `device`: around which the hand can reach.
+  /// The snapshot that became touchable since the last call, if any. Call it once per tick. `device`: centre of the
+  /// region that the hand can reach.
   [[nodiscard]] std::shared_ptr<const surface::SurfaceSnapshot> step(double time_s, const Point<DepthCamera>& device);
 
   [[nodiscard]] server::TrueSurface truth(double time_s) const {
@@ -58,7 +59,7 @@ class Feed {
   Settings settings_;
   surface::SurfaceBuilder builder_;
   device::Random random_;
-  std::deque<Frame> on_the_way_;  ///< by arrival
+  std::deque<Frame> on_the_way_;  ///< ordered by arrival
   std::int64_t frames_ = 0;
   bool in_burst_ = false;
 };

@@ -5,16 +5,16 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// A hand keeps pressing while the camera loses the patient, or the patient moves. How long until it feels the true
-// skin again?
+// A hand keeps pressing while the camera loses the patient, or the patient moves. Measures the time until it feels the
+// true skin again.
 
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kEvent_s = 3.0;       // the hand presses by then
-constexpr double kJudged_s = 3.0;      // after the frames' return
-constexpr double kAveraged_s = 0.5;    // over which the force is compared with the law's
-constexpr double kAimDepth_m = 0.024;  // of a soft arm: it presses 7 mm deep, and up to 15 mm after a shift of 30 mm
+constexpr double kEvent_s = 3.0;       // time of the event; the hand presses by then
+constexpr double kJudged_s = 3.0;      // measured time after the return of the frames
+constexpr double kAveraged_s = 0.5;    // interval over which the force is compared with the law's
+constexpr double kAimDepth_m = 0.024;  // aim of a soft arm; the hand is 7 mm deep, and 15 mm after a shift of 30 mm
 constexpr double kArm_N_per_m = 200.0;
 
 enum class Event { Gap, Shift, Hole, Black, ForeignHand };
@@ -23,7 +23,7 @@ struct Case {
   Event event = Event::Gap;
   std::uint64_t seed = 1;
   double lasts_s = 0.0;
-  double rises_m = 0.0;  ///< of the patient, meanwhile
+  double rises_m = 0.0;  ///< rise of the patient during the event
   double one_way_s = 0.0;
   Spot spot = {};
   effects::SkinAnchor anchor = effects::SkinAnchor::FollowsSurface;
@@ -53,7 +53,7 @@ void overwrite(DepthImage& depth, const Intrinsics& camera, const Spot& spot, do
     }
 }
 
-/// What the event does to a frame; false: it is lost.
+/// Applies the event to a frame; false: the frame is lost.
 bool damage(const Case& drawn, const Intrinsics& camera, DepthImage& depth) {
   switch (drawn.event) {
     case Event::Gap:
@@ -77,8 +77,8 @@ bool damage(const Case& drawn, const Intrinsics& camera, DepthImage& depth) {
 }
 
 struct Outcome {
-  double waited_s = kJudged_s + kAveraged_s;  ///< until the force reached nine tenths of the law's
-  double off_share = 1.0;                     ///< of the law, after kJudged_s
+  double waited_s = kJudged_s + kAveraged_s;  ///< time until the force reached 90 % of the law's
+  double off_share = 1.0;                     ///< deviation from the law after kJudged_s, as a share of it
   double step_N = 0.0;
 };
 

@@ -6,21 +6,21 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// A hand is held in the skin of a patient who moves. How far is the force from the true skin's, by delay, and beside
-// builders that hold the last surface or carry it by its velocity alone?
+// A hand is held in the skin of a patient who moves. Measures the difference between the force and the true skin's
+// force over the delay, also for builders that hold the last surface or predict it only by its velocity.
 
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kFrom_s = 14.0;  // a breath is known by then
+constexpr double kFrom_s = 14.0;  // the breathing model has locked on by then
 constexpr double kUntil_s = 54.0;
-constexpr double kDepth_m = 0.003;  // below the skin at full exhale
+constexpr double kDepth_m = 0.003;  // depth below the skin at full exhale
 constexpr double kJitter_s = 0.03;
 constexpr std::array kDelays_s{0.05, 0.1, 0.2};
 constexpr std::array kReach_N{0.09, 0.10, 0.14};
 constexpr double kRegularReach_N = 0.065;
 
-/// By delay; the worse of both anchors.
+/// Errors by delay; the larger one of both anchors.
 struct Errors {
   std::array<double, kDelays_s.size()> rmse_N{};
   double step_N = 0.0;
@@ -33,7 +33,7 @@ surface::SurfaceSettings builder(bool predict, bool breathing) {
   return settings;
 }
 
-/// The skin's height in H above the spot, without the breath: the hand rides on a patient who shifts or sits up.
+/// The skin's height in H at the spot, without the breath. The hand follows a patient who shifts or sits up.
 double ridden_m(const server::SyntheticPatient& patient, server::PatientPose pose,
                 const Transform<HapticBase, DepthCamera>& placed) {
   if (!pose.slides() && !pose.rises()) return 0.0;
@@ -85,7 +85,7 @@ Errors play(const Scene& scene, const surface::SurfaceSettings& builder_settings
       const Tick tick = one.station.step(t, truth);
       if (!counts) continue;
       one.steps.add(tick);
-      const double off_N = tick.pushed_N() - tick.law_N();  // without contact: all of the law's force
+      const double off_N = tick.pushed_N() - tick.law_N();  // without contact, the error is the whole force of the law
       one.square += off_N * off_N;
     }
   }
@@ -144,7 +144,7 @@ std::vector<Row> measure(const std::string& name, server::Motion motion, const O
   return rows;
 }
 
-/// What no predictor can take away: the sensor's own error, while the patient lies still, and without any delay.
+/// The error that no predictor can remove: the sensor's error on a still patient without delay.
 std::vector<Row> measure_floor(const Options& options) {
   const auto still = [](double) { return server::PatientPose{}; };
   const Link no_link{.one_way_s = 0.0, .jitter_s = 0.0, .loss = 0.0, .seed = 5};

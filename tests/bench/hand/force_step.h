@@ -6,8 +6,8 @@
 
 namespace telepalp::bench::hand {
 
-/// The largest change of the force in one tick beyond what the hand's own motion explains, outside the 10 ms
-/// after a true contact change.
+/// The largest change of the force in one tick that the hand's motion does not explain. The 10 ms after a true change
+/// of contact are left out.
 class ForceSteps {
  public:
   void add(const Tick& tick, double stiffness_N_per_m = kSkin_N_per_m) noexcept {

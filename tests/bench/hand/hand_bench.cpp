@@ -19,7 +19,7 @@ void say_progress(const std::string& study, int done, int of) {
   std::fflush(stderr);
 }
 
-/// Whether `name` contains one of `patterns`, which commas part; no pattern: every name.
+/// True if `name` contains one of the comma-separated `patterns`, or if there is no pattern.
 bool is_wanted(const std::string& name, const std::string& patterns) {
   std::istringstream stream(patterns);
   for (std::string one; std::getline(stream, one, ',');)

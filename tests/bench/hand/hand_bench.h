@@ -4,9 +4,9 @@
 
 namespace telepalp::bench {
 
-/// The hand's truth: the product's builder, loop and controller in virtual time, on patients who move, behind a bad
-/// link, measured against the true skin. --row PATTERN runs the studies whose name contains PATTERN, --seeds N the
-/// number of runs where a study draws.
+/// Studies of the force at the hand: the station's builder, loop and controller in virtual time, on moving patients,
+/// behind a bad link, compared with the true skin. --row PATTERN selects the studies whose name contains PATTERN;
+/// --seeds N sets the number of runs of random studies.
 [[nodiscard]] Result<Report> run_hand(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

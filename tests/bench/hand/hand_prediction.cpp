@@ -8,15 +8,16 @@
 #include "tests/bench/hand/studies.h"
 #include "where.h"
 
-// Recorded hands, predicted from their samples: never worse than going straight on from the last two.
+// Recorded hands are predicted from their samples. The prediction must be at least as good as the straight line through
+// the last two samples.
 
 namespace telepalp::bench::hand {
 namespace {
 
 constexpr double kHorizons_s[] = {0.005, 0.01, 0.02, 0.03, 0.05};
-constexpr double kTrackerLostHand_s = 0.05;  // between samples that are judged
+constexpr double kTrackerLostHand_s = 0.05;  // greatest time between two samples for a prediction to count
 
-/// The trace between its samples.
+/// The trace, interpolated between its samples.
 std::optional<Eigen::Vector3d> hand_at(const std::vector<tracking::TraceSample>& samples, SessionTime when) {
   const auto after = std::lower_bound(samples.begin(), samples.end(), when,
                                       [](const tracking::TraceSample& one, SessionTime at) { return one.at < at; });
@@ -28,7 +29,8 @@ std::optional<Eigen::Vector3d> hand_at(const std::vector<tracking::TraceSample>&
   return before->palm.m + share * (after->palm.m - before->palm.m);
 }
 
-/// RMS error of the estimate over that of the straight line through the last two samples, `ahead_s` ahead.
+/// Ratio of the RMS errors of the estimate and of the straight line through the last two samples, for a prediction of
+/// `ahead_s`.
 double ratio_to_straight_on(const tracking::HandTrace& trace, std::size_t every, double ahead_s) {
   tracking::HandEstimate estimate;
   double estimate_square = 0.0;

@@ -6,14 +6,14 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// Objects inside the body: are they met at the same depth below the skin when the patient has moved, and does the force
-// ever pull a hand that pushes through them?
+// Objects inside the body. Measures whether the hand meets them at the same depth below the skin after the patient has
+// moved, and whether the force ever pulls a hand that pushes through them.
 
 namespace telepalp::bench::hand {
 namespace {
 
 constexpr double kTopDepth_m = 0.03;
-constexpr double kNotMet_m = 0.05;  // what counts for an object that is not met at all
+constexpr double kNotMet_m = 0.05;  // depth error that counts for an object that is not met
 
 enum class Object { Sphere, Cylinder, Organ };
 
@@ -59,8 +59,8 @@ RigidHand::Path press(const Eigen::Vector3d& at_m, double from_s, double deepest
   };
 }
 
-/// Depth below the true skin at which the object is met, at `at_m`, with the patient in `pose` from the third second
-/// on.
+/// Depth below the true skin at which the hand meets the object at `at_m`. The patient is in `pose` from the third
+/// second on.
 double met_at_m(Object object, const server::PatientPose& pose, const Eigen::Vector3d& at_m) {
   const auto patient = torso();
   Feed feed({.patient = patient,
@@ -88,7 +88,7 @@ double met_at_m(Object object, const server::PatientPose& pose, const Eigen::Vec
   return met_m;
 }
 
-/// The object's depth in the moved body differs from that in the body at rest by so much, at the worst of the places.
+/// The largest difference of the object's depth between the moved body and the body at rest, over all places.
 double shifted_by_m(Object object, const std::vector<server::PatientPose>& poses, const std::vector<double>& offsets_m,
                     const Options& options) {
   const auto places = static_cast<int>(offsets_m.size());
@@ -124,7 +124,7 @@ server::PatientPose slid(double x_m, double y_m) {
 }
 
 std::vector<Row> measure_depth(const std::string& name, Object object, const Options& options) {
-  const double edge_m = object == Object::Cylinder ? 0.024 : 0.0;  // a flat top tells of a slide at its edge alone
+  const double edge_m = object == Object::Cylinder ? 0.024 : 0.0;  // with a flat top, only the edge shows a slide
   const double risen_m = shifted_by_m(object, {risen(-0.01), risen(-0.005), risen(0.005), risen(0.01)}, {0.0}, options);
   const double slid_m =
       shifted_by_m(object, {slid(0.02, 0.0), slid(0.0, 0.02), slid(-0.02, 0.0)},
@@ -133,7 +133,7 @@ std::vector<Row> measure_depth(const std::string& name, Object object, const Opt
           at_most(name + ": depth below the skin, changed by 20 mm sideways", 1e3 * slid_m, "mm", 3.0)};
 }
 
-/// The least force against a push straight down, to `far_m` below the skin.
+/// The least upward force during a push straight down to `far_m` below the skin.
 std::vector<Row> measure_far_face(const std::string& name, Object object, double far_m, const Options& options) {
   const std::array<double, 3> beside_m{0.0, 0.004, 0.01};
   std::array<double, 3> least_N{};
@@ -146,7 +146,7 @@ std::vector<Row> measure_far_face(const std::string& name, Object object, double
     least_N[at] = 1e9;
     run(feed, station, 1.0 + (far_m + 0.05) / 0.04, [&](const Tick& tick) {
       if (tick.device_m.y() > -kTopDepth_m) return;
-      least_N[at] = std::min(least_N[at], tick.displayed ? tick.force_N.y() : -10.0);  // not displayed: a fall through
+      least_N[at] = std::min(least_N[at], tick.displayed ? tick.force_N.y() : -10.0);  // -10: fell through
     });
   });
   return {

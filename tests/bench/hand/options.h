@@ -6,10 +6,10 @@
 
 namespace telepalp::bench::hand {
 
-/// What every study is run with.
+/// Options of every study.
 struct Options {
   int seeds = 200;
-  std::function<void(int done, int of)> progress = [](int, int) {};  ///< called by any thread, one at a time
+  std::function<void(int done, int of)> progress = [](int, int) {};  ///< called by any thread, but never by two at once
 };
 
 /// Calls `run(i)` for i in [0, count) on all processors, each i once, in no fixed order. What `run` writes for one i

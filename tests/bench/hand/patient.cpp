@@ -11,7 +11,7 @@ namespace {
 
 constexpr Spot kSpots[] = {{"belly", -40.0, 20.0}, {"flank", -30.0, 48.0}, {"chest", 75.0, -10.0}};
 
-/// Aborts where the torso is missing: it is part of the source tree that the bench is built from.
+/// Aborts if the torso is missing, because it is part of the source tree.
 std::shared_ptr<const server::SyntheticPatient> make(Sensor sensor, server::Motion motion, std::uint64_t seed) {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
   const Result<server::TriangleMesh> mesh = server::read_mesh(file.value());

@@ -8,14 +8,15 @@
 
 namespace telepalp::bench::hand {
 
-/// How the sensor sees.
+/// The kinds of simulated sensor.
 enum class Sensor {
-  Kinect,        ///< noise by depth, and disparity steps
+  Kinect,        ///< noise that grows with depth, and disparity steps
   KinectSmooth,  ///< the same noise, without disparity steps, in samples of 0.1 mm
 };
 
-/// The shipped torso, 0.8 m below a camera that sees the middle 320 by 240 pixels: the same pixels as of a whole
-/// image, at a quarter of the cost. Its own motion is `motion`; scripted poses ignore it. Made once and shared.
+/// The torso of the repository, 0.8 m below a camera. The camera has the middle 320 by 240 pixels of a full image,
+/// which costs a quarter of the time. `motion`: the torso's motion; scripted poses ignore it. Each torso is made once
+/// and shared.
 [[nodiscard]] std::shared_ptr<const server::SyntheticPatient> torso(Sensor sensor = Sensor::Kinect,
                                                                     server::Motion motion = server::Motion::Regular,
                                                                     std::uint64_t seed = 1);
@@ -28,7 +29,7 @@ struct Spot {
 };
 [[nodiscard]] std::span<const Spot> spots() noexcept;
 
-/// H with its origin on the skin at `spot` while the patient lies at rest; its y points up to the camera.
+/// The transform of a frame H with its origin on the skin at `spot` of the patient at rest; y points to the camera.
 [[nodiscard]] Transform<HapticBase, DepthCamera> haptic_from_camera(const server::SyntheticPatient& patient,
                                                                     const Spot& spot);
 

@@ -9,17 +9,17 @@
 
 namespace telepalp::bench::hand {
 
-/// Who holds the haptic device: where device and hand are, and what a force does to them.
+/// A person at the haptic device: determines the positions of device and hand under a force.
 class Person {
  public:
   virtual ~Person() = default;
   [[nodiscard]] virtual ports::DeviceReading read() const noexcept = 0;
-  [[nodiscard]] virtual Point<HapticBase> device() const noexcept = 0;  ///< the truth, which no sensor sees
+  [[nodiscard]] virtual Point<HapticBase> device() const noexcept = 0;  ///< true position, without sensor errors
   [[nodiscard]] virtual Point<HapticBase> hand() const noexcept = 0;
   virtual void apply(const station::HapticLoop::Act& act, double time_s, double dt_s) = 0;
 };
 
-/// A hand that no force moves: the device is where `path` says. It sees the controller's last answer.
+/// A hand that no force moves: the device follows `path`, which may depend on the controller's last output.
 class RigidHand final : public Person {
  public:
   using Path = std::function<Point<HapticBase>(double time_s, const control::ControlOutput& last)>;
@@ -40,7 +40,7 @@ class RigidHand final : public Person {
   Vector<HapticBase> velocity_;
 };
 
-/// A hand on an arm that yields to force, on the simulated device; it aims where `aim` says.
+/// A hand on an arm that yields to force, at the simulated device; `aim` gives the intended position.
 class ArmHand final : public Person {
  public:
   using Aim = std::function<device::Intention(double time_s)>;

@@ -3,8 +3,8 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// The hand leaves the skin, the end-effector goes over to the plane, and right then the hand comes back, fast. How long
-// and how deep is it in the true skin without feeling half of the law's force from it?
+// The hand leaves the skin, and comes back fast just when the end-effector moves to the plane. Measures for how long
+// and how deep the hand is in the true skin without half of the law's force.
 
 namespace telepalp::bench::hand {
 namespace {
@@ -43,10 +43,10 @@ Outcome play(int number) {
   BenchStation station(with_skin(anchor), haptic_from_camera(*patient, spot), std::make_unique<RigidHand>(path));
   Outcome outcome;
   run(feed, station, 6.0, [&](const Tick& tick) {
-    constexpr double kTellsNothing_N = 0.25;  // half a millimetre: the sensor's own error
+    constexpr double kTellsNothing_N = 0.25;  // the force of half a millimetre, the sensor's error
     if (tick.time_s < out_s + pause_s || tick.law_N() < kTellsNothing_N) return;
     outcome.tried = true;
-    // What position control gives in the skin is not the skin.
+    // Forces of position control do not count as the skin's force.
     if (tick.displayed && tick.pushed_N() >= 0.5 * tick.law_N()) return;
     outcome.unfelt_s += kTick_s;
     outcome.unfelt_m = std::max(outcome.unfelt_m, tick.true_depth_m);

@@ -9,17 +9,17 @@
 
 namespace telepalp::bench::hand {
 
-/// Figures that rows have reached, by name. A row that does not hold yet is kept from becoming worse by them.
+/// Values that rows have reached, by name. They keep a row that misses its requirement from becoming worse.
 using Reached = std::map<std::string, double>;
 
 /// Reads lines of VALUE, tab, NAME.
 [[nodiscard]] Result<Reached> read_reached(const std::filesystem::path& file);
 
-/// Those rows of `report` that are asked for something and do not hold, one a line, to `file`.
+/// Writes the rows of `report` that miss their requirement to `file`, one per line.
 [[nodiscard]] Result<void> write_reached(const Report& report, const std::filesystem::path& file);
 
-/// A row that does not hold but is no more than a tenth worse than what it once reached holds after this; its name says
-/// so.
+/// Accepts each row that misses its requirement but is at most a tenth worse than its reached value; its name states
+/// this.
 void accept_reached(const Reached& reached, Report& report);
 
 }  // namespace telepalp::bench::hand

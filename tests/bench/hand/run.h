@@ -13,12 +13,12 @@ namespace telepalp::bench::hand {
 inline constexpr double kTick_s = 0.0005;
 inline constexpr double kSkin_N_per_m = 500.0;
 
-/// The product's loop with a linear skin, and what may go wrong beside the surface.
+/// Settings of the station's loop with a linear skin, and faults other than the surface's.
 struct StationSettings {
   effects::EffectBank effects;
   control::ControlSettings control;
   station::HapticLoop::Settings loop;
-  double extra_delay_s = 0.0;  ///< of the snapshots, beyond the feed's link
+  double extra_delay_s = 0.0;  ///< extra delay of the snapshots, in addition to the feed's link
   std::uint64_t seed = 1;
   std::function<bool(double time_s)> tracker_silent = [](double) { return false; };
   std::function<void(double time_s, ports::DeviceReading&)> spoil = [](double, ports::DeviceReading&) {};
@@ -28,17 +28,17 @@ struct StationSettings {
 /// One tick, against the true skin of the same instant. All vectors in H.
 struct Tick {
   double time_s = 0.0;
-  Eigen::Vector3d device_m = Eigen::Vector3d::Zero();  ///< true place of the device at the tick's beginning
-  Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();   ///< since the tick before
-  Eigen::Vector3d force_N = Eigen::Vector3d::Zero();   ///< given for the next tick
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitY();   ///< of the true skin
-  double true_depth_m = 0.0;                           ///< of the device below the true skin; negative: outside
+  Eigen::Vector3d device_m = Eigen::Vector3d::Zero();  ///< true position of the device at the tick's beginning
+  Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();   ///< movement since the previous tick
+  Eigen::Vector3d force_N = Eigen::Vector3d::Zero();   ///< force for the next tick
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitY();   ///< normal of the true skin
+  double true_depth_m = 0.0;                           ///< depth of the device below the true skin; negative: outside
   bool true_known = false;                             ///< false: the device is far from the true skin
-  bool displayed = false;                              ///< the controller shows the skin
+  bool displayed = false;                              ///< true: the controller displays the skin
   control::ControlOutput control = {};
 
   [[nodiscard]] double pushed_N() const noexcept { return force_N.dot(normal); }
-  /// What the true skin would push with, up to the device's peak.
+  /// The force that the true skin would give, at most the device's peak.
   [[nodiscard]] double law_N(double stiffness_N_per_m = kSkin_N_per_m) const noexcept {
     return true_known && true_depth_m > 0.0 ? std::min(10.0, stiffness_N_per_m * true_depth_m) : 0.0;
   }
@@ -51,7 +51,7 @@ class BenchStation {
                std::unique_ptr<Person> person);
 
   void receive(std::shared_ptr<const surface::SurfaceSnapshot> snapshot, double time_s);
-  /// `truth` of this instant.
+  /// One tick. `truth`: the true surface of this instant.
   [[nodiscard]] Tick step(double time_s, const server::TrueSurface& truth);
   [[nodiscard]] Point<DepthCamera> device_camera() const { return camera_from_haptic_ * person_->device(); }
   [[nodiscard]] const station::HapticLoop& loop() const noexcept { return loop_; }

@@ -5,15 +5,15 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// The patient rises or sinks by 10 mm from one instant to the next, under a hand that does not move. How long until
-// the force is within a tenth of it for good, and how smoothly does it come?
+// The patient rises or sinks by 10 mm from one instant to the next, under a hand that does not move. Measures the time
+// until the force stays within a tenth of the step, and the smoothness of the response.
 
 namespace telepalp::bench::hand {
 namespace {
 
 constexpr double kStep_m = 0.01;
 constexpr double kStepAt_s = 3.01;  // between two frames
-constexpr double kWaits_s = 3.0;    // less than it takes the motors to heat up
+constexpr double kWaits_s = 3.0;    // shorter than the motors need to heat up
 
 /// The force after the step.
 class Response {
@@ -26,8 +26,8 @@ class Response {
     after_.push_back({tick.time_s, tick.pushed_N()});
     law_after_N_ = tick.law_N();
   }
-  /// Since when it stays within a tenth of the step from where it ends: an overshoot has not arrived. A force that ends
-  /// a quarter of the step or more from the law never settles; less is the sensor's and the anchor's own offset.
+  /// The time from which the force stays within a tenth of the step around its final value. A force that ends a quarter
+  /// of the step or more away from the law never settles; a smaller offset comes from the sensor and the anchor.
   [[nodiscard]] double settled_s() const {
     const double step_N = std::abs(law_after_N_ - law_before_N_);
     constexpr std::size_t kAveraged = 400;  // ticks: 0.2 s

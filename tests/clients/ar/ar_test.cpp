@@ -86,7 +86,7 @@ TEST(DepthMesh, ColourOfAnotherSizeIsTakenFromTheSamePlace) {
   EXPECT_GT(mesh.vertices[30].color.x(), 0.99F);
 }
 
-TEST(Canvas, TheNearerOfTwoHidesTheOtherInWhateverOrderTheyAreDrawn) {
+TEST(Canvas, TheNearerOfTwoHidesTheOtherInEitherOrder) {
   const ViewCamera camera = look_at({0, 0, -1}, {0, 0, 0}, {0, -1, 0}, 0.8F, 64, 64);
   const Lights lights{{0, 0, -1}, {0, 0, -1}};
   const ShadowMap shadow({0, 0, 0}, lights.key, 1.0F);
@@ -101,7 +101,7 @@ TEST(Canvas, TheNearerOfTwoHidesTheOtherInWhateverOrderTheyAreDrawn) {
   }
 }
 
-TEST(Canvas, WhatReachesBehindTheEyeIsLeftOut) {
+TEST(Canvas, ATriangleBehindTheEyeIsNotDrawn) {
   const ViewCamera camera = look_at({0, 0, -1}, {0, 0, 0}, {0, -1, 0}, 0.8F, 32, 32);
   const Lights lights{{0, 0, -1}, {0, 0, -1}};
   Canvas canvas(32, 32, Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero());
@@ -163,7 +163,7 @@ TEST(AugmentedView, IsTheSamePictureEveryTime) {
   EXPECT_EQ(draw(small_view(frame, touch_at(1.0))).rgb, draw(small_view(frame, touch_at(1.0))).rgb);
 }
 
-TEST(AugmentedView, ShowsTheTouchAndLeavesItOutWhenItIsNoNumber) {
+TEST(AugmentedView, ShowsTheTouchUnlessItIsNotFinite) {
   const RgbdFrame frame = flat_frame(160, 120);
   const ColorImage without = draw(small_view(frame, std::nullopt));
   EXPECT_NE(draw(small_view(frame, touch_at(1.0))).rgb, without.rgb);

@@ -36,9 +36,9 @@ void expect_golden(const std::string& svg, const std::string& name) {
   EXPECT_EQ(svg, golden.str()) << "look at " << file;
 }
 
-TEST(Chart, ATinyChartIsByteForByteWhatWasLookedAt) { expect_golden(to_svg(tiny_chart()), "tiny_chart.svg"); }
+TEST(Chart, ATinyChartEqualsTheGoldenFile) { expect_golden(to_svg(tiny_chart()), "tiny_chart.svg"); }
 
-TEST(Chart, ATinyBarChartIsByteForByteWhatWasLookedAt) {
+TEST(Chart, ATinyBarChartEqualsTheGoldenFile) {
   expect_golden(to_svg(BarChart{"latency",
                                 "ms",
                                 {{"capture to encoded", 2.0, 5.5, std::string(kSky)},
@@ -84,7 +84,7 @@ TEST(Chart, EveryDrawnPointLiesWithinTheFrameWhateverTheData) {
   }
 }
 
-TEST(Chart, SkipsWhatIsNotFiniteAndNeverWritesNan) {
+TEST(Chart, SkipsValuesThatAreNotFiniteAndNeverWritesNan) {
   Chart chart = tiny_chart();
   chart.series[0].y = {std::nan(""), INFINITY, -INFINITY, std::nan("")};
   const std::string svg = to_svg(chart);
@@ -93,7 +93,7 @@ TEST(Chart, SkipsWhatIsNotFiniteAndNeverWritesNan) {
   EXPECT_TRUE(drawn_points(svg).empty());
 }
 
-TEST(Chart, LogarithmicAxesLeaveOutWhatHasNoLogarithm) {
+TEST(Chart, LogarithmicAxesLeaveOutValuesBelowZero) {
   Chart chart = tiny_chart();
   chart.y.logarithmic = true;
   chart.series[0].y = {0.0, 1.0, 100.0, -3.0};
@@ -112,7 +112,7 @@ TEST(Chart, ABudgetBeyondTheDataIsWithinTheFrame) {
   EXPECT_NE(svg.find(">10</text>"), std::string::npos);
 }
 
-TEST(Chart, WordsFromOutsideCannotBreakTheMarkup) {
+TEST(Chart, UntrustedTextCannotBreakTheMarkup) {
   Chart chart = tiny_chart();
   chart.title = "</svg><script>\"'&";
   EXPECT_EQ(to_svg(chart).find("<script"), std::string::npos);

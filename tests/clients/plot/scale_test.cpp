@@ -54,7 +54,7 @@ TEST(Ticks, LieWithinTheRangeAndAscendForAnyRange) {
   }
 }
 
-TEST(Ticks, AreAbsentForARangeThatIsNone) {
+TEST(Ticks, AreAbsentForAnEmptyRange) {
   EXPECT_TRUE(nice_ticks({1.0, 1.0}, 5).empty());
   EXPECT_TRUE(nice_ticks({0.0, std::nan("")}, 5).empty());
   EXPECT_TRUE(decade_ticks({0.0, 10.0}).empty());

@@ -50,7 +50,7 @@ std::string html_of(const Session& session) {
   return report_html(session, summary, judge(summary), "");
 }
 
-TEST(Quantiles, AreByNearestRankAndLeaveOutWhatIsNoNumber) {
+TEST(Quantiles, AreByNearestRankAndLeaveOutValuesThatAreNotFinite) {
   std::vector<double> samples;
   for (int i = 1; i <= 1000; ++i) samples.push_back(i);
   samples.push_back(std::nan(""));
@@ -344,7 +344,7 @@ TEST(MotionFigures, TheCylinderIsShownOnlyWhenVisited) {
   EXPECT_EQ(around_the_cylinder(session_of({.seconds = 4.0})).size(), 3U);
 }
 
-TEST(MotionFigures, IndentationIsCountedFromTheFirstContact) {
+TEST(MotionFigures, IndentationIsMeasuredFromTheFirstContact) {
   const auto charts = force_against_indentation(session_of({.seconds = 2.0}));
   ASSERT_EQ(charts.size(), 4U);
   double deepest = 0.0;
@@ -353,7 +353,7 @@ TEST(MotionFigures, IndentationIsCountedFromTheFirstContact) {
   EXPECT_NEAR(deepest, -34.0, 0.1);
 }
 
-TEST(ReportHtml, NeedsNothingButItself) {
+TEST(ReportHtml, IsSelfContained) {
   const std::string html = html_of(session_of({}));
   EXPECT_EQ(html.find("<script"), std::string::npos);
   EXPECT_EQ(html.find("src=\"http"), std::string::npos);
@@ -375,7 +375,7 @@ TEST(ReportHtml, WordsFromTheSessionCannotBreakThePage) {
   EXPECT_EQ(html.find("<img src=x"), std::string::npos);
 }
 
-TEST(Base64, IsThatOfTheStandard) {
+TEST(Base64, EqualsTheVectorsOfTheStandard) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");
@@ -432,7 +432,7 @@ TEST(Verdict, OfASessionThatNobodyTouchedSaysHowFarItsDepthIsOffAndFindsNoFault)
   EXPECT_EQ(verdict.headline.find("bounded"), std::string::npos) << verdict.headline;
 }
 
-TEST(Verdict, BelievesThatDepthWasMovedThoughNobodyTellsHowFar) {
+TEST(Verdict, CountsDepthOfUnknownErrorAsNotMeasured) {
   Session session = session_of({.seconds = 2.0, .depth_mode = codec::DepthMode::Bounded});
   for (msg::SurfaceReport& surface : session.surfaces) surface.clear_depth_bound();
   const Verdict verdict = judge(summarise(session));
@@ -457,7 +457,7 @@ TEST(SessionFile, WithoutACameraThereIsNoFrameAndNoError) {
   EXPECT_FALSE(frame->has_value());
 }
 
-TEST(SessionFile, OneThatWasCutOffSaysHowToMendIt) {
+TEST(SessionFile, OneThatWasCutOffSaysHowToRepairIt) {
   const auto file = written({.seconds = 1.0}, "report_cut.mcap");
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   const auto session = read_session(file);

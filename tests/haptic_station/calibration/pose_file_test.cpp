@@ -18,7 +18,7 @@ TEST(PoseFile, ReadsAPoseOfEachInItsOwnFrame) {
   EXPECT_LT(((*poses)[0].haptic_from_probe.translation() - Eigen::Vector3d(4, 5, 6)).norm(), 1e-12);
 }
 
-TEST(PoseFile, WhatIsNoRowIsNamedWithItsLine) {
+TEST(PoseFile, AnInvalidRowIsAnErrorWithItsLine) {
   for (const char* bad : {"1,2,3", "1,2,3,0,0,0,4,5,6,0,0,nan", "1;2;3;0;0;0;4;5;6;0;0;0", "a,2,3,0,0,0,4,5,6,0,0,0",
                           "1,2,3,0,0,0,4,5,6,0,0,0,7"}) {
     const auto poses = parse_hand_on_probe(rows("0,0,0,0,0,0,0,0,0,0,0,0\n" + std::string(bad)), "p.csv");

@@ -46,7 +46,7 @@ TEST(TissueFit, FindsTheLawThatMadeTheSamples) {
   EXPECT_NEAR(fit->law.curve_N_per_m3, 50'000.0, 2.0);
 }
 
-TEST(TissueFit, RefusesWhatIsNoCompressionTest) {
+TEST(TissueFit, RefusesInvalidCompressionTests) {
   EXPECT_FALSE(fit_tissue({}).ok());
   std::vector<CompressionSample> samples(10, {0.01, -1.0});
   EXPECT_FALSE(fit_tissue(samples).ok());

@@ -199,7 +199,7 @@ TEST(EncounteredController, ASilentDeviceCannotBeRearmedBeforeItAnswers) {
   EXPECT_EQ(out.fault, control::FaultCause::None);
 }
 
-TEST(EncounteredController, ANumberThatIsNotOneFaultsUntilAnOperatorRearms) {
+TEST(EncounteredController, ANaNFaultsUntilAnOperatorRearms) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const int which : {0, 1, 2, 3, 4}) {
     SCOPED_TRACE(which);

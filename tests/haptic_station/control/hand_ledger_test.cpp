@@ -22,7 +22,7 @@ TEST(HandLedger, ShowsWhatAForceThatShouldBeGoneGivesTheHand) {
   EXPECT_DOUBLE_EQ(ledger.excess_J(), 0.002);
 }
 
-TEST(HandLedger, BooksFadesWithTheSkinAndTheDriveByItself) {
+TEST(HandLedger, BooksFadesWithTheSkinAndTheDriveSeparately) {
   HandLedger ledger;
   ledger.book({.fade = Vector3d(0.0, 1.0, 0.0), .drive = Vector3d(0.0, 3.0, 0.0)}, Vector3d::Zero(), kUp_m);
   EXPECT_DOUBLE_EQ(ledger.excess_J(), 0.001);

@@ -68,7 +68,7 @@ std::string as_page() {
   return page.str();
 }
 
-TEST(PhaseEvents, EveryOneThatInputsCanMakeIsInTheTableOrSaysWhatIs) {
+TEST(PhaseEvents, EveryPossibleEventIsInTheTableOrStatesThePresentPhase) {
   for (const Pair& pair : raised()) {
     const bool listed = transition(pair.first, pair.second) != nullptr;
     EXPECT_NE(listed, says_what_is(pair)) << name(pair.first) << " with " << name(pair.second);
@@ -98,7 +98,7 @@ TEST(PhaseEvents, SafetyComesBeforeEverythingElse) {
   });
 }
 
-TEST(PhaseEvents, NothingIsRearmedWhileTheCauseStandsOrUnasked) {
+TEST(PhaseEvents, NothingIsRearmedWhileTheCauseLastsOrWithoutARequest) {
   for_each_seen([](Phase phase, const Seen& seen) {
     if (phase == Phase::Faulted && (seen.fault_stands || !seen.rearm)) {
       EXPECT_EQ(event_in(phase, seen), std::nullopt);

@@ -49,7 +49,7 @@ TEST(PhaseTable, AFaultIsReachedFromEverywhereAndLeftByAnOperatorAlone) {
     EXPECT_EQ(transition(Phase::Faulted, static_cast<Event>(e)) != nullptr, static_cast<Event>(e) == Event::Rearm);
 }
 
-TEST(PhaseTable, NumbersArePublishedAsTheyAre) {
+TEST(PhaseTable, NumbersEqualThoseOfTheMessages) {
   EXPECT_EQ(static_cast<int>(Phase::InBody), msg::PHASE_IN_BODY);
   EXPECT_EQ(static_cast<int>(Phase::BodyToPlane), msg::PHASE_BODY_TO_PLANE);
   EXPECT_EQ(static_cast<int>(Phase::OutBody), msg::PHASE_OUT_BODY);

@@ -57,7 +57,7 @@ double speed_after_a_knock(double wall_N_per_m, double device_damping, bool coup
   return late;
 }
 
-TEST(VirtualCoupling, CalmsAWallThatIsTooStiffForTheDevice) {
+TEST(VirtualCoupling, StabilisesAWallThatIsTooStiffForTheDevice) {
   for (const double wall_N_per_m : {5'000.0, 29'000.0}) {
     EXPECT_GT(speed_after_a_knock(wall_N_per_m, 1.0, false), 0.05) << wall_N_per_m << ": without, it would not rest";
     EXPECT_LT(speed_after_a_knock(wall_N_per_m, 1.0, true), 0.02) << wall_N_per_m;
@@ -98,7 +98,7 @@ TEST(VirtualCoupling, WithTheDeviceHeldStillTheEnergyOnlyFalls) {
   }
 }
 
-TEST(VirtualCoupling, TheContactIsToldAtTheTool) {
+TEST(VirtualCoupling, TheContactIsThatOfTheTool) {
   VirtualCoupling coupling({}, 8000.0);
   coupling.begin({{0.0, -0.002, 0.0}});
   EffectInput in;

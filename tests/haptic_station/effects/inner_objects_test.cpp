@@ -22,14 +22,14 @@ TEST(InnerCylinder, PushesUpFromItsUpperFaceWithStiffnessTimesDepth) {
   EXPECT_EQ(cylinder.touch(), ObjectTouch::Upper);
 }
 
-TEST(InnerCylinder, PushesSidewaysFromItsMantle) {
+TEST(InnerCylinder, PushesSidewaysFromItsLateralFace) {
   InnerCylinder cylinder = paper_cylinder();
   const Eigen::Vector3d force_N = cylinder.step(at({0.024, -0.055, 0.0}), 0.0005).N;
   EXPECT_NEAR(force_N.x(), 800.0 * 0.006, 0.005 * 800.0 * 0.006);
   EXPECT_EQ(cylinder.touch(), ObjectTouch::Lateral);
 }
 
-TEST(InnerCylinder, KnowsNearFromAway) {
+TEST(InnerCylinder, ReportsNearAndAway) {
   InnerCylinder cylinder = paper_cylinder();
   EXPECT_EQ(cylinder.step(at({0.0, -0.025, 0.0}), 0.0005).N.norm(), 0.0);
   EXPECT_EQ(cylinder.touch(), ObjectTouch::Near);

@@ -102,7 +102,7 @@ TEST(Organ, ForceIsTheGradientOfItsEnergyEverywhereInALiver) {
   EXPECT_GT(inside, 2000);
 }
 
-TEST(Organ, KnowsUpperFromLateralFromNearFromAway) {
+TEST(Organ, ReportsUpperLateralNearAndAway) {
   Organ organ = ball_organ(0.03, 0.003);
   (void)organ.step(at({0.0, 0.025, 0.0}), 0.0005);
   EXPECT_EQ(organ.touch(), ObjectTouch::Upper);
@@ -114,7 +114,7 @@ TEST(Organ, KnowsUpperFromLateralFromNearFromAway) {
   EXPECT_EQ(organ.touch(), ObjectTouch::None);
 }
 
-TEST(Organ, FarAwayAndAtNoNumberThereIsNoForce) {
+TEST(Organ, FarAwayAndAtNaNThereIsNoForce) {
   Organ organ = liver();
   for (const double x : {10.0, -1e30, std::nan(""), std::numeric_limits<double>::infinity()})
     EXPECT_EQ(organ.step(at({x, 0.35, 0.0}), 0.0005).N.norm(), 0.0) << x;

@@ -49,7 +49,7 @@ TEST(Friction, SlipsAtTheCoefficientTimesTheLoadAgainstTheWay) {
   EXPECT_NEAR((force.N - Eigen::Vector3d(-1.2, 0.0, -1.6)).norm(), 0.0, 1e-6);
 }
 
-TEST(Friction, IsNothingInTheAir) {
+TEST(Friction, IsZeroWithoutContact) {
   Friction friction = pressed_by_5_N();
   const Force<HapticBase> force = friction.step(moved_to({0.01, 0.001, 0.0}, {0.0, 0.001, 0.0}), kDt_s);
   EXPECT_EQ(force.N.norm(), 0.0);

@@ -30,7 +30,7 @@ struct Bench {
   [[nodiscard]] double error_m(const GatedReading& got) const { return std::abs(got.at.m.y() - true_m(tick - 1)); }
 };
 
-TEST(DeviceGate, PassesWhatADeviceCanDo) {
+TEST(DeviceGate, PassesPlausibleReadings) {
   Bench bench;
   for (int i = 0; i < 4000; ++i) EXPECT_LT(bench.error_m(bench.step(0.0)), 1e-12);
   EXPECT_EQ(bench.gate.jumps(), 0U);
@@ -64,7 +64,7 @@ TEST(DeviceGate, AbsorbsASmallLastingSlipWithoutAStep) {
   EXPECT_NEAR(bench.error_m(bench.step(0.002)), 0.002, 1e-6) << "then the readings are followed";
 }
 
-TEST(DeviceGate, ALargeLastingOffsetStaysImplausibleUntilItIsTheNewTruth) {
+TEST(DeviceGate, ALargeLastingOffsetStaysImplausibleUntilItIsAccepted) {
   Bench bench;
   (void)bench.run(777);
   const GatedReading held = bench.run(40, 0.03);

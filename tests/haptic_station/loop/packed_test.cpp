@@ -24,7 +24,7 @@ TEST(Packed, AForceOnItsLimitIsNeverRecordedAboveIt) {
   EXPECT_GT(nearest_above, 0);  // else the nearest floats would do
 }
 
-TEST(Packed, WhatIsNoNumberIsRecordedAsNone) {
+TEST(Packed, ANaNIsRecordedAsNaN) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(packed_towards_zero({kNan, 0.0, 0.0})[0]));
 }

@@ -152,14 +152,14 @@ TEST_F(Probe, AFlatCloudIsTouchedByEverySettingOrganisedOrNot) {
     }
 }
 
-TEST_F(Probe, AUnitThatIsSaidIsTaken) {
+TEST_F(Probe, AGivenUnitIsUsed) {
   const auto opened =
       open_cloud(file("mm.pcd", pcd(flat(1000.0))), {.unit_m = 0.001}, *surface::surface_settings("fast"));
   ASSERT_TRUE(opened.ok());
   EXPECT_NEAR(touch_along(*opened->snapshot, straight_in(), 500.0).back().force_N.z(), -5.0, 0.1);
 }
 
-TEST_F(Probe, PointsThatAreNoNumbersAmongOthersAreLeftOut) {
+TEST_F(Probe, PointsThatAreNaNAreLeftOut) {
   std::vector<Vector3d> points = flat();
   for (std::size_t i = 0; i < points.size(); i += 17) points[i].setConstant(std::numeric_limits<double>::quiet_NaN());
   const auto opened = open_cloud(file("holes.pcd", pcd(points)), {}, *surface::surface_settings("fast"));
@@ -216,7 +216,7 @@ TEST_F(Probe, AMeshWithVerticesThatAreNoNumbersIsTouchedWhereItIs) {
   EXPECT_TRUE(felt.back().in_body);
 }
 
-TEST_F(Probe, OnlyTheBodyOfAnObjCountsWhereItNamesOne) {
+TEST_F(Probe, OnlyTheGroupBodyOfAnObjIsRead) {
   std::string moved = "g helper\nv 0 0 90\nv 1 0 90\nv 0 1 90\nf 1 2 3\ng body\n";
   bool in_faces = false;  // whose corners are counted back from the newest, as three vertices came before
   for (const char letter : obj({})) {
@@ -244,7 +244,7 @@ TEST(Trajectory, TimeThatGoesBackIsAnErrorWithItsLine) {
   EXPECT_NE(read.error().what.find("goes back"), std::string::npos);
 }
 
-TEST(Trajectory, WhatIsNoTrajectoryIsAnErrorWithItsLine) {
+TEST(Trajectory, AnInvalidTrajectoryIsAnErrorWithItsLine) {
   EXPECT_FALSE(parse_trajectory("", "q.csv").ok());
   EXPECT_FALSE(parse_trajectory("t_s,x,y,z\n", "q.csv").ok());
   EXPECT_EQ(parse_trajectory("0,0,0,1\n1,2,3\n", "q.csv").error().where, "q.csv:2");
@@ -253,7 +253,7 @@ TEST(Trajectory, WhatIsNoTrajectoryIsAnErrorWithItsLine) {
   EXPECT_EQ(parse_trajectory("inf,0,0,1\n", "q.csv").error().where, "q.csv:1");
 }
 
-TEST_F(Probe, WaypointsThatAreNoNumbersAreAnsweredWithoutForceAndTouchGoesOn) {
+TEST_F(Probe, WaypointsThatAreNaNGetNoForceAndTouchContinues) {
   for (const char* setting : {"fast", "paper", "cloud"}) {
     const auto opened = open_cloud(file("flat.pcd", pcd(flat(), 61)), {}, *surface::surface_settings(setting));
     std::vector<Waypoint> path = straight_in();

@@ -47,7 +47,7 @@ TEST(ControlSocket, AnswersOneLineAndIsGoneAfterwards) {
   EXPECT_FALSE(ask_station(path, "rearm"));
 }
 
-TEST(ControlSocket, IsForThisUserAlone) {
+TEST(ControlSocket, OnlyThisUserCanConnect) {
   const support::TemporaryFolder folder;
   const Listening station(folder.path() / "run" / "control");
   ASSERT_EQ(station.problem, "");
@@ -143,7 +143,7 @@ TEST(ControlSocket, ASocketThatACrashedStationLeftIsReplacedAndALiveOneIsNot) {
   EXPECT_EQ(*answer, "heard rearm");
 }
 
-TEST(ControlSocket, WhatTookTheSocketsPlaceMeanwhileIsNotRemovedAtTheEnd) {
+TEST(ControlSocket, AFileThatReplacedTheSocketIsNotRemovedAtTheEnd) {
   const support::TemporaryFolder folder;
   const fs::path path = folder.path() / "control";
   {
@@ -169,7 +169,7 @@ TEST(ControlSocket, AFallBackFolderThatIsALinkIsNeitherUsedNorLookedInto) {
   ::unsetenv("XDG_RUNTIME_DIR");
 }
 
-TEST(ControlSocket, APathTooLongForASocketIsToldNotThrown) {
+TEST(ControlSocket, ATooLongPathIsAnErrorAndNoException) {
   const Listening station("/tmp/" + std::string(200, 'a') + "/control");
   EXPECT_NE(station.problem.find("too long"), std::string::npos) << station.problem;
   EXPECT_FALSE(ask_station("/tmp/" + std::string(200, 'a'), "rearm"));

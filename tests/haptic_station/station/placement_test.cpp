@@ -17,7 +17,7 @@ TEST(Placement, TheSkinIsOnTheCentralRayAtTheMedianDepth) {
   EXPECT_NEAR((point->m - Eigen::Vector3d(0, 0, 0.8)).norm(), 0.0, 1e-12);
 }
 
-TEST(Placement, AHoleInTheMiddleIsLookedAround) {
+TEST(Placement, AHoleInTheMiddleIsAvoided) {
   DepthImage depth = flat(800);
   for (int row = 18; row < 30; ++row)
     for (int column = 26; column < 38; ++column) depth.samples[static_cast<std::size_t>(row * 64 + column)] = 0;

@@ -112,7 +112,7 @@ TEST(SurfaceWorker, EveryFrameOfATemporalStreamBecomesASurfaceThatNamesItsMode) 
   EXPECT_TRUE(bench.wanted().empty());
 }
 
-TEST(SurfaceWorker, FramesThatPileUpAreStillReadForTheNewestSake) {
+TEST(SurfaceWorker, FramesThatPileUpAreDecodedIfANewerOneNeedsThem) {
   Bench bench;
   const auto stream = stream_of(codec::DepthMode::Temporal, 10, 1000);
   for (const wire::Message& message : stream) bench.offer(message);
@@ -140,7 +140,7 @@ TEST(SurfaceWorker, AMissingReferenceKeepsTheLastSurfaceAndAsksOnceForAKeyFrame)
   EXPECT_EQ(bench.wanted().front(), stream[2].published);
 }
 
-TEST(SurfaceWorker, TellsThatDepthIsBoundedAndPassesOnByHowMuch) {
+TEST(SurfaceWorker, ReportsThatDepthIsBoundedWithItsBound) {
   Bench bench;
   wire::Message message = stream_of(codec::DepthMode::Bounded, 1, 12).front();
   msg::DepthImage image;

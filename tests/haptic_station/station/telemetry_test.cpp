@@ -38,7 +38,7 @@ TEST(DurationHistogram, EveryQuantileIsWithinThreePercentOfTheSortedValues) {
   }
 }
 
-TEST(DurationHistogram, AnEmptyOneAnswersZeroAndHugeValuesCountAsTheLongest) {
+TEST(DurationHistogram, AnEmptyOneReturnsZeroAndHugeValuesCountInTheLastBucket) {
   DurationHistogram histogram;
   EXPECT_EQ(histogram.quantile_ns(0.99), 0.0);
   histogram.add(~std::uint64_t{0});

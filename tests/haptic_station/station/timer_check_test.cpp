@@ -17,7 +17,7 @@ TEST(TimerCheck, WatchesTheTimerAtTheTicksPeriodForAsLongAsAsked) {
   EXPECT_EQ(check.missed() > 0, check.late_us_max() >= 500.0);
 }
 
-TEST(TimerCheck, SaysWhatItFound) {
+TEST(TimerCheck, DescribesItsResult) {
   msg::TimerCheck check;
   check.set_wakeups(2000);
   check.set_missed(4);

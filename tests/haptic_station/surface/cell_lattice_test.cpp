@@ -37,7 +37,7 @@ double worst_error(const CellLattice& lattice, const std::vector<float>& coeffic
   return worst;
 }
 
-TEST(CellLattice, AnyQuadraticComesOutAsItWasAveragedIn) {
+TEST(CellLattice, AnyQuadraticIsReproducedExactly) {
   const CellLattice lattice = lattice_of(kWidth_px, kHeight_px);
   const auto bowl = [](double u, double v) {
     const double x = (u - 160.0) / 160.0, y = (v - 120.0) / 160.0;
@@ -76,7 +76,7 @@ TEST(CellLattice, SmoothingAgainAndAgainNeverAmplifies) {
   EXPECT_LT(power(coefficients), 1.1 * before);
 }
 
-TEST(CellLattice, ACellThatSeesNothingLeansOnItsNeighbours) {
+TEST(CellLattice, ACellWithoutPixelsTakesItsNeighboursMean) {
   const CellLattice lattice = lattice_of(kWidth_px, kHeight_px);
   std::vector<CellMean> means = means_of_pixels(lattice, [](double, double) { return 0.25; });
   means[lattice.at(10, 7)] = {};

@@ -104,7 +104,7 @@ TEST(Prediction, BeforeTheBreathIsKnownVelocityCarriesTheSurface) {
   EXPECT_LT(rms_error_m(seen, patient, 0.1, 0.8, 3.6), 0.5 * rms(still)) << "half of what not moving it would err";
 }
 
-TEST(Prediction, AHeldBreathIsLetGoOfWithinASecond) {
+TEST(Prediction, AHeldBreathEndsTheBreathingModelWithinASecond) {
   static constexpr double kHeldFrom_s = 13.3;  // on the way up, where the model is most sure of itself
   Patient patient([](double t) { return breath(std::min(t, kHeldFrom_s)); });
   const std::vector<Seen> seen = watch(patient, 16.0, 13.0);
@@ -114,7 +114,7 @@ TEST(Prediction, AHeldBreathIsLetGoOfWithinASecond) {
 }
 
 /// Of errors at 200 ms, as of a Gaussian, nearly all lie within three of the deviations that are told.
-TEST(Prediction, TheUncertaintyToldCoversTheError) {
+TEST(Prediction, TheStatedUncertaintyCoversTheError) {
   Patient patient(breath);
   int within = 0;
   int all = 0;
@@ -145,7 +145,7 @@ TEST(Prediction, UncertaintyGrowsWithAge) {
   }
 }
 
-TEST(Prediction, AModelThatNobodyChecksSlowsDownAndStops) {
+TEST(Prediction, APredictionWithoutNewFramesSlowsDownAndStops) {
   Patient patient(breath);
   const Seen seen = watch(patient, 13.0, 12.95).front();
   const double stops_s = 2.0 * seen.snapshot->motion.freeze_from_s;

@@ -13,7 +13,7 @@ bool feed(SettingChoice& choice, double cost_s, double seconds) {
   return changed;
 }
 
-TEST(SettingChoice, WhatTheMachineCanAffordStaysTheScenes) {
+TEST(SettingChoice, AFastMachineKeepsTheScenesSetting) {
   SettingChoice choice{SurfaceSettings{}};
   EXPECT_FALSE(feed(choice, 0.008, 60.0));
   EXPECT_EQ(choice.now().name, SurfaceSettings{}.name);
@@ -35,7 +35,7 @@ TEST(SettingChoice, ASlowMachineGetsACoarserLatticeOfTheSameMethod) {
   EXPECT_NE(choice.now().name, SurfaceSettings{}.name) << "the choice is published by name";
 }
 
-TEST(SettingChoice, TheBetterOneGetsAnotherTryAndFailsLessAndLessOften) {
+TEST(SettingChoice, TheBetterOneIsRetriedWithBackOff) {
   SettingChoice choice{SurfaceSettings{}};
   int tries = 0;
   for (double at_s = 0.0; at_s < 3600.0; at_s += kFrame_s) {
@@ -46,7 +46,7 @@ TEST(SettingChoice, TheBetterOneGetsAnotherTryAndFailsLessAndLessOften) {
   EXPECT_LT(tries, 15);
 }
 
-TEST(SettingChoice, EveryFallbackAnswersTheSameQuestions) {
+TEST(SettingChoice, EveryCheaperSettingHasTheSameMethod) {
   for (const SurfaceSettings& asked : all_surface_settings())
     for (const SurfaceSettings& one : affordable_settings(asked)) {
       EXPECT_EQ(one.method, asked.method) << one.name;

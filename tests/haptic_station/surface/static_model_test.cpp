@@ -106,7 +106,7 @@ double felt_radius_m(const SurfaceSnapshot& snapshot, const Vector3d& middle) {
   return felt.in_body ? (felt.proxy.m - middle).norm() : 0.0;
 }
 
-TEST(StaticModel, AClosedMeshWhoseFacesLookAtRandomIsMendedAndNotCalledOpen) {
+TEST(StaticModel, AClosedMeshWithRandomlyOrientedFacesIsRepaired) {
   models::PointModel mesh = ball(0.1, {0, 0, 1}, false);
   std::mt19937 random(3);
   for (auto& triangle : mesh.triangles)

@@ -116,7 +116,7 @@ double anything(std::mt19937_64& random) {
   return std::uniform_real_distribution<double>(-1.0, 2.0)(random);
 }
 
-TEST(TouchProperties, NothingIsEverNotANumberWhateverIsSeenAndWhereverTheDeviceIs) {
+TEST(TouchProperties, ResultsAreFiniteForAnyImageAndAnyDevicePosition) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     std::mt19937_64 random(seed);
     SurfaceBuilder builder{SurfaceSettings{}};
@@ -175,7 +175,7 @@ class Wanderer {
   Vector3d velocity_ = Vector3d::Zero();
 };
 
-TEST(TouchProperties, AMillionRandomStepsNeverPopThrough) {
+TEST(TouchProperties, AMillionRandomStepsNeverPassThroughTheSurface) {
   constexpr int kSteps = 1'000'000;
   constexpr double kSure_m = 0.0010;  // what noise, its slewing and the slope of the bump come to
   const Intrinsics camera = small_camera();

@@ -28,7 +28,7 @@ TEST(HandEstimate, FollowsASwingBetweenUpdatesDespiteJitter) {
   EXPECT_LT(worst_m, 0.0008);
 }
 
-TEST(HandEstimate, DropsWhatIsDamagedAndCountsIt) {
+TEST(HandEstimate, RefusesAndCountsInvalidSamples) {
   HandEstimate estimate;
   EXPECT_EQ(estimate.update(at_s(1.0), {{0.0, 0.0, 0.0}}), Taken::Restarted);
   EXPECT_EQ(estimate.update(at_s(1.01), {{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}}), Taken::NotFinite);

@@ -47,7 +47,7 @@ class CalibrationHardCase : public testing::TestWithParam<Case> {
   }
 };
 
-TEST_P(CalibrationHardCase, IsCalibratedToTheTruthOrRefusedWithItsReason) {
+TEST_P(CalibrationHardCase, IsCalibratedCorrectlyOrRefusedWithAReason) {
   const Case& c = GetParam();
   const Result<Registration> fit = register_points(pairs_of(c));
   tell(c, fit);

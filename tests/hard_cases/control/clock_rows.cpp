@@ -43,7 +43,7 @@ std::function<double(double)> off_for_half_a_second(double step_s) {
 
 AssertionResult back_as_before(const Felt& felt, int let_gos) {
   return all_of({{felt.finite && !felt.faulted, "no fault"},
-                 {felt.let_gos == let_gos, let_gos == 0 ? "nothing let go" : "let go once"},
+                 {felt.let_gos == let_gos, let_gos == 0 ? "no release" : "released once"},
                  below_N("step", felt.worst_step_N, kStep_N),
                  {control::is_inside(felt.last.phase), "felt again two seconds later"}});
 }
@@ -93,7 +93,7 @@ AssertionResult twice_and_out_of_order() {
   };
   const Felt felt = feel(scene);
   return all_of({below_m("dropped: hand off by", off_m, 0.001),
-                 {felt.let_gos == 0, "nothing let go"},
+                 {felt.let_gos == 0, "no release"},
                  below_N("step", felt.worst_step_N, 0.05)});
 }
 
@@ -140,7 +140,7 @@ AssertionResult ages_that_are_none() {
   const Felt felt = feel(scene);
   return all_of(
       {{felt.finite, "finite"},
-       {felt.let_gos + (felt.faulted ? 10 : 0) == 1, "the surface's age lets go, the hand's for 0.1 s does not"},
+       {felt.let_gos + (felt.faulted ? 10 : 0) == 1, "the surface's age releases, the hand's for 0.1 s does not"},
        below_N("step", felt.worst_step_N, kStep_N)});
 }
 
@@ -161,21 +161,23 @@ AssertionResult outage() {
 
 std::vector<HardCase> clock_rows() {
   return {
-      {"20 tracker's stamps jump 1 s on", "a hand that never ages", "the contact holds", tracker_steps_on},
-      {"20 tracker's stamps jump 1 s back", "older than what is known", "the contact holds", tracker_steps_back},
-      {"20 one stamp an hour ahead", "all later ones are older", "dropped, nothing waits an hour",
+      {"20 tracker's stamps jump 1 s on", "stale samples would seem fresh", "the contact holds", tracker_steps_on},
+      {"20 tracker's stamps jump 1 s back", "new samples seem older than known ones", "the contact holds",
+       tracker_steps_back},
+      {"20 one stamp an hour ahead", "all later samples seem older", "dropped, later samples are used",
        one_stamp_an_hour_on},
-      {"20 tracker's clock is set", "by 1 s on, 1 s back, an hour back", "mapped anew", trackers_clock_is_set},
-      {"20 samples twice, out of order", "no time passes between two places", "dropped, nothing felt",
+      {"20 tracker's clock is set", "by +1 s, -1 s and -1 h", "the clock mapping restarts", trackers_clock_is_set},
+      {"20 samples twice, out of order", "two positions at one time: infinite speed", "dropped, nothing felt",
        twice_and_out_of_order},
-      {"20 server's stamps jump 1 s on", "a surface that never ages", "held, then felt as before", camera_steps_on},
-      {"20 server's stamps jump 1 s back", "a surface older than its limit", "let go, then felt again",
+      {"20 server's stamps jump 1 s on", "a stale surface would seem fresh", "held, then felt as before",
+       camera_steps_on},
+      {"20 server's stamps jump 1 s back", "new surfaces seem older than the limit", "released, then felt again",
        camera_steps_back},
-      {"20 server from the future, then silent", "its last surface stays young", "let go at its age limit",
+      {"20 server from the future, then silent", "its last surface would seem fresh", "released at the age limit",
        from_the_future_then_silent},
-      {"20 ages that are none", "an hour less than nothing, NaN, infinity", "let go of a surface, hold a contact",
+      {"20 invalid ages", "minus an hour, NaN, infinity", "a bad surface age releases, a bad hand age not",
        ages_that_are_none},
-      {"24 outage in contact", "an old surface is a guess", "age-limited, decays to zero", outage},
+      {"24 outage in contact", "an old surface may be wrong", "the force decays to zero at the age limit", outage},
   };
 }
 

@@ -133,7 +133,7 @@ AssertionResult begins_inside() {
   return all_of({{felt.last.phase == Phase::ObjectUpper, "felt again, in the cylinder"},
                  below_N("begins with", begun_N, 0.05),
                  below_N("step", felt.worst_step_N, 0.2),
-                 below_mJ("in debt", -least_J, 1.0)});
+                 below_mJ("energy given", -least_J, 1.0)});
 }
 
 AssertionResult objects_in_one_another() {
@@ -213,21 +213,22 @@ AssertionResult friction_at_rest() {
 
 std::vector<HardCase> contact_rows() {
   return {
-      {"18 k dt2/m: 5000 N/m on 0.1 kg", "a held force overshoots, and gives energy", "no energy gain, bounded",
+      {"18 k dt2/m: 5000 N/m on 0.1 kg", "a force held over a tick adds energy", "no energy gain, bounded",
        stiff_and_light},
-      {"18 29 kN/m stacked in one place", "seven times what the device can show", "as calm as what it can", stacked},
+      {"18 29 kN/m stacked in one place", "7 times as stiff as the device can show", "stable and slow", stacked},
       {"19 the cylinder's rim", "five times as stiff, at an edge", "energy bounded, no step", over_the_cylinders_rim},
-      {"19 the sphere's boundary", "stiffness begins at a surface", "energy bounded, no step", over_a_sphere},
-      {"19 a stiff region's rim", "stiffness by place is no gradient", "energy bounded, no step", over_a_regions_rim},
+      {"19 the sphere's boundary", "stiffness starts at a boundary", "energy bounded, no step", over_a_sphere},
+      {"19 a stiff region's rim", "a force with k(x) is not conservative", "energy bounded, no step",
+       over_a_regions_rim},
       {"19 a cliff of 800 N/m over 5 mm", "hundreds of newtons sideways", "the limiter's peak and slew, no energy",
        over_a_cliff},
       {"19 an inclusion from its side", "upper and lateral force meet at the rim", "lateral phase, no step",
        from_the_side},
-      {"19 contact begins in an inclusion", "its energy was paid by nobody", "grows from nothing, no debt",
+      {"19 contact begins in an inclusion", "the hand did no work to enter it", "force grows from 0, no energy given",
        begins_inside},
       {"two contacts: objects overlap", "their forces add up", "smooth, below the peak", objects_in_one_another},
-      {"two contacts: a crease", "two planes want the proxy", "one smooth contact, no chatter", crease},
-      {"26 friction at zero velocity", "the sign of no velocity is none", "true stick: no creep, no chatter",
+      {"two contacts: a crease", "two planes constrain the proxy", "one smooth contact, no chatter", crease},
+      {"26 friction at zero velocity", "at rest, velocity has no direction", "true stick: no creep, no chatter",
        friction_at_rest},
   };
 }

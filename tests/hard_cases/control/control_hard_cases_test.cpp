@@ -16,7 +16,7 @@ std::vector<HardCase> all_rows() {
 
 class ControlHardCases : public HardCaseTable {};
 
-TEST_P(ControlHardCases, DoesWhatItMust) { judge(GetParam()); }
+TEST_P(ControlHardCases, MeetsItsRequirement) { judge(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Table, ControlHardCases, ::testing::ValuesIn(all_rows()), name_of);
 

@@ -136,11 +136,10 @@ AssertionResult encoder_offset() {
 
 std::vector<HardCase> device_rows() {
   return {
-      {"device gives 2 N of 10", "the force is not what was asked", "stable, contact holds", weak_motors},
-      {"device hot after a minute", "the limiter holds 4 N of 9", "comes out by the law, no wind-up", hot_motors},
-      {"device falls silent", "the force acts on an unknown place", "fault, latched until re-armed", silent_device},
-      {"one encoder reading is off", "a force at a place where no hand is", "bridged: step 0.1 N, 1 mJ",
-       encoder_glitch},
+      {"device gives 2 N of 10", "less force than asked", "stable, contact holds", weak_motors},
+      {"device hot after a minute", "the limiter holds 4 N of 9", "follows the law on release, no wind-up", hot_motors},
+      {"device falls silent", "the device's position is unknown", "a fault until re-armed", silent_device},
+      {"one encoder reading is off", "the force of a wrong position", "bridged: step 0.1 N, 1 mJ", encoder_glitch},
       {"encoders are off by 30 mm for good", "6.6 N within 10 ms", "held, then a fault", encoder_offset},
       {"device that is no number", "NaN spreads", "fault, finite force", device_that_is_no_number},
   };

@@ -240,25 +240,24 @@ AssertionResult chatters() {
 
 std::vector<HardCase> hand_rows() {
   return {
-      {"hand drawn away in contact", "nothing holds what the skin pushes", "does not fly off, waits on the plane",
+      {"hand drawn away in contact", "no hand resists the skin's push", "does not fly off, waits on the plane",
        drawn_away},
       {"hand comes back as Out body begins", "the dwell would last 0.3 s", "felt within 2 ms and 2 mm",
        back_as_out_body_begins},
       {"tracker silent for 0.5 s in contact", "the skin's force needs no tracker", "the hand stays",
        tracker_silent_for_half_a_second},
-      {"tracker loses the hand in contact", "the force goes on without a hand", "slow release, felt again when back",
+      {"tracker loses the hand in contact", "force without a tracked hand", "slow release, felt again when back",
        tracker_loses_it},
-      {"tracker blinks in contact", "no sample for 80 of 100 ms", "nothing is let go", tracker_blinks},
-      {"tracker swaps hands for a moment", "the pose jumps 0.3 m and back", "not believed, no step",
-       swapped_for_a_moment},
+      {"tracker blinks in contact", "no sample for 80 of 100 ms", "no release", tracker_blinks},
+      {"tracker swaps hands for a moment", "the pose jumps 0.3 m and back", "rejected, no step", swapped_for_a_moment},
       {"tracker swaps hands for good", "the pose jumps 0.3 m and stays", "followed at a bounded speed",
        swapped_for_good},
       {"tracker swaps hands in contact", "the pose jumps 0.3 m while pressing", "the skin feels nothing of it",
        swapped_in_contact},
-      {"21 jitter, gaps and bursts", "speeds from wrong intervals", "covariance bounded, no step", jittered},
-      {"fast hand against the dwell", "0.3 s at 1.5 m/s is through the patient", "the skin never waits",
+      {"21 jitter, gaps and bursts", "wrong intervals give wrong speeds", "covariance bounded, no step", jittered},
+      {"fast hand against the dwell", "in 0.3 s it would be through the patient", "contact does not wait for the dwell",
        too_fast_for_the_dwell},
-      {"hand chatters at 20 Hz, 2 m/s", "two phases take turns", "0.3 s in each, no loop", chatters},
+      {"hand chatters at 20 Hz, 2 m/s", "two phases could alternate", "at least 0.3 s in each phase", chatters},
   };
 }
 

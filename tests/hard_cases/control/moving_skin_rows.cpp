@@ -132,11 +132,11 @@ AssertionResult gap_in_contact() {
 
 std::vector<HardCase> moving_skin_rows() {
   return {
-      {"patient steps by 10 mm under a hand", "a step of speed, times the damping", "0.1 N a tick, 0.6 s, at any rate",
-       step_by_10_mm},
-      {"rubbed in step with the breath", "the skin's speed differs under the hand", "the anchor stays in the skin",
-       rubbed_in_step_with_the_breath},
-      {"default skin rubbed off a rim", "its anchor does not see the rim", "fades with what is known", off_the_rim},
+      {"patient steps by 10 mm under a hand", "damping multiplies the step of speed",
+       "0.1 N a tick, 0.6 s, at any rate", step_by_10_mm},
+      {"rubbed in step with the breath", "the skin's speed differs from place to place",
+       "the anchor stays at its skin point", rubbed_in_step_with_the_breath},
+      {"default skin rubbed off a rim", "the anchor is far from the rim", "fades with the known surface", off_the_rim},
       {"2 s without frames, then 20 mm up", "the contact ended at depth", "felt in 1.5 s, law in 3 s, both anchors",
        gap_in_contact},
   };

@@ -182,20 +182,21 @@ AssertionResult far_away() {
 
 std::vector<HardCase> surface_rows() {
   return {
-      {"22 surface swap in contact", "a jump is energy into the hand", "slewed, energy bounded, arrives",
+      {"22 surface swap in contact", "a jump would give the hand energy", "gradual, energy bounded, arrives",
        swapped_in_contact},
-      {"22 an unslewed step of 5 mm", "what if nothing held it back", "bounded, no kick", stepped_in_contact},
-      {"in over the surface's edge", "contact begins below the skin", "none beyond the rim, grows under it",
+      {"22 an unslewed step of 5 mm", "the worst that a surface can do", "force and speed bounded", stepped_in_contact},
+      {"in over the surface's edge", "contact begins below the skin", "no force beyond the rim, then it grows",
        in_over_the_edge},
-      {"off over the surface's edge", "the contact ends at depth", "fades, no loop", off_over_the_edge},
-      {"patient rises under the plane", "the device waits where skin will be", "the plane rises, no contact",
+      {"off over the surface's edge", "the contact ends at depth", "fades, no repeated phase changes",
+       off_over_the_edge},
+      {"patient rises under the plane", "the device waits where the skin will be", "the plane rises, no contact",
        rises_under_the_plane},
       {"patient coughs up into it", "0.5 m/s, five times the plane's speed", "gentle, ends above", coughs_up_into_it},
-      {"patient rises under a held hand", "the skin comes to the hand", "met once, grows from nothing",
+      {"patient rises under a held hand", "the skin moves to the hand", "one contact, force grows from 0",
        rises_under_a_held_hand},
-      {"surface flickers 15 times a second", "each time a contact ends at depth", "no energy comes of it", flickers},
-      {"never a surface", "all of it is not valid", "released, no force", never_there},
-      {"32 a scene 100 m away", "differences cancel", "as at the origin", far_away},
+      {"surface flickers 15 times a second", "each time a contact ends at depth", "no energy given", flickers},
+      {"never a surface", "no contact is ever valid", "released, no force", never_there},
+      {"32 a scene 100 m away", "rounding of differences", "as at the origin", far_away},
   };
 }
 

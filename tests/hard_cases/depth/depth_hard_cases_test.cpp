@@ -31,20 +31,21 @@ std::vector<DepthCase> hard_cases() {
   DepthImage one_pixel = filled(64, 48, 0);
   one_pixel.samples[1000] = 700;
   return {
-      {"every pixel invalid", "the palette is empty, and no prediction ever rests on a depth", filled(640, 480, 0)},
+      {"every pixel invalid", "the palette is empty, and no prediction has a measured neighbour", filled(640, 480, 0)},
       {"one valid pixel", "palette and models cost more than the frame", one_pixel},
       {"every pixel 65535", "rank and depth at the end of their range", filled(640, 480, 65535)},
-      {"checkerboard of validity", "every neighbour of a depth is a hole, filled with a guess",
+      {"checkerboard of validity", "every neighbour of a depth is a hole, filled with a prediction",
        painted(640, 480, [](int x, int y) { return (x + y) % 2 == 0 ? 900 : 0; })},
       {"one pixel in all, measured", "no neighbours, and one slice of one row", filled(1, 1, 700)},
-      {"one pixel in all, not measured", "nothing to code but that", filled(1, 1, 0)},
+      {"one pixel in all, not measured", "there is no depth to code", filled(1, 1, 0)},
       {"one column", "each pixel is the first and the last of its row",
        painted(1, 500, [](int, int y) { return 500 + y / 3; })},
       {"one row", "one slice, and no row above", painted(500, 1, [](int x, int) { return 500 + x / 3; })},
       {"odd sides", "the last slice is shorter, and rows end within a vector", kinect_like(641, 479, 11)},
-      {"noise", "nothing is predicted: all larger than the samples themselves, and 65 536 levels", noise(640, 480, 12)},
-      {"noise of one odd column", "the same, with nothing beside it", noise(1, 4096, 13)},
-      {"5000 levels", "more than a Kinect has, by ten",
+      {"noise", "no prediction is right: every coding is larger than the samples, and there are 65 536 levels",
+       noise(640, 480, 12)},
+      {"noise of one odd column", "the same, without horizontal neighbours", noise(1, 4096, 13)},
+      {"5000 levels", "ten times as many as a Kinect has",
        painted(640, 480, [](int x, int y) { return 1 + (x * 7 + y * 11) % 5000; })},
       {"40000 levels", "the palette alone is a tenth of the samples",
        painted(640, 480, [](int x, int y) { return 1 + (x * 97 + y * 89) % 40000; })},
@@ -59,7 +60,7 @@ std::vector<DepthCase> hard_cases() {
        painted(640, 480, [](int x, int y) { return 6000 + x * x / 50 + y * y / 70; })},
       {"stripes that leave the range of a prediction", "west and north minus north-west is below 0 and above 65535",
        painted(640, 480, [](int x, int y) { return (x / 2 + y / 2) % 2 == 0 ? 1 : 65535; })},
-      {"the largest side", "rows as long as they may be", painted(4096, 2, [](int x, int) { return x; })},
+      {"the largest side", "rows of the greatest allowed length", painted(4096, 2, [](int x, int) { return x; })},
   };
 }
 

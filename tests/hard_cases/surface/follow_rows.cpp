@@ -127,9 +127,9 @@ namespace telepalp::hard_cases {
 std::vector<HardCase> follow_rows() {
   using namespace surface;
   return {
-      {"10 mm step, swaps at 0.1 to 200 Hz", "a slew that begins anew at each swap", "90 % in 0.6 s at any rate",
+      {"10 mm step, swaps at 0.1 to 200 Hz", "a slew that restarts at each swap", "90 % in 0.6 s at any rate",
        step_at_any_swap_rate},
-      {"speeds that jump at swaps", "damping multiplies a step of speed", "what is published is continuous",
+      {"speeds that jump at swaps", "damping multiplies a step of speed", "the published speed is continuous",
        speed_that_jumps},
       {"a snapshot with an absurd speed", "3 m/s for one frame", "bounded speed and acceleration", absurd_speed},
       {"steady rise, well predicted", "a filter that lags", "no lag, no overshoot", steady_rise},

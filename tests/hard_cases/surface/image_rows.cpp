@@ -86,13 +86,13 @@ namespace telepalp::hard_cases {
 std::vector<HardCase> image_rows() {
   using namespace surface;
   return {
-      {"5 depth hole", "zero is not a depth", "small bridged, large no contact, no step", holes},
-      {"6 silhouette", "neighbours in the image, strangers in space", "no surface between the layers", silhouette},
+      {"5 depth hole", "zero means not measured", "small bridged, large no contact, no step", holes},
+      {"6 silhouette", "neighbours in the image, far apart in space", "no surface between the layers", silhouette},
       {"7 thin sheet", "both sides are near", "stays on the entry side", thin_sheet},
       {"10 rim of the support", "weights go to zero", "C1, no 0/0, contact ends without a step", rim_of_support},
-      {"35 behind a silhouette", "the shadow is not body", "no contact sideways", shadow_of_an_arm},
-      {"36 device at the camera, and behind", "the image plane folds over", "no contact, no NaN", at_the_camera},
-      {"37 surface one pixel wide", "a line has no normal", "no surface made up", a_sliver},
+      {"35 behind a silhouette", "hidden space is not body", "no contact sideways", shadow_of_an_arm},
+      {"36 device at the camera, and behind", "projection is singular there", "no contact, no NaN", at_the_camera},
+      {"37 surface one pixel wide", "a line has no normal", "no surface invented", a_sliver},
   };
 }
 

@@ -100,13 +100,15 @@ namespace telepalp::hard_cases {
 std::vector<HardCase> point_rows() {
   using namespace surface;
   return {
-      {"1 empty neighbourhood", "every mean divides by no weight", "outside, zero force, no NaN", nothing_there},
-      {"2 coincident points", "they span no plane", "no normal made up; bounded", points_in_one_place},
-      {"3 collinear points", "a plane may turn about them", "the view ray, or left out", points_on_a_line},
-      {"4 coplanar points", "any error shows", "exact plane, f linear", points_on_a_plane},
+      {"1 empty neighbourhood", "the sum of weights is zero", "outside, zero force, no NaN", nothing_there},
+      {"2 coincident points", "they span no plane", "no normal invented; force bounded", points_in_one_place},
+      {"3 collinear points", "the plane's rotation is undetermined", "normal is the view ray, or point left out",
+       points_on_a_line},
+      {"4 coplanar points", "the exact answer is known", "exact plane, f linear", points_on_a_plane},
       {"11 neighbours change", "the paper's f jumps by 269 um", "no force step", neighbours_change},
-      {"12 flipped normals", "a mean of opposites", "oriented by camera and previous", flipped_normal},
-      {"32 far from the origin", "floats cancel", "local frame, exact", far_from_the_origin},
+      {"12 flipped normals", "opposite normals cancel in the mean", "oriented by camera and last normal",
+       flipped_normal},
+      {"32 far from the origin", "floats lose digits", "local frame, exact", far_from_the_origin},
   };
 }
 

@@ -161,7 +161,7 @@ std::vector<HardCase> return_rows() {
   return {
       {"frames missing 1.6 s", "the contact ends at depth", back, frames_missing_1_6_s},
       {"frames missing 3 s", "the contact ends at depth", back, frames_missing_3_s},
-      {"frames missing 5 s, 30 mm up", "the skin is above the hand then", back, frames_missing_5_s_risen},
+      {"frames missing 5 s, 30 mm up", "the skin is then above the hand", back, frames_missing_5_s_risen},
       {"stalled 0.9 s, 25 mm up", "the step is beyond the gate", back, stalled_and_risen},
       {"image 30 mm nearer", "the step is beyond the gate", back, nearer_by_30_mm},
       {"patient 10 mm lower", "the skin sinks from the hand", back, farther_by_10_mm},
@@ -171,7 +171,7 @@ std::vector<HardCase> return_rows() {
       {"foreign hand for 3 s", "it hides the skin", back, foreign_hand_for_3_s},
       {"foreign hand near the skin", "it looks like risen skin", back, low_foreign_hand_for_3_s},
       {"between two hands", "silhouettes on both sides", "contact holds, no step", between_two_hands},
-      {"camera moved in contact", "all that is seen tilts and steps", back, camera_moved},
+      {"camera moved in contact", "the whole image tilts and jumps", back, camera_moved},
       {"at the image's border", "half of the support is missing", "fades, no step", at_the_images_border},
       {"skin folds over the finger", "the camera sees the fold, not the dent", back, skin_folds_over_the_finger},
       {"snapshot older than the last", "the link reorders", "dropped, counted, no step", older_than_the_last},

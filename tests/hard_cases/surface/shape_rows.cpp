@@ -114,13 +114,13 @@ namespace telepalp::hard_cases {
 std::vector<HardCase> shape_rows() {
   using namespace surface;
   return {
-      {"8 concave crease", "two planes want the proxy", "two constraints, no chatter", concave_crease},
-      {"9 medial axis", "the gradient vanishes", "the last valid plane holds", vanishing_gradient},
-      {"13 fast entry", "the surface lies between two ticks", "swept: no tunnelling, up to a teleport", fast_entry},
-      {"14 torus, tube wider than ring", "it meets itself", "point on the outer shell", spindle_torus},
-      {"15 on the torus' axis", "every direction is as near", "finite and deterministic", on_the_axis},
-      {"33 device that is no number", "NaN spreads", "not valid, no NaN, contact goes on", device_that_is_no_number},
-      {"34 start in the body", "force out of nothing", "grows from zero; deep behind is not in", starts_in_the_body},
+      {"8 concave crease", "two planes constrain the proxy", "two constraints, no chatter", concave_crease},
+      {"9 medial axis", "the gradient vanishes", "the last valid plane is kept", vanishing_gradient},
+      {"13 fast entry", "the surface lies between two ticks", "swept: no tunnelling at any real speed", fast_entry},
+      {"14 torus, tube wider than ring", "the surface intersects itself", "point on the outer shell", spindle_torus},
+      {"15 on the torus' axis", "all directions are equally near", "finite and deterministic", on_the_axis},
+      {"33 device that is no number", "NaN spreads", "not valid, no NaN, contact continues", device_that_is_no_number},
+      {"34 start in the body", "a sudden force", "grows from 0; deep behind is not inside", starts_in_the_body},
   };
 }
 

@@ -15,7 +15,7 @@ std::vector<HardCase> all_rows() {
 
 class SurfaceHardCases : public HardCaseTable {};
 
-TEST_P(SurfaceHardCases, DoesWhatItMust) { judge(GetParam()); }
+TEST_P(SurfaceHardCases, MeetsItsRequirement) { judge(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Table, SurfaceHardCases, ::testing::ValuesIn(all_rows()), name_of);
 

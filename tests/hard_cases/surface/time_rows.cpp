@@ -108,10 +108,10 @@ std::vector<HardCase> time_rows() {
   using namespace surface;
   return {
       {"20 clock jump, duplicate", "time goes back", "dropped, counted, monotone", clock_jumps},
-      {"21 jittered frames", "velocities from wrong intervals", "bounded, no step", jittered_frames},
-      {"22 surface swap in contact", "a jump is energy into the hand", "slewed, and it arrives", swap_in_contact},
+      {"21 jittered frames", "wrong intervals give wrong velocities", "bounded, no step", jittered_frames},
+      {"22 surface swap in contact", "a jump would give the hand energy", "gradual, and it arrives", swap_in_contact},
       {"23 burst after an outage", "old frames come late", "newest only, no step", burst},
-      {"24 outage", "an old surface is a guess", "age-limited, decays to zero", outage},
+      {"24 outage", "an old surface may be wrong", "the force decays to zero at the age limit", outage},
   };
 }
 

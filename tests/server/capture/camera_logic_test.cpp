@@ -76,7 +76,7 @@ TEST(TimestampMap, AnswersInOrderWhenTheDriverRepeatsAStamp) {
 DepthImage depth_of(std::uint16_t sample) { return {1, 1, 0.001, {sample}}; }
 ColorImage color_of(std::uint8_t value) { return {1, 1, {value, value, value}}; }
 
-TEST(ColorDepthPairing, JoinsWhatTheDriverStampedAlike) {
+TEST(ColorDepthPairing, PairsImagesWithEqualDriverStamps) {
   ColorDepthPairing pairing;
   pairing.add_color(microseconds{0}, color_of(1));
   pairing.add_depth(microseconds{33'000}, at_ms(40), depth_of(7));

@@ -339,7 +339,7 @@ TEST_F(SourceFolder, ASessionOfBoundedDepthIsNotAsMeasuredHoweverItIsCompressedA
   EXPECT_EQ(loss_in("exact.mcap").least_m, -1.0) << "as measured";
 }
 
-TEST(DepthMessage, OfDepthThatIsOffByAnUnknownAmountTellsSo) {
+TEST(DepthMessage, StatesThatTheErrorOfItsDepthIsUnknown) {
   RgbdFrame frame;
   frame.loss = DepthErrorBound::unknown();
   for (const codec::DepthMode mode : {codec::DepthMode::Fast, codec::DepthMode::Bounded}) {

@@ -43,7 +43,7 @@ SessionTime at_seconds(double seconds) { return SessionTime{from_seconds(seconds
 
 constexpr double kInhaled_s = 2.0;  // half a breath at 0.25 Hz
 
-TEST(SyntheticPatient, IsTheSameBytesForTheSameSeedAndTimeAndOthersForOthers) {
+TEST(SyntheticPatient, IsReproducibleForASeedAndATime) {
   const SyntheticPatient one = patient({});
   const SyntheticPatient again = patient({});
   SyntheticSettings reseeded;
@@ -132,7 +132,7 @@ TEST(TrueSurface, NormalIsAcrossTheSurfaceAndTowardsTheCamera) {
   }
 }
 
-TEST(TrueSurface, NormalVelocityIsHowFastTheSurfaceComes) {
+TEST(TrueSurface, NormalVelocityIsTheSurfacesSpeedAlongItsNormal) {
   constexpr double kStep_s = 1e-4;
   for (const double seconds : {0.6, 1.4, 2.7, 3.3}) {
     const TrueSurfacePoint here = exact_patient().true_surface(at_seconds(seconds)).at_pixel(370, 240);
@@ -144,7 +144,7 @@ TEST(TrueSurface, NormalVelocityIsHowFastTheSurfaceComes) {
   }
 }
 
-TEST(TrueSurface, SignedDistanceIsWhatAStepAlongTheNormalMakesIt) {
+TEST(TrueSurface, AStepAlongTheNormalChangesTheSignedDistanceByItsLength) {
   const TrueSurface truth = exact_patient().true_surface(at_seconds(0.9));
   std::mt19937 random{11};
   std::uniform_real_distribution<double> across{150.0, 440.0};
@@ -228,7 +228,7 @@ TEST(DepthNoise, HasTheGaussianSigmaAskedFor) {
   EXPECT_NEAR(scatter_of(patient(settings)).sigma_m, 0.0005, 0.00002);
 }
 
-TEST(DepthSteps, LieAsFarApartAsTheKinects) {
+TEST(DepthSteps, AreAsLargeAsTheKinects) {
   SyntheticSettings settings = exact();
   settings.disparity_steps = true;
   const SyntheticPatient stepped = patient(settings);
@@ -268,7 +268,7 @@ TEST(SyntheticPatient, WorksForAnotherCamera) {
               0.0001);
 }
 
-TEST(SyntheticPatient, RefusesWhatIsNoPatientOrNoSetting) {
+TEST(SyntheticPatient, RefusesAnInvalidMeshOrSetting) {
   TriangleMesh in_millimetres = torso();
   for (Eigen::Vector3f& vertex : in_millimetres.vertices) vertex *= 1000.0F;
   const auto huge = SyntheticPatient::make(in_millimetres, {}, "mm.ply");

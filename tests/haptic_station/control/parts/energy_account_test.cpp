@@ -19,14 +19,14 @@ Exchange outwards(double gave_J) {
   return exchange;
 }
 
-TEST(EnergyAccount, ShowsTheForceThatIsAskedForWhileNothingIsGivenAway) {
+TEST(EnergyAccount, ShowsTheAskedForceWithoutAnExcessOfEnergy) {
   EnergyAccount account;
   account.begin();
   EXPECT_EQ(account.step(Vector3d(0.0, 3.0, 0.0), 1.0, {}, kBound_N, kTick_s), Vector3d(0.0, 3.0, 0.0));
   EXPECT_FALSE(account.withholds());
 }
 
-TEST(EnergyAccount, DampsEnergyThatNobodyPaidFor) {
+TEST(EnergyAccount, DampsEnergyThatTheHandDidNotPutIn) {
   EnergyAccount account;
   account.begin();
   Vector3d force_N = Vector3d::Zero();
@@ -37,7 +37,7 @@ TEST(EnergyAccount, DampsEnergyThatNobodyPaidFor) {
   EXPECT_LT(account.damping().N.y(), 0.0) << "against the movement";
 }
 
-TEST(EnergyAccount, BooksWhatTheDeviceCannotGiveAsNotGiven) {
+TEST(EnergyAccount, BooksTheForceThatTheDeviceCannotGive) {
   EnergyAccount account;
   account.begin();
   EXPECT_EQ(account.step(Vector3d(0.0, 25.0, 0.0), 1.0, {}, kBound_N, kTick_s), Vector3d(0.0, 10.0, 0.0));
@@ -54,7 +54,7 @@ TEST(EnergyAccount, ShowsTheShareOfAContactThatIsReleased) {
   EXPECT_TRUE(account.withholds());
 }
 
-TEST(EnergyAccount, BooksWhatTheLimiterTook) {
+TEST(EnergyAccount, BooksTheForceThatTheLimiterRemoved) {
   EnergyAccount account;
   account.begin();
   (void)account.step(Vector3d(0.0, 4.0, 0.0), 1.0, {}, kBound_N, kTick_s);

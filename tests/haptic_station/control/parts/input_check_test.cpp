@@ -16,7 +16,7 @@ ControlInput good() {
   return in;
 }
 
-TEST(InputCheck, NumbersThatNobodyUsesMayBeAnything) {
+TEST(InputCheck, UnusedNumbersAreNotChecked) {
   ControlInput in = good();
   EXPECT_TRUE(is_finite(in));
   in.hand.m.x() = in.contact.proxy.m.x() = kNaN;

@@ -44,7 +44,7 @@ TEST(PhaseMachine, KeepsTheCauseOfAFaultUntilItIsRearmed) {
   EXPECT_EQ(machine.fault(), FaultCause::None);
 }
 
-TEST(PhaseMachine, AForceThatTheLimiterRefusedIsAFaultOfNumbers) {
+TEST(PhaseMachine, AForceThatIsNotFiniteIsTheFaultNotFinite) {
   PhaseMachine machine(0.3);
   Seen seen;
   seen.fault_latched = true;

@@ -13,7 +13,7 @@ ports::SurfaceContact skin_at(double distance_m) {
   return contact;
 }
 
-TEST(WaitingPlane, StartsWhereItBelongsAtOnce) {
+TEST(WaitingPlane, StartsAtItsPlaceAtOnce) {
   WaitingPlane plane({.height_m = 0.03, .clearance_m = 0.02, .offset_m = 0.001});
   plane.move({{0.0, 0.1, 0.0}}, skin_at(0.05), 0.0005);  // the skin is at 0.05
   EXPECT_DOUBLE_EQ(plane.height_m(), 0.07);

@@ -78,7 +78,7 @@ TEST(UdpDatagrams, AnyFlippedBitOrMissingByteIsSeen) {
   EXPECT_FALSE(udp::decode_command(whole));
 }
 
-TEST(UdpDatagrams, NumbersThatCannotBeRightAreRefusedUpAndLetGoDown) {
+TEST(UdpDatagrams, AnInvalidPoseIsRefusedAndAnInvalidCommandReleases) {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300, -2.1}) {
     udp::Pose up = pose(1, 2, 3);
     up.end_effector.m.y() = bad;

@@ -38,7 +38,7 @@ TEST(BrowserHand, GivesEachSampleOnceAtTheTimeThatTheViewerTookIt) {
   EXPECT_NEAR(to_seconds(late->at - session(began)), 0.020, 0.001);
 }
 
-TEST(BrowserHand, TheHandThatPassesIsInvalidFor300msSoThatTheStationLetsGo) {
+TEST(BrowserHand, AHandThatPassesToAnotherViewerIsInvalidFor300ms) {
   BrowserHand hand;
   const auto began = Clock::now();
   EXPECT_EQ(hand.hear(from(1, 0us), kNear, began), Taken::Followed);

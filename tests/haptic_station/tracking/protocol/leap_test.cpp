@@ -29,7 +29,7 @@ std::string frame_text(std::int64_t us, const std::string& hands) {
          R"("r":[[1,0,0],[0,1,0],[0,0,1]],"s":1,"t":[0,0,0],"timestamp":)" + std::to_string(us) + "}";
 }
 
-TEST(LeapText, TellsVersionFramesAndWhatIsNeither) {
+TEST(LeapText, ReadsVersionFramesAndOtherTexts) {
   const auto hello = leap::parse_text(kHello);
   ASSERT_TRUE(hello) << to_string(hello.error());
   EXPECT_EQ(std::get<leap::Hello>(*hello).version, 6u);
