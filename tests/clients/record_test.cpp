@@ -82,7 +82,7 @@ class Recorder : public testing::Test {
     for (int tries = 0; tries < 1000 && !done(); ++tries) std::this_thread::sleep_for(10ms);
     return done();
   }
-  /// What can be read from front to back of the file as it stands.
+  /// Number of messages that can be read sequentially from the unfinished file.
   std::size_t flushed_messages(const std::filesystem::path& file) const {
     auto stream = wire::McapStreamReader::open(file);
     std::size_t count = 0;
@@ -93,7 +93,7 @@ class Recorder : public testing::Test {
   support::TemporaryFolder folder_;
 };
 
-/// Paced, since a subscriber's queue holds only a short history.
+/// Publishes slowly, because a subscriber's queue holds only a short history.
 void publish_slowly(Server& server, const std::vector<wire::Message>& messages) {
   for (const wire::Message& message : messages) {
     server.publish(message);
@@ -361,7 +361,7 @@ TEST_F(Recorder, ARepairLeavesOutOnlyTheDamagedChunk) {
   EXPECT_EQ(repaired->summary().statistics.message_count, report->messages);
   EXPECT_LT(report->messages, whole->summary().statistics.message_count);
   EXPECT_GT(report->messages, whole->summary().statistics.message_count * 3 / 4);
-  EXPECT_EQ(bytes_of(session()), bytes);  // the damaged file is as it was
+  EXPECT_EQ(bytes_of(session()), bytes);  // the damaged file is unchanged
 }
 
 TEST_F(Recorder, AWholeFileNeedsNoRepair) {
@@ -382,7 +382,7 @@ TEST(DiskThread, ASlowDiskDropsWhatDoesNotFitCountsItByTopicAndNeverBlocksTheLin
                    },
                    .flush = [] { return Result<void>{}; }},
                   10'000);
-  const auto payload = std::make_shared<const std::string>(872, 'x');  // with its share of overhead, 1000
+  const auto payload = std::make_shared<const std::string>(872, 'x');  // with overhead 1000 bytes
   int accepted = 0;
   for (int number = 0; number < 25; ++number)
     accepted += disk.offer({wire::kCameraDepth, session_time(number), payload}) ? 1 : 0;

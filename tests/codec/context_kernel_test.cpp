@@ -9,7 +9,7 @@
 namespace telepalp::codec {
 namespace {
 
-/// What pixels are, or what they may be within their bounds.
+/// A frame as ranks, or, if `chooses`, as ranges of ranks within the error bound.
 RankedFrame given(const DepthImage& depth, bool chooses) {
   const LevelPalette palette = palette_of(depth.samples);
   if (!chooses) return ranked(palette, depth.samples);
@@ -20,7 +20,7 @@ RankedFrame given(const DepthImage& depth, bool chooses) {
 TEST(ContextKernel, EveryKernelWritesTheSameBytesAndReadsThem) {
   if (v3_context_kernel() == nullptr) GTEST_SKIP() << "this processor runs the portable kernel alone";
   for (const bool chooses : {false, true})
-    for (const int height : {1, 3, 171, 200, 497, 512}) {  // the last in four slices of equal height
+    for (const int height : {1, 3, 171, 200, 497, 512}) {  // 512 rows give four slices of equal height
       const DepthImage before = kinect_like(131, height, 4);
       const DepthImage depth = kinect_like(131, height, 5, 2);
       const RankedFrame frame = given(depth, chooses);

@@ -47,8 +47,8 @@ bool any_within(const std::vector<int>& values, int from, int to) {
   return std::any_of(values.begin(), values.end(), [&](int value) { return from <= value && value <= to; });
 }
 
-/// What a set of stand-ins costs: one for each, and one for each two neighbours that could have become the same, and
-/// cannot. Nothing, when some level can become none of them.
+/// Cost of a set of reconstruction levels: one for each level in the set, and one for each pair of neighbours that
+/// could have shared a level but cannot. nullopt when some level has none within its bound.
 std::optional<std::int64_t> cost_of(const std::vector<int>& set, const std::vector<Range>& levels,
                                     const std::vector<int>& next_to) {
   auto cost = static_cast<std::int64_t>(set.size());
@@ -60,7 +60,7 @@ std::optional<std::int64_t> cost_of(const std::vector<int>& set, const std::vect
   return cost;
 }
 
-/// The least that any set costs, of all those that a better one could be moved to: slow, and sure.
+/// The least cost of any set, by exhaustive search: slow but certain.
 std::int64_t least_cost(const std::vector<Range>& levels, const std::vector<int>& next_to) {
   std::vector<int> ends;
   for (const Range& level : levels) ends.insert(ends.end(), {level.first, level.second});
@@ -85,7 +85,8 @@ TEST(DepthBound, ReconstructionLevelsSeparateAsFewNeighboursAsPossible) {
       if (!levels.empty()) {
         next_to.push_back(1 + static_cast<int>(random() % 5));
         const auto before = static_cast<std::uint16_t>(levels.back().first + kBound);
-        for (int n = 0; n < next_to.back(); ++n, depth.height += 2)  // each pair on a row, a row of holes behind it
+        for (int n = 0; n < next_to.back();
+             ++n, depth.height += 2)  // each pair in its own row, followed by a row of holes
           depth.samples.insert(depth.samples.end(), {before, static_cast<std::uint16_t>(level), 0, 0});
       }
       levels.emplace_back(level - kBound, level + kBound);
@@ -97,7 +98,7 @@ TEST(DepthBound, ReconstructionLevelsSeparateAsFewNeighboursAsPossible) {
   }
 }
 
-/// What Bounded makes of one frame.
+/// The frame after encoding and decoding by Bounded.
 DepthImage moved(const DepthImage& depth) {
   const LevelPalette palette = palette_of(depth.samples);
   ReconstructionLevels reconstruction = reconstruction_levels_for(depth, palette, kOneDisparityStep);
@@ -127,7 +128,7 @@ TEST(DepthBound, ReconstructionLevelsAreUnbiased) {
   EXPECT_LT(std::abs(sum_in_bounds / count), 0.05);
 }
 
-/// A frame as it is shown to be when each level has one stand-in alone, the nearest: what choosing saves.
+/// The frame with each level replaced by its nearest reconstruction level, to compare with the encoder's choice.
 DepthImage by_nearest(const DepthImage& depth, const ReconstructionLevels& reconstruction) {
   DepthImage moved = depth;
   const RankOfLevel nearest = nearest_ranks_of(reconstruction.levels);

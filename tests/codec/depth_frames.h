@@ -9,8 +9,8 @@
 
 namespace telepalp::codec {
 
-/// A frame as a Kinect-class camera sees it: a slanted floor, a sphere before it, a shadow without measurement, levels
-/// 2.85 z² mm apart and one level of noise. `shift` moves the sphere, for sequences.
+/// A frame of a Kinect-class camera: a slanted floor, a sphere in front of it, a shadow without measurement, levels
+/// 2.85 z² mm apart, and noise of one level. `shift` moves the sphere, for sequences.
 inline DepthImage kinect_like(int width, int height, unsigned seed, int shift = 0) {
   std::mt19937 random(seed);
   DepthImage depth{.width = width, .height = height, .unit_m = 0.001, .samples = {}};

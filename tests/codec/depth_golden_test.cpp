@@ -42,7 +42,7 @@ TEST_P(Golden, ThisEncoderStillWritesTheGoldenPackets) {
   for (unsigned i = 0; i < 3; ++i) {
     const DepthImage depth = i == 2 ? noise(24, 18, 9) : kinect_like(24, 18, i, static_cast<int>(i));
     const std::string packet = encoder.encode(depth).bytes;
-    if (GetParam() == DepthMode::Fast) continue;  // its bytes are zstd's, which may change from version to version
+    if (GetParam() == DepthMode::Fast) continue;  // its bytes depend on the version of zstd
     EXPECT_EQ(packet, read(std::string(TELEPALP_SOURCE_DIR) + "/tests/codec/golden/" + std::string(name(GetParam())) +
                            "_" + std::to_string(i) + ".tpd"));
   }

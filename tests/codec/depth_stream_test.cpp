@@ -117,7 +117,7 @@ TEST(Crc32c, IsTheOneOfTheStandardBothWays) {
   const std::string_view digits = "123456789";
   EXPECT_EQ(crc32c(std::as_bytes(std::span(digits))), 0xe3069283U);  // RFC 3720, appendix B.4 gives the same polynomial
   std::mt19937 random(3);
-  std::string bytes(20000, '\0');  // more than are summed side by side
+  std::string bytes(20000, '\0');  // longer than the stretches that are summed in parallel
   for (char& byte : bytes) byte = static_cast<char>(random());
   for (std::size_t size = 0; size < bytes.size(); size += 377) {
     const auto part = bytes_of(bytes).first(size);

@@ -1,5 +1,5 @@
-// Writes the golden packets and, beside each, the depth in it as plain PGM: make_depth_golden tests/codec/golden
-// Only a new version of the format may change what it writes.
+// Writes the golden packets, each with its depth as plain PGM: make_depth_golden tests/codec/golden. Only a new version
+// of the format may change the files.
 
 #include <cstdio>
 #include <fstream>

@@ -14,7 +14,7 @@ namespace {
 
 using Levels = std::vector<std::uint16_t>;
 
-/// A Kinect's levels between half a metre and four, in units of `unit_mm`, a share of them left out.
+/// A Kinect's levels between 0.5 m and 4 m, in units of `unit_mm`, without a random share of them.
 Levels kinect_levels(double unit_mm, double left_out, unsigned seed) {
   std::mt19937 random(seed);
   Levels levels;

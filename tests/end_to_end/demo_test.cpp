@@ -1,5 +1,5 @@
-// The whole main job as a user runs it: deploy/demo --headless starts the real programs on loopback, and leaves four
-// files, which are read here the way an outsider would.
+// The main use of telepalp as a user runs it: deploy/demo --headless starts the real programs on loopback and writes
+// four files. The test reads them like another program would.
 
 #include <gtest/gtest.h>
 
@@ -120,7 +120,7 @@ struct WrongCase {
   std::string name;
   std::string arguments;
   int exit_code;
-  std::string says;  ///< part of the message
+  std::string says;  ///< text that the message must contain
   friend std::ostream& operator<<(std::ostream& out, const WrongCase& test) { return out << test.name; }
 };
 

@@ -1,5 +1,5 @@
-// A fault as an operator lives through it: the haptic device falls silent under the real station, the station lets go,
-// keeps what led to it, refuses to be re-armed too soon, and touches again when it may.
+// A fault from an operator's view: the haptic device of the real station falls silent. The station releases, records
+// the last ticks, refuses to re-arm while the cause lasts, and gives force again after re-arming.
 
 #include <gtest/gtest.h>
 
@@ -37,8 +37,8 @@ bool hears(const fs::path& log, const std::string& phrase) {
   return false;
 }
 
-/// How many ticks tell of a device that is silent for longer than its limit of 0.1 s; beyond 50 ms more, none has
-/// force.
+/// Number of ticks with a device that is silent for longer than its limit of 0.1 s. Checks that none has a force more
+/// than 50 ms after the limit.
 int ticks_of_silence(wire::McapReader& file) {
   int silent = 0;
   for (auto message = file.next(); message && *message; message = file.next()) {
@@ -89,7 +89,7 @@ TEST_F(StationFault, ReleasesRecordsTheTicksAndIsRearmedOnlyWhenTheCauseIsGone) 
   EXPECT_EQ(rearm(), 1);
   EXPECT_NE(text_of(path("rearm.log")).find("there is no fault"), std::string::npos);
 
-  std::this_thread::sleep_for(1s);  // of ticks for the flight recorder
+  std::this_thread::sleep_for(1s);  // collects ticks for the flight recorder
   device_.fault = Fault::Silent;
   ASSERT_TRUE(hears(path("station.log"), "fault: the haptic device is silent")) << text_of(path("station.log"));
   EXPECT_EQ(rearm(), 1);

@@ -45,7 +45,7 @@ class DemoInATerminal : public testing::Test {
   telepalp::support::TemporaryFolder folder_;
 };
 
-/// How Ctrl-C is typed: how long after the first picture is touchable, and how long until it is typed again.
+/// Times of Ctrl-C: after the first touchable picture, and again.
 struct Interrupt {
   std::string name;
   std::chrono::milliseconds after;

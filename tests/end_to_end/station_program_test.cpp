@@ -1,4 +1,4 @@
-// telepalp-station as an operator runs it: the real program against the real server, with what goes wrong in a day.
+// telepalp-station as an operator runs it: the real program with the real server, and usual problems.
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -118,7 +118,7 @@ TEST_F(StationProgram, RunsWithoutItsControlSocketWhereAnotherPutALinkButNotIfTh
   ::unsetenv("XDG_RUNTIME_DIR");
 }
 
-/// What stands at the server's address, and speaks the protocol after ours.
+/// A server that speaks the next version of the protocol.
 std::uint16_t answer_once_as_version_2(boost::asio::io_context& io, std::jthread& thread) {
   using boost::asio::ip::tcp;
   auto acceptor = std::make_shared<tcp::acceptor>(io, tcp::endpoint(boost::asio::ip::make_address("127.0.0.1"), 0));

@@ -3,7 +3,7 @@
 #include "codec/color.h"
 #include "proto/words/demand.h"
 
-/// Whatever bytes come as a picture: an error or a whole picture.
+/// Any bytes as a JPEG give an error or a whole picture.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace telepalp;
   const Result<ColorImage> color = codec::decode_color(std::as_bytes(std::span(data, size)));

@@ -10,9 +10,9 @@ namespace {
 using namespace telepalp;
 using namespace telepalp::codec;
 
-constexpr std::size_t kMostPixels = 1 << 16;  // larger images are as hostile, and slower
+constexpr std::size_t kMostPixels = 1 << 16;  // larger images find no other errors and are slower
 
-/// A frame that dependent packets may be decoded against, whatever reference they name.
+/// A reference frame for dependent packets, whatever reference they state.
 DepthImage some_frame(int width, int height) {
   DepthImage depth{.width = width, .height = height, .unit_m = 0.001, .samples = {}};
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -23,7 +23,7 @@ DepthImage some_frame(int width, int height) {
 
 }  // namespace
 
-/// Whatever bytes come as a depth packet: an error or a whole frame; and both kernels make the same of them.
+/// Any bytes as a depth packet give an error or a whole frame, and both kernels give the same result.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::span<const std::byte> bytes = std::as_bytes(std::span(data, size));
   const Result<Packet> packet = read_packet(bytes);

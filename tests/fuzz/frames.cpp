@@ -34,8 +34,8 @@ Parsed parse(std::span<const std::byte> stream, std::size_t piece_bytes) {
 
 }  // namespace
 
-/// Whatever a peer sends: frames stay within their limits, say what their header said, write back to the same
-/// bytes, and do not depend on how the stream was cut.
+/// Any bytes from a peer: frames are within their limits, agree with their headers, encode to the same bytes, and do
+/// not depend on how the stream was cut.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 1) return 0;
   const std::span<const std::byte> stream = std::as_bytes(std::span(data + 1, size - 1));

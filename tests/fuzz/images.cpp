@@ -12,13 +12,13 @@ using namespace telepalp;
 using namespace telepalp::codec;
 
 constexpr std::size_t kFrames = 3;
-constexpr std::size_t kHead = 4;  // mode and unit, width, and the bound's two numbers
+constexpr std::size_t kHead = 4;  // the first bytes select mode and unit, width, and the bound's two numbers
 
 std::uint16_t sample_at(const std::uint8_t* data, std::size_t index) {
   return static_cast<std::uint16_t>(data[2 * index] | data[2 * index + 1] << 8);
 }
 
-/// How far a sample may be moved, in units.
+/// Largest allowed change of a sample, in units.
 double most_moved(const DepthStreamSettings& settings, int sample, double unit_m) {
   return settings.mode == DepthMode::Bounded ? settings.bound.at(sample * unit_m) / unit_m + 1e-6 : 0.0;
 }
@@ -35,8 +35,8 @@ void demand_kept(const DepthImage& sent, const DepthImage& got, const DepthStrea
 
 }  // namespace
 
-/// Whatever a camera gives, three small frames in a stream of any mode: they come back, as they were or within their
-/// bounds, from packets that are no larger than their samples and a header.
+/// Any three small frames in a stream of any mode: they are decoded unchanged or within their bounds, from packets that
+/// are no larger than the samples plus a header.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < kHead + 2 * kFrames) return 0;
   const DepthStreamSettings settings{.mode = static_cast<DepthMode>(data[0] & 3),

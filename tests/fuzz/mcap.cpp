@@ -10,7 +10,7 @@ namespace {
 
 using namespace telepalp::wire;
 
-/// Reads all of `bytes` from front to back, over all damages; every message stands on a channel.
+/// Reads all of `bytes` sequentially, over all errors. Every message has a channel.
 void read_stream(const std::string& bytes) {
   auto reader = McapStreamReader::open(mcap::in_memory(bytes, "fuzzed.mcap"));
   if (!reader) return;
@@ -22,7 +22,7 @@ void read_stream(const std::string& bytes) {
   }
 }
 
-/// A summary that is taken points into the file alone.
+/// An accepted summary has only offsets within the file.
 void read_summary_of(const std::string& bytes) {
   auto source = mcap::in_memory(bytes, "fuzzed.mcap");
   const auto summary = mcap::read_summary(*source);
@@ -33,7 +33,7 @@ void read_summary_of(const std::string& bytes) {
         "a chunk index points into the file");
 }
 
-/// What is taken for a chunk index is written back to bytes that read as the same.
+/// An accepted chunk index is encoded and parsed back unchanged.
 void round_trip(const std::string& bytes) {
   const auto index = mcap::parse<mcap::ChunkIndex>(bytes);
   if (!index) return;

@@ -1,4 +1,4 @@
-// Files that people give to the probe and the station: the first byte says of which kind the rest is.
+// Model files of users. The first byte selects the format of the rest.
 
 #include <cstdint>
 #include <string>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace telepalp;
 
-/// What a reader may give: everything refers to what is there.
+/// Checks that every index of a model is valid.
 void check(const Result<models::PointModel>& read) {
   if (!read) {
     demand(!read.error().what.empty() && read.error().where == "fuzz", "an error says what and where");

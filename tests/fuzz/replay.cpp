@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of `corpus` and its folders, by name, so that every run feeds them in the same order.
+/// The files of `corpus` and its folders, by name, so that the order is the same in each run.
 std::vector<fs::path> inputs_in(const fs::path& corpus) {
   std::error_code unreadable;
   std::vector<fs::path> inputs;
@@ -25,19 +25,20 @@ std::vector<fs::path> inputs_in(const fs::path& corpus) {
 }
 
 void feed(const fs::path& input) {
-  std::printf("%s\n", input.c_str());  // first, so that the last line names the input that aborts
+  std::printf("%s\n", input.c_str());  // printed first, so that the last line names the input that aborts
   std::fflush(stdout);
   std::ifstream file(input, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  // A copy of just the input's size: with a string's closing zero behind it, one byte read too far would pass.
+  // A copy of exactly the input's size. With a string's closing zero behind it, a read of one byte too many would not
+  // be found.
   const std::vector<std::uint8_t> exact(bytes.begin(), bytes.end());
   LLVMFuzzerTestOneInput(exact.data(), exact.size());
 }
 
 }  // namespace
 
-/// `replay CORPUS`: gives each file of the folder to the fuzz target that this is linked with, without libFuzzer, so
-/// that what fuzzing once found stays found with any compiler and under any sanitizer.
+/// `replay CORPUS`: runs the fuzz target that is linked to this file on each file of the folder, without libFuzzer. So
+/// inputs that fuzzing once found are tested with any compiler and sanitizer.
 int main(int argc, char** argv) {
   const std::vector<fs::path> inputs = argc == 2 ? inputs_in(argv[1]) : std::vector<fs::path>{};
   if (inputs.empty()) {

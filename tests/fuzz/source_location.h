@@ -2,8 +2,8 @@
 
 #include <version>
 
-// Debian 12's default clang, 14, lacks the builtin that libstdc++'s <source_location> is made of, so that the header
-// is empty. This stands in for it, in the fuzz targets only; a newer clang passes it over.
+// Debian 12's default clang, 14, lacks the builtin that libstdc++'s <source_location> needs, so the header is empty
+// there. This file replaces it in the fuzz targets only; a newer clang ignores it.
 #if !__has_builtin(__builtin_source_location)
 namespace std {
 struct source_location {

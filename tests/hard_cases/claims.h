@@ -8,7 +8,7 @@
 
 namespace telepalp::hard_cases {
 
-/// A claim of what was got, in words, and whether it is what must be.
+/// A statement about the result, and whether it holds.
 struct Claim {
   bool holds = false;
   std::string got;
@@ -36,7 +36,7 @@ inline Claim below_mJ(const char* what, double value_J, double limit_mJ) {
   return below(what, value_J, 1e-3 * limit_mJ, 1e3, "mJ");
 }
 
-/// Success tells what was got; failure what was not so.
+/// The message of a success lists all claims; that of a failure lists the claims that do not hold.
 inline ::testing::AssertionResult all_of(std::initializer_list<Claim> claims) {
   std::string got;
   for (const Claim& claim : claims) {

@@ -27,7 +27,7 @@ inline std::string name_of(const ::testing::TestParamInfo<HardCase>& one) {
   return name;
 }
 
-/// Checks rows and prints them as a table of its own, whatever the test runner prints between: grep '^|'.
+/// Checks rows and prints them as a table; grep '^|' separates it from the test runner's output.
 class HardCaseTable : public ::testing::TestWithParam<HardCase> {
  protected:
   static void SetUpTestSuite() { std::puts("| row | why | must | got |\n| --- | --- | --- | --- |"); }

@@ -1,4 +1,4 @@
-// telepalp-keys as a person runs it.
+// telepalp-keys as its user runs it.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,4 +1,5 @@
-// What cut-off, flipped and lying session files must do: give back what is whole, name what is not, allocate little.
+// Truncated, damaged and malicious session files: readers must return the intact messages, name the damage, and
+// allocate little.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ struct Outcome {
   bool opened = false;
 };
 
-/// Reads to the end, over all errors. There are never more errors than there are bytes.
+/// Reads to the end, over all errors. There are at most as many errors as bytes.
 template <class Reader>
 Outcome read_all(Result<Reader> reader) {
   Outcome outcome;
@@ -52,7 +53,7 @@ Outcome indexed(std::string bytes) {
   return read_all(McapReader::open(mcap::in_memory(std::move(bytes), "session.mcap")));
 }
 
-/// A small file in memory, with where each chunk ends and how many messages there are up to it.
+/// A small file in memory, with the end of each chunk and the number of messages before it.
 struct Sample {
   std::string bytes;
   std::vector<std::pair<std::uint64_t, std::size_t>> chunk_ends;
@@ -111,13 +112,13 @@ TEST(McapDamage, AnyFlippedByteInAChunkLosesThatChunkAloneAndIsNamed) {
   const mcap::ChunkIndex& chunk = sample.summary.chunks[2];
   const std::size_t in_chunk = sample.chunk_ends[2].second - sample.chunk_ends[1].second;
   const std::size_t all = sample.chunk_ends.back().second;
-  // The compressed records: what precedes them in the chunk is its header, of which the times are not covered by a CRC.
+  // The compressed records. The chunk's header precedes them; no CRC covers its times.
   const std::uint64_t start = chunk.chunk_start_offset + chunk.chunk_length - chunk.compressed_size;
   for (std::uint64_t at = start; at < start + chunk.compressed_size; ++at) {
     std::string flipped = sample.bytes;
     flipped[at] = static_cast<char>(flipped[at] ^ 0x10);
     for (const Outcome& outcome : {stream(flipped), indexed(flipped)}) {
-      if (outcome.errors.empty()) {  // a bit that zstd does not use: the data is the same
+      if (outcome.errors.empty()) {  // zstd does not use this bit, so the data is unchanged
         ASSERT_EQ(outcome.messages, all) << at;
         continue;
       }
@@ -167,7 +168,7 @@ TEST(McapDamage, RandomBytesOverAFileNeverCrashAReader) {
   }
 }
 
-/// A whole file around hand-made records, its summary made by `fill`; the summary's CRC left out, as a liar would.
+/// A complete file with given records and a summary from `fill`, without the summary's CRC, like a malicious file.
 template <class Fill>
 std::string file_with(const std::string& data, Fill fill) {
   std::string bytes{mcap::kMagic};

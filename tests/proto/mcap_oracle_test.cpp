@@ -1,4 +1,4 @@
-// Session files against npm's @mcap/core: it reads what we write, and we read what it writes.
+// Session files compared with npm's @mcap/core: it reads telepalp's files, and telepalp reads its files.
 
 #include <google/protobuf/util/json_util.h>
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ std::string json_of(const Message& message) {
   return json;
 }
 
-/// The readable twin of a file, for the scripts.
+/// A file's content as JSON, for the scripts.
 std::string twin(const std::vector<Message>& messages, std::size_t chunks) {
   std::string json = "{\"chunks\": " + std::to_string(chunks) + ", \"schemas\": {";
   std::map<std::string_view, std::string> schemas;
@@ -105,7 +105,7 @@ TEST(McapOracle, TheOracleNoticesOneWrongByte) {
   EXPECT_NE(samples::bytes_of(log).find("payload of message 7"), std::string::npos);
 }
 
-/// How @mcap/core is told to write, and how many messages we must find.
+/// Options of @mcap/core's writer, and the number of messages to find.
 struct Foreign {
   const char* name;
   const char* options;
@@ -114,7 +114,7 @@ void PrintTo(const Foreign& foreign, std::ostream* out) { *out << foreign.name; 
 
 class ForeignMcap : public testing::TestWithParam<Foreign> {
  protected:
-  /// Made by the script with `options`; `messages` are in it.
+  /// A file written by the script with `options`; it contains `messages`.
   std::filesystem::path make(const std::string& options) {
     write_text(folder_.path() / "twin.json", twin(messages_, 0));
     write_text(folder_.path() / "options.json", options);

@@ -14,14 +14,14 @@
 #include "messages/station.pb.h"
 #include "proto/wire/mcap/writer.h"
 
-/// Messages that look like a session's, the same in every run.
+/// Messages like those of a session, the same in every run.
 namespace telepalp::wire::samples {
 
 inline const SessionInfo kInfo{
     .program = "telepalp-test", .version = "0.1.0", .commit = "abc1234", .source = "synthetic", .scene = "skin { }"};
 
-/// `seconds` of depth and colour at 30 Hz and station states at 100 Hz, in order of time. Payloads are noise of
-/// sizes that a camera's have, divided by `thinner`.
+/// `seconds` of depth and colour at 30 Hz and station states at 100 Hz, in order of time. Payloads are noise of a
+/// camera's sizes, divided by `thinner`.
 inline std::vector<Message> session(double seconds, std::size_t thinner = 50, unsigned seed = 1) {
   std::mt19937 random(seed);
   const auto noise = [&](std::size_t bytes) {
@@ -60,7 +60,7 @@ inline std::vector<Message> session(double seconds, std::size_t thinner = 50, un
   return messages;
 }
 
-/// Not there yet, under gtest's scratch folder.
+/// A path that does not exist yet, in gtest's temporary folder.
 inline std::filesystem::path fresh_file(const std::string& name) {
   const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / name;
   std::filesystem::remove(file);

@@ -117,7 +117,7 @@ TEST(Mcap, MessagesWrittenOutOfOrderAreReadInOrderOfTime) {
   auto messages = samples::session(4, 500);
   const auto in_order = messages;
   std::mt19937 random(7);
-  for (std::size_t at = 40; at < messages.size(); ++at)  // lateness crosses the borders of chunks
+  for (std::size_t at = 40; at < messages.size(); ++at)  // late messages cross the borders of chunks
     if (random() % 4 == 0) std::swap(messages[at], messages[at - 1 - random() % 40]);
   ASSERT_TRUE(write_file(file, messages, {.bytes = 3'000}));
   auto reader = McapReader::open(file);
@@ -211,7 +211,7 @@ TEST(Mcap, AFolderThatIsNotThereIsNamed) {
 
 TEST(Mcap, AFullDiskIsAnErrorAndWhatWasWrittenBeforeBecomesAWholeFile) {
   const auto file = fresh_file("full.mcap");
-  // A file size limit stands for the full disk: the write fails half-way through a record, as on a real one.
+  // A limit of the file size simulates a full disk: the write fails in the middle of a record.
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -228,7 +228,7 @@ TEST(Mcap, AFullDiskIsAnErrorAndWhatWasWrittenBeforeBecomesAWholeFile) {
   std::signal(SIGXFSZ, old_handler);
   ASSERT_TRUE(error);
   EXPECT_NE(error->fix.find("free space"), std::string::npos) << to_string(*error);
-  EXPECT_FALSE(closed);  // still told, although the file could be finished
+  EXPECT_FALSE(closed);  // the error is still reported, although the file could be finished
   auto reader = McapReader::open(file);
   ASSERT_TRUE(reader) << to_string(reader.error());
   EXPECT_EQ(reader->summary().chunks.size(), 4u);
@@ -239,7 +239,7 @@ TEST(Mcap, EveryTopicHasATypeAndItsSchemaCarriesTheImports) {
   for (const Topic& topic : kTopics) {
     google::protobuf::FileDescriptorSet set;
     ASSERT_TRUE(set.ParseFromString(file_descriptor_set(*descriptor_of(topic)))) << topic.name;
-    google::protobuf::DescriptorPool pool;  // knows nothing but what the set brings
+    google::protobuf::DescriptorPool pool;  // contains only the types of the set
     for (const auto& file : set.file()) ASSERT_NE(pool.BuildFile(file), nullptr) << topic.name << " " << file.name();
     EXPECT_NE(pool.FindMessageTypeByName(std::string(topic.schema)), nullptr) << topic.name;
   }

@@ -155,7 +155,7 @@ TEST(Address, HostAndPortAreReadAndAnythingElseIsRefused) {
     EXPECT_FALSE(parse_address(wrong, "--connect").ok()) << wrong;
 }
 
-/// How long a child process takes, and its exit code, that was asked to end three times and then has `work` left.
+/// Exit code and duration of a child process that is asked three times to end while it has `work` left.
 std::pair<int, std::chrono::milliseconds> end_with(std::chrono::milliseconds work) {
   const auto begun = std::chrono::steady_clock::now();
   const pid_t child = ::fork();

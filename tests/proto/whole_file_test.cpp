@@ -1,4 +1,4 @@
-// What every program does when it writes a file that others shall read.
+// How every program writes a file.
 
 #include "support/program/files/whole_file.h"
 

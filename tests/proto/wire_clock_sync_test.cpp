@@ -17,7 +17,7 @@ ClockSample probe(Nanoseconds at, Nanoseconds offset, Nanoseconds up, Nanosecond
           .heard = at + up + served + down};
 }
 
-/// The offset once every correction has been slewed in.
+/// The offset after all corrections are slewed in.
 Nanoseconds given(const ClockSync& sync) { return sync.offset()->target; }
 
 TEST(ClockSync, KnowsNothingBeforeTheFirstProbe) {
@@ -39,7 +39,7 @@ TEST(ClockSync, TheErrorOfAnAsymmetricPathIsWithinTheStatedUncertainty) {
 }
 
 TEST(ClockSync, TheQuickestProbeIsBelievedThroughOneSidedQueueing) {
-  // Images queue on the way down only: most replies are late by up to 80 ms, one in eight is not.
+  // Images queue only from server to client: most replies are late by up to 80 ms, one in eight is not.
   std::mt19937 random(7);
   ClockSync sync;
   for (int i = 0; i < 60; ++i) {
@@ -60,13 +60,16 @@ TEST(ClockSync, OneAbsurdProbeChangesNothing) {
 TEST(ClockSync, AProbeThatContradictsItselfIsRefused) {
   ClockSync sync;
   EXPECT_FALSE(sync.add({.asked = 10s, .received = 5s, .replied = 4s, .heard = 11s}));  // server's time ran backwards
-  EXPECT_FALSE(sync.add({.asked = 10s, .received = 5s, .replied = 5s, .heard = 9s}));   // ours did
-  EXPECT_FALSE(sync.add({.asked = 10s, .received = 5s, .replied = 8s, .heard = 11s}));  // served longer than it took
+  EXPECT_FALSE(sync.add({.asked = 10s, .received = 5s, .replied = 5s, .heard = 9s}));   // local time ran backwards
+  EXPECT_FALSE(sync.add({.asked = 10s,
+                         .received = 5s,
+                         .replied = 8s,
+                         .heard = 11s}));  // the server's processing took longer than the round trip
   EXPECT_FALSE(sync.offset().has_value());
 }
 
 TEST(ClockSync, AJumpOfTheClocksIsFollowedAfterThreeAgreeingProbes) {
-  // A machine slept: its steady clock stood still for an hour, the session's did not.
+  // The computer was suspended: its steady clock stood still for an hour, the session's did not.
   ClockSync sync;
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(sync.add(probe(1s * i, 100s, 1ms, 1ms)));
   for (int i = 20; i < 22; ++i) {

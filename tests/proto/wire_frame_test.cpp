@@ -80,7 +80,7 @@ std::vector<Frame> parse_in_pieces(const std::string& stream, const std::vector<
   return frames;
 }
 
-/// The error that the header `bytes` ends in; empty when it is taken.
+/// The error of decoding the header `bytes`; empty if it is accepted.
 std::string refusal(const HeaderBytes& bytes, std::size_t most = kMaxPayloadBytes) {
   const Result<FrameHeader> header = decode_header(bytes, most);
   return header ? "" : header.error().what;

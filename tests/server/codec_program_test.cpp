@@ -33,7 +33,7 @@ class CodecProgram : public testing::Test {
   }
   std::string in(const std::string& name) const { return (folder_.path() / name).string(); }
 
-  /// Its exit code, and all that it said.
+  /// Its exit code and its output.
   std::pair<int, std::string> run(std::vector<std::string> words) const {
     words.insert(words.begin(), {"-c", "exec \"$0\" \"$@\" >&2", TELEPALP_BINARY_DIR "/bin/telepalp-codec"});
     support::ChildProcess process("/bin/sh", words, in("log"));
@@ -102,7 +102,7 @@ TEST_F(CodecProgram, NearLosslessDepthIsNotCalledLosslessWhenItIsEncodedAgain) {
 
 TEST_F(CodecProgram, ABoundThatMakesNoSenseIsRefusedBeforeAnythingIsWritten) {
   const std::vector<std::vector<std::string>> wrong = {
-      {"encode", in("original"), in("out.mcap"), "--bound", "1,2.85"},  // temporal is without loss
+      {"encode", in("original"), in("out.mcap"), "--bound", "1,2.85"},  // temporal is lossless
       {"encode", in("original"), in("out.mcap"), "--mode", "bounded", "--bound", "1"},
       {"encode", in("original"), in("out.mcap"), "--mode", "bounded", "--bound", "-1,2"},
       {"compare", in("original"), in("original"), "--bound", "a,b"}};

@@ -12,7 +12,7 @@
 
 namespace telepalp::server {
 
-/// Stands between one client and a server on loopback, and passes bytes on after a delay each way.
+/// Forwards the bytes between one client and a server on loopback, with a delay in each direction.
 class DelayRelay {
  public:
   DelayRelay(boost::asio::io_context& io, std::uint16_t server_port, std::chrono::milliseconds delay)

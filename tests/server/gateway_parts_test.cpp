@@ -80,7 +80,7 @@ TEST(HttpReply, FilesComeWithTheirTypeAndNothingFromElsewhereMayRun) {
   EXPECT_EQ(reply_to(again, *files, {}, {}).result_int(), 304u);
 }
 
-/// What a browser makes of a gzip body.
+/// The decompressed body, as in a browser.
 std::string unzipped(const std::string& bytes) {
   z_stream stream{};
   EXPECT_EQ(inflateInit2(&stream, 15 + 16), Z_OK);

@@ -1,7 +1,6 @@
-// telepalp-gateway-stage: a real hub and gateway with a scripted patient and hand, so that a browser or a Foxglove
-// client can be tested against states that a live station reaches only now and then.
-// Commands, one a line on stdin: pause, resume, phase NAME, stale on, stale off, bounded on, bounded off, hand on,
-// hand off. End of stdin ends it.
+// telepalp-gateway-stage: a real hub and gateway with a scripted patient and hand, to test a browser or a Foxglove
+// client with states that a live station reaches rarely. Commands, one a line on stdin: pause, resume, phase NAME,
+// stale on, stale off, bounded on, bounded off, hand on, hand off. End of stdin ends it.
 
 #include <unistd.h>
 
@@ -59,7 +58,7 @@ Picture picture(double t_s) {
     for (int column = 0; column < kWidth; ++column) {
       const auto pixel = static_cast<std::size_t>(row * kWidth + column);
       double z = kBed_m;
-      for (int pass = 0; pass < 3; ++pass) {  // the ray's hit, by iteration on its depth
+      for (int pass = 0; pass < 3; ++pass) {  // the ray's intersection, by iteration on its depth
         const double x = (column - kWidth / 2) * z / kFocal;
         const double y = (row - kHeight / 2) * z / kFocal;
         const double up = trunk_m(x, y);

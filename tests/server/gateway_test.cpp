@@ -1,4 +1,4 @@
-// The gateway over real sockets on loopback: what browsers get, and what hostile clients do not.
+// The gateway over real sockets on loopback, with browsers and with hostile clients.
 
 #include "server/gateway/gateway.h"
 
@@ -89,7 +89,7 @@ struct Headers {
   std::string host{};
 };
 
-/// The status that an upgrade with these headers is answered with; 0 when the server closes without a word.
+/// The HTTP status of an upgrade with these headers; 0 when the server closes without a reply.
 int upgrade_status(std::uint16_t port, const Headers& headers = {}) {
   asio::io_context io;
   tcp::socket socket = connected(io, port);
@@ -131,11 +131,11 @@ class Viewer {
     stream_.binary(binary);
     stream_.write(asio::buffer(text), failed_);
   }
-  /// Asks for `channel` as subscription `id`, and waits until the server has heard it.
+  /// Subscribes to `channel` as subscription `id`, and waits until the server has handled it.
   void subscribe(int id, int channel) {
     send(R"({"op":"subscribe","subscriptions":[{"id":)" + std::to_string(id) + R"(,"channelId":)" +
          std::to_string(channel) + "}]}");
-    send("?");  // answered by a warning, in order
+    send("?");  // the server answers with a warning, after all earlier messages
     while (!failed_ && read().find("no JSON") == std::string::npos) {
     }
   }
@@ -152,7 +152,7 @@ class Viewer {
   beast::error_code failed_;
 };
 
-/// Sends `request` as it is and returns all that comes back until the server closes.
+/// Sends `request` unchanged and returns all bytes until the server closes.
 std::string answer_to(std::uint16_t port, const std::string& request) {
   asio::io_context io;
   tcp::socket socket = connected(io, port);
@@ -247,7 +247,7 @@ TEST(Gateway, AStalledViewerLosesItsOwnFramesAndNobodyElses) {
   EXPECT_GT(server.dropped(wire::kCameraDepth.name), 20u);
   int received = 0;
   std::string newest;
-  while (newest != std::to_string(frames - 1)) {  // what is left ends with the newest
+  while (newest != std::to_string(frames - 1)) {  // the queue ends with the newest message
     newest = stalled.read().substr(13 + 300'000);
     ++received;
   }

@@ -36,14 +36,14 @@ msg::Control subscription(const std::string& topic) {
   return control;
 }
 
-/// A peer that says whatever the test likes.
+/// A peer that sends any bytes.
 class Stranger {
  public:
   explicit Stranger(Site& site) : socket_(site.io) {
     socket_.connect({boost::asio::ip::make_address("127.0.0.1"), site.listener->port()});
   }
   void say(const std::string& bytes) {
-    boost::system::error_code ignored;  // a server that has had enough may have closed by now
+    boost::system::error_code ignored;  // the server may already have closed the connection
     boost::asio::write(socket_, boost::asio::buffer(bytes), ignored);
   }
   void listen() {
@@ -54,7 +54,7 @@ class Stranger {
     });
   }
   void hang_up() { socket_.close(); }
-  /// Why the server left: its Goodbye's reason; empty when there was none.
+  /// The reason in the server's Goodbye; empty without a Goodbye.
   std::string goodbye() const {
     wire::FrameParser parser;
     std::span<const std::byte> bytes = std::as_bytes(std::span(heard_));
@@ -76,7 +76,8 @@ class Stranger {
   bool closed_ = false;
 };
 
-/// What the server says to a peer that opens with `bytes`; checks that it is left, and that others are served on.
+/// The server's reply to a peer whose first bytes are `bytes`. Checks that the server disconnects it and continues to
+/// serve others.
 std::string answer_to(const std::string& bytes) {
   Site site;
   Client honest(site, {"/clock"}, "honest");
@@ -197,7 +198,7 @@ TEST(HostilePeer, AskingForKeyFramesWithoutEndAsksThePublisherOnce) {
   Stranger stranger(site);
   stranger.listen();
   stranger.say(bytes + control_frame(advertisement(4, wire::kStationState.name, wire::kStationState.schema)) +
-               data_frame(4, ""));  // what comes last: all before it was heard
+               data_frame(4, ""));  // the last message: all before it were handled
   const auto heard = [&] { return site.hub.topic_counts().contains(wire::kStationState.name); };
   ASSERT_TRUE(site.run_until(heard));
   EXPECT_EQ(asked, 1);

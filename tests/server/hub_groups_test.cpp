@@ -1,4 +1,4 @@
-// Topics in which messages depend on the one before, as a hub hands them on; each message is its number.
+// Topics with predicted frames in the hub. The payload of each message is its number.
 
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ TEST(HubGroups, ASlowSubscriberNeverGetsAFrameWithoutItsReference) {
   const SubscriberId slow = stage.join();
   stage.key();
   stage.dependent();
-  stage.dependent();  // no room: it and those after it are of no use
+  stage.dependent();  // no room: this frame and those predicted from it are dropped
   stage.dependent();
   EXPECT_EQ(stage.asked, 0);
   EXPECT_EQ(stage.taken(slow), "1 2");
@@ -159,7 +159,7 @@ TEST(HubGroups, ASecondRequestBeforeTheKeyFrameHasNoEffect) {
   for (int i = 0; i < 1000; ++i) stage.hub.want_key(id, wire::kCameraDepth, session_time(2));
   EXPECT_EQ(stage.asked, 1);
   stage.key();
-  stage.hub.want_key(id, wire::kCameraDepth, session_time(2));  // said before the key frame came
+  stage.hub.want_key(id, wire::kCameraDepth, session_time(2));  // requested before the key frame came
   EXPECT_EQ(stage.asked, 1);
 }
 

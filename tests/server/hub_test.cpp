@@ -129,7 +129,7 @@ TEST(Hub, TheCameraGoesFirstAndTheOthersGetAQuarterOfItsBytes) {
   hub.subscribe(id, {"*"});
   std::size_t camera_bytes = 0;
   std::size_t other_bytes = 0;
-  for (int round = 0; round < 200; ++round) {  // a link that carries one message while two more come
+  for (int round = 0; round < 200; ++round) {  // a link that sends one message while two more arrive
     hub.publish(weighing(wire::kStationEvents, 10'000));
     hub.publish(weighing(wire::kCameraDepth, 100'000));
     const auto next = hub.next(id);

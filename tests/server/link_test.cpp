@@ -28,7 +28,7 @@ TEST(Link, TheSessionClockIsKnownWithinItsStatedUncertaintyOnceConnected) {
   Client client(site, {});
   ASSERT_TRUE(site.run_until([&] { return client.connected(); }));
   EXPECT_LE(std::chrono::abs(client.link.clock().offset() - site.clock.offset()), client.link.clock_uncertainty());
-  EXPECT_LT(client.link.clock_uncertainty(), 100ms);  // half a round trip of a machine that is busy with other things
+  EXPECT_LT(client.link.clock_uncertainty(), 100ms);  // half a round trip on a busy machine
 }
 
 TEST(Link, ALinkWithADelayOfATenthOfASecondIsConnectedAtItsSecondRoundTrip) {
@@ -127,7 +127,7 @@ TEST(Link, WhatTheHubDroppedForASubscriberIsSeenAsAGapInTheNumbers) {
   ASSERT_TRUE(site.run_until([&] { return client.connected(); }));
   site.hub.publish(message(wire::kCameraDepth, "1"));
   ASSERT_TRUE(site.run_until([&] { return client.messages.size() == 1; }));
-  // Nobody runs the network meanwhile: one goes to the socket at once, two wait, the rest is overtaken.
+  // The network does not run meanwhile: one message goes to the socket at once, two wait, the others are dropped.
   for (int number = 2; number <= 10; ++number) site.hub.publish(message(wire::kCameraDepth, std::to_string(number)));
   ASSERT_TRUE(site.run_until([&] { return client.messages.size() == 4; }));
   EXPECT_EQ(*client.messages.back().payload, "10");

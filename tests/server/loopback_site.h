@@ -21,7 +21,7 @@ struct Site {
   boost::asio::io_context io;
   Hub hub;
   wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
-  std::vector<std::string> notes;  // what the server would log
+  std::vector<std::string> notes;  // the server's log lines
   std::unique_ptr<PeerListener> listener = listen(0);
 
   std::unique_ptr<PeerListener> listen(std::uint16_t port, PlaceLimits places = {}, IdleLimits idle = {}) {
@@ -33,7 +33,7 @@ struct Site {
     return std::move(made).value();
   }
 
-  /// Where the peer that joined as `name` came from, as noted.
+  /// Address of the peer `name`, from the log lines.
   std::string address_of(const std::string& name) const {
     for (const std::string& note : notes)
       if (note.starts_with(name + " (") && note.find("joined from ") != std::string::npos)
@@ -41,7 +41,7 @@ struct Site {
     return "nowhere";
   }
 
-  /// Runs the network until `done`, at most `patience`. Returns whether it was done.
+  /// Runs the network until `done()` is true, at most `patience`. Returns the last result of `done()`.
   template <class Done>
   bool run_until(Done done, std::chrono::milliseconds patience = 5s) {
     const auto limit = std::chrono::steady_clock::now() + patience;
@@ -85,7 +85,7 @@ inline wire::Message station_state(std::int64_t stamp_ns) {
   return wire::make_message(wire::kStationState, session_time(stamp_ns), state);
 }
 
-/// A frame as it lies on the wire, for peers that do not use Connection.
+/// The bytes of a frame, for peers that do not use Connection.
 inline std::string frame_bytes(const wire::FrameHeader& header, const std::string& payload) {
   const wire::HeaderBytes bytes = wire::encode_header(header);
   return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()) + payload;

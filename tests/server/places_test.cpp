@@ -1,4 +1,4 @@
-// Who is let in and who is let go when a server is full, over real sockets.
+// Acceptance and disconnection of peers by a full server, over real sockets.
 
 #include <gtest/gtest.h>
 
@@ -109,7 +109,7 @@ TEST(UpstreamRate, AFloodOfEventsIsHeldToItsRateAndTheStationsStateIsNot) {
     if (one.topic.name == wire::kStationState.name) ++states;
   }
   EXPECT_GT(sent, std::size_t{1'500'000});
-  EXPECT_LT(event_bytes, std::size_t{(256 + 64 * 5) << 10});  // the burst, and a slow machine's seconds
+  EXPECT_LT(event_bytes, std::size_t{(256 + 64 * 5) << 10});  // the burst, plus the rate over a slow machine's run time
   EXPECT_GE(states, 199u);
   EXPECT_GT(site.listener->counts().over_rate, 0u);
   EXPECT_TRUE(any_contains(site.notes, "publishes /station/events faster than 50 messages or 64 KiB a second"));

@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 
 const std::filesystem::path kServer = TELEPALP_BINARY_DIR "/bin/telepalp-server";
 
-/// telepalp-server, run with a port of its own.
+/// telepalp-server on a free port.
 struct RunningServer {
   support::TemporaryFolder folder;
   std::filesystem::path log = folder.path() / "log";
@@ -48,7 +48,7 @@ struct RunningServer {
   }
 };
 
-/// Runs the program to its end; its exit code and what it said on stderr.
+/// Runs the program to its end; returns its exit code and stderr.
 std::pair<int, std::string> outcome(const std::vector<std::string>& arguments) {
   const support::TemporaryFolder folder;
   support::ChildProcess process(kServer, arguments, folder.path() / "log");

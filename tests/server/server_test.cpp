@@ -32,7 +32,7 @@ Proto parsed(const wire::Message& message) {
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-/// A server with a source of twenty frames and one client that wants everything, run until the server has left.
+/// A server with a source of twenty frames and one client of all topics; it runs until the server closes.
 struct ServedSource {
   boost::asio::io_context io;
   std::map<std::string_view, std::vector<wire::Message>> messages;
@@ -129,7 +129,7 @@ TEST(Server, NamesThePortThatIsInUse) {
   EXPECT_NE(second.error().where.find(std::to_string((*first)->port())), std::string::npos);
 }
 
-/// One client of a server: decodes what it gets, and may ask for a key frame at every message.
+/// One client of a server: decodes all frames, and may request a key frame at every message.
 struct Onlooker {
   codec::DepthDecoder decoder;
   std::vector<bool> is_key;
@@ -176,7 +176,7 @@ TEST(Server, TemporalDepthBeginsWithAKeyFrameForEveryoneAndNobodyCanMakeEachFram
   late.asks_always = true;
   ASSERT_TRUE(run_until([&] { return first.is_key.size() >= from + 40; }));
   EXPECT_GE(keys_of(first, from), 3) << "what is asked for is made";
-  const auto made = static_cast<std::ptrdiff_t>(first.last_sequence - from_sequence);  // some may have been overtaken
+  const auto made = static_cast<std::ptrdiff_t>(first.last_sequence - from_sequence);  // some may have been dropped
   EXPECT_LE(keys_of(first, from), made / 4 + 1) << "one in four at most";
   EXPECT_EQ(first.unreadable, 0);
   first.link.stop();

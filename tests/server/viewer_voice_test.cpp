@@ -1,4 +1,4 @@
-// What a viewer may say, and what it may not.
+// The messages that a viewer may and may not send.
 
 #include "server/gateway/viewer_commands.h"
 
@@ -27,7 +27,7 @@ std::string data(const std::string& payload, std::string header = std::string("\
   return header + payload;
 }
 
-/// One that has advertised its hand as channel 5.
+/// A viewer that has advertised its hand as channel 5.
 ViewerCommands voice() {
   ViewerCommands made;
   EXPECT_TRUE(made.advertise({5, "/viewer/hand", "protobuf"}));

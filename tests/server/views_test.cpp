@@ -1,4 +1,4 @@
-// What Foxglove is shown, against our own messages.
+// The messages for Foxglove, compared with telepalp's messages.
 
 #include <gtest/gtest.h>
 

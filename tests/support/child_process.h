@@ -10,10 +10,10 @@
 
 namespace telepalp::support {
 
-/// One of our programs, started by a test or benchmark and ended with it.
+/// A telepalp program that a test or benchmark starts; it ends with this object.
 class ChildProcess {
  public:
-  /// Starts `program` (a path) with `arguments`; its stderr goes to `log` when given, else where ours goes.
+  /// Starts `program` (a path) with `arguments`; its stderr goes to `log` if given, else to this process's stderr.
   ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                const std::filesystem::path& log = {});
   ~ChildProcess();  // asks it to end, and kills it after 5 s
@@ -30,7 +30,7 @@ class ChildProcess {
   std::optional<int> exit_code_;
 };
 
-/// Waits until `file`, which a program writes when it is ready, holds a line `key=value`; the value.
+/// Waits until the ready file `file` has a line `key=value`, and returns the value.
 [[nodiscard]] std::optional<std::string> await_ready(const std::filesystem::path& file, const std::string& key,
                                                      std::chrono::milliseconds patience = std::chrono::seconds(20));
 

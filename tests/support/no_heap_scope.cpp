@@ -28,8 +28,8 @@ bool NoHeapScope::works() noexcept { return TELEPALP_INTERPOSES_MALLOC != 0; }
 
 #if TELEPALP_INTERPOSES_MALLOC
 
-// The program's own definitions come before libc's, and those of every library call end here too. glibc exports its
-// own under these names for just this use.
+// These definitions replace libc's in the program and in every library. glibc exports its own functions under these
+// names for this purpose.
 extern "C" {
 void* __libc_malloc(std::size_t) noexcept;
 void* __libc_calloc(std::size_t, std::size_t) noexcept;
@@ -39,7 +39,7 @@ void __libc_free(void*) noexcept;
 
 static void refuse_where_forbidden(const char* what) noexcept {
   if (forbidden == 0) return;
-  forbidden = 0;  // what follows may use the heap
+  forbidden = 0;  // the following code may use the heap
   [[maybe_unused]] auto written = write(STDERR_FILENO, what, std::strlen(what));
   written = write(STDERR_FILENO, " used where the heap is forbidden\n", 34);
   std::abort();

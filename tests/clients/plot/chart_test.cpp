@@ -27,7 +27,7 @@ Chart tiny_chart() {
   return chart;
 }
 
-// Rebuild the golden file after looking at the change: TELEPALP_WRITE_GOLDEN=1 plot_test
+// Compares with the golden file. Rebuild it after a check of the change: TELEPALP_WRITE_GOLDEN=1 plot_test
 void expect_golden(const std::string& svg, const std::string& name) {
   const std::string file = std::string(TELEPALP_SOURCE_DIR) + "/tests/clients/plot/golden/" + name;
   if (std::getenv("TELEPALP_WRITE_GOLDEN") != nullptr) std::ofstream(file) << svg;

@@ -49,7 +49,7 @@ ColorImage color_image() {
   return color;
 }
 
-/// The hand at one instant: height above the skin [m], and what the station makes of it.
+/// The hand at one instant: height above the skin [m], and the station's state.
 struct Instant {
   double height_m, indentation_m, force_N, sideways_m;
   msg::Phase phase;

@@ -93,7 +93,7 @@ msg::StationStats totals(std::uint32_t sender, std::uint64_t ticks, std::uint64_
   return stats;
 }
 
-/// What the server says of one connection of the station and of a recorder that is always there.
+/// The server's statistics of one connection of the station, and of a recorder that is always connected.
 msg::ServerStats connection(const std::string& address, std::uint32_t sender, std::uint64_t sent,
                             std::uint64_t dropped) {
   msg::ServerStats stats;
@@ -149,7 +149,7 @@ TEST(Senders, AForgedStateIsToldApartAndIsAWarningOnTheFirstLine) {
   forged.set_sender(666);
   forged.set_phase(msg::PHASE_IN_BODY);
   forged.set_indentation_m(0.5);
-  tell(session, wire::kStationState, 0.0, forged);  // before the station's first word
+  tell(session, wire::kStationState, 0.0, forged);  // before the station's first message
   for (wire::Message message : made_messages({.seconds = 2.0})) {
     if (message.topic.name.starts_with("/station/")) {
       msg::Sender sender;
@@ -319,7 +319,7 @@ TEST(Verdict, ARunWithinEveryBudgetIsCalledGood) {
 
 TEST(Summary, TheForceThatWasFeltIsToldApartFromTheOneThatMovesTheFreeDevice) {
   Session session = session_of({.seconds = 2.0});
-  session.ticks.force[0][0] = 7.0F;  // at the start the hand is out of the body
+  session.ticks.force[0][0] = 7.0F;  // at the start the hand is outside the body
   const Summary s = summarise(session);
   EXPECT_EQ(s.force_max_N, 7.0);
   EXPECT_LT(s.force_in_contact_max_N, 6.0);
@@ -504,7 +504,7 @@ TEST(Program, WritesItsThreeFiles) {
   EXPECT_EQ(png.str().substr(1, 3), "PNG");
 }
 
-/// A folder of its own for one run of the program.
+/// A new folder for one run of the program.
 std::filesystem::path fresh_folder(const std::string& name) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / name;
   std::filesystem::remove_all(folder);

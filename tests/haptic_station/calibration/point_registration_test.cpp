@@ -9,7 +9,7 @@ namespace telepalp::calibration {
 namespace {
 
 TEST(PointRegistration, BeatsThePapersErrorUnderThePapersNoise) {
-  // 1.35 +- 0.58 mm is what S3 measured, of its residuals; here it is the noise of every single click.
+  // S3 measured residuals of 1.35 +- 0.58 mm. Here this is the noise of every single click.
   const TrialErrors errors = registration_errors({.places = 8, .repeats = 3, .noise_m = kPaperNoise_m},
                                                  RotationBy::Covariance, 500, /*seed=*/1);
   EXPECT_NEAR(errors.noise.mean_m(), 1.35e-3, 0.03e-3);

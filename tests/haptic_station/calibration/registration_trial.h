@@ -8,7 +8,8 @@
 
 namespace telepalp::calibration {
 
-/// By axis. The length of such an error is Maxwell distributed: mean 1.35 mm, deviation 0.57 mm, as S3 4.2 measured.
+/// Standard deviation per axis. The length of such an error has a Maxwell distribution with mean 1.35 mm and deviation
+/// 0.57 mm, as S3 4.2 measured.
 inline constexpr double kPaperNoise_m = 0.846e-3;
 
 /// People click `places` in a box of 0.30 x 0.20 x 0.25 m, each `repeats` times, with `noise_m` by axis.
@@ -44,9 +45,9 @@ inline MadePairs make_pairs(const RegistrationTrial& trial, device::Random& rand
 }
 
 struct TrialErrors {
-  Residuals at_targets;  ///< of the calibrated motion, at places that were not clicked: what co-location has
-  Residuals residuals;   ///< of the clicks from the fit: what S3 reports
-  Residuals noise;       ///< of the clicks from the truth
+  Residuals at_targets;  ///< errors of the calibrated motion at points that were not clicked: the error of co-location
+  Residuals residuals;   ///< distances of the clicks from the fit, as S3 reports
+  Residuals noise;       ///< distances of the clicks from the truth
 };
 
 /// `runs` calibrations, each with its own motion, places and noise.

@@ -10,7 +10,7 @@
 namespace telepalp::calibration {
 namespace {
 
-constexpr double kHalfStrain_m = 0.015;  // of the 30 mm specimen
+constexpr double kHalfStrain_m = 0.015;  // half the height of the 30 mm specimen
 
 class TissuePresets : public ::testing::TestWithParam<effects::TissuePreset> {};
 

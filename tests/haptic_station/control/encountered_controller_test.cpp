@@ -22,15 +22,15 @@ effects::EffectBank skin_and_cylinder() {
   return bank;
 }
 
-/// A trial over a level skin, with what there is to judge.
+/// A trial over a level skin, with its figures.
 struct TrialRun {
   std::set<Phase> visited;
   int body_entries = 0;
   double worst_step_N = 0.0;
-  double worst_jump_m = 0.0;      // of the end-effector at a transition, beyond what its speed explains
+  double worst_jump_m = 0.0;      // largest displacement of the end-effector at a transition, minus speed × tick
   double worst_speed_jump = 0.0;  // [m/s]
   double most_N = 0.0;
-  double worst_shown_step_m = 0.0;  // of the displayed hand in one tick
+  double worst_shown_step_m = 0.0;  // largest displacement of the displayed hand in one tick
 };
 
 TrialRun run_trial(device::Trial trial, double breathing_m = 0.0) {
@@ -98,7 +98,7 @@ TEST(EncounteredController, EveryTrialIsSmoothOverABreathingPatient) {
   }
 }
 
-/// A controller with the end-effector held at a place, as a table of what it is fed.
+/// A controller with scripted inputs and the end-effector held at a point.
 struct Fed {
   control::ControlSettings settings;
   control::EncounteredController controller{settings, skin_and_cylinder()};
@@ -122,7 +122,7 @@ struct Fed {
   ControlOutput into_body() {
     (void)at_height(0.05, 2000);
     (void)at_height(0.02, 1000);
-    return at_height(-0.02, 2000);  // sinks in at 0.03 m/s
+    return at_height(-0.02, 2000);  // the sink-in rises at 0.03 m/s
   }
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTick_s = 0.0005;
 
-/// Any double at all: ordinary, huge, tiny, infinite, not a number.
+/// Any double: ordinary, huge, tiny, infinite or NaN.
 double anything(device::Random& random) {
   switch (random.bits() % 8) {
     case 0:
@@ -42,7 +42,7 @@ TEST(ForceLimiter, AMillionArbitraryInputsNeverExceedPeakOrSlew) {
   Force<HapticBase> wanted;
   for (int i = 0; i < 1'000'000; ++i) {
     if (random.bits() % 4 == 0) limiter.rearm();
-    if (random.bits() % 30 == 0)  // held for a while, or the slew would keep the peak out of reach
+    if (random.bits() % 30 == 0)  // held for a while; otherwise the slew limit would keep the force below the peak
       wanted.N = {anything(random), anything(random), anything(random)};
     const Eigen::Vector3d given = limiter.limit(wanted, kTick_s).N;
     most_N = std::max(most_N, given.norm());

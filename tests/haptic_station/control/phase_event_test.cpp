@@ -18,7 +18,7 @@ static_assert(std::size(kPhases) == kPhaseCount);
 
 using Pair = std::pair<Phase, Event>;
 
-/// Every phase with everything that inputs can say.
+/// Calls `look` for every phase with every combination of facts.
 void for_each_seen(const std::function<void(Phase, const Seen&)>& look) {
   for (const Phase phase : kPhases)
     for (unsigned bits = 0; bits < 256; ++bits)
@@ -37,7 +37,7 @@ std::set<Pair> raised() {
   return pairs;
 }
 
-/// What a phase goes on being told while it lasts.
+/// True for an event that only confirms the present phase.
 bool says_what_is(const Pair& pair) {
   const Pair kStays[] = {{Phase::InBody, Event::AwayFromObject},
                          {Phase::AroundObject, Event::NearObject},

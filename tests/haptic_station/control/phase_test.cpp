@@ -15,7 +15,7 @@ constexpr auto kFirstPhase = static_cast<int>(Phase::InBody);
 
 Phase phase_at(std::size_t i) { return static_cast<Phase>(kFirstPhase + static_cast<int>(i)); }
 
-/// Every phase with every event: where it leads, `(dwell)` where it waits, `.` where nothing happens.
+/// The matrix of phases and events: the next phase, `(dwell)` if the transition waits, `.` if the phase stays.
 std::string matrix() {
   std::ostringstream out;
   for (std::size_t p = 0; p < kPhaseCount; ++p)

@@ -19,12 +19,12 @@ using Eigen::Vector3d;
 
 constexpr double kTick_s = 0.0005;
 
-/// A wall at y = 0: its force on a point.
+/// The force of a wall at y = 0 on a point.
 Force<HapticBase> wall(double stiffness_N_per_m, const Point<HapticBase>& at) {
   return {{0.0, stiffness_N_per_m * std::max(0.0, -at.m.y()), 0.0}};
 }
 
-/// What a bare device, knocked onto a wall and left alone, still moves with after two seconds [m/s].
+/// Speed of a free device two seconds after a knock against a wall [m/s].
 double speed_after_a_knock(double wall_N_per_m, double device_damping, bool coupled) {
   constexpr double kMass_kg = 0.3;
   VirtualCoupling coupling({.device_damping_N_s_per_m = device_damping}, wall_N_per_m);
@@ -35,7 +35,7 @@ double speed_after_a_knock(double wall_N_per_m, double device_damping, bool coup
   double moved = 0.0;
   coupling.begin({});
   for (int i = 0; i < 4000; ++i) {
-    // Two-sided, and so the hardest to calm: the wall holds what it has.
+    // A two-sided wall, the hardest case to stabilise.
     EffectInput in{
         .device = {{0.0, y, 0.0}}, .device_velocity = {{0.0, speed, 0.0}}, .contact = {}, .moved = {{0.0, moved, 0.0}}};
     in.contact.normal = {Vector3d::UnitY()};
@@ -93,7 +93,7 @@ TEST(VirtualCoupling, WithTheDeviceHeldStillTheEnergyOnlyFalls) {
       const double depth_m = std::max(0.0, -tool.m.y());
       const double energy_J = coupling.energy_J() + 0.5 * wall_N_per_m * depth_m * depth_m;
       ASSERT_LE(energy_J, last_J * (1.0 + 1e-12)) << trial << " at " << i;
-      if (i > 0) last_J = energy_J;  // the tool starts off the device: the first step finds no force yet
+      if (i > 0) last_J = energy_J;  // the tool does not start at the device, so the first step has no force yet
     }
   }
 }

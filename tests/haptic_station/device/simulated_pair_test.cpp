@@ -43,7 +43,7 @@ TEST(SimulatedPair, AHandThatComesDownInJerksPushesTheDeviceAllTheWay) {
   SimulatedPair pair({}, {});
   pair.place({{0.0, 0.03, 0.0}}, {{0.0, 0.05, 0.0}});
   for (int jerk = 0; jerk < 100; ++jerk) {
-    const double height_m = std::max(-0.04, 0.05 - 0.006 * jerk);  // 60 ms apart, as a slow browser tells of a mouse
+    const double height_m = std::max(-0.04, 0.05 - 0.006 * jerk);  // steps of 60 ms, as from a slow browser
     for (int i = 0; i < 120; ++i) pair.step({}, {.at = {{0.0, height_m, 0.0}}, .velocity = {}}, kTick_s);
   }
   EXPECT_LT(pair.true_device().m.y(), -0.03);

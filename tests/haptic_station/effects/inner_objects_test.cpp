@@ -47,7 +47,7 @@ TEST(InnerCylinder, ForceIsContinuousAndTheGradientOfItsEnergyEverywhere) {
   constexpr double kStep_m = 1e-6;
   for (int i = 0; i < 20'000; ++i) {
     const Eigen::Vector3d p{random.uniform(-0.04, 0.04), random.uniform(-0.09, -0.02), random.uniform(-0.04, 0.04)};
-    if (std::hypot(p.x(), p.z()) < 0.002) continue;  // on the axis the mantle's direction is none, and weighs nothing
+    if (std::hypot(p.x(), p.z()) < 0.002) continue;  // on the axis the lateral direction is undefined and has no weight
     const Eigen::Vector3d here_N = force(p);
     for (int axis = 0; axis < 3; ++axis) {
       const Eigen::Vector3d step = Eigen::Vector3d::Unit(axis) * kStep_m;

@@ -1,6 +1,6 @@
-// A scene pays for what it names: every function that the real-time part enters over a whole trial is counted, by the
-// class of the effect that it belongs to. The sources are compiled for it with -finstrument-functions, which also tells
-// of what was inlined.
+// Only the effects of a scene cost time. The test counts every function that the real-time part enters over a whole
+// trial, by the effect's class. The sources are compiled with -finstrument-functions, which also counts inlined
+// functions.
 
 #include <cxxabi.h>
 #include <dlfcn.h>
@@ -21,7 +21,7 @@
 
 namespace {
 
-/// Entries by function, open addressing; written by the hooks, which must not enter anything themselves.
+/// Number of entries by function, with open addressing. The hooks write it and must not call instrumented functions.
 struct Entered {
   void* function = nullptr;
   std::uint64_t times = 0;
@@ -59,7 +59,7 @@ std::string demangled(const char* name) {
   return status == 0 ? text.get() : name;
 }
 
-/// "Skin" of `telepalp::effects::Skin::step(…)`; empty for what is no member of a class in that namespace.
+/// "Skin" of `telepalp::effects::Skin::step(…)`; empty for a function that is no member of a class in that namespace.
 std::string class_in_effects(const std::string& function) {
   static const std::string kNamespace = "telepalp::effects::";
   if (!function.starts_with(kNamespace)) return "";
@@ -68,7 +68,7 @@ std::string class_in_effects(const std::string& function) {
                                                           : "";
 }
 
-/// How often functions of each class in telepalp::effects were entered.
+/// Number of entries into functions of each class in telepalp::effects.
 std::map<std::string, std::uint64_t> entries_by_class() {
   std::map<std::string, std::uint64_t> counts;
   for (const Entered& one : entered) {

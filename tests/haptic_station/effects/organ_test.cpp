@@ -21,7 +21,7 @@ EffectInput at(const Vector3d& device) {
   return in;
 }
 
-/// A ball of `radius_m` about the origin as a mesh: an octahedron, each face cut in four again and again.
+/// A ball of `radius_m` around the origin as a mesh: an octahedron whose faces are divided by four `cuts` times.
 models::PointModel ball(double radius_m, int cuts) {
   models::PointModel model;
   const auto add = [&](const Vector3d& p) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDt_s = 0.0005;
 
-/// Over the level skin y = 0, come from `before`.
+/// Input over the level skin y = 0; the device has moved from `before`.
 EffectInput moved_to(const Eigen::Vector3d& device_m, const Eigen::Vector3d& before_m) {
   EffectInput in;
   in.device.m = device_m;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTick_s = 0.0005;
 
-/// A device that moves up and down by 10 mm at 1 Hz, and what the gate makes of its readings.
+/// A device that moves up and down by 10 mm at 1 Hz, with a gate for its readings.
 struct Bench {
   DeviceGate gate;
   int tick = 0;

@@ -38,9 +38,9 @@ struct Outcome {
   int in_body = 0;
   int out_body = 0;
   double largest_force_N = 0.0;
-  double largest_step_N = 0.0;  ///< of the force, from tick to tick, within the body
+  double largest_step_N = 0.0;  ///< largest change of force in one tick in the body
   bool finite = true;
-  Compensation most;  ///< of each figure, without its sign
+  Compensation most;  ///< largest magnitude of each figure
 
   void add(const Compensation& told) {
     const auto raise = [](double& most_so_far, double value) { most_so_far = std::max(most_so_far, std::abs(value)); };
@@ -63,7 +63,7 @@ struct Outcome {
   }
 };
 
-/// `seconds` of the station over `patient`. Ticks are run in a scope without a heap.
+/// Runs the station over `patient` for `seconds`. Ticks run in a NoHeapScope.
 Outcome run(const server::SyntheticPatient& patient, double seconds) {
   const scenes::Scene scene = palpation();
   const RgbdFrame first = patient.frame_at(at_tick(0), 0);

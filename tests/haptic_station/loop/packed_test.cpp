@@ -21,7 +21,7 @@ TEST(Packed, AForceOnItsLimitIsNeverRecordedAboveIt) {
     EXPECT_LE(norm_of(packed_towards_zero(force)), 10.0);
     EXPECT_NEAR(norm_of(packed_towards_zero(force)), 10.0, 2e-6);
   }
-  EXPECT_GT(nearest_above, 0);  // else the nearest floats would do
+  EXPECT_GT(nearest_above, 0);  // otherwise rounding to nearest would suffice
 }
 
 TEST(Packed, ANaNIsRecordedAsNaN) {

@@ -1,5 +1,5 @@
-// The watchdog over the whole loop in virtual time: what falls silent, and how soon and how gently the force is gone.
-// Tracker, surface and device each have an age limit of their own; from it on, 50 ms are left.
+// The watchdog over the whole loop in virtual time: an input falls silent, and the force must end soon and smoothly.
+// Tracker, surface and device have separate age limits; the force must end 50 ms after the limit.
 
 #include <gtest/gtest.h>
 
@@ -23,12 +23,12 @@ constexpr int kTicksPerSecond = 2000;
 constexpr int kTicksPerFrame = 67;   // 30 Hz
 constexpr int kTicksPerSample = 20;  // 100 Hz
 constexpr int kFiftyMilliseconds = 100;
-constexpr int kInContact = 4210;  // the hand presses; between two samples and two frames
+constexpr int kInContact = 4210;  // the hand presses; the tick lies between two samples and between two frames
 
 enum Part : unsigned { kTracker = 1, kSurface = 2, kDevice = 4 };
 
-/// A hand that waits a second above a level skin, then presses up and down 10 to 50 mm deep, and whatever is to fall
-/// silent. H and K are one here.
+/// A hand that waits a second above a level skin and then presses up and down, 10 to 50 mm deep, with inputs that can
+/// fall silent. The frames H and K are equal here.
 class Bench {
  public:
   explicit Bench(const control::ControlSettings& settings = {})
@@ -37,7 +37,7 @@ class Bench {
   }
 
   unsigned silent = 0;        ///< Parts
-  Nanoseconds clock_step{0};  ///< of session time, from now on
+  Nanoseconds clock_step{0};  ///< step of session time, from now on
 
   HapticLoop::Act tick() {
     const SessionTime now = session_time(4'000'000'000'000 + std::int64_t{tick_} * 500'000) + clock_step;
@@ -88,7 +88,7 @@ class Bench {
 struct Silence {
   const char* what;
   unsigned parts;
-  double limit_s;  ///< the least of those that count
+  double limit_s;  ///< the shortest limit of the silent inputs
   Phase becomes;
 };
 std::ostream& operator<<(std::ostream& out, const Silence& one) { return out << one.what; }
@@ -105,7 +105,7 @@ const Silence kSilences[] = {
 
 class Watchdog : public ::testing::TestWithParam<Silence> {};
 
-/// Whenever it happens: the force of many moments, with frames and samples of every age.
+/// The silence begins at many different ticks, so frames and samples have every age.
 TEST_P(Watchdog, LetsGoWithinFiftyMillisecondsOfTheLimitAndGently) {
   int pressed = 0;
   for (int at = kInContact; at < kInContact + 2800; at += 97) {
@@ -113,7 +113,7 @@ TEST_P(Watchdog, LetsGoWithinFiftyMillisecondsOfTheLimitAndGently) {
     HapticLoop::Act before = bench.run(at);
     if (before.force.N.norm() > 0.5) ++pressed;
     bench.silent = GetParam().parts;
-    // What was last heard may be as old as a frame or a sample when the silence begins; that makes it end sooner.
+    // At the beginning of the silence the newest frame or sample may already be old, so the force may end earlier.
     const int limit = static_cast<int>(GetParam().limit_s * kTicksPerSecond);
     double largest_step_N = 0.0;
     for (int tick = 0; tick < limit + kFiftyMilliseconds; ++tick) {
@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(Silences, Watchdog, ::testing::ValuesIn(kSilences), [](
 struct ClockStep {
   const char* what;
   Nanoseconds step;
-  bool lets_go;  ///< the step is no slewing: another session's time
+  bool lets_go;  ///< the step is too large for slewing: another session's time
 };
 const ClockStep kClockSteps[] = {
     {"an hour back", -std::chrono::hours(1), true},
@@ -168,7 +168,7 @@ const ClockStep kClockSteps[] = {
 TEST(WatchdogClock, AStepOfSessionTimeNeitherJerksNorFreezesTheHand) {
   for (const ClockStep& c : kClockSteps) {
     Bench bench;
-    HapticLoop::Act before = bench.run(kInContact);  // not on a sample, not on a frame
+    HapticLoop::Act before = bench.run(kInContact);  // at a tick without a sample or a frame
     ASSERT_GT(before.force.N.norm(), 0.5);
     bench.clock_step = c.step;
     bool let_go = false;

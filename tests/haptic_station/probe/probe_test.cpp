@@ -1,4 +1,4 @@
-// Offline touch of what people have on their disks, and of what they should not have.
+// Offline touch of valid and of damaged files.
 
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ std::string obj(const Cube& cube) {
   return text.str();
 }
 
-/// From the camera through the middle of what is at 0.8 m, and 10 mm into it.
+/// A path from the camera to a surface at 0.8 m, and 10 mm into it.
 std::vector<Waypoint> straight_in() {
   std::vector<Waypoint> path;
   for (int i = 0; i <= 600; ++i) path.push_back({0.001 * i, {0.0005, 0.0003, 0.75 + 0.0001 * i}});
@@ -218,7 +218,7 @@ TEST_F(Probe, AMeshWithVerticesThatAreNoNumbersIsTouchedWhereItIs) {
 
 TEST_F(Probe, OnlyTheGroupBodyOfAnObjIsRead) {
   std::string moved = "g helper\nv 0 0 90\nv 1 0 90\nv 0 1 90\nf 1 2 3\ng body\n";
-  bool in_faces = false;  // whose corners are counted back from the newest, as three vertices came before
+  bool in_faces = false;  // face corners counted back from the newest vertex
   for (const char letter : obj({})) {
     in_faces = in_faces || letter == 'f';
     moved += in_faces && letter >= '1' && letter <= '8' ? "-" + std::to_string('9' - letter) : std::string(1, letter);

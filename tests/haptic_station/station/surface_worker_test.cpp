@@ -18,7 +18,7 @@ constexpr int kWidth = 160;
 constexpr int kHeight = 120;
 const Intrinsics kCamera{.width = kWidth, .height = kHeight, .fx = 130, .fy = 130, .cx = 79.5, .cy = 59.5};
 
-/// A flat patient that comes nearer by a millimetre with each frame.
+/// A flat patient that moves one millimetre towards the camera with each frame.
 DepthImage plane(int number) {
   return {.width = kWidth,
           .height = kHeight,
@@ -38,13 +38,13 @@ wire::Message message_of(int number, std::string packet) {
   return wire::make_message(wire::kCameraDepth, captured, image);
 }
 
-/// A worker, and all that it said, in order: what a test waits for.
+/// A worker with the list of its answers, for which a test can wait.
 class Bench {
  public:
   void offer(const wire::Message& message) {
     worker_.offer({.depth = message, .camera = kCamera, .received = message.published});
   }
-  /// Waits until `count` frames were answered, by a report or an error.
+  /// Waits until `count` frames have led to a report or an error.
   bool answered(std::size_t count) {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, 10s, [&] { return reports_.size() + errors_.size() >= count; });

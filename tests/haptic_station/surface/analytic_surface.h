@@ -22,7 +22,7 @@ class AnalyticSurface {
  public:
   virtual ~AnalyticSurface() = default;
   [[nodiscard]] virtual std::string name() const = 0;
-  /// z of the first point on the ray through (x, y, 1)·z; 0 where the ray meets nothing.
+  /// z of the first surface point on the ray through (x, y, 1)·z; 0 if the ray misses the surface.
   [[nodiscard]] virtual double depth_along(double x_per_z, double y_per_z) const = 0;
   [[nodiscard]] virtual TrueFoot foot(const Eigen::Vector3d& query) const = 0;
 };
@@ -41,10 +41,10 @@ class AnalyticSurface {
 
 /// A camera of 640×480 whose pixels are `spacing_m` apart at depth `z_m`.
 [[nodiscard]] Intrinsics camera_with_spacing(double z_m, double spacing_m);
-/// Kinect-like: f = 575.
+/// A Kinect-like camera with a focal length of 575 pixels.
 [[nodiscard]] Intrinsics kinect_camera();
 
-/// Adds to a true depth [m] what the sensor would: Gaussian noise of `sigma_m`, seeded by frame.
+/// The sensor's error: Gaussian noise of `sigma_m` [m], seeded by frame.
 struct RenderSettings {
   double unit_m = 2e-5;
   double sigma_m = 0.0;
@@ -54,7 +54,7 @@ struct RenderSettings {
 [[nodiscard]] DepthImage render(const AnalyticSurface& surface, const Intrinsics& camera,
                                 const RenderSettings& settings);
 
-/// Adds noise and holes to an image already rendered.
+/// Adds noise and holes to a rendered image.
 [[nodiscard]] DepthImage with_noise(const DepthImage& clean, const RenderSettings& settings);
 
 }  // namespace telepalp::testing

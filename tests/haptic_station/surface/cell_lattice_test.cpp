@@ -12,7 +12,7 @@ namespace {
 constexpr int kWidth_px = 320;
 constexpr int kHeight_px = 240;
 
-/// Means over cells of a function of the pixel, as a camera without noise would see them.
+/// Means over cells of a function of the pixel, without noise.
 std::vector<CellMean> means_of_pixels(const CellLattice& lattice, const std::function<double(double, double)>& at) {
   std::vector<CellMean> means(lattice.size());
   for (int v = 0; v < kHeight_px; ++v)
@@ -54,7 +54,7 @@ TEST(CellLattice, ABulgeOfABellysSizeKeepsItsHeight) {
   EXPECT_LT(worst_error(lattice, smooth_coefficients(lattice, means_of_pixels(lattice, bulge)), bulge), 0.005);
 }
 
-/// The filter feeds on what it spread: were any of it amplified, it would swing up by itself.
+/// The filter's output returns to its input. If smoothing amplified any part, the filter would be unstable.
 TEST(CellLattice, SmoothingAgainAndAgainNeverAmplifies) {
   const CellLattice lattice = lattice_of(kWidth_px, kHeight_px);
   std::mt19937_64 random(3);

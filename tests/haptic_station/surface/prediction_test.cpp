@@ -70,7 +70,7 @@ std::vector<Seen> watch(Patient& patient, double until_s, double keep_from_s) {
   return seen;
 }
 
-/// How far outside of the true skin the carried surface lies at its middle.
+/// Signed distance of the predicted surface's middle from the true skin; positive outside.
 double error_m(const Seen& seen, const Patient& patient, double age_s) {
   const Vector3d truth(0.0, 0.0, patient.middle_at(seen.at_s + age_s));
   return -seen.snapshot->evaluate(truth, Vector3d::Zero(), motion_basis(seen.snapshot->motion, age_s)).f_m;
@@ -105,7 +105,7 @@ TEST(Prediction, BeforeTheBreathIsKnownVelocityCarriesTheSurface) {
 }
 
 TEST(Prediction, AHeldBreathEndsTheBreathingModelWithinASecond) {
-  static constexpr double kHeldFrom_s = 13.3;  // on the way up, where the model is most sure of itself
+  static constexpr double kHeldFrom_s = 13.3;  // during the rise of the breath, where the model's confidence is highest
   Patient patient([](double t) { return breath(std::min(t, kHeldFrom_s)); });
   const std::vector<Seen> seen = watch(patient, 16.0, 13.0);
   EXPECT_LT(rms_error_m(seen, patient, 0.1, 13.0, 13.2), 5e-5);
@@ -113,7 +113,7 @@ TEST(Prediction, AHeldBreathEndsTheBreathingModelWithinASecond) {
   EXPECT_LT(rms_error_m(seen, patient, 0.1, 14.3, 16.0), 1e-4);
 }
 
-/// Of errors at 200 ms, as of a Gaussian, nearly all lie within three of the deviations that are told.
+/// Nearly all errors at 200 ms lie within three stated standard deviations, as for a Gaussian.
 TEST(Prediction, TheStatedUncertaintyCoversTheError) {
   Patient patient(breath);
   int within = 0;

@@ -14,11 +14,11 @@ using Eigen::Vector3d;
 using surface::Touch;
 using surface::TouchSample;
 
-constexpr double kSteepestView = 0.77;  // cosine of 40 degrees: beyond it the sampling is no longer what was asked
+constexpr double kSteepestView = 0.77;  // cosine of 40 degrees: on a steeper surface the pixels are too far apart
 constexpr int kPressSteps = 60;
 constexpr int kSettleSteps = 30;
 
-/// Comes from `from`, presses to `to`, and stays there a moment.
+/// Moves from `from` to `to`, pressing, and stays there for a moment.
 TouchSample press(const surface::SurfaceSnapshot& snapshot, const Vector3d& from, const Vector3d& to,
                   std::vector<double>& step_us) {
   Touch touch;

@@ -9,10 +9,10 @@
 
 namespace telepalp::testing {
 
-/// How far a touched surface lies from the true one.
+/// Error of a touched surface.
 struct ShapeError {
   int points = 0;
-  double position_rms_m = 0.0;  ///< of the proxy from the true surface
+  double position_rms_m = 0.0;  ///< RMS distance of the proxy from the true surface
   double position_max_m = 0.0;
   double normal_rms_deg = 0.0;
   double step_us = 0.0;  ///< median time of a step in contact
@@ -25,12 +25,12 @@ struct ShapeError {
 struct ShapeTrial {
   double spacing_m = 0.0015;
   double sigma_m = 0.0;
-  int frames = 1;  ///< all through one builder
+  int frames = 1;  ///< frames passed through one builder
 };
 [[nodiscard]] ShapeError shape_error(const AnalyticSurface& surface, const surface::SurfaceSettings& settings,
                                      const ShapeTrial& trial);
 
-/// The same on a torso around `spot`, with a snapshot made elsewhere.
+/// The error on a torso around `spot`, for a given snapshot.
 [[nodiscard]] ShapeError torso_error(const server::SyntheticPatient& patient, const surface::SurfaceSnapshot& snapshot,
                                      const Spot& spot);
 

@@ -25,7 +25,7 @@ models::PointModel ball(double radius_m, const Vector3d& middle, bool with_norma
     for (int i = 0; i < 2 * rings; ++i) {
       const double polar = M_PI * j / rings;
       const double around = M_PI * i / rings;
-      const double ring = j == 0 || j == rings ? 0.0 : std::sin(polar);  // poles are one place, as in any exporter's
+      const double ring = j == 0 || j == rings ? 0.0 : std::sin(polar);  // a pole's vertices coincide
       const Vector3d n(ring * std::cos(around), ring * std::sin(around), std::cos(polar));
       mesh.points.push_back((middle + radius_m * n).cast<float>());
       if (with_normals) mesh.normals.push_back(n.cast<float>());
@@ -89,14 +89,14 @@ TEST(StaticModel, ABallIsTouchedWhereItIsFromEverySideHoweverFarAway) {
       TouchSample felt;
       for (int i = 0; i <= 300; ++i) felt = touch.step({middle + (0.12 - 0.0001 * i) * side}, SessionTime{}, 0.0005);
       ASSERT_TRUE(felt.in_body) << side.transpose();
-      const double tolerance_m = middle.norm() > 100.0 ? 5e-4 : 2.5e-4;  // of the file's floats; of the triangles
+      const double tolerance_m = middle.norm() > 100.0 ? 5e-4 : 2.5e-4;  // floats; triangles
       EXPECT_NEAR((felt.proxy.m - middle).norm(), 0.1, tolerance_m) << side.transpose();
       EXPECT_GT(felt.normal.dot(side), 0.999) << side.transpose();
     }
   }
 }
 
-/// How far the proxy is from `middle` when a hand has gone 10 mm into a ball of 0.1 m from above.
+/// Distance of the proxy from `middle` when a hand has pressed 10 mm into a ball of 0.1 m from above.
 double felt_radius_m(const SurfaceSnapshot& snapshot, const Vector3d& middle) {
   Touch touch;
   touch.adopt(snapshot, SessionTime{});
@@ -174,7 +174,7 @@ TEST(StaticModel, ACloudKeepsItsPointsAndItsGivenNormals) {
   for (int j = 0; j < 40; ++j)
     for (int i = 0; i < 40; ++i) {
       cloud.points.emplace_back(0.002F * static_cast<float>(i), 0.002F * static_cast<float>(j), 0.5F);
-      cloud.normals.emplace_back(0.0F, 0.0F, 3.0F);  // away from the origin, and not of unit length
+      cloud.normals.emplace_back(0.0F, 0.0F, 3.0F);  // points away from the origin; its length is not 1
     }
   cloud.normals[7].setConstant(std::numeric_limits<float>::quiet_NaN());
   cloud.normals[9].setZero();

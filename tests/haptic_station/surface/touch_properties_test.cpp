@@ -1,4 +1,4 @@
-// What must hold of every surface and every movement, over seeded random ones.
+// Properties of every surface and every movement, checked on seeded random ones.
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ TEST(TouchProperties, ADepthImageOnItsSideIsTouchedTheSame) {
   DepthImage side{.width = 120, .height = 160, .unit_m = image.unit_m, .samples = {}};
   for (int u = 0; u < 160; ++u)
     for (int v = 0; v < 120; ++v) side.samples.push_back(image.samples[static_cast<std::size_t>(v * 160 + u)]);
-  // An odd border of the lattice would else lie differently: both are asked in the middle.
+  // Both are evaluated in the middle, because the lattices differ at the border.
   const auto upright = build_snapshot(image, camera, at_s(1.0), std::nullopt, *surface_settings("single-frame"));
   const auto lying = build_snapshot(side, turned, at_s(1.0), std::nullopt, *surface_settings("single-frame"));
   std::mt19937_64 random(4);
@@ -99,7 +99,7 @@ TEST(TouchProperties, ADepthImageOnItsSideIsTouchedTheSame) {
 TEST(TouchProperties, FinerSamplingConvergesToTheTrueSurface) {
   for (const char* name : {"single-frame", "cloud"})
     for (const auto& shape : testing::smooth_shapes()) {
-      if (shape->name() == "plane") continue;  // is exact already: what is left is the samples' rounding
+      if (shape->name() == "plane") continue;  // the plane is exact; only the rounding of samples remains
       const auto settings = *surface_settings(name);
       const double coarse_m = testing::shape_error(*shape, settings, {.spacing_m = 0.0030}).position_rms_m;
       const double fine_m = testing::shape_error(*shape, settings, {.spacing_m = 0.0015}).position_rms_m;
@@ -107,7 +107,7 @@ TEST(TouchProperties, FinerSamplingConvergesToTheTrueSurface) {
     }
 }
 
-/// A number that a damaged sensor, file or packet could hold.
+/// Any number that a damaged sensor, file or packet could contain.
 double anything(std::mt19937_64& random) {
   const std::uint64_t kind = random() % 5;
   if (kind == 0) return std::bit_cast<double>(random());
@@ -152,11 +152,11 @@ TEST(TouchProperties, ResultsAreFiniteForAnyImageAndAnyDevicePosition) {
   }
 }
 
-/// A hand that wanders: a place above or in a bump, pulled back to its middle, pushed at random.
+/// A hand that moves at random above and in a bump, pulled back to the bump's middle.
 class Wanderer {
  public:
   explicit Wanderer(std::uint64_t seed) : random_(seed) {}
-  /// Beside the bump's axis, and above the true skin [m].
+  /// Distance from the bump's axis and height above the true skin [m].
   Vector3d step() {
     std::normal_distribution<double> push(0.0, 1.0);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -177,11 +177,11 @@ class Wanderer {
 
 TEST(TouchProperties, AMillionRandomStepsNeverPassThroughTheSurface) {
   constexpr int kSteps = 1'000'000;
-  constexpr double kSure_m = 0.0010;  // what noise, its slewing and the slope of the bump come to
+  constexpr double kSure_m = 0.0010;  // bound on the error by noise, gradual change and the slope of the bump
   const Intrinsics camera = small_camera();
   const auto bump = testing::gaussian_bump(0.8, 0.02, 0.04);
   SurfaceSettings averaged;
-  averaged.predict = false;  // the same snapshots are shown again and again: nothing to carry forward
+  averaged.predict = false;  // the same snapshots are repeated, so prediction is off
   SurfaceBuilder builder{averaged};
   std::vector<std::shared_ptr<const SurfaceSnapshot>> seen;
   for (int frame = 0; frame < 30; ++frame) {

@@ -25,7 +25,7 @@ inline constexpr double kTick_s = 0.0005;
 
 [[nodiscard]] inline SessionTime scene_time(double seconds) { return session_time(0) + from_seconds(seconds); }
 
-/// A snapshot with the instant it was seen at.
+/// A snapshot with its capture time.
 struct Captured {
   double at_s = 0.0;
   std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
@@ -37,17 +37,18 @@ struct Captured {
     const server::SyntheticPatient& patient, const surface::SurfaceSettings& settings, const surface::Reach& reach,
     double until_s, double keep_from_s, const std::function<bool(int)>& lost = [](int) { return false; });
 
-/// How a run at 2 kHz went, against the true surface of the same instant.
+/// Result of a run at 2 kHz, compared with the true surface of the same instant.
 struct TouchRun {
-  std::vector<double> force_change_N;  ///< |F_n − F_{n−1}| while in contact at both
+  std::vector<double> force_change_N;  ///< |F_n − F_{n−1}| for ticks in contact
   double force_rmse_N = 0.0;
   double force_max_N = 0.0;
-  double lost_share = 0.0;  ///< of the ticks in which the true surface is indented
+  double lost_share = 0.0;  ///< share of ticks without contact, among those in which the true surface is indented
   double age_s_max = 0.0;
 };
 
 /// Touches at `device(t)` from `from_s` to `until_s` with snapshots that arrive `delay_s` after their capture; of
-/// several that wait, only the newest. The first quarter of a second, in which contact is made, is not judged.
+/// several waiting ones, only the newest is used. The first quarter of a second, in which contact is made, is not
+/// judged.
 [[nodiscard]] TouchRun run_touch(
     const server::SyntheticPatient& patient, const std::vector<Captured>& snapshots,
     const std::function<Eigen::Vector3d(double)>& device, double from_s, double until_s, double delay_s,

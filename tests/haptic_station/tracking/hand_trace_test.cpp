@@ -22,7 +22,7 @@ TEST(HandTrace, SkipsAndCountsWhatCannotBeUsed) {
                                                        "500,1,1,2,3\n"     // back in time
                                                        "2000,2,1,2,3\n"    // another hand
                                                        "3000,1,nan,2,3\n"  // no number
-                                                       "4000,1,1;5,2,3\n"  // a wrong locale's
+                                                       "4000,1,1;5,2,3\n"  // number in another locale
                                                        "5000,1,1,2\n"      // short
                                                        "6000,1,4,5,6",
                                                    "t.csv");

@@ -22,7 +22,7 @@ const std::vector<Vector3d> kTetrahedron{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0
 struct Case {
   std::string name;
   std::vector<Vector3d> from;
-  std::string says;  ///< in the error; empty: must be calibrated
+  std::string says;  ///< text of the expected error; empty: calibration must succeed
   std::string rank = {};
   Eigen::Matrix3d distort = Eigen::Matrix3d::Identity();  ///< applied to `to`
   void (*spoil)(std::vector<PointPair>&) = [](std::vector<PointPair>&) {};
@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
              [](std::vector<PointPair>& p) { p[0].to.x() = 1e300; }},
         Case{"two places exchanged", kTetrahedron, "", "", Eigen::Matrix3d::Identity(),
              [](std::vector<PointPair>& p) {
-               std::swap(p[1], p[2]);  // whole pairs: the order does not matter
+               std::swap(p[1], p[2]);  // swaps whole pairs, because their order does not matter
              }},
         Case{"one column shifted by a row",
              {{0, 0, 0}, {0.3, 0, 0}, {0, 0.2, 0}, {0, 0, 0.1}, {0.3, 0.2, 0.1}},

@@ -14,7 +14,7 @@ using control::Phase;
 using ::testing::AssertionResult;
 
 constexpr double kAt_s = 2.5;     // in contact
-constexpr double kStep_N = 0.25;  // letting go takes 30 ms from the peak, and is the quickest change there is
+constexpr double kStep_N = 0.25;  // a release from the peak takes 30 ms and is the fastest change of force
 
 /// A hand whose stamps are off by `off_s(now_s)`.
 LoopScene with_tracker_stamps(const std::function<double(double)>& off_s) {
@@ -26,7 +26,7 @@ LoopScene with_tracker_stamps(const std::function<double(double)>& off_s) {
   return scene;
 }
 
-/// A camera whose stamps are off by `off_s(now_s)`, and that is gone from `gone_s` on.
+/// A camera whose stamps are off by `off_s(now_s)`, and that is silent from `gone_s` on.
 LoopScene with_camera_stamps(const std::function<double(double)>& off_s, double gone_s = 1e9) {
   LoopScene scene;
   scene.camera = [=](int tick, double now_s) {
@@ -60,7 +60,7 @@ AssertionResult one_stamp_an_hour_on() {
       0);
 }
 
-/// The tracker's own clock is set, and stays so: what its line maps to session time (ClockEnvelope) follows.
+/// The tracker's clock is set to another time. The mapping to session time (ClockEnvelope) follows.
 AssertionResult trackers_clock_is_set() {
   for (const double step_s : {1.0, -1.0, -3600.0}) {
     ClockEnvelope envelope;
@@ -82,7 +82,8 @@ AssertionResult twice_and_out_of_order() {
   scene.tracker = [&](int tick, double now_s, const Point<HapticBase>& hand) {
     std::vector<TrackedHand> out;
     if (tick % LoopScene::kTicksPerSample != 0) return out;
-    out = {{now_s, hand}, {now_s, {hand.m + Eigen::Vector3d::UnitX()}}};  // the second one at the same time: nonsense
+    out = {{now_s, hand},
+           {now_s, {hand.m + Eigen::Vector3d::UnitX()}}};  // the second sample has the same time and a wrong position
     out.insert(out.end(), late.begin(), late.end());
     late = {{now_s - 0.004, {hand.m - Eigen::Vector3d::UnitX()}}};
     return out;
@@ -117,7 +118,7 @@ ForceFrom force_from(LoopScene scene, double from_s) {
   return seen;
 }
 
-/// Its stamps are an hour ahead, and then it falls silent: its last surface must not stay young for an hour.
+/// The server's stamps are an hour ahead, and then it falls silent. Its last surface must not seem fresh for an hour.
 AssertionResult from_the_future_then_silent() {
   LoopScene scene = with_camera_stamps([](double now_s) { return now_s > 2.0 ? 3600.0 : 0.0; }, 3.0);
   scene.seconds = 6.0;
@@ -127,7 +128,7 @@ AssertionResult from_the_future_then_silent() {
                  below_N("step", seen.felt.worst_step_N, kStep_N)});
 }
 
-/// Whatever the inputs' ages are, at the controller itself.
+/// Invalid ages, given directly to the controller.
 AssertionResult ages_that_are_none() {
   ControllerScene scene;
   scene.seconds = 6.0;

@@ -15,7 +15,7 @@ AssertionResult stiff_and_light() {
   scene.settings.device.mass_kg = 0.1;
   scene.settings.device.damping_N_s_per_m = 0.2;
   scene.settings.hand = {.mass_kg = 0.1, .stiffness_N_per_m = 200.0, .damping_N_s_per_m = 2.0};
-  scene.settings.hand.pad_damping_N_s_per_m = 0.5;  // a hand that calms next to nothing
+  scene.settings.hand.pad_damping_N_s_per_m = 0.5;  // a hand with almost no damping
   scene.person = presses_to(0.01);
   const Felt felt = feel(scene);
   return all_of({{felt.finite, "finite"},
@@ -37,10 +37,10 @@ AssertionResult stacked() {
                  {felt.most_N <= kPeak_N, "below the peak"}});
 }
 
-/// Rubs over the rim of whatever is added to the skin, to both sides of it.
+/// A hand that rubs over the rim of an added effect, to both sides.
 struct Rubbed {
   Felt felt;
-  double farthest_m = 0.0;  ///< from the middle, on the nearer side
+  double farthest_m = 0.0;  ///< farthest reach from the middle, on the side that was reached less
 };
 
 Rubbed rubbed_over(ControllerScene scene) {
@@ -85,7 +85,7 @@ AssertionResult over_a_regions_rim() {
   return smooth_over_the_rim(rubbed_over_a_region({.center = {}, .radius_m = 0.01}), 0.032, 0.6);
 }
 
-/// A rim so steep that its push sideways is far beyond the peak: what is felt is the limiter, at its slew.
+/// A rim so steep that its sideways force far exceeds the peak, so that the limiter determines the force.
 AssertionResult over_a_cliff() {
   const Rubbed rubbed = rubbed_over_a_region({.center = {}, .radius_m = 0.01, .fade_m = 0.005, .added_N_per_m = 800.0});
   const control::ForceLimits limits;
@@ -114,8 +114,8 @@ AssertionResult from_the_side() {
                  below_mJ("energy given", felt.energy_out_J, 1.0)});
 }
 
-/// The hand was let go while it pressed, sank into the cylinder meanwhile, and is to feel again: what the cylinder
-/// could give, nobody has paid for.
+/// The station released while the hand pressed. The hand sank into the cylinder and now feels it again. It has done no
+/// work against the cylinder, so the cylinder must not give energy.
 AssertionResult begins_inside() {
   ControllerScene scene;
   scene.seconds = 8.0;
@@ -146,7 +146,7 @@ AssertionResult objects_in_one_another() {
                  below_mJ("energy given", felt.energy_out_J, 1.0)});
 }
 
-/// A valley of two planes at 90 degrees along z: the palm's side and the fingers' are met at once.
+/// A valley of two planes at 90 degrees along z: both planes are touched at once.
 ports::SurfaceContact in_a_crease(const Point<HapticBase>& device, double) {
   const Eigen::Vector3d left = Eigen::Vector3d(1, 1, 0).normalized();
   const Eigen::Vector3d right = Eigen::Vector3d(-1, 1, 0).normalized();
@@ -196,7 +196,7 @@ AssertionResult friction_at_rest() {
     if (now_s > 4.0) step_N = std::max(step_N, (out.force.N - before_N).norm());
     before_N = out.force.N;
     mean_m += out.target.m.x();
-    if (++ticks < 2000) return;  // means over whole seconds leave the trembling out
+    if (++ticks < 2000) return;  // means over whole seconds remove the tremor
     mean_m /= ticks;
     if (now_s < 4.5) at_4_s_m = mean_m;
     moved_m = std::abs(mean_m - at_4_s_m);

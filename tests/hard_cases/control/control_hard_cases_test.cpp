@@ -1,4 +1,4 @@
-// The encountered controller's hard cases: what is wished of it, and what came of it. The printed table is the product:
+// The encountered controller's hard cases, with requirement and result. The printed table is the product:
 //   control_hard_cases_test | grep '^|'
 
 #include "tests/hard_cases/control/rows.h"

@@ -10,8 +10,8 @@
 
 namespace telepalp::hard_cases {
 
-/// The controller in virtual time, with tracker, device and person; the surface is a function. What is left out is
-/// S1's skin and cylinder under a still, level surface at 0, and a hand that waits above it.
+/// The controller in virtual time, with tracker, device and person; the surface is a function. Defaults: S1's skin and
+/// cylinder, a level surface at rest at height 0, and a hand that waits above it.
 struct ControllerScene {
   double seconds = 4.0;
   trials::VirtualStationSettings settings = trials::paper_settings();

@@ -37,7 +37,7 @@ AssertionResult hot_motors() {
   scene.watch = [&](const control::ControlOutput& out, double now_s) {
     if (now_s > 50.0 && now_s < 60.0) hot_N = std::max(hot_N, out.force.N.norm());
     if (now_s > 50.0 && now_s < 60.0) limited = limited || out.limited;
-    // Once the skin asks for less than the limit, it gets just that, at once.
+    // When the skin's force is below the limit, the device gives exactly this force.
     if (now_s > 110.0) cooled_N = std::max(cooled_N, out.force.N.norm());
     const double asked_N = 500.0 * out.indentation.v.norm();
     if (now_s > 60.0 && control::is_inside(out.phase) && asked_N < 3.9)
@@ -87,8 +87,8 @@ constexpr double kGlitch_s = 2.5;  // in contact
 /// A hand that presses 30 mm deep and moves, with encoders that are off by `off_m(now_s)`.
 struct WrongEncoders {
   Felt felt;
-  double step_N = 0.0;           ///< of the force, from the fault on, beside the step that the movement makes
-  double least_balance_J = 0.0;  ///< of the display's ledger, from the fault on
+  double step_N = 0.0;  ///< largest change of force since the fault, without the part that the movement explains
+  double least_balance_J = 0.0;  ///< least balance of the display's ledger since the fault
 };
 WrongEncoders with_encoders(const std::function<double(double)>& off_m, double seconds) {
   LoopScene scene;

@@ -7,20 +7,20 @@
 
 namespace telepalp::hard_cases {
 
-/// What a scene did to the hand, to hold against what may happen.
+/// Figures of a run at the hand, to compare with their limits.
 struct Felt {
-  double worst_step_N = 0.0;    ///< of the force, from one tick to the next
+  double worst_step_N = 0.0;    ///< largest change of the force in one tick
   double most_N = 0.0;          ///< the largest force
   double fastest_device = 0.0;  ///< [m/s]
-  double energy_out_J = 0.0;    ///< most that the display has given out in the body, net, over the run
-  int changes = 0;              ///< of the phase
+  double energy_out_J = 0.0;    ///< largest net energy that the display gave in the body
+  int changes = 0;              ///< changes of the phase
   int body_entries = 0;
   int let_gos = 0;  ///< changes to Released, and to Faulted
   bool finite = true;
   bool faulted = false;
   control::ControlOutput last;
 
-  /// One tick: the force `out` was held for `dt_s` while the pair went on from `before`.
+  /// Adds one tick: the force `out` was held for `dt_s` while the pair moved on from `before`.
   void add(const control::ControlOutput& out, const device::SimulatedPair& before, const device::SimulatedPair& after,
            double dt_s) {
     const Eigen::Vector3d moved_m =
@@ -39,7 +39,7 @@ struct Felt {
   }
 
  private:
-  double taken_J_ = 0.0;  ///< from the hand, by the display
+  double taken_J_ = 0.0;  ///< energy that the display took from the hand
 };
 
 }  // namespace telepalp::hard_cases

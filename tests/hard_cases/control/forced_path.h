@@ -8,8 +8,8 @@
 
 namespace telepalp::hard_cases {
 
-/// A hand so strong that the end-effector goes where it wants, whatever the force says: down from 50 mm over two
-/// seconds, as every contact begins, and then along `path`. The skin alone.
+/// A hand so strong that the end-effector follows it against any force: down from 50 mm over two seconds, and then
+/// along `path`. The only effect is the skin.
 struct ForcedPath {
   static constexpr double kDown_s = 2.0;
 
@@ -19,7 +19,7 @@ struct ForcedPath {
   std::function<void(const control::ControlOutput&, double now_s)> watch = [](const control::ControlOutput&, double) {};
 };
 
-/// Felt, but for what only a real device has: `fastest_device`.
+/// The figures of the run, without `fastest_device`, which needs a simulated device.
 inline Felt feel(const ForcedPath& scene) {
   constexpr double kTick_s = 0.0005;
   effects::EffectBank skin;

@@ -23,14 +23,14 @@ AssertionResult drawn_away() {
                  below_N("step within the slew", felt.worst_step_N, 1.0)});
 }
 
-/// What became of a contact from `lost_s` on.
+/// Figures of a contact from `lost_s` on.
 struct LettingGo {
   Felt felt;
   double before_N = 0.0;
-  double after_limit_N = 0.0;  ///< once the release has had its time, while the hand is lost
+  double after_limit_N = 0.0;  ///< force after the time of the release, while the hand is lost
   double step_N = 0.0;
-  double fell_m = 0.0;           ///< farthest that the hand went while it was lost
-  double fastest_m_per_s = 0.0;  ///< of the hand, while it was lost
+  double fell_m = 0.0;           ///< farthest movement of the hand while it was lost
+  double fastest_m_per_s = 0.0;  ///< largest speed of the hand while it was lost
 };
 
 LettingGo tracker_lost_in_contact(double lost_s, double back_s, Person person) {
@@ -80,7 +80,7 @@ AssertionResult tracker_silent_for_half_a_second() {
                  {seen.felt.let_gos == 0, "nothing is let go"}});
 }
 
-/// The hand leaves the skin, Out body begins, and right then the hand comes back at 0.8 m/s.
+/// The hand leaves the skin. Just when Out body begins, it comes back at 0.8 m/s.
 AssertionResult back_as_out_body_begins() {
   constexpr double kSkin_N_per_m = 500.0;
   ControllerScene scene = with_only(effects::Skin({.law = effects::linear_law(kSkin_N_per_m)}));
@@ -117,7 +117,7 @@ AssertionResult tracker_blinks() {
   return all_of({{seen.felt.let_gos == 0, "80 ms without a hand let nothing go"}, below_N("step", seen.step_N, 0.05)});
 }
 
-/// The tracker tells of another hand 0.3 m away, as `swapped(now_s)` says.
+/// The tracker reports another hand 0.3 m away while `swapped(now_s)` is true.
 Felt with_swapped_hands(Person person, const std::function<bool(double)>& swapped, double& shown_m) {
   LoopScene scene;
   scene.person = std::move(person);
@@ -174,7 +174,7 @@ AssertionResult jittered() {
       held.push_back({now_s - random.uniform(0.0, 0.004), hand});
     }
     const bool flush = (!held.empty() && now_s - held.front().at_s > 0.025) ||
-                       random.uniform(0.0, 1.0) < 0.05;  // bursts: late, all at once
+                       random.uniform(0.0, 1.0) < 0.05;  // bursts: several late samples at once
     if (flush) out.swap(held);
     return out;
   };
@@ -225,7 +225,7 @@ AssertionResult chatters() {
   double shortest_s = 1.0;
   scene.watch = [&](const control::ControlOutput& out, double now_s) {
     if (out.phase == out.previous) return;
-    // Falling from the plane into the body is the one change that may follow another at once.
+    // Only the change from the plane into the body may follow another change at once.
     if (out.previous != Phase::PlaneToBody) shortest_s = std::min(shortest_s, now_s - entered_s);
     entered_s = now_s;
   };

@@ -29,9 +29,9 @@ struct TrackedHand {
   Point<HapticBase> hand;
 };
 
-/// The live loop's tick in virtual time, from stamped hands and surfaces to the force: for what comes late, twice, from
-/// the future or not at all. The hooks are asked at each tick; what is left out is a camera of 30 and a tracker of 100
-/// Hz that tell the truth at once, and the skin alone.
+/// The live loop's tick in virtual time, from stamped hand samples and surfaces to the force, for data that comes late,
+/// twice, from the future or not at all. The hooks are called at each tick. Defaults: an exact camera at 30 Hz and an
+/// exact tracker at 100 Hz, both without delay; the only effect is the skin.
 struct LoopScene {
   static constexpr double kTick_s = 0.0005;
   static constexpr int kTicksPerFrame = 67;
@@ -40,7 +40,7 @@ struct LoopScene {
   double seconds = 5.0;
   effects::EffectBank effects = the_skin();
   Person person = presses_to(0.03);
-  /// What the camera and the tracker give at tick `tick`, which is at `now_s`.
+  /// The output of camera and tracker at tick `tick`, at the time `now_s`.
   std::function<std::optional<SeenPlane>(int tick, double now_s)> camera = [](int tick, double now_s) {
     return tick % kTicksPerFrame == 0 ? std::optional(SeenPlane{now_s}) : std::nullopt;
   };
@@ -48,7 +48,7 @@ struct LoopScene {
       [](int tick, double now_s, const Point<HapticBase>& hand) {
         return tick % kTicksPerSample == 0 ? std::vector<TrackedHand>{{now_s, hand}} : std::vector<TrackedHand>{};
       };
-  /// What the device's encoders say at `now_s`, in place of the truth.
+  /// Replaces the true reading of the device's encoders at `now_s`.
   std::function<void(double now_s, ports::DeviceReading&)> encoders = [](double, ports::DeviceReading&) {};
   std::function<void(const station::HapticLoop::Act&, double now_s, const station::HapticLoop&,
                      const device::SimulatedPair&)>
@@ -70,7 +70,7 @@ inline Felt feel(const LoopScene& scene) {
                                                             Eigen::Vector3d::UnitY(), 1.0);
       newer->captured = at_s(seen->captured_s);
       loop.adopt({newer, {}}, at_s(now_s));
-      shown = std::move(newer);  // the one before lives until the next adopt()
+      shown = std::move(newer);  // the earlier one must stay alive until the next adopt()
     }
     for (const TrackedHand& one : scene.tracker(tick, now_s, pair.true_hand()))
       loop.hand_sampled(at_s(one.at_s), one.hand);

@@ -16,9 +16,9 @@ class MovingSkin final : public surface::SurfaceSnapshot {
  public:
   struct Shape {
     double flat_m = 0.0;
-    double per_m = 0.0;  ///< of height over x
+    double per_m = 0.0;  ///< slope of height over x
     double flat_m_per_s = 0.0;
-    double turns_per_s = 0.0;  ///< of the speed over x
+    double turns_per_s = 0.0;  ///< slope of the speed over x
     double ends_at_x_m = 1e3;  ///< support falls from 1 to 0 over the last 10 mm
   };
   MovingSkin(const Shape& shape, SessionTime when) : shape_(shape) {
@@ -52,7 +52,7 @@ class MovingSkin final : public surface::SurfaceSnapshot {
   Shape shape_;
 };
 
-/// What is felt of a moving skin through the live loop, by a camera of `frames_hz` that tells the truth at once.
+/// A moving skin felt through the live loop, with an exact camera of `frames_hz` without delay.
 struct MovingSkinScene {
   double seconds = 6.0;
   double frames_hz = 30.0;
@@ -75,7 +75,7 @@ inline Felt feel(const MovingSkinScene& scene) {
       ++frames;
       auto newer = std::make_shared<MovingSkin>(scene.skin(now_s), at_s(now_s));
       loop.adopt({newer, {}}, at_s(now_s));
-      shown = std::move(newer);  // the one before lives until the next adopt()
+      shown = std::move(newer);  // the earlier one must stay alive until the next adopt()
     }
     if (tick % LoopScene::kTicksPerSample == 0) loop.hand_sampled(at_s(now_s), pair.true_hand());
     const auto act = loop.tick({.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0}, at_s(now_s),

@@ -35,8 +35,8 @@ AssertionResult step_by_10_mm() {
   return all_of({below_N("step", worst_N, 0.1), below("90 % at 10 to 200 Hz", slowest_s, 0.6, 1.0, "s")});
 }
 
-/// A skin that is hinged at x = 0: it breathes by 10 mm where the contact began, at x = 40 mm, and the hand rubs 20 mm
-/// to either side of there in step with the breath.
+/// A skin with a hinge at x = 0. It breathes by 10 mm at x = 40 mm, where the contact began, and the hand rubs 20 mm to
+/// either side in step with the breath.
 AssertionResult rubbed_in_step_with_the_breath() {
   MovingSkinScene scene;
   scene.seconds = 66.0;
@@ -58,7 +58,7 @@ AssertionResult rubbed_in_step_with_the_breath() {
     if (!control::is_inside(act.control.phase)) return;
     if (!std::exchange(touched, true)) first_x_m = act.contact.proxy.m.x();
     if (now_s < 60.0) return;
-    // The default skin's d begins at its anchor: where it should be, the true skin is, at the first contact's x.
+    // The default skin's d starts at its anchor, which should lie on the true skin at the x of the first contact.
     const Eigen::Vector3f device(act.told.device.data());
     const Eigen::Vector3d anchor = device.cast<double>() - act.control.indentation.v;
     worst_m = std::max(worst_m, std::abs(anchor.y() - anchor.x() * 0.25 * std::sin(kTau * 0.25 * now_s)));

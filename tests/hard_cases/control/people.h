@@ -8,7 +8,7 @@
 
 namespace telepalp::hard_cases {
 
-/// Where the hand wants to be, at each tick.
+/// The hand's intended position at each tick.
 using Person = std::function<device::Intention(const device::TrialView&)>;
 
 inline Person waits_at(double height_m) {

@@ -6,15 +6,15 @@
 
 namespace telepalp::hard_cases {
 
-/// Stiff things, inclusions, friction and several contacts at once.
+/// Stiff effects, inclusions, friction and several contacts at once.
 [[nodiscard]] std::vector<HardCase> contact_rows();
-/// What the patient's surface may do under the hand.
+/// Changes of the patient's surface under the hand.
 [[nodiscard]] std::vector<HardCase> surface_rows();
-/// What the hand may do, and what its tracker may tell.
+/// Movements of the hand, and faults of its tracker.
 [[nodiscard]] std::vector<HardCase> hand_rows();
-/// Times that are wrong, late or missing.
+/// Wrong time stamps, and late or missing data.
 [[nodiscard]] std::vector<HardCase> clock_rows();
-/// What the device can not give.
+/// Limits and faults of the device.
 [[nodiscard]] std::vector<HardCase> device_rows();
 /// A skin that moves, steps, ends or is not seen, through the live loop.
 [[nodiscard]] std::vector<HardCase> moving_skin_rows();

@@ -33,8 +33,8 @@ AssertionResult swapped_in_contact() {
                  {control::is_inside(felt.last.phase), "contact holds"}});
 }
 
-/// The worst that a surface could hand over: no slew before the controller at all. The ledger sees what the step gave,
-/// and the damping takes it back from a hand that moves.
+/// The worst case: a surface that jumps without gradual change. The ledger registers the energy of the step, and the
+/// damping takes it back from a moving hand.
 AssertionResult stepped_in_contact() {
   ControllerScene scene =
       with_only(effects::Skin({.law = effects::linear_law(300.0), .anchor = effects::SkinAnchor::Sliding}));
@@ -65,7 +65,7 @@ SurfaceContact with_edge(const Point<HapticBase>& device, double time_s) {
 AssertionResult in_over_the_edge() {
   ForcedPath scene;
   scene.surface = with_edge;
-  scene.path = [](double since_down_s) -> Eigen::Vector3d {  // down beside it to 20 mm, then sideways under it
+  scene.path = [](double since_down_s) -> Eigen::Vector3d {  // down to 20 mm beside the surface, then sideways under it
     const double down_m = std::min(0.02, 0.02 * since_down_s);
     return {std::max(-0.02, 0.05 - 0.03 * std::max(0.0, since_down_s - 2.0)), -down_m, 0.0};
   };
@@ -121,7 +121,8 @@ AssertionResult coughs_up_into_it() {
                  {felt.last.phase == Phase::OutBody, "ends waiting on the plane"}});
 }
 
-/// The hand has pushed the end-effector below the plane and holds it there: nothing drives it when the skin comes.
+/// The hand has pushed the end-effector below the plane and holds it there, without position control, when the skin
+/// rises to it.
 AssertionResult rises_under_a_held_hand() {
   ControllerScene scene;
   scene.seconds = 6.0;

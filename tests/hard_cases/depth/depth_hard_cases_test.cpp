@@ -9,9 +9,9 @@
 namespace telepalp::codec {
 namespace {
 
-/// A frame that is hard to code. What must happen is the same for all, in every mode: it comes back as it was, or, in
-/// Bounded, with each pixel within its bound and each hole a hole, from a packet no larger than its samples and a
-/// header.
+/// A frame that is hard to code. The requirement is the same for all, in every mode: the decoded frame is unchanged,
+/// or, in Bounded, each pixel is within its bound and each hole stays a hole; the packet is no larger than the samples
+/// plus a header.
 struct DepthCase {
   std::string name;
   std::string why;
@@ -66,7 +66,7 @@ std::vector<DepthCase> hard_cases() {
 
 std::ostream& operator<<(std::ostream& out, const DepthCase& hard) { return out << hard.name << ": " << hard.why; }
 
-/// Fails unless each pixel is as it was, or within the default bound of it where that is the mode.
+/// Fails unless each pixel is unchanged, or, in Bounded, within the default bound.
 void expect_kept(const DepthImage& back, const DepthImage& depth, DepthMode mode, const auto& name) {
   ASSERT_EQ(back.samples.size(), depth.samples.size()) << name;
   if (mode != DepthMode::Bounded) {

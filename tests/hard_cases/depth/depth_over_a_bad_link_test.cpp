@@ -1,5 +1,4 @@
-// Depth that depends on the frame before, through the real encoder, the hub and the decoder, while the way between is
-// bad.
+// Predicted depth frames through the real encoder, hub and decoder, over a bad link.
 
 #include <gtest/gtest.h>
 
@@ -23,16 +22,17 @@ SessionTime time_of(int number) { return session_time(1'000'000'000) + number * 
 
 int number_of(const wire::Message& message) { return static_cast<int>((message.published - time_of(0)) / kPeriod); }
 
-/// One who looks on: takes frames from the hub when it may, loses some on its own way, asks when it cannot read.
+/// A subscriber that takes frames from the hub at some times, loses some of them, and requests a key frame when it
+/// cannot decode.
 struct Watcher {
-  std::function<bool(int)> takes;  ///< whether it takes what waits, at that frame's time
-  std::function<bool(int)> loses;  ///< whether that frame is lost behind the hub
+  std::function<bool(int)> takes;  ///< true: it takes the waiting messages at the time of that frame
+  std::function<bool(int)> loses;  ///< true: that frame is lost after the hub
   server::SubscriberId id = 0;
   codec::DepthDecoder decoder{};
   codec::KeyFrameRequest asking{};
   int shown = 0;
   int unreadable = 0;
-  int longest_gap = 0;  ///< frames from one shown to the next
+  int longest_gap = 0;  ///< longest gap between two decoded frames, in frames
   int last_shown = -1;
 };
 

@@ -14,7 +14,7 @@
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/surface/rows.h"
 
-// Surfaces made in a line, and a device driven over them.
+// Short functions for surfaces, and for a device that moves over them.
 
 namespace telepalp::surface {
 
@@ -78,7 +78,7 @@ struct Drive {
   bool touched = false;
 };
 
-/// Moves a device along `path(t)` from 0 to `until_s`, adopting what `feed` has at each instant.
+/// Moves a device along `path(t)` from 0 to `until_s`, and adopts the snapshots of `feed`.
 inline Drive drive(
     Touch& touch, const std::function<Vector3d(double)>& path, double until_s,
     const std::function<const SurfaceSnapshot*(double)>& feed = [](double) { return nullptr; }, double from_s = 0.0) {

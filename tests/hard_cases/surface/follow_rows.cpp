@@ -6,9 +6,9 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr double kMostDamping_N_s_per_m = 40.0;  // of the passivity controller, which multiplies the surface's speed
+constexpr double kMostDamping_N_s_per_m = 40.0;  // of the passivity controller; it multiplies the surface's speed
 
-/// A level skin that says how fast it moves.
+/// A level skin with a stated speed.
 class MovingPlane final : public SurfaceSnapshot {
  public:
   MovingPlane(double z_m, double speed_m_per_s, SessionTime when) : z_m_(z_m), speed_m_per_s_(speed_m_per_s) {
@@ -38,13 +38,13 @@ class MovingPlane final : public SurfaceSnapshot {
 struct Followed {
   double reaches_90_s = 1e9;
   double beyond_m = 0.0;      ///< overshoot
-  double worst_step_N = 0.0;  ///< of the spring, a tick
-  double worst_kick_N = 0.0;  ///< of the most damping on the published speed, a tick
+  double worst_step_N = 0.0;  ///< largest change of the spring's force in a tick
+  double worst_kick_N = 0.0;  ///< largest change in a tick of the greatest damping on the published speed
 };
 
 using Skin = std::function<std::pair<double, double>(int swap, double t)>;  // z and speed
 
-/// A device 20 mm deep in a skin at 0.8 m; from 0.5 s on each swap brings what `skin` says.
+/// A device 20 mm deep in a skin at 0.8 m. From 0.5 s on, `skin` gives the position and speed at each swap.
 Followed follow(double swaps_hz, double step_m, const Skin& skin) {
   Followed got;
   Touch touch;
@@ -95,20 +95,20 @@ AssertionResult step_at_any_swap_rate() {
                  below_N("damping's step", worst.worst_kick_N, 0.05)});
 }
 
-/// Each swap says another speed, as noise makes it.
+/// Each swap states another speed, as under noise.
 AssertionResult speed_that_jumps() {
   const Followed got = follow(30.0, 1.0, [](int swap, double) { return std::pair(0.8, swap % 2 == 0 ? 0.02 : -0.02); });
   return all_of({below_N("step", got.worst_step_N, 0.05), below_N("damping's step", got.worst_kick_N, 0.05)});
 }
 
-/// A snapshot whose speed is absurd, as of a cell that saw a passing sleeve.
+/// A snapshot with an absurd speed, as from a cell that saw a passing sleeve.
 AssertionResult absurd_speed() {
   const Followed got = follow(30.0, 0.0, [](int swap, double) { return std::pair(0.8, swap == 10 ? 3.0 : 0.0); });
   return all_of({below_N("step", got.worst_step_N, 0.1), below_N("damping's step", got.worst_kick_N, 0.05),
                  below("rises by", got.beyond_m, 0.01, 1e3, "mm")});
 }
 
-/// A true motion, well predicted: nothing is kept back.
+/// A true motion with a good prediction: the displayed surface must not lag.
 AssertionResult steady_rise() {
   const Followed got = follow(30.0, 0.02, [](int, double t) {
     const double moving_s = std::min(t, 1.0);

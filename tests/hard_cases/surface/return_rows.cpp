@@ -41,7 +41,7 @@ AssertionResult nearer_by_30_mm() { return returns(shifted(0.03)); }
 AssertionResult replaced_by_another() { return returns(shifted(0.055)); }
 AssertionResult farther_by_10_mm() { return returns(shifted(-0.01)); }
 
-/// From 2 s on, for `seconds`, the camera sees `what_m(u, v)` instead; not a number: the skin.
+/// From 2 s on, for `seconds`, the camera sees `what_m(u, v)` instead of the skin; where it is NaN, the skin.
 SeenPatient instead_for(double seconds, const std::function<double(int, int)>& what_m) {
   SeenPatient patient;
   patient.over_m = [=](int u, int v, double t) { return t >= 2.0 && t < 2.0 + seconds ? what_m(u, v) : std::nan(""); };
@@ -67,7 +67,7 @@ AssertionResult low_foreign_hand_for_3_s() {
   return returns(patient);
 }
 
-/// Two hands of the patient's side, 10 mm to the left and to the right of the place that is touched.
+/// Two hands at the patient's site, 10 mm to the left and to the right of the touched point.
 AssertionResult between_two_hands() {
   const Returned got = press_on(instead_for(3.0, [](int u, int) {
     const int beside_px = std::abs(u - 80);
@@ -109,8 +109,7 @@ AssertionResult skin_folds_over_the_finger() {
   return returns(patient);
 }
 
-/// The builder drops what a link brings too late; a server that starts anew with an older clock is counted and
-/// followed.
+/// The builder drops late frames. A restarted server with an older clock is counted, and its frames are used.
 AssertionResult older_than_the_last() {
   SurfaceBuilder builder = SurfaceBuilder(SurfaceSettings{});
   SeenPatient patient;

@@ -8,13 +8,13 @@ namespace telepalp::hard_cases {
 
 /// Points that span no plane, disagree, or lie far away.
 [[nodiscard]] std::vector<HardCase> point_rows();
-/// What a depth image does not show: holes, silhouettes, rims.
+/// Missing parts of a depth image: holes, silhouettes, rims.
 [[nodiscard]] std::vector<HardCase> image_rows();
-/// Shapes, and ways to come upon them, that leave no one answer.
+/// Shapes and approaches without a unique answer.
 [[nodiscard]] std::vector<HardCase> shape_rows();
 /// Contact after gaps, shifts, black frames and foreign hands.
 [[nodiscard]] std::vector<HardCase> return_rows();
-/// How the displayed surface follows the newest.
+/// The displayed surface's approach to the newest one.
 [[nodiscard]] std::vector<HardCase> follow_rows();
 /// Frames that are late, early, old, or do not come.
 [[nodiscard]] std::vector<HardCase> time_rows();

@@ -6,20 +6,20 @@
 
 #include "tests/hard_cases/surface/driven.h"
 
-// A flat patient under the small camera, by default at 0.8 m with 1 mm of noise at 30 Hz, and a device that comes down
-// and stays under the skin while things happen to the patient or to the image. Time 0 is the first frame.
+// A flat patient under the small camera, by default at 0.8 m with 1 mm of noise at 30 Hz, and a device that moves down
+// and stays below the skin during an event of the patient or the image. Time 0 is the first frame.
 
 namespace telepalp::surface {
 
 struct SeenPatient {
   std::function<double(double)> lift_m = [](double) { return 0.0; };  ///< of the true skin
   std::function<double(double)> tilt = [](double) { return 0.0; };    ///< of depth over x
-  /// What hides the skin at a pixel [m]; not a number: nothing; 0: no depth.
+  /// Depth of an object that hides the skin at a pixel [m]; NaN: none; 0: no measurement.
   std::function<double(int, int, double)> over_m = [](int, int, double) { return std::nan(""); };
   std::function<bool(double)> frame_arrives = [](double) { return true; };
   std::function<double(double)> device_x_m = [](double) { return 0.0; };
   double depth_m = 0.02;      ///< of the device below the skin at rest
-  double well_again_s = 2.0;  ///< from then on the true skin is seen and stays where it is
+  double well_again_s = 2.0;  ///< from then on the camera sees the true skin, which no longer moves
   double noise_m = 0.001;
   double frame_s = 1.0 / 30.0;
   std::uint64_t seed = 1;
@@ -29,9 +29,9 @@ struct Returned {
   bool touched_before = false;
   bool never_lost = true;  ///< between 1.5 s and the end
   bool finite = true;
-  double felt_after_s = 1e9;   ///< since well_again_s, until contact that lasts and pushes
-  double off_after_3_s = 1e9;  ///< worst share by which the shown depth is off the true one, 3 to 3.5 s after it
-  double worst_off = 0.0;      ///< the same from 1.5 s on
+  double felt_after_s = 1e9;   ///< time from well_again_s until a lasting contact with force
+  double off_after_3_s = 1e9;  ///< largest relative error of the displayed depth, 3 to 3.5 s after well_again_s
+  double worst_off = 0.0;      ///< largest relative error of the displayed depth from 1.5 s on
   double worst_step_N = 0.0;   ///< while the device is at rest or slides at the path's own speed
 };
 
@@ -51,7 +51,7 @@ inline DepthImage image_of(const SeenPatient& patient, double t, std::mt19937_64
   return image;
 }
 
-/// How deep the device is under the true skin, along its normal.
+/// Depth of the device below the true skin, along its normal.
 inline double true_depth_m(const SeenPatient& patient, const Vector3d& device, double t) {
   const double tilt = patient.tilt(t);
   return (device.z() - (0.8 - patient.lift_m(t)) - tilt * device.x()) / std::sqrt(1.0 + tilt * tilt);
@@ -103,7 +103,7 @@ inline Returned press_on(const SeenPatient& patient) {
   return got;
 }
 
-/// One of what happens to images and patients, by `seed`.
+/// A random event of the image or the patient.
 inline SeenPatient accident(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto between = [&](double low, double high) {

@@ -51,7 +51,7 @@ AssertionResult fast_entry() {
   return all_of({{true, "held at 0.5, 2, 20 and 10000 m/s"}});
 }
 
-/// The outer shell of a torus whose tube is wider than its ring, seen by points that know their normals.
+/// The outer shell of a torus whose tube is wider than its ring, as points with normals.
 std::vector<CloudPoint> spindle() {
   std::vector<CloudPoint> points;
   constexpr double kRing = 0.01;

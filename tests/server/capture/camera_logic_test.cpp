@@ -124,7 +124,7 @@ TEST(CameraPhase, EveryPairOfPhaseAndEventIsKnown) {
             "Ended: Ended Ended Ended Ended Ended\n");
 }
 
-/// A camera that does as a script says, in a time that only moves when somebody waits.
+/// A camera with scripted behaviour, on a simulated clock that advances only during waits.
 struct Script {
   SessionTime now = at_ms(0);
   bool plugged_in = true;

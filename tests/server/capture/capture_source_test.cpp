@@ -149,7 +149,7 @@ TEST(SyntheticSource, TakesItsSettingsFromTheCommandLine) {
   EXPECT_EQ(valid_share(exact.last->depth), 1.0);
 }
 
-/// A folder of its own for each test, gone at the end.
+/// A folder for each test, removed at the end.
 class SourceFolder : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -226,11 +226,11 @@ TEST_F(SourceFolder, ADamagedRecordingNeitherCrashesNorHangs) {
   SourceOptions once = options();
   once.loop = false;
   const auto source = open_source("oni:" + file("half.oni"), once);
-  if (!source) return;  // refusing it is as good
+  if (!source) return;  // the source may be refused, too
   for (int i = 0; i < 20; ++i) (void)(*source)->next(Nanoseconds{100'000'000});
 }
 
-/// Records what a source gives, as the server publishes it.
+/// Records the frames of a source as the server's messages.
 void record(const std::string& spec, const std::string& to, int frames,
             const codec::DepthStreamSettings& depth = {.mode = codec::DepthMode::Fast}) {
   codec::DepthEncoder encoder(depth);
@@ -257,7 +257,7 @@ TEST_F(SourceFolder, ARecordedSessionPlaysTheSameDepthAgainAtItsPace) {
   ASSERT_TRUE(first.ok()) << to_string(first.error());
   SourceOptions once = options();
   once.loop = false;
-  once.paced = false;  // a paced source drops what a busy machine fetches late
+  once.paced = false;  // a paced source drops frames that a busy machine fetches late
   const auto source = open_source("session:" + file("run.mcap"), once);
   ASSERT_TRUE(source.ok()) << to_string(source.error());
   std::optional<SessionTime> then_before;

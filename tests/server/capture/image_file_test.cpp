@@ -103,7 +103,7 @@ TEST(ImageFile, FlippedBytesNeverCrashAndAPngNeverPassesThem) {
   }
   for (int i = 0; i < 60; ++i) {
     std::string damaged = tiff;
-    // The directory says how the rest is read: damage there is the dangerous kind.
+    // The directory of a TIFF determines how the rest is read, so damage there is the most dangerous.
     const std::size_t reach = i % 2 == 0 ? 400 : damaged.size();
     damaged[damaged.size() - 1 - random() % reach] ^= static_cast<char>(1 + random() % 255);
     damaged[random() % 8] ^= static_cast<char>(i % 3 == 0 ? 1 : 0);
@@ -152,7 +152,7 @@ TEST(Png, DataBehindTheLastRowIsRefusedWithoutReadingItAll) {
   for (const bool interlaced : {false, true}) {
     const auto read = images::decode_png(bytes_of(png_with_extra(kBomb, interlaced)), "bomb.png");
     ASSERT_FALSE(read.ok());
-    // libpng's own words, after it has read all, are "Too much image data".
+    // If libpng reads everything, its error is "Too much image data".
     EXPECT_NE(read.error().what.find("more data than its rows"), std::string::npos) << to_string(read.error());
   }
 }
@@ -227,7 +227,7 @@ TEST(ImageListing, NamesWhatIsMissingOrTwice) {
   }
 }
 
-/// A camera file in a folder of its own, gone at the end.
+/// A camera file in a temporary folder.
 class CameraFile : public ::testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }

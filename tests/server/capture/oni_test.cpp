@@ -34,7 +34,7 @@ void expect_said(const Error& error, const std::string& about) {
   EXPECT_FALSE(error.fix.empty()) << about;
 }
 
-/// Frames, or an error that says what, where and how to fix it. Decodes the first depth image only.
+/// Expects frames, or an error with what, where and fix. Decodes only the first depth image.
 void expect_played_or_said(const std::string& bytes, const std::string& about) {
   std::istringstream file(bytes);
   const Result<OniRecording> recording = read_oni_recording(file, "a.oni");
@@ -45,7 +45,7 @@ void expect_played_or_said(const std::string& bytes, const std::string& about) {
 }
 
 TEST(OniRecording, EveryDamagedByteOfTheHeadGivesFramesOrSaysWhatWhereAndHowToFixIt) {
-  std::string bytes = shipped_bytes().substr(0, 210'000);  // up to its first depth image, to be done in seconds
+  std::string bytes = shipped_bytes().substr(0, 210'000);  // up to the first depth image: quicker
   for (std::size_t at = 0; at < 2000; ++at) {
     const char was = std::exchange(bytes[at], static_cast<char>(~bytes[at]));
     expect_played_or_said(bytes, "byte " + std::to_string(at) + " inverted");

@@ -63,7 +63,7 @@ std::string as_binary() {
   for (const Point3& p : plane()) append(text, p);
   return text;
 }
-/// LZF of literals only, which is what a compressor gives that finds nothing to repeat.
+/// LZF data of literals only, as for data without repetitions.
 std::string as_compressed() {
   std::string fields;
   for (const Point3& p : plane()) append(fields, p.x);
@@ -130,7 +130,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(at, what.size(), with);
 }
 
-/// As `pcd:` does.
+/// The frame that the source `pcd:` makes.
 Result<RgbdFrame> frame_in(const std::string& text) {
   const auto cloud = parse_pcd(bytes_of(text), "bad.pcd");
   if (!cloud) return cloud.error();

@@ -51,7 +51,7 @@ TEST(SyntheticPatient, IsReproducibleForASeedAndATime) {
   const SyntheticPatient other = patient(reseeded);
   const SessionTime time = at_seconds(1.7);
   const RgbdFrame frame = one.frame_at(time, 0);
-  (void)again.frame_at(at_seconds(9.0), 0);  // what was asked before must not matter
+  (void)again.frame_at(at_seconds(9.0), 0);  // earlier calls must have no effect
   EXPECT_EQ(frame.depth.samples, again.frame_at(time, 5).depth.samples);
   EXPECT_EQ(frame.color.rgb, again.frame_at(time, 5).color.rgb);
   EXPECT_NE(frame.depth.samples, other.frame_at(time, 0).depth.samples);
@@ -174,7 +174,7 @@ TEST(TrueSurface, PointAtXYLiesOnTheSurfaceAboveThatXY) {
 }
 
 TEST(TrueSurface, BellyIsFreeOfFacets) {
-  // Facets of 13 mm would turn the normal by degrees within a pixel at their edges.
+  // With facets of 13 mm, the normal would change by degrees within a pixel at their edges.
   const TrueSurface truth = exact_patient().true_surface(at_seconds(0.0));
   double worst_rad = 0.0;
   for (int v = 190; v < 290; ++v)

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 constexpr double kTick_s = 0.0005;
 constexpr double kBound_N = 10.0;
 
-/// A tick in which the device moves 0.1 mm outwards against effects that `gave_J` more than they had.
+/// A tick in which the device moves 0.1 mm outwards and the effects give `gave_J` more than they stored.
 Exchange outwards(double gave_J) {
   Exchange exchange;
   exchange.absorbed_J = -gave_J;
@@ -42,7 +42,7 @@ TEST(EnergyAccount, BooksTheForceThatTheDeviceCannotGive) {
   account.begin();
   EXPECT_EQ(account.step(Vector3d(0.0, 25.0, 0.0), 1.0, {}, kBound_N, kTick_s), Vector3d(0.0, 10.0, 0.0));
   EXPECT_TRUE(account.withholds());
-  // The effects gave 25 N over 0.1 mm, the device 10 N of it: 1.5 mJ stay.
+  // The effects ask for 25 N over 0.1 mm, the device gives 10 N: 1.5 mJ are not given.
   (void)account.step(Vector3d::Zero(), 1.0, outwards(25.0 * 1e-4), kBound_N, kTick_s);
   EXPECT_NEAR(account.passivity().balance_J(), -10.0 * 1e-4, 1e-12);
 }

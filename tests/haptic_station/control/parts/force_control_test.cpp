@@ -24,7 +24,7 @@ ControlInput at_height(double height_m) {
   return in;
 }
 
-/// Goes from the skin down to `depth_m` at 0.1 m/s.
+/// Presses from the skin down to `depth_m` at 0.1 m/s.
 Eigen::Vector3d pressed_to(ForceControl& control, double depth_m) {
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
   for (double at_m = 0.0; at_m < depth_m; at_m += 5e-5)

@@ -17,13 +17,13 @@
 
 namespace telepalp::device {
 
-/// A WebSocket service as a maker's would be, on a real socket of this machine, with faults on request. Serves one
-/// client at a time; a newer one takes the older one's place.
+/// A WebSocket service like that of a device's maker, on a real loopback socket, with faults on request. It serves one
+/// client at a time; a new client replaces the old one.
 class FakeService {
  public:
   using Answer = std::function<std::optional<std::string>(const std::string&)>;
 
-  /// Says `greeting` to each client, and `answer` to each text of theirs. Port 0: any.
+  /// Sends `greeting` to each client, and the result of `answer` to each of its texts. Port 0: any free one.
   FakeService(std::string greeting, Answer answer, std::uint16_t port = 0)
       : greeting_(std::move(greeting)),
         answer_(std::move(answer)),
@@ -32,7 +32,7 @@ class FakeService {
     accept();
     thread_ = std::thread([this] { io_.run(); });
   }
-  /// Gone, as when the service is killed.
+  /// Closes at once, as if the service were killed.
   ~FakeService() {
     io_.stop();
     thread_.join();
@@ -44,18 +44,18 @@ class FakeService {
       if (client_) client_->say(text);
     });
   }
-  /// The line breaks without a farewell.
+  /// Breaks the connection without a closing handshake.
   void drop() {
     boost::asio::post(io_, [this] {
       if (client_) client_->stream.next_layer().close();
     });
   }
-  /// All texts heard, of all clients.
+  /// All texts received from all clients.
   [[nodiscard]] std::vector<std::string> heard() {
     const std::lock_guard lock(mutex_);
     return heard_;
   }
-  /// The newest text heard; empty before the first.
+  /// The newest text received; empty before the first.
   [[nodiscard]] std::string newest() {
     const std::lock_guard lock(mutex_);
     return heard_.empty() ? std::string() : heard_.back();
@@ -127,7 +127,7 @@ class FakeService {
   std::thread thread_;
 };
 
-/// True as soon as `holds` does; false after five seconds.
+/// Waits until `holds()` is true; false after five seconds.
 inline bool soon(const std::function<bool()>& holds) {
   for (int i = 0; i < 2500; ++i) {
     if (holds()) return true;

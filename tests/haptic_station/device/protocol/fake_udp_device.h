@@ -15,7 +15,7 @@
 
 namespace telepalp::device {
 
-/// A device's program on a real socket: answers each command by a pose, with faults on request.
+/// A device's program on a real socket. It answers each command with a pose, and has faults on request.
 class FakeUdpDevice {
  public:
   enum class Fault { None, Silent, NaN, Hung, MotorsOff, Garbage };

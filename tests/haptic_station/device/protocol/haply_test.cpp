@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using namespace std::chrono_literals;
 
-/// As the Inverse service 3.1 tells it, shortened.
+/// A shortened text of the Inverse service 3.1.
 std::string state_text(const std::string& x = "0.05", const std::string& id = "049D") {
   return R"({"inverse3":[{"device_id":")" + id +
          R"(","config":{"type":"inverse3","handedness":"right"},"status":{"calibrated":true,"in_use":false},)" +

@@ -19,7 +19,7 @@ msg::ViewerHand from(std::uint64_t viewer, std::chrono::microseconds sampled) {
   return hand;
 }
 
-/// Session time and the steady clock are one in these tests, as they are right after a start.
+/// In these tests session time equals the steady clock.
 SessionTime session(Clock::time_point at) { return SessionTime(at.time_since_epoch()); }
 
 const Point<HapticBase> kNear{{0.0, 0.05, 0.0}};
@@ -31,7 +31,7 @@ TEST(BrowserHand, GivesEachSampleOnceAtTheTimeThatTheViewerTookIt) {
   EXPECT_EQ(hand.hear(from(1, 5s), kNear, began), Taken::Followed);
   EXPECT_TRUE(hand.sample(session(Clock::now()), {}));
   EXPECT_FALSE(hand.sample(session(Clock::now()), {})) << "silence, which the watchdog sees";
-  // A line that hung for 80 ms delivers what is 80 ms old, and says so.
+  // A connection that was blocked for 80 ms delivers a sample that is 80 ms old, with its true age.
   EXPECT_EQ(hand.hear(from(1, 5s + 20ms), kNear, began + 100ms), Taken::Followed);
   const auto late = hand.sample(session(Clock::now()), {});
   ASSERT_TRUE(late);

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 constexpr const char* kHello = R"({"serviceVersion":"2.3.1+33747", "version":6})";
 
-/// A hand as the service tells it, with fields that we do not use.
+/// A hand in a text of the service, with unused fields.
 std::string hand_text(int id, const std::string& x_mm) {
   return R"({"armBasis":[[1,0,0],[0,1,0],[0,0,1]],"confidence":0.98,"direction":[0,0,-1],"grabStrength":0,"id":)" +
          std::to_string(id) + R"(,"palmNormal":[0,-1,0],"palmPosition":[)" + x_mm +
@@ -50,7 +50,7 @@ TEST(LeapText, ReadsVersionFramesAndOtherTexts) {
 TEST(LeapText, LeavesOutHandsWhoseNumbersCannotBeRight) {
   for (const char* x : {"\"NaN\"", "\"-Infinity\"", "1e300", "70,998", "10001", "1, 2", "null"}) {
     const auto read = leap::parse_text(frame_text(1, hand_text(12, x) + "," + hand_text(13, "5")));
-    if (!read) continue;  // refusing the whole text is as good
+    if (!read) continue;  // the whole text may be refused, too
     const auto& frame = std::get<leap::Frame>(*read);
     ASSERT_EQ(frame.hands.size(), 1u) << x;
     EXPECT_EQ(frame.hands[0].id, 13) << x;
@@ -140,7 +140,7 @@ class LeapTrackerTest : public testing::Test {
     return sample;
   }
   static SessionTime session_now() {
-    return SessionTime{std::chrono::steady_clock::now().time_since_epoch() - 1000s};  // a session of its own
+    return SessionTime{std::chrono::steady_clock::now().time_since_epoch() - 1000s};  // another session
   }
 };
 
@@ -168,7 +168,7 @@ TEST_F(LeapTrackerTest, SpacesABurstAsTheServiceSawItNotAsItCame) {
   service->say(frame_text(1'000'000, hand_text(12, "70")));
   const auto first = next(tracker);
   ASSERT_TRUE(first);
-  std::this_thread::sleep_for(100ms);  // the line hangs
+  std::this_thread::sleep_for(100ms);  // the connection is blocked
   service->say(frame_text(1'010'000, hand_text(12, "71")));
   const auto late = next(tracker);
   ASSERT_TRUE(late);
