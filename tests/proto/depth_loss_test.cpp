@@ -41,12 +41,12 @@ TEST(DepthFidelity, AnAbsurdBoundCountsAsUnknown) {
       const DepthFidelity told = depth_fidelity(image);
       EXPECT_TRUE(told.moved);
       EXPECT_FALSE(told.within);
-      EXPECT_EQ(in_words(told), "bounded, off by an amount that is not told");
+      EXPECT_EQ(in_words(told), "bounded, off by an unknown amount");
     }
 }
 
 TEST(DepthFidelity, NearLosslessDepthWithoutABoundIsNotAsMeasured) {
-  EXPECT_EQ(in_words(depth_fidelity(image_of("bounded"))), "bounded, off by an amount that is not told");
+  EXPECT_EQ(in_words(depth_fidelity(image_of("bounded"))), "bounded, off by an unknown amount");
   EXPECT_EQ(in_words(depth_fidelity(image_of(""))), "not told");
 }
 

@@ -115,7 +115,7 @@ export class HeldHand {
     const waits = this.held && !this.mine && viewer !== 0n;
     this.notice.show(
         asked ? 'Another viewer asks for the hand.' :
-        waits ? 'Another viewer holds the hand. It is told that you ask for it while you move yours.' : '',
+        waits ? 'Another viewer holds the hand. Move yours to ask for it.' : '',
         asked);
   }
 

@@ -437,7 +437,7 @@ TEST(Verdict, CountsDepthOfUnknownErrorAsNotMeasured) {
   for (msg::SurfaceReport& surface : session.surfaces) surface.clear_depth_bound();
   const Verdict verdict = judge(summarise(session));
   EXPECT_FALSE(verdict.good);
-  EXPECT_NE(verdict.headline.find("off by an amount that is not told"), std::string::npos) << verdict.headline;
+  EXPECT_NE(verdict.headline.find("off by an unknown amount"), std::string::npos) << verdict.headline;
 }
 
 TEST(ReportJson, TellsTheBoundOfTheDepthInMillimetresAndNullWhereThereIsNone) {

@@ -32,9 +32,9 @@ test('an absurd bound is as good as none, but the loss is believed', () => {
   for (const absurd of [NaN, Infinity, -0.001, 1.5])
     for (const {moved, words} of [told('bounded', absurd, 0.003), told('bounded', 0.001, absurd)]) {
       assert.equal(moved, true);
-      assert.equal(words, 'bounded, off by an amount that is not told');
+      assert.equal(words, 'bounded, off by an unknown amount');
     }
-  assert.equal(told('bounded').words, 'bounded, off by an amount that is not told');
+  assert.equal(told('bounded').words, 'bounded, off by an unknown amount');
 });
 
 test('the name of a mode is shown only as far as one may be long', () => {

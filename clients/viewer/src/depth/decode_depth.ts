@@ -30,7 +30,7 @@ export function decodeDepth(packet: Uint8Array): DepthFrame {
   try {
     return decodeWith((decoder ??= instantiate()), packet);
   } catch (problem) {
-    if (problem instanceof WebAssembly.RuntimeError) decoder = undefined;  // after a trap the decoder's state is undefined
+    if (problem instanceof WebAssembly.RuntimeError) decoder = undefined;  // its state is undefined
     throw problem;
   }
 }

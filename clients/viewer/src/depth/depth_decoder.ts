@@ -24,7 +24,7 @@ export class DepthDecoder {
   }
 
   decode(bytes: Uint8Array): void {
-    const own = bytes.slice().buffer;  // a copy: the packet is part of a WebSocket message, whose buffer must not be transferred
+    const own = bytes.slice().buffer;  // a copy, since the packet is part of a WebSocket message
     this.worker.postMessage({packet: own}, [own]);
   }
 }

@@ -22,7 +22,7 @@ export function depthTold({format, bound}: Pick<DepthImage, 'format' | 'bound'>)
     return {moved: false, mode, howFar: mode === '' ? 'not told' : 'as measured', more: ''};
   const more = 'Depth is near-lossless to save bytes: for display, and not as the camera measured it.';
   if (bound === undefined || !isCredible(bound.leastM) || !isCredible(bound.perM))
-    return {moved: true, mode, howFar: 'off by an amount that is not told', more};
+    return {moved: true, mode, howFar: 'off by an unknown amount', more};
   return {
     moved: true,
     mode,

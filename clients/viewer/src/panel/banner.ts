@@ -53,18 +53,18 @@ export function bannerFor(health: Health): Banner | undefined {
       text: health.surface_ms === undefined ? '' : `It is ${seconds(health.surface_ms)} old.`,
     };
   if (health.station_ms !== undefined && health.station_ms > STALE_MS)
-    return {level: 'warn', title: 'Station silent', text: `No word for ${seconds(health.station_ms)}.`};
+    return {level: 'warn', title: 'Station silent', text: `No message for ${seconds(health.station_ms)}.`};
   if (health.apart_ms !== undefined && health.apart_ms < -APART_MS)
     return {
       level: 'warn',
       title: 'Late numbers',
-      text: `Hand and force are ${seconds(-health.apart_ms)} older than the picture: the station’s word comes late.`,
+      text: `Hand and force are ${seconds(-health.apart_ms)} older than the picture: the station’s messages come late.`,
     };
   return touchAdvice(health);
 }
 
 const BLAME: Record<Place, (part: string) => string> = {
-  site: (part) => `Patient’s site: it sent nothing newer for ${part}. The link is alive.`,
+  site: (part) => `Patient’s site: it sent no newer picture for ${part}. The connection works.`,
   network: (part) => `Network: ${part} were lost on the way here.`,
   computer: (part) => `This computer: it needs ${part} to decode and draw. Close other programs, or make the window smaller.`,
 };

@@ -105,7 +105,7 @@ export class Surface {
    * The first intersection of the ray with the measured surface; undefined: none within 4 m. `direction` has length 1.
    */
   meet(origin: Vector3, direction: Vector3): Vector3 | undefined {
-    const [step_m, far_m, thick_m] = [0.004, 4, 0.05];  // at this distance behind the surface, the ray passes behind its rim
+    const [step_m, far_m, thick_m] = [0.004, 4, 0.05];  // at this distance behind it, the ray passes behind the rim
     const at = new Vector3();
     for (let way_m = 0; way_m < far_m; way_m += step_m) {
       const measured_m = this.depthBehind(at.copy(direction).multiplyScalar(way_m).add(origin));
