@@ -70,8 +70,8 @@ std::string time_text(const std::vector<SurfacePredictionError>& errors) {
   }
   constexpr double kAsGood = 1.02;
   if (usual == nullptr || product(*usual) <= kAsGood * product(*best))
-    return "Of still error × breathing error 100 ms late, the default has the least, or within 2 % of it.\n";
-  return "Of still error × breathing error 100 ms late, *" + best->model + "* has the least: still " +
+    return "The default has the least product of still error and breathing error at 100 ms, or is within 2 % of it.\n";
+  return "*" + best->model + "* has the least product of still error and breathing error at 100 ms: still " +
          cell(best->still_1s_m / usual->still_1s_m) + " times, breathing " +
          cell(best->breathing_m[kDelayed] / usual->breathing_m[kDelayed]) + " times the default's.\n";
 }

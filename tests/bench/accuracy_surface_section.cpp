@@ -120,12 +120,12 @@ std::string knee_text(const std::vector<Tried>& all, std::size_t knee) {
   const std::string name = surface::SurfaceSettings{}.name;
   const Tried& usual = named(all, name);
   const Tried& paper = named(all, "paper");
-  if (knee == all.size()) return "No setting keeps every promise in this run, so there is no knee.\n";
+  if (knee == all.size()) return "No setting meets every requirement in this run, so there is no knee.\n";
   const Tried& best = all[knee];
   const auto product = [](const Tried& tried) { return tried.figures.torso.position_m * tried.figures.load(); };
   std::string text = "**The knee is `" + best.variant.name +
-                     "`**: of the settings that keep every promise above, error × "
-                     "load is least there. ";
+                     "`**: of the settings that meet every requirement above, it has the "
+                     "least error × load. ";
   constexpr double kAsGood = 1.10;  // a smaller difference is within the noise and cannot be felt
   if (best.variant.name == name)
     text += "It is the default.\n";
