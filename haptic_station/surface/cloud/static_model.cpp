@@ -109,7 +109,7 @@ Result<StaticModel> touched_mesh(models::PointModel mesh, const StaticModelSetti
   StaticModel made;
   const Winding winding = make_faces_agree(mesh);
   const float side = mended(mesh, winding, made.remarks) * (settings.flip_normals ? -1.0F : 1.0F);
-  const SampledMesh sampled = sample_mesh(mesh, settings, origin_m, side, winding.open_edges == 0);
+  const SampledMesh sampled = sample_mesh(mesh, settings, origin_m, side);
   if (!sampled.snapshot) return no_surface();
   if (is_too_coarse(sampled.fidelity) && !settings.anyway) return too_coarse(sampled);
   made.sampling = description_of(sampled);

@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "haptic_station/surface/cloud/winding_number.h"
 #include "haptic_station/surface/touch/touch.h"
 
 namespace telepalp::surface {
@@ -166,6 +167,48 @@ TEST(StaticModel, SamplesFollowFromTheShapeSoThatNothingIsFeltInTheAirBesideAFin
     touch.adopt(*model->snapshot, SessionTime{});
     const TouchSample sample = touch.step({at}, SessionTime{}, 0.0005);
     EXPECT_FALSE(sample.valid && sample.in_body) << i << ": " << at.transpose();
+  }
+}
+
+TEST(StaticModel, APartInsideAnotherIsNotTouchedEvenWhenTheMeshIsOpen) {
+  models::PointModel body = ball(0.1, {0, 0, 1}, false);
+  body.triangles.resize(body.triangles.size() - 80);  // the ring at the pole away from the hand is gone: open
+  const models::PointModel within = ball(0.095, {0, 0, 1}, false);
+  const auto first = static_cast<std::uint32_t>(body.points.size());
+  body.points.insert(body.points.end(), within.points.begin(), within.points.end());
+  for (const auto& at : within.triangles) body.triangles.push_back({first + at[0], first + at[1], first + at[2]});
+  const auto model = make_static_model(body, {});
+  ASSERT_TRUE(model.ok()) << to_string(model.error());
+  EXPECT_NE(model->remarks.find("open"), std::string::npos) << model->remarks;
+  EXPECT_NE(model->sampling.find("47 % of the mesh lies inside other parts"), std::string::npos) << model->sampling;
+  EXPECT_NEAR(felt_radius_m(*model->snapshot, {0, 0, 1}), 0.1, 5e-4);
+}
+
+TEST(WindingNumber, IsOneInsideZeroOutsideAndTwoWhereBodiesOverlap) {
+  models::PointModel two = ball(0.1, {0, 0, 1}, false);
+  const models::PointModel other = ball(0.1, {0.1, 0, 1}, false);
+  const auto first = static_cast<std::uint32_t>(two.points.size());
+  two.points.insert(two.points.end(), other.points.begin(), other.points.end());
+  for (const auto& at : other.triangles) two.triangles.push_back({first + at[0], first + at[1], first + at[2]});
+  const WindingNumber winding(two);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(-0.25, 0.25);
+  for (int i = 0; i < 2000; ++i) {
+    const Vector3d at = Vector3d(any(random), any(random), 1.0 + any(random));
+    const double to_first = (at - Vector3d(0, 0, 1)).norm();
+    const double to_other = (at - Vector3d(0.1, 0, 1)).norm();
+    if (std::abs(to_first - 0.1) < 0.001 || std::abs(to_other - 0.1) < 0.001) continue;  // between ball and facets
+    EXPECT_NEAR(winding.at(at), (to_first < 0.1 ? 1.0 : 0.0) + (to_other < 0.1 ? 1.0 : 0.0), 0.03) << at.transpose();
+  }
+}
+
+TEST(WindingNumber, OfACloudNeedsNoTriangles) {
+  const std::vector<CloudPoint> points = poisson_disk_samples(ball(0.1, {0, 0, 1}, true), 3000, 5);
+  const WindingNumber winding(points, 4.0 * M_PI * 0.01 / 3000.0);
+  for (int i = 0; i < 50; ++i) {
+    const Vector3d way = points[60 * static_cast<std::size_t>(i)].normal.cast<double>();
+    EXPECT_NEAR(winding.at(Vector3d(0, 0, 1) + 0.09 * way), 1.0, 0.1);
+    EXPECT_NEAR(winding.at(Vector3d(0, 0, 1) + 0.11 * way), 0.0, 0.1);
   }
 }
 

@@ -12,6 +12,8 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> image_rows();
 /// Shapes and approaches without a unique answer.
 [[nodiscard]] std::vector<HardCase> shape_rows();
+/// Meshes and clouds as people have them: parts inside parts, noise, normals that disagree.
+[[nodiscard]] std::vector<HardCase> model_rows();
 /// Contact after gaps, shifts, black frames and foreign hands.
 [[nodiscard]] std::vector<HardCase> return_rows();
 /// The displayed surface's approach to the newest one.

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "haptic_station/surface/cloud/cloud_snapshot.h"
+#include "haptic_station/surface/cloud/winding_number.h"
+
+namespace telepalp::surface {
+
+/// Errors of the touched surface against the mesh from which it was sampled, at random test points. Half of the points
+/// are drawn by area and half by face, because small features have small faces.
+struct Fidelity {
+  double error_m = 0.0;  ///< 99 % quantile of the distance between surface and mesh
+  double missing = 0.0;  ///< share of test points without a touchable surface
+  double in_air = 0.0;   ///< share of points 3 to 15 mm above the mesh with a false contact
+  double jumps = 0.0;    ///< share of presses in which the proxy jumps from one wall to another
+};
+
+/// Judges surfaces that were sampled from one mesh. Owns its test points; refers to the mesh only in the constructor.
+class MeshJudge {
+ public:
+  /// `mesh`: in metres around its middle. `side` -1 reverses all normals.
+  MeshJudge(const models::PointModel& mesh, float side, std::uint64_t seed);
+
+  /// False when the mesh has no area that can be reached from outside.
+  [[nodiscard]] bool has_places() const noexcept { return !places_.empty(); }
+
+  /// Removes points whose outer side lies inside another part of the mesh. Returns the share that is removed.
+  double leave_out_hidden(std::vector<CloudPoint>& points) const;
+
+  /// Error, missing surface and contact in free air; `jumps` stays 0.
+  [[nodiscard]] Fidelity judge(const CloudSnapshot& snapshot) const;
+
+  /// Presses 2 mm deep at up to 300 places, slides 5 mm to the side, and counts the presses in which the proxy moves by
+  /// more than 0.4 mm while the hand moves by 0.05 mm.
+  [[nodiscard]] double share_of_jumps(const CloudSnapshot& snapshot) const;
+
+ private:
+  [[nodiscard]] bool encloses(const Eigen::Vector3d& at) const;
+  [[nodiscard]] double share_in_air(const CloudSnapshot& snapshot) const;
+  [[nodiscard]] bool can_be_pressed(const CloudPoint& place) const;
+
+  float side_;
+  WindingNumber winding_;
+  std::shared_ptr<const NeighborIndex> near_;  // the mesh's vertices and middles of faces
+  std::vector<CloudPoint> places_;             // normals point outwards
+};
+
+}  // namespace telepalp::surface
