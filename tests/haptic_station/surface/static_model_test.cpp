@@ -114,7 +114,7 @@ TEST(StaticModel, AClosedMeshWithRandomlyOrientedFacesIsRepaired) {
     if (random() % 2 == 0) std::swap(triangle[1], triangle[2]);
   const auto model = make_static_model(mesh, {});
   ASSERT_TRUE(model.ok()) << to_string(model.error());
-  EXPECT_NE(model->remarks.find("looked the other way than their neighbours"), std::string::npos) << model->remarks;
+  EXPECT_NE(model->remarks.find("were oriented against their neighbours"), std::string::npos) << model->remarks;
   EXPECT_EQ(model->remarks.find("open"), std::string::npos) << model->remarks;
   EXPECT_NEAR(felt_radius_m(*model->snapshot, {0, 0, 1}), 0.1, 5e-4);
 }
