@@ -56,8 +56,8 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
 }
 
 Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_(std::move(options)), second_(io) {
-  hub_.on_key_wanted([this](std::string_view topic) {
-    if (capture_ && topic == wire::kCameraDepth.name) capture_->want_key();
+  hub_.on_key_frame_request([this](std::string_view topic) {
+    if (capture_ && topic == wire::kCameraDepth.name) capture_->request_key_frame();
   });
 }
 

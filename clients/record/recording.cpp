@@ -98,7 +98,7 @@ class Recording {
   void on_message(const wire::Message& message) {
     const bool taken = disk_.offer(message);
     if (message.topic.name != wire::kCameraDepth.name) return;
-    if (!taken) return link_.want_key(message);
+    if (!taken) return link_.request_key_frame(message);
     note_depth(message);
   }
 

@@ -101,9 +101,9 @@ void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
                                   [this](const Error& error) {
                                     boost::asio::post(io_, [error] { say("frame dropped: " + to_string(error)); });
                                   },
-                              .want_key =
+                              .request_key_frame =
                                   [this](const wire::Message& unreadable) {
-                                    boost::asio::post(io_, [this, unreadable] { link_.want_key(unreadable); });
+                                    boost::asio::post(io_, [this, unreadable] { link_.request_key_frame(unreadable); });
                                   }},
       in_tick_ ? surfaces_ : slow_surfaces_, device_to_surface_);
 }

@@ -110,8 +110,8 @@ bool ClientLink::publish(Message message) {
   return connected;
 }
 
-void ClientLink::want_key(const Message& unreadable) {
-  if (connection_ && connection_->ready()) connection_->want_key(unreadable);
+void ClientLink::request_key_frame(const Message& unreadable) {
+  if (connection_ && connection_->ready()) connection_->request_key_frame(unreadable);
 }
 
 SessionClock ClientLink::clock() const noexcept {

@@ -80,7 +80,7 @@ class ClientLink : private ConnectionOwner {
 
   /// Requests a key frame: `unreadable` (from on_message) cannot be decoded because its reference frame is missing.
   /// Without a connection it does nothing, because the first frame of a new connection is a key frame.
-  void want_key(const Message& unreadable);
+  void request_key_frame(const Message& unreadable);
 
   /// The current estimate of the session clock; before the first connection, this machine's wall clock. Any thread.
   /// Call clock() for each reading, because the offset is slewed.
@@ -99,7 +99,7 @@ class ClientLink : private ConnectionOwner {
   void on_message(Message message) override;
   void on_subscribe(std::vector<std::string>) override {}  // a server does not subscribe
   void on_clock(const ClockSample& sample) override;
-  void on_want_key(const Topic&, SessionTime) override {}  // clients publish no predicted frames
+  void on_key_frame_request(const Topic&, SessionTime) override {}  // clients publish no predicted frames
   void on_closed(const std::string& reason) override;
   std::optional<Message> next_to_send() override;
   SessionTime session_now() override { return clock().now(); }

@@ -91,10 +91,10 @@ void Connection::probe_clock() {
   send(std::move(control));
 }
 
-void Connection::want_key(const Message& unreadable) {
+void Connection::request_key_frame(const Message& unreadable) {
   msg::Control control;
-  control.mutable_want_key()->set_topic(std::string(unreadable.topic.name));
-  control.mutable_want_key()->set_published_ns(to_nanoseconds(unreadable.published));
+  control.mutable_key_frame_request()->set_topic(std::string(unreadable.topic.name));
+  control.mutable_key_frame_request()->set_published_ns(to_nanoseconds(unreadable.published));
   send(std::move(control));
 }
 
@@ -206,9 +206,9 @@ Result<void> Connection::on_control(const Frame& frame) {
     case msg::Control::kClockReply:
       on_clock_reply(control.clock_reply());
       return {};
-    case msg::Control::kWantKey:
-      if (const std::optional<Topic> topic = find_topic(control.want_key().topic()))
-        owner_->on_want_key(*topic, session_time(control.want_key().published_ns()));
+    case msg::Control::kKeyFrameRequest:
+      if (const std::optional<Topic> topic = find_topic(control.key_frame_request().topic()))
+        owner_->on_key_frame_request(*topic, session_time(control.key_frame_request().published_ns()));
       return {};
     case msg::Control::kGoodbye:
       finish("peer left: " + control.goodbye().reason());

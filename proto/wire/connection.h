@@ -35,7 +35,7 @@ class ConnectionOwner {
   virtual void on_subscribe(std::vector<std::string> topics) = 0;
   virtual void on_clock(const ClockSample& sample) = 0;
   /// The peer requests a key frame: it could not decode the message of `topic` published at `published`.
-  virtual void on_want_key(const Topic& topic, SessionTime published) = 0;
+  virtual void on_key_frame_request(const Topic& topic, SessionTime published) = 0;
   /// The connection has ended; no callback follows. `reason`: text for a log line.
   virtual void on_closed(const std::string& reason) = 0;
   /// Returns the next message to send; nullopt: no message waits, and the owner calls wake() when there is one. The
@@ -74,7 +74,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void subscribe(const std::vector<std::string>& topics);  ///< replaces the earlier subscription
   void probe_clock();
   /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.
-  void want_key(const Message& unreadable);
+  void request_key_frame(const Message& unreadable);
   /// Sends the remaining messages of next_to_send() and a Goodbye, and closes, within 0.5 s.
   void close(const std::string& reason);
   /// Closes at once; no callback follows.

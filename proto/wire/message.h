@@ -21,7 +21,7 @@ struct Message {
   std::shared_ptr<const std::string> payload;
   std::uint64_t sequence = 0;  ///< number within the topic, from 1, given by the sender; a gap means lost messages.
                                ///< 0: not numbered yet
-  bool stands_alone = true;    ///< false: decoding needs the topic's message before this one. Set by the publisher;
+  bool key_frame = true;       ///< false: decoding needs the topic's message before this one. Set by the publisher;
                                ///< not sent on the wire
 };
 

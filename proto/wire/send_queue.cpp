@@ -61,11 +61,11 @@ void SendQueue::take_oldest(const Message& to_make_room_for, std::vector<Message
                         [&](const Message& other) { return other.topic.name == to_make_room_for.topic.name; });
   };
   do gone.push_back(take(lane, oldest()));
-  while (oldest() != lane.end() && !oldest()->stands_alone);
+  while (oldest() != lane.end() && !oldest()->key_frame);
 }
 
 std::vector<Message> SendQueue::push(const Message& message) {
-  if (!has_room(message) && !message.stands_alone) return {message};
+  if (!has_room(message) && !message.key_frame) return {message};
   std::vector<Message> gone;
   while (!has_room(message)) take_oldest(message, gone);
   lane_of(message.topic).push_back(message);

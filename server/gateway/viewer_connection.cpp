@@ -73,7 +73,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     subscriber_.reset();
     context()->hub.leave(viewer);
     context()->views.leave(views_subscriber_);
-    if (context()->view_maker) context()->view_maker->wishes_changed();
+    if (context()->view_maker) context()->view_maker->subscriptions_changed();
     context()->holder.let_go(viewer);
     tell_holder();
   }
@@ -111,7 +111,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     for (const auto& [id, topic] : subscriptions_) topics.emplace_back(topic);
     context()->hub.subscribe(*subscriber_, topics);
     context()->views.subscribe(views_subscriber_, topics);
-    context()->view_maker->wishes_changed();
+    context()->view_maker->subscriptions_changed();
   }
 
   void tell_holder() {

@@ -49,8 +49,8 @@ void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
   forget_unwanted(subscriber);
   for (const auto& [name, message] : latched_)
     if (wants(topics, name) && !wants(before, name)) offer(subscriber, message);
-  for (const auto& [name, wish] : wishes_)
-    if (wish.in_groups && wants(topics, name) && !wants(before, name)) ask_for_key(name);
+  for (const auto& [name, state] : key_frames_)
+    if (state.in_groups && wants(topics, name) && !wants(before, name)) request_from_publisher(name);
 }
 
 template <class Matches>
@@ -68,15 +68,15 @@ void Hub::remove_waiting(Subscriber& subscriber, Matches matches) {
 void Hub::forget_unwanted(Subscriber& subscriber) {
   remove_waiting(subscriber,
                  [&](const wire::Message& message) { return !wants(subscriber.topics, message.topic.name); });
-  std::erase_if(subscriber.places, [&](const auto& place) { return !wants(subscriber.topics, place.first); });
+  std::erase_if(subscriber.positions, [&](const auto& entry) { return !wants(subscriber.topics, entry.first); });
 }
 
 void Hub::publish(wire::Message message) {
   TopicCount& count = topics_[message.topic.name];
   message.sequence = ++count.published;
   count.bytes += message.payload->size();
-  KeyFrameState& wish = wishes_[message.topic.name];
-  wish = after_publishing(wish, message.stands_alone, message.published);
+  wire::KeyFrameState& state = key_frames_[message.topic.name];
+  state = after_publishing(state, message.key_frame, message.published);
   if (is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)
     if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
@@ -116,20 +116,20 @@ bool Hub::is_taken(std::string_view topic, std::string_view other_than) const no
   });
 }
 
-void Hub::want_key(SubscriberId id, const wire::Topic& topic, SessionTime unreadable) {
+void Hub::request_key_frame(SubscriberId id, const wire::Topic& topic, SessionTime undecodable) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end() || !wants(found->second.topics, topic.name)) return;
-  const KeyFrameState& wish = wishes_[topic.name];
-  if (!wish.in_groups || !still_lost(wish, unreadable)) return;
+  const wire::KeyFrameState& state = key_frames_[topic.name];
+  if (!state.in_groups || !still_needs_key_frame(state, undecodable)) return;
   Subscriber& subscriber = found->second;
-  subscriber.places[topic.name] = {};
+  subscriber.positions[topic.name] = {};
   remove_waiting(subscriber, [&](const wire::Message& message) { return message.topic.name == topic.name; });
-  ask_for_key(topic.name);
+  request_from_publisher(topic.name);
 }
 
-void Hub::ask_for_key(std::string_view topic) {
-  if (std::exchange(wishes_[topic].pending, true)) return;
-  if (key_wanted_) key_wanted_(topic);
+void Hub::request_from_publisher(std::string_view topic) {
+  if (std::exchange(key_frames_[topic].requested, true)) return;
+  if (key_frame_requested_) key_frame_requested_(topic);
 }
 
 void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
@@ -139,14 +139,14 @@ void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
 
 void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
   ++subscriber.count.topics[message.topic.name].published;
-  GroupPosition& place = subscriber.places[message.topic.name];
+  wire::GroupPosition& position = subscriber.positions[message.topic.name];
   const bool was_empty = subscriber.queue.empty();
-  const bool usable = can_use(place, message.sequence, message.stands_alone);
+  const bool usable = can_decode(position, message.sequence, message.key_frame);
   const std::vector<wire::Message> gone = usable ? put_in_queue(subscriber, message) : std::vector{message};
   for (const wire::Message& lost : gone) drop(subscriber.count, lost);
   const bool queued = gone.empty() || gone.back().sequence != message.sequence;
-  place = {.last = queued ? message.sequence : 0};
-  if (!queued && subscriber.queue.waiting(message.topic) == 0) ask_for_key(message.topic.name);
+  position = {.last = queued ? message.sequence : 0};
+  if (!queued && subscriber.queue.waiting(message.topic) == 0) request_from_publisher(message.topic.name);
   if (queued && was_empty) subscriber.wake();
 }
 
@@ -162,7 +162,7 @@ std::optional<wire::Message> Hub::next(SubscriberId id) {
     count.bytes += message->payload->size();
     ++topics_[message->topic.name].sent;
     // No request if its queue was full: a subscriber that reads nothing would cause one key frame after another.
-    if (found->second.places[message->topic.name].last == 0) ask_for_key(message->topic.name);
+    if (found->second.positions[message->topic.name].last == 0) request_from_publisher(message->topic.name);
   }
   return message;
 }

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "proto/wire/key_frame_request.h"
 #include "proto/wire/message.h"
 #include "proto/wire/send_queue.h"
-#include "server/hub/key_frame_state.h"
 
 namespace telepalp::server {
 
@@ -43,12 +43,14 @@ class Hub {
   /// gaps.
   void publish(wire::Message message);
 
-  /// A subscriber requests a key frame: it could not decode the message of `topic` published at `unreadable`.
-  void want_key(SubscriberId subscriber, const wire::Topic& topic, SessionTime unreadable);
+  /// A subscriber requests a key frame: it could not decode the message of `topic` published at `undecodable`.
+  void request_key_frame(SubscriberId subscriber, const wire::Topic& topic, SessionTime undecodable);
 
   /// Sets the function that requests a key frame of a topic from its publisher. It is called once until the key frame
   /// comes.
-  void on_key_wanted(std::function<void(std::string_view topic)> handler) { key_wanted_ = std::move(handler); }
+  void on_key_frame_request(std::function<void(std::string_view topic)> handler) {
+    key_frame_requested_ = std::move(handler);
+  }
 
   /// Takes the oldest message from the subscriber's queue; nullopt when the queue is empty.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
@@ -85,7 +87,7 @@ class Hub {
     SubscriberCount count;
     std::vector<std::string> topics;
     wire::SendQueue queue;
-    std::map<std::string_view, GroupPosition> places;  // by topic
+    std::map<std::string_view, wire::GroupPosition> positions;  // by topic
     std::function<void()> wake;
   };
   void drop(SubscriberCount& subscriber, const wire::Message& message);
@@ -95,13 +97,13 @@ class Hub {
   template <class Matches>
   void remove_waiting(Subscriber& subscriber, Matches matches);  ///< counted as dropped
   void forget_unwanted(Subscriber& subscriber);
-  void ask_for_key(std::string_view topic);
+  void request_from_publisher(std::string_view topic);
 
   std::map<SubscriberId, Subscriber> subscribers_;
   TopicCounts topics_;
   std::map<std::string_view, wire::Message> latched_;
-  std::map<std::string_view, KeyFrameState> wishes_;  // by topic
-  std::function<void(std::string_view)> key_wanted_;
+  std::map<std::string_view, wire::KeyFrameState> key_frames_;  // by topic
+  std::function<void(std::string_view)> key_frame_requested_;
   SubscriberId last_id_ = 0;
   std::size_t waiting_bytes_ = 0;
 };

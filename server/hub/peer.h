@@ -89,8 +89,8 @@ class PeerListener::Peer : public wire::ConnectionOwner {
                    std::to_string(std::lround(rate.bytes_per_s / 1024)) +
                    " KiB a second: the messages beyond that are dropped");
   }
-  void on_want_key(const wire::Topic& topic, SessionTime published) override {
-    listener_.hub_.want_key(subscriber_, topic, published);
+  void on_key_frame_request(const wire::Topic& topic, SessionTime published) override {
+    listener_.hub_.request_key_frame(subscriber_, topic, published);
   }
   void on_clock(const wire::ClockSample&) override {}  // the server's clock is the session clock: it sends no probes
   void on_closed(const std::string& reason) override {

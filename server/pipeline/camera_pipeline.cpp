@@ -44,11 +44,11 @@ void CameraPipeline::publish_frame(const RgbdFrame& frame) {
 }
 
 void CameraPipeline::publish_depth(const RgbdFrame& frame) {
-  if (handlers_.take_key_wish()) keys_.asked = true;
-  if (key_is_due(keys_)) encoder_.request_key_frame();
+  if (handlers_.take_key_frame_request()) key_frame_pacing_.requested = true;
+  if (key_frame_is_due(key_frame_pacing_)) encoder_.request_key_frame();
   codec::EncodedDepth coded = encoder_.encode(frame.depth);
   const bool is_key = coded.key_frame;
-  keys_ = after_frame(keys_, is_key);
+  key_frame_pacing_ = after_encoding(key_frame_pacing_, is_key);
   msg::DepthImage depth = depth_message(frame, std::move(coded));
   const SessionTime encoded = clock_.now();
   depth.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(encoded)));
@@ -97,9 +97,9 @@ void CameraPipeline::measure_rate(SessionTime now) {
 }
 
 template <class Proto>
-bool CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Proto& proto, bool stands_alone) {
+bool CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Proto& proto, bool key_frame) {
   wire::Message message = wire::make_message(topic, at, proto);
-  message.stands_alone = stands_alone;
+  message.key_frame = key_frame;
   if (message.payload->size() <= wire::kMaxPayloadBytes) return handlers_.publish(std::move(message));
   refused_ = std::string(topic.name) + " needs " + std::to_string(message.payload->size()) + " B, more than the " +
              std::to_string(wire::kMaxPayloadBytes) + " B of a message; give a smaller image or --jpeg-quality";

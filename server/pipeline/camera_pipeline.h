@@ -7,10 +7,10 @@
 #include <string>
 
 #include "codec/depth_stream.h"
+#include "proto/wire/key_frame_request.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
 #include "server/capture/capture_source.h"
-#include "server/pipeline/key_frame_pacing.h"
 
 namespace telepalp::server {
 
@@ -24,8 +24,8 @@ struct EncodeOptions {
 class CameraPipeline {
  public:
   struct Handlers {
-    std::function<bool(wire::Message)> publish;  ///< hands a message over; false: it was dropped
-    std::function<bool()> take_key_wish;         ///< true if a key frame was requested since the last call
+    std::function<bool(wire::Message)> publish;    ///< hands a message over; false: it was dropped
+    std::function<bool()> take_key_frame_request;  ///< true if a key frame was requested since the last call
   };
   CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options, wire::SessionClock clock,
                  Handlers handlers);
@@ -43,7 +43,7 @@ class CameraPipeline {
   void measure_rate(SessionTime now);
   void publish_depth(const RgbdFrame& frame);
   template <class Proto>
-  bool publish(const wire::Topic& topic, SessionTime at, const Proto& proto, bool stands_alone = true);
+  bool publish(const wire::Topic& topic, SessionTime at, const Proto& proto, bool key_frame = true);
 
   CaptureSource& source_;
   std::string source_name_;
@@ -51,7 +51,7 @@ class CameraPipeline {
   wire::SessionClock clock_;
   Handlers handlers_;
   codec::DepthEncoder encoder_;
-  KeyFramePacing keys_;
+  wire::KeyFramePacing key_frame_pacing_;
 
   std::uint64_t frames_ = 0;
   std::string refused_;  // why the last frame could not be sent; empty: it was sent

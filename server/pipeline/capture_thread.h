@@ -28,7 +28,7 @@ class CaptureThread {
 
   void stop();
   /// Requests a key frame as soon as the pacing allows one. Any thread.
-  void want_key() noexcept { key_wanted_ = true; }
+  void request_key_frame() noexcept { key_frame_requested_ = true; }
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
   /// Messages dropped because the network thread was too far behind.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
@@ -41,7 +41,7 @@ class CaptureThread {
   std::unique_ptr<CaptureSource> source_;
   Handlers handlers_;
   std::atomic<bool> stopping_{false};
-  std::atomic<bool> key_wanted_{false};
+  std::atomic<bool> key_frame_requested_{false};
   std::atomic<int> on_the_way_{0};  // messages posted and not yet handled
   std::atomic<std::uint64_t> frames_{0};
   std::atomic<std::uint64_t> dropped_{0};

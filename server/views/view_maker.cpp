@@ -48,7 +48,7 @@ std::vector<std::string> ViewMaker::topics_needed() const {
   return {needed.begin(), needed.end()};
 }
 
-void ViewMaker::wishes_changed() {
+void ViewMaker::subscriptions_changed() {
   const std::vector<std::string> needed = topics_needed();
   if (needed == topics_) return;
   topics_ = needed;
@@ -89,25 +89,26 @@ void ViewMaker::take_station(const wire::Message& message) {
 
 void ViewMaker::decode(const wire::Message& message) {
   decoding_ = true;
-  const Wishes wishes{.image = views_.is_wanted(kDepthView.name), .cloud = views_.is_wanted(kCloudView.name)};
-  boost::asio::post(pool_, [this, message, wishes, camera = camera_] {
+  const WantedViews wanted{.image = views_.is_wanted(kDepthView.name), .cloud = views_.is_wanted(kCloudView.name)};
+  boost::asio::post(pool_, [this, message, wanted, camera = camera_] {
     boost::asio::post(io_, [this, alive = std::weak_ptr<const bool>(alive_), message,
-                            made = make(message, camera, wishes)]() mutable {
+                            made = make(message, camera, wanted)]() mutable {
       if (!alive.expired()) on_made(message, std::move(made));
     });
   });
 }
 
-ViewMaker::Made ViewMaker::make(const wire::Message& message, const std::optional<Intrinsics>& camera, Wishes wishes) {
+ViewMaker::Made ViewMaker::make(const wire::Message& message, const std::optional<Intrinsics>& camera,
+                                WantedViews wanted) {
   msg::DepthImage packet;
   if (!packet.ParseFromString(*message.payload)) return {};
   const Result<DepthImage> depth = decoder_.decode(std::as_bytes(std::span(packet.data())));
   if (!depth) return {};
   const SessionTime captured = session_time(static_cast<std::int64_t>(packet.captured_ns()));
   Made made{.readable = true, .messages = {}};
-  if (wishes.image)
+  if (wanted.image)
     made.messages.push_back(wire::make_message(kDepthView, message.published, depth_view(*depth, captured)));
-  if (wishes.cloud && camera && camera->width == depth->width && camera->height == depth->height)
+  if (wanted.cloud && camera && camera->width == depth->width && camera->height == depth->height)
     made.messages.push_back(wire::make_message(kCloudView, message.published, cloud_view(*depth, *camera, captured)));
   return made;
 }
@@ -117,7 +118,7 @@ void ViewMaker::on_made(const wire::Message& depth, Made made) {
   if (made.readable) {
     ++decoded_;
   } else if (subscriber_ != 0) {
-    source_.want_key(subscriber_, depth.topic, depth.published);
+    source_.request_key_frame(subscriber_, depth.topic, depth.published);
   }
   for (wire::Message& message : made.messages) views_.publish(std::move(message));
   pull();

@@ -28,13 +28,13 @@ class ViewMaker {
   ViewMaker& operator=(const ViewMaker&) = delete;
 
   /// Call it after a client of `views` has subscribed, unsubscribed or left.
-  void wishes_changed();
+  void subscriptions_changed();
 
   /// Number of images decoded since the start.
   [[nodiscard]] std::uint64_t decoded() const noexcept { return decoded_; }
 
  private:
-  struct Wishes {
+  struct WantedViews {
     bool image = false;
     bool cloud = false;
   };
@@ -49,7 +49,7 @@ class ViewMaker {
   void take_station(const wire::Message& message);
   void decode(const wire::Message& message);
   void on_made(const wire::Message& depth, Made made);
-  [[nodiscard]] Made make(const wire::Message& message, const std::optional<Intrinsics>& camera, Wishes wishes);
+  [[nodiscard]] Made make(const wire::Message& message, const std::optional<Intrinsics>& camera, WantedViews wanted);
 
   boost::asio::io_context& io_;
   Hub& source_;

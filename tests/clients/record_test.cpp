@@ -111,7 +111,7 @@ TEST_F(Recorder, DepthBeginsWithAFrameThatStandsAloneThoughItJoinsMidGroup) {
   Server server;
   const auto depth = [](int number, bool is_key) {
     wire::Message message{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>()};
-    message.stands_alone = is_key;
+    message.key_frame = is_key;
     return message;
   };
   server.publish(depth(1, true));

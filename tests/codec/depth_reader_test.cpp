@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "codec/key_frame_request.h"
 #include "tests/codec/depth_frames.h"
 
 namespace telepalp::codec {
@@ -67,23 +66,6 @@ TEST(DepthReader, DamageInASkippedFrameIsAnErrorUntilTheNextKeyFrame) {
   const Result<DecodedDepth> key = reader.read(bytes_of(packets[6]));
   ASSERT_TRUE(key.ok());
   EXPECT_EQ(key->image.samples, frame(6).samples);
-}
-
-TEST(KeyFrameRequest, AsksAtOnceAndAgainWhileDecodingFails) {
-  KeyFrameRequest asking;
-  const SessionTime start = session_time(1'000'000'000);
-  EXPECT_TRUE(asking.failed(start));
-  EXPECT_FALSE(asking.failed(start + std::chrono::milliseconds(33)));
-  EXPECT_FALSE(asking.failed(start + std::chrono::milliseconds(299)));
-  EXPECT_TRUE(asking.failed(start + std::chrono::milliseconds(300)));
-  asking.succeeded();
-  EXPECT_TRUE(asking.failed(start + std::chrono::milliseconds(333)));
-}
-
-TEST(KeyFrameRequest, AClockThatGoesBackDoesNotSilenceIt) {
-  KeyFrameRequest asking;
-  EXPECT_TRUE(asking.failed(session_time(5'000'000'000)));
-  EXPECT_TRUE(asking.failed(session_time(1'000'000'000)));
 }
 
 }  // namespace

@@ -179,10 +179,10 @@ TEST(HostilePeer, AskingWithoutListeningEndsTheConnectionAndNotTheMemory) {
 TEST(HostilePeer, AskingForKeyFramesWithoutEndAsksThePublisherOnce) {
   Site site;
   int asked = 0;
-  site.hub.on_key_wanted([&](std::string_view) { ++asked; });
+  site.hub.on_key_frame_request([&](std::string_view) { ++asked; });
   for (int number = 1; number <= 2; ++number) {
     wire::Message depth{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>("d")};
-    depth.stands_alone = number == 1;
+    depth.key_frame = number == 1;
     site.hub.publish(depth);
   }
   std::string bytes = control_frame(hello()) + control_frame(subscription("/camera/depth"));
@@ -190,10 +190,10 @@ TEST(HostilePeer, AskingForKeyFramesWithoutEndAsksThePublisherOnce) {
                                        std::numeric_limits<std::int64_t>::min()})
     for (const char* topic : {"/camera/depth", "/camera/color", "/nowhere", ""})
       for (int i = 0; i < 100; ++i) {
-        msg::Control wish;
-        wish.mutable_want_key()->set_topic(topic);
-        wish.mutable_want_key()->set_published_ns(published);
-        bytes += control_frame(wish);
+        msg::Control request;
+        request.mutable_key_frame_request()->set_topic(topic);
+        request.mutable_key_frame_request()->set_published_ns(published);
+        bytes += control_frame(request);
       }
   Stranger stranger(site);
   stranger.listen();

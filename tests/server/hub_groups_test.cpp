@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "server/hub/hub.h"
-#include "server/pipeline/key_frame_pacing.h"
 
 namespace telepalp::server {
 namespace {
@@ -11,7 +10,7 @@ namespace {
 wire::Message frame(int number, bool is_key) {
   wire::Message message{wire::kCameraDepth, session_time(number),
                         std::make_shared<const std::string>(std::to_string(number))};
-  message.stands_alone = is_key;
+  message.key_frame = is_key;
   return message;
 }
 
@@ -22,7 +21,7 @@ struct Stage {
   int published = 0;
 
   Stage() {
-    hub.on_key_wanted([this](std::string_view topic) {
+    hub.on_key_frame_request([this](std::string_view topic) {
       EXPECT_EQ(topic, wire::kCameraDepth.name);
       ++asked;
     });
@@ -129,7 +128,7 @@ TEST(HubGroups, ASubscriberWithoutReferenceGetsAKeyFrameNext) {
   stage.key();
   stage.dependent();
   EXPECT_EQ(stage.taken(id), "1 2");
-  stage.hub.want_key(id, wire::kCameraDepth, session_time(2));
+  stage.hub.request_key_frame(id, wire::kCameraDepth, session_time(2));
   EXPECT_EQ(stage.asked, 1);
   stage.dependent();
   EXPECT_EQ(stage.taken(id), "");
@@ -144,7 +143,7 @@ TEST(HubGroups, MessagesAreDroppedForASubscriberThatLostItsReference) {
   EXPECT_EQ(stage.taken(id), "1");
   stage.dependent();
   stage.dependent();
-  stage.hub.want_key(id, wire::kCameraDepth, session_time(2));
+  stage.hub.request_key_frame(id, wire::kCameraDepth, session_time(2));
   EXPECT_EQ(stage.taken(id), "");
   const Hub::TopicCount count = stage.hub.topic_counts().at(wire::kCameraDepth.name);
   EXPECT_EQ(count.dropped, 2u);
@@ -156,10 +155,10 @@ TEST(HubGroups, ASecondRequestBeforeTheKeyFrameHasNoEffect) {
   const SubscriberId id = stage.join();
   stage.key();
   stage.dependent();
-  for (int i = 0; i < 1000; ++i) stage.hub.want_key(id, wire::kCameraDepth, session_time(2));
+  for (int i = 0; i < 1000; ++i) stage.hub.request_key_frame(id, wire::kCameraDepth, session_time(2));
   EXPECT_EQ(stage.asked, 1);
   stage.key();
-  stage.hub.want_key(id, wire::kCameraDepth, session_time(2));  // requested before the key frame came
+  stage.hub.request_key_frame(id, wire::kCameraDepth, session_time(2));  // requested before the key frame came
   EXPECT_EQ(stage.asked, 1);
 }
 
@@ -168,10 +167,10 @@ TEST(HubGroups, AKeyFrameRequestNeedsASubscriptionToATopicWithPredictedFrames) {
   const SubscriberId other = stage.hub.join("other", "", [] {});
   const SubscriberId id = stage.join();
   stage.key();
-  stage.hub.want_key(id, wire::kCameraDepth, session_time(9));
+  stage.hub.request_key_frame(id, wire::kCameraDepth, session_time(9));
   stage.dependent();
-  stage.hub.want_key(other, wire::kCameraDepth, session_time(9));
-  stage.hub.want_key(77, wire::kCameraDepth, session_time(9));
+  stage.hub.request_key_frame(other, wire::kCameraDepth, session_time(9));
+  stage.hub.request_key_frame(77, wire::kCameraDepth, session_time(9));
   EXPECT_EQ(stage.asked, 0);
 }
 
@@ -186,30 +185,6 @@ TEST(HubGroups, ARepeatedSubscriptionBeginsWithAKeyFrame) {
   stage.dependent();
   stage.key();
   EXPECT_EQ(stage.taken(id), "4");
-}
-
-TEST(KeyFramePacing, ARequestAtEveryFrameGivesOneKeyFrameInFour) {
-  KeyFramePacing pacing;
-  std::string made;
-  for (int i = 0; i < 13; ++i) {
-    pacing.asked = true;
-    const bool is_key = i == 0 || key_is_due(pacing);
-    made += is_key ? 'K' : '.';
-    pacing = after_frame(pacing, is_key);
-  }
-  EXPECT_EQ(made, "K...K...K...K");
-}
-
-TEST(KeyFramePacing, ARequestIsKeptUntilAnyKeyFrame) {
-  KeyFramePacing pacing = after_frame({}, true);
-  pacing.asked = true;
-  pacing = after_frame(pacing, false);
-  EXPECT_TRUE(pacing.asked);
-  pacing = after_frame(pacing, true);
-  for (int i = 0; i < 20; ++i) {
-    EXPECT_FALSE(key_is_due(pacing));
-    pacing = after_frame(pacing, false);
-  }
 }
 
 }  // namespace

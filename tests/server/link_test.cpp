@@ -207,18 +207,18 @@ TEST(Link, ALinkThatIsDestroyedWhileItConnectsLeavesNothingBehind) {
 TEST(Link, AClientWithoutReferenceGetsAKeyFrame) {
   Site site;
   int asked = 0;
-  site.hub.on_key_wanted([&](std::string_view) { ++asked; });
+  site.hub.on_key_frame_request([&](std::string_view) { ++asked; });
   Client client(site, {"/camera/depth"});
   ASSERT_TRUE(site.run_until([&] { return client.connected(); }));
   const auto publish = [&](int number, bool is_key) {
     wire::Message depth{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>("d")};
-    depth.stands_alone = is_key;
+    depth.key_frame = is_key;
     site.hub.publish(depth);
   };
   publish(1, true);
   publish(2, false);
   ASSERT_TRUE(site.run_until([&] { return client.messages.size() == 2; }));
-  client.link.want_key(client.messages.back());
+  client.link.request_key_frame(client.messages.back());
   ASSERT_TRUE(site.run_until([&] { return asked == 1; }));
   publish(3, false);
   publish(4, true);

@@ -148,7 +148,7 @@ struct Onlooker {
     is_key.push_back(codec::is_key_frame(bytes_of(depth.data())));
     last_sequence = depth.sequence();
     unreadable += decoder.decode(bytes_of(depth.data())).ok() ? 0 : 1;
-    if (asks_always) link.want_key(message);
+    if (asks_always) link.request_key_frame(message);
   }
 };
 

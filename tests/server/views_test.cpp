@@ -96,20 +96,20 @@ TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {
     for (int tries = 0; tries < 20; ++tries) io.run_one_for(5ms);
   };
   const SubscriberId viewer = views.join("viewer", "", [] {});
-  maker.wishes_changed();
+  maker.subscriptions_changed();
   publish();
   EXPECT_EQ(maker.decoded(), 0u);
   EXPECT_TRUE(source.subscriber_counts().empty());
 
   views.subscribe(viewer, {std::string(kDepthView.name)});
-  maker.wishes_changed();
+  maker.subscriptions_changed();
   publish();
   EXPECT_EQ(maker.decoded(), 1u);
   EXPECT_EQ(source.subscriber_counts().size(), 1u);
   ASSERT_TRUE(views.next(viewer));
 
   views.leave(viewer);
-  maker.wishes_changed();
+  maker.subscriptions_changed();
   publish();
   EXPECT_EQ(maker.decoded(), 1u);
   EXPECT_TRUE(source.subscriber_counts().empty());
@@ -121,14 +121,14 @@ TEST(ViewMaker, DepthThatCannotBeReadMakesNothingAndAsksForAKeyFrame) {
   Hub source;
   Hub views;
   int asked = 0;
-  source.on_key_wanted([&](std::string_view) { ++asked; });
+  source.on_key_frame_request([&](std::string_view) { ++asked; });
   ViewMaker maker(io, source, views);
   const SubscriberId viewer = views.join("viewer", "", [] {});
   views.subscribe(viewer, {std::string(kDepthView.name)});
-  maker.wishes_changed();
+  maker.subscriptions_changed();
   wire::Message damaged{wire::kCameraDepth, session_time(2), std::make_shared<const std::string>("\xff\xff")};
   source.publish(damaged);
-  damaged.stands_alone = false;
+  damaged.key_frame = false;
   damaged.published = session_time(3);
   source.publish(damaged);
   for (int tries = 0; tries < 40; ++tries) io.run_one_for(5ms);

@@ -54,11 +54,12 @@ void SurfaceWorker::work_off(const Work& work) {
   if (!is_newest) return reader_.skip(std::move(*message.mutable_data()));
   const Result<codec::DecodedDepth> depth = read(message);
   if (!depth) {
-    if (!key_request_.failed(handlers_.now())) return;  // the error was reported and a key frame requested a moment ago
+    if (!key_frame_request_.failed(handlers_.now()))
+      return;  // the error was reported and a key frame requested a moment ago
     handlers_.on_bad_frame(depth.error());
-    return handlers_.want_key(work.depth);
+    return handlers_.request_key_frame(work.depth);
   }
-  key_request_.succeeded();
+  key_frame_request_.succeeded();
   const Result<msg::SurfaceReport> report = build(work, message, *depth);
   if (!report) return handlers_.on_bad_frame(report.error());
   built_.fetch_add(1, std::memory_order_relaxed);

@@ -8,12 +8,12 @@
 #include <thread>
 
 #include "codec/depth_stream.h"
-#include "codec/key_frame_request.h"
 #include "haptic_station/loop/haptic_loop.h"
 #include "haptic_station/surface/build/setting_choice.h"
 #include "haptic_station/surface/build/surface_builder.h"
 #include "messages/camera.pb.h"
 #include "messages/station.pb.h"
+#include "proto/wire/key_frame_request.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
 #include "proto/words/latest_value.h"
@@ -36,7 +36,7 @@ class SurfaceWorker {
     std::function<void(const msg::SurfaceReport&)> on_report;  ///< called on the surface thread
     std::function<void(const Error&)> on_bad_frame;            ///< called on the surface thread
     /// Called when frames after `unreadable` cannot be decoded without a key frame. Called on the surface thread.
-    std::function<void(const wire::Message& unreadable)> want_key;
+    std::function<void(const wire::Message& unreadable)> request_key_frame;
   };
 
   SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
@@ -63,11 +63,11 @@ class SurfaceWorker {
   [[nodiscard]] std::optional<surface::Reach> reach();
   void judge(msg::SurfaceReport& report, SessionTime captured, double cost_s);
 
-  codec::DepthReader reader_;           // owner: surface thread
-  codec::KeyFrameRequest key_request_;  // owner: surface thread
-  surface::SettingChoice choice_;       // owner: surface thread
-  surface::SurfaceBuilder builder_;     // owner: surface thread
-  SessionTime last_captured_{};         // owner: surface thread
+  codec::DepthReader reader_;                // owner: surface thread
+  wire::KeyFrameRequest key_frame_request_;  // owner: surface thread
+  surface::SettingChoice choice_;            // owner: surface thread
+  surface::SurfaceBuilder builder_;          // owner: surface thread
+  SessionTime last_captured_{};              // owner: surface thread
   Placement placement_;
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
   Handlers handlers_;

@@ -20,7 +20,7 @@ function bench() {
       seen.decoding.push(packet);
     },
     present: (chosen) => seen.presented.push(chosen),
-    askForKey: () => ++seen.keys,
+    requestKeyFrame: () => ++seen.keys,
   });
   return {
     seen,

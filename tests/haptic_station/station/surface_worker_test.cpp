@@ -83,14 +83,15 @@ class Bench {
   std::vector<msg::SurfaceReport> reports_;
   std::vector<Error> errors_;
   std::vector<SessionTime> wanted_;
-  SurfaceWorker worker_{*surface::surface_settings("fast"),
-                        [](const DepthImage&, const Intrinsics&) { return Transform<HapticBase, DepthCamera>{}; },
-                        {.now = [] { return session_time(2'000'000'000); },
-                         .on_report = [this](const msg::SurfaceReport& report) { keep(reports_, report); },
-                         .on_bad_frame = [this](const Error& error) { keep(errors_, error); },
-                         .want_key = [this](const wire::Message& message) { keep(wanted_, message.published); }},
-                        surfaces,
-                        device};
+  SurfaceWorker worker_{
+      *surface::surface_settings("fast"),
+      [](const DepthImage&, const Intrinsics&) { return Transform<HapticBase, DepthCamera>{}; },
+      {.now = [] { return session_time(2'000'000'000); },
+       .on_report = [this](const msg::SurfaceReport& report) { keep(reports_, report); },
+       .on_bad_frame = [this](const Error& error) { keep(errors_, error); },
+       .request_key_frame = [this](const wire::Message& message) { keep(wanted_, message.published); }},
+      surfaces,
+      device};
 };
 
 std::vector<wire::Message> stream_of(codec::DepthMode mode, int frames, int key_every) {

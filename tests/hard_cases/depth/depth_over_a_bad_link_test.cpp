@@ -5,9 +5,8 @@
 #include <functional>
 
 #include "codec/depth_stream.h"
-#include "codec/key_frame_request.h"
+#include "proto/wire/key_frame_request.h"
 #include "server/hub/hub.h"
-#include "server/pipeline/key_frame_pacing.h"
 #include "tests/codec/depth_frames.h"
 
 namespace telepalp {
@@ -29,7 +28,7 @@ struct Watcher {
   std::function<bool(int)> loses;  ///< true: that frame is lost after the hub
   server::SubscriberId id = 0;
   codec::DepthDecoder decoder{};
-  codec::KeyFrameRequest asking{};
+  wire::KeyFrameRequest request{};
   int shown = 0;
   int unreadable = 0;
   int longest_gap = 0;  ///< longest gap between two decoded frames, in frames
@@ -39,22 +38,22 @@ struct Watcher {
 struct Site {
   server::Hub hub;
   codec::DepthEncoder encoder;
-  server::KeyFramePacing pacing;
+  wire::KeyFramePacing pacing;
   int keys = 0;
 
   explicit Site(codec::DepthMode mode) : encoder({.mode = mode, .key_every = 12}) {
-    hub.on_key_wanted([this](std::string_view) { pacing.asked = true; });
+    hub.on_key_frame_request([this](std::string_view) { pacing.requested = true; });
   }
 
   void capture(int number) {
-    if (server::key_is_due(pacing)) encoder.request_key_frame();
+    if (wire::key_frame_is_due(pacing)) encoder.request_key_frame();
     codec::EncodedDepth coded = encoder.encode(frame(number));
     const bool is_key = coded.key_frame;
-    pacing = server::after_frame(pacing, is_key);
+    pacing = wire::after_encoding(pacing, is_key);
     keys += is_key ? 1 : 0;
     wire::Message message{wire::kCameraDepth, time_of(number),
                           std::make_shared<const std::string>(std::move(coded.bytes))};
-    message.stands_alone = is_key;
+    message.key_frame = is_key;
     hub.publish(std::move(message));
   }
 
@@ -71,10 +70,10 @@ struct Site {
       const Result<DepthImage> depth = watcher.decoder.decode(codec::bytes_of(*message->payload));
       if (!depth) {
         ++watcher.unreadable;
-        if (watcher.asking.failed(time_of(now))) hub.want_key(watcher.id, message->topic, message->published);
+        if (watcher.request.failed(time_of(now))) hub.request_key_frame(watcher.id, message->topic, message->published);
         continue;
       }
-      watcher.asking.succeeded();
+      watcher.request.succeeded();
       ++watcher.shown;
       watcher.longest_gap = std::max(watcher.longest_gap, number - watcher.last_shown);
       watcher.last_shown = number;
@@ -134,7 +133,7 @@ TEST_P(DepthOverABadLink, IsRightOrAbsentAndComesBackByItselfWhileOthersSeeEvery
   EXPECT_LE(bad.unreadable, link.most_unreadable);
   EXPECT_EQ(good.shown, kFrames);
   EXPECT_EQ(good.unreadable, 0);
-  EXPECT_LE(site.keys, kFrames / server::kFewestBetweenKeys) << "nobody can make every frame a key frame";
+  EXPECT_LE(site.keys, kFrames / wire::kMinKeyFrameDistance) << "nobody can make every frame a key frame";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DepthOverABadLink, testing::ValuesIn(bad_links()),

@@ -10,12 +10,12 @@ import {SiteFacts} from './site_facts';
 import {Stream} from './stream';
 import type {FromWorker, News, ToWorker} from './worker_messages';
 
-const ASK_FOR_KEY_AGAIN_MS = 500;
+const KEY_FRAME_REQUEST_INTERVAL_MS = 500;
 
 const clock = new SessionClock();
 const facts = new SiteFacts();
 let cameraMatrix: readonly number[] | undefined;
-let askedForKey_ms = 0;
+let keyFrameRequested_ms = 0;
 
 const tell = (message: FromWorker, transfer: Transferable[] = []) => postMessage(message, {transfer});
 
@@ -48,9 +48,9 @@ async function present({decoded, station, color, arrival, trail}: Chosen): Promi
   tell({instant: {picture, station, trail, times}}, bitmap === undefined ? own : [...own, bitmap]);
 }
 
-function askForKey(): void {
-  if (now_ms() - askedForKey_ms < ASK_FOR_KEY_AGAIN_MS) return;
-  askedForKey_ms = now_ms();
+function requestKeyFrame(): void {
+  if (now_ms() - keyFrameRequested_ms < KEY_FRAME_REQUEST_INTERVAL_MS) return;
+  keyFrameRequested_ms = now_ms();
   stream.subscribeAgain('/camera/depth');
 }
 
@@ -59,7 +59,7 @@ const instants = new Instants({
   now_ms,
   decode: ({bytes}) => decoder.decode(bytes),
   present: (chosen) => void present(chosen),
-  askForKey,
+  requestKeyFrame,
 });
 
 /** Capture time of the picture, or its publishing time if the server does not state the capture time. */

@@ -33,7 +33,7 @@ export interface Means {
   now_ms(): number;
   decode(packet: Packet): void;     // answered by Instants.decoded or Instants.undecodable
   present(chosen: Chosen): void;    // once for each ask()
-  askForKey(): void;                // requests a key frame, because nothing can be decoded without one
+  requestKeyFrame(): void;                // requests a key frame, because nothing can be decoded without one
 }
 
 const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
@@ -76,7 +76,7 @@ export class Instants {
     this.newestCapture_ns = packet.captured_ns;
     this.arrivals.push({captured_ns: packet.captured_ns, published_ns: packet.published_ns, complete_ms: undefined});
     if (this.arrivals.length > 2 * MOST_STATES) this.arrivals.shift();
-    if (!this.line.push(packet)) this.means.askForKey();
+    if (!this.line.push(packet)) this.means.requestKeyFrame();
     this.serve();
   }
 

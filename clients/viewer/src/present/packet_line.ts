@@ -9,9 +9,9 @@ const MOST_BYTES = 16 * 1024 * 1024;
 
 /** From the depth packet's header: byte 5 is the coding, and coding 4 depends on the previous frame. */
 const CODING_AT = 5;
-const DEPENDENT = 4;
+const PREDICTED = 4;
 
-const standsAlone = ({bytes}: Packet) => bytes[CODING_AT] !== DEPENDENT;
+const isKeyFrame = ({bytes}: Packet) => bytes[CODING_AT] !== PREDICTED;
 
 /**
  * The depth packets that wait to be decoded. Packets that are too old to draw are dropped before they are decoded: a
@@ -27,8 +27,8 @@ export class PacketLine {
 
   /** False: the packet lacks its reference frame, so it and all packets until the next key frame are dropped. */
   push(packet: Packet): boolean {
-    while (this.isFull(packet)) this.dropFirst(this.firstAlone(1) ?? this.waiting.length, !standsAlone(packet));
-    if (this.lost && !standsAlone(packet)) {
+    while (this.isFull(packet)) this.dropFirst(this.firstKeyFrame(1) ?? this.waiting.length, !isKeyFrame(packet));
+    if (this.lost && !isKeyFrame(packet)) {
       ++this.overtaken;
       return false;
     }
@@ -47,9 +47,9 @@ export class PacketLine {
     while (last >= 0 && this.waiting[last]!.captured_ns > until_ns) --last;
     if (last < 0) return undefined;
     let from = last;
-    while (from > 0 && !standsAlone(this.waiting[from]!)) --from;
+    while (from > 0 && !isKeyFrame(this.waiting[from]!)) --from;
     this.dropFirst(from, false);
-    if (!wanted && last === from && standsAlone(this.waiting[0]!)) return undefined;
+    if (!wanted && last === from && isKeyFrame(this.waiting[0]!)) return undefined;
     const next = this.waiting.shift()!;
     this.bytes -= next.bytes.byteLength;
     return next;
@@ -57,7 +57,7 @@ export class PacketLine {
 
   /** The packet that was last taken could not be decoded. */
   failed(): void {
-    this.dropFirst(this.firstAlone(0) ?? this.waiting.length, true);
+    this.dropFirst(this.firstKeyFrame(0) ?? this.waiting.length, true);
   }
 
   /** Discards all packets, because a new connection begins. */
@@ -70,8 +70,8 @@ export class PacketLine {
         (this.waiting.length > 0 && this.bytes + bytes.byteLength > MOST_BYTES);
   }
 
-  private firstAlone(from: number): number | undefined {
-    const found = this.waiting.findIndex((packet, at) => at >= from && standsAlone(packet));
+  private firstKeyFrame(from: number): number | undefined {
+    const found = this.waiting.findIndex((packet, at) => at >= from && isKeyFrame(packet));
     return found < 0 ? undefined : found;
   }
 
