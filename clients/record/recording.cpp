@@ -127,10 +127,10 @@ class Recording {
     }
     if (std::exchange(started_, started_.value_or(Clock::now()))) return;
     say("recording " + address_text(options_.server) + " to " + options_.file.string());
-    if (const Result<void> told =
+    if (const Result<void> written =
             program::write_ready_file(options_.ready_file, "recording=" + options_.file.string() + "\n");
-        !told)
-      return fail(told.error());
+        !written)
+      return fail(written.error());
     deadline_.cancel();
     if (options_.seconds.count() <= 0) return;
     deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.seconds));
@@ -147,9 +147,9 @@ class Recording {
       const DiskThread::Counts counts = disk_.counts();
       if (counts.failed) return fail(*counts.failed);
       const std::uint64_t dropped = total(counts.dropped);
-      if (dropped > dropped_told_)
+      if (dropped > dropped_reported_)
         say("the disk does not keep up: " + std::to_string(dropped) + " messages dropped so far");
-      dropped_told_ = dropped;
+      dropped_reported_ = dropped;
       if (options_.progress && started_) show(counts);
       watch();
     });
@@ -196,8 +196,9 @@ class Recording {
       report_.seconds = seconds_since(*started_);
       report_.dropped = total(counts.dropped);
       if (stored)
-        if (const Result<void> told = writer_.add(what_was_found(report_, counts.dropped, depth_)); !told && !failed_)
-          failed_ = told.error();
+        if (const Result<void> written = writer_.add(what_was_found(report_, counts.dropped, depth_));
+            !written && !failed_)
+          failed_ = written.error();
       if (const Result<void> closed = writer_.close(); !closed && !failed_) failed_ = closed.error();
       report_.messages = writer_.messages();
       report_.file_bytes = writer_.bytes();
@@ -222,7 +223,7 @@ class Recording {
   std::optional<Clock::time_point> started_;
   std::optional<Clock::time_point> away_since_;
   std::optional<Error> failed_;
-  std::uint64_t dropped_told_ = 0;
+  std::uint64_t dropped_reported_ = 0;
   bool line_shown_ = false;
   bool stopping_ = false;
 };

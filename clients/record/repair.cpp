@@ -9,7 +9,7 @@ namespace telepalp::record {
 namespace {
 
 constexpr std::string_view kPartial = ".partial";
-constexpr std::size_t kMaxDamagesTold = 100;
+constexpr std::size_t kMaxDamagesListed = 100;
 
 /// Reads all of `stream`, gives each message to `take` and notes each damage.
 template <class Take>
@@ -17,7 +17,7 @@ Result<void> read_all(wire::McapStreamReader& stream, std::vector<std::string>& 
   for (;;) {
     const auto next = stream.next();
     if (!next) {
-      if (damages.size() < kMaxDamagesTold) damages.push_back(next.error().what);
+      if (damages.size() < kMaxDamagesListed) damages.push_back(next.error().what);
       continue;
     }
     if (!*next) return {};

@@ -47,7 +47,7 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
 
   const report::Summary summary = report::summarise(*session);
   const report::Verdict verdict = report::judge(summary);
-  const std::int64_t moment_ns = report::telling_moment_ns(*session);
+  const std::int64_t moment_ns = report::deepest_moment_ns(*session);
   const auto frame = report::read_frame(file, *session, moment_ns);
   if (!frame) return frame.error();
   const std::string png = *frame ? images::encode_png(report::draw_view(*session, **frame, moment_ns)) : std::string();

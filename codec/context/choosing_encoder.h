@@ -115,8 +115,8 @@ struct ChoosingEncoder {
   void encode_row(const InterleavedRows& rows, const RankBounds& bounds, const uint16_t* weights, int width,
                   const uint8_t* group_of) {
     const LaneEncoders encoders = this->encoders();
-    InterleavedEncoders together;
-    together.load(encoders);
+    InterleavedEncoders lanes;
+    lanes.load(encoders);
     Neighbours at = neighbours_at_start(rows);
     for (int x = 0; x < width; ++x) {
       const PixelPrediction out = predict_pixel<kDependent>(at, rows, x);
@@ -128,17 +128,17 @@ struct ChoosingEncoder {
       const LaneVector weight = lanes_at(weights + kLanes * x);
       const LaneVector takes_second = shares_of(second) << (weight >> 8) > shares_of(first) << (weight & 0xff);
       const LaneShares chosen = pick(takes_second, second, first);
-      const bool must_put = together.encode(chosen);
+      const bool must_put = lanes.encode(chosen);
       const PerLane symbols = per_lane(pick(takes_second, offers.symbols >> 8, offers.symbols & 0xff));
       for (int i = 0; i < kLanes; ++i) Vector::template learn<kRate>(*found.of[i], static_cast<int>(symbols.of[i]));
       if (must_put) [[unlikely]]
-        together = with_words_put(together, encoders);
+        lanes = with_words_put(lanes, encoders);
       const LaneVector value = pick(takes_second, offers.second, offers.first);
       if (any_farther(chosen)) [[unlikely]]
-        together = with_far_steps(together, encoders, value - out.predicted);
+        lanes = with_far_steps(lanes, encoders, value - out.predicted);
       step_east(at, rows, x, value, offers.is_measured, out.was);
     }
-    together.store(encoders);
+    lanes.store(encoders);
   }
 };
 

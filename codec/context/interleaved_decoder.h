@@ -59,11 +59,11 @@ struct InterleavedDecoder {
 
 template <class Vector, bool kDependent>
 void decode_interleaved_slices(DecodeSlice* slices, int width, const ContextTables& tables, void* scratch) {
-  InterleavedDecoder<Vector> together;
+  InterleavedDecoder<Vector> decoder;
   auto* room = static_cast<uint8_t*>(scratch);
   for (int i = 0; i < kLanes; ++i) {
-    together.models[i] = take_models(room, tables);
-    together.coders[i].start(slices[i].bytes, slices[i].size);
+    decoder.models[i] = take_models(room, tables);
+    decoder.coders[i].start(slices[i].bytes, slices[i].size);
   }
   InterleavedHistory history = take_history(room, width);
   for (int row = 0; row < slices[0].rows; ++row) {
@@ -76,9 +76,9 @@ void decode_interleaved_slices(DecodeSlice* slices, int width, const ContextTabl
     }
     const InterleavedRows rows = begin_rows(history, kDependent ? &before : nullptr, width);
     if (learning_rate(kDependent, row) == kSettledRate)
-      together.template decode_row<kDependent, kSettledRate>(rows, width, tables.group_of);
+      decoder.template decode_row<kDependent, kSettledRate>(rows, width, tables.group_of);
     else
-      together.template decode_row<kDependent, kLearningRate>(rows, width, tables.group_of);
+      decoder.template decode_row<kDependent, kLearningRate>(rows, width, tables.group_of);
     deinterleave_rows(rows.measured, ranks, width);
     end_rows(history, width);
   }

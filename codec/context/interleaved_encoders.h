@@ -79,9 +79,8 @@ struct InterleavedEncoders {
 
 // Both return the advanced encoder state by value, so that it stays in registers.
 
-[[gnu::noinline]] InterleavedEncoders with_words_put(const InterleavedEncoders& together,
-                                                     const LaneEncoders& encoders) {
-  together.store(encoders);
+[[gnu::noinline]] InterleavedEncoders with_words_put(const InterleavedEncoders& lanes, const LaneEncoders& encoders) {
+  lanes.store(encoders);
   for (RangeEncoder* coder : encoders.coders)
     if (coder->pending >= 32) coder->put_word();
   InterleavedEncoders after;
@@ -90,9 +89,9 @@ struct InterleavedEncoders {
 }
 
 /// Encodes, lane by lane, the steps beyond kLargestStep.
-[[gnu::noinline]] InterleavedEncoders with_far_steps(const InterleavedEncoders& together, const LaneEncoders& encoders,
+[[gnu::noinline]] InterleavedEncoders with_far_steps(const InterleavedEncoders& lanes, const LaneEncoders& encoders,
                                                      LaneVector steps) {
-  together.store(encoders);
+  lanes.store(encoders);
   for (int i = 0; i < kLanes; ++i)
     if (steps[i] > kLargestStep || steps[i] < -kLargestStep)
       encode_far(*encoders.coders[i], *encoders.far_models[i], steps[i]);

@@ -96,7 +96,7 @@ std::optional<Levels> decode_steps(RangeDecoder& coder) {
 
 /// Codes the levels along the law's steps, farthest first. The last argument receives the levels that the law
 /// expresses.
-void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& levels, Levels& told) {
+void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& levels, Levels& law_levels) {
   encode_bytes(coder, law.farthest, 6);
   encode_bytes(coder, law.step, 4);
   const std::uint32_t last = law.step_of(levels[1]);
@@ -111,14 +111,14 @@ void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& l
       const std::int64_t miss = *level - lawful;
       if (symbol != kAbsent || miss < -kLargestMiss || miss > kLargestMiss) continue;
       symbol = kOnLaw + static_cast<int>(miss);
-      told.push_back(*level);
+      law_levels.push_back(*level);
     }
     Model& model = models[present ? 1 : 0];
     coder.encode(model, symbol);
     learn<kLawRate>(model, symbol);
     present = symbol != kAbsent;
   }
-  std::reverse(told.begin(), told.end());
+  std::reverse(law_levels.begin(), law_levels.end());
 }
 
 /// The levels in ascending order; nullopt: the bytes are damaged.
@@ -165,11 +165,11 @@ bool encode_levels(RangeEncoder& coder, std::span<const std::uint16_t> levels, b
   encode_number(coder, grain_model, grain);
   coder.encode_bits(by_law ? 1 : 0, 1);
   if (law) {
-    Levels told;
-    encode_by_law(coder, *law, rest, told);
-    Levels untold;
-    std::set_difference(rest.begin(), rest.end(), told.begin(), told.end(), std::back_inserter(untold));
-    rest = std::move(untold);
+    Levels law_levels;
+    encode_by_law(coder, *law, rest, law_levels);
+    Levels others;
+    std::set_difference(rest.begin(), rest.end(), law_levels.begin(), law_levels.end(), std::back_inserter(others));
+    rest = std::move(others);
   }
   encode_steps(coder, rest);
   return true;
@@ -180,12 +180,12 @@ std::optional<Levels> decode_levels(RangeDecoder& coder) {
   Model grain_model = kFlatModel;
   const std::uint32_t grain = decode_number(coder, grain_model);
   if (grain == 0 || grain >= kLevels) return std::nullopt;
-  std::optional<Levels> told = Levels{};
-  if (coder.decode_bits(1) != 0) told = decode_by_law(coder);
-  const std::optional<Levels> rest = told ? decode_steps(coder) : std::nullopt;
+  std::optional<Levels> law_levels = Levels{};
+  if (coder.decode_bits(1) != 0) law_levels = decode_by_law(coder);
+  const std::optional<Levels> rest = law_levels ? decode_steps(coder) : std::nullopt;
   if (!rest) return std::nullopt;
   Levels levels;
-  std::merge(rest->begin(), rest->end(), told->begin(), told->end(), std::back_inserter(levels));
+  std::merge(rest->begin(), rest->end(), law_levels->begin(), law_levels->end(), std::back_inserter(levels));
   if (std::adjacent_find(levels.begin(), levels.end()) != levels.end()) return std::nullopt;
   if (std::int64_t{levels.back()} * grain >= kLevels) return std::nullopt;
   for (std::uint16_t& level : levels) level = static_cast<std::uint16_t>(level * grain);

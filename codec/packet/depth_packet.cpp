@@ -81,7 +81,7 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
     return damaged("declares " + std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels");
   if (!std::isfinite(header.unit_m) || header.unit_m <= 0.0) return damaged("depth unit is not a positive length");
   if ((header.coding == Coding::Dependent) != (header.since_key != 0))
-    return damaged("says both that it depends on a frame and that it stands alone");
+    return damaged("is marked both as a key frame and as a predicted frame");
   return Packet{header, reader.rest()};
 }
 

@@ -59,9 +59,9 @@ inline LaneVector lanes_at(const uint16_t* at) {
 }
 
 inline LaneVector wide_lanes_at(const uint32_t* at) {
-  LaneVector four;
-  memcpy(&four, at, sizeof four);
-  return four;
+  LaneVector lanes;
+  memcpy(&lanes, at, sizeof lanes);
+  return lanes;
 }
 
 /// Stores four numbers as 16-bit integers; each must lie in 0 … 65 535.

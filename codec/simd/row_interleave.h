@@ -29,28 +29,28 @@ inline EightPixels interleave_high(EightPixels a, EightPixels b) {
 }
 
 /// Interleaves four rows into one, four numbers a pixel.
-inline void interleave_rows(const uint16_t* const (&rows)[4], uint16_t* together, int width) {
+inline void interleave_rows(const uint16_t* const (&rows)[4], uint16_t* interleaved, int width) {
   int x = 0;
   for (; x + 8 <= width; x += 8) {
     const EightPixels a = eight_pixels_at(rows[0] + x);
     const EightPixels b = eight_pixels_at(rows[1] + x);
     const EightPixels c = eight_pixels_at(rows[2] + x);
     const EightPixels d = eight_pixels_at(rows[3] + x);
-    uint16_t* const to = together + 4 * x;
+    uint16_t* const to = interleaved + 4 * x;
     put_eight_pixels(to, interleave_low(interleave_low(a, c), interleave_low(b, d)));
     put_eight_pixels(to + 8, interleave_high(interleave_low(a, c), interleave_low(b, d)));
     put_eight_pixels(to + 16, interleave_low(interleave_high(a, c), interleave_high(b, d)));
     put_eight_pixels(to + 24, interleave_high(interleave_high(a, c), interleave_high(b, d)));
   }
   for (; x < width; ++x)
-    for (int i = 0; i < 4; ++i) together[4 * x + i] = rows[i][x];
+    for (int i = 0; i < 4; ++i) interleaved[4 * x + i] = rows[i][x];
 }
 
 /// The inverse of interleave_rows().
-inline void deinterleave_rows(const uint16_t* together, uint16_t* const (&rows)[4], int width) {
+inline void deinterleave_rows(const uint16_t* interleaved, uint16_t* const (&rows)[4], int width) {
   int x = 0;
   for (; x + 8 <= width; x += 8) {
-    const uint16_t* const from = together + 4 * x;
+    const uint16_t* const from = interleaved + 4 * x;
     const EightPixels pixels_04 = interleave_low(eight_pixels_at(from), eight_pixels_at(from + 16));
     const EightPixels pixels_15 = interleave_high(eight_pixels_at(from), eight_pixels_at(from + 16));
     const EightPixels pixels_26 = interleave_low(eight_pixels_at(from + 8), eight_pixels_at(from + 24));
@@ -65,7 +65,7 @@ inline void deinterleave_rows(const uint16_t* together, uint16_t* const (&rows)[
     put_eight_pixels(rows[3] + x, interleave_high(even_cd, odd_cd));
   }
   for (; x < width; ++x)
-    for (int i = 0; i < 4; ++i) rows[i][x] = together[4 * x + i];
+    for (int i = 0; i < 4; ++i) rows[i][x] = interleaved[4 * x + i];
 }
 
 }  // namespace

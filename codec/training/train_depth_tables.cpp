@@ -97,9 +97,9 @@ Counts estimate(const Counts& counts) {
     for (std::size_t c = 0; c < counts.size(); ++c)
       for (std::size_t s = 0; s < all.size(); ++s) seen[coarser(c, level)][s] += counts[c][s];
     for (std::size_t c = 0; c < counts.size(); ++c) {
-      const Shares& told = seen[coarser(c, level)];
+      const Shares& coarse = seen[coarser(c, level)];
       for (std::size_t s = 0; s < all.size(); ++s)
-        shares[c][s] = (told[s] + kParentWeight * shares[c][s]) / (sum(told) + kParentWeight);
+        shares[c][s] = (coarse[s] + kParentWeight * shares[c][s]) / (sum(coarse) + kParentWeight);
     }
   }
   return shares;

@@ -63,10 +63,10 @@ Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> po
   fit.haptic_from_tracker.linear() = *rotation;
   fit.haptic_from_tracker.translation() = to_mean - *rotation * from_mean;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Isometry3d told = poses[i].haptic_from_probe * probe_from_hand;
+    const Isometry3d predicted = poses[i].haptic_from_probe * probe_from_hand;
     const Isometry3d fitted = fit.haptic_from_tracker * poses[i].tracker_from_hand;
-    fit.residuals.each_m.push_back((told.translation() - fitted.translation()).norm());
-    fit.angles_rad.push_back(Eigen::AngleAxisd(told.linear() * fitted.linear().transpose()).angle());
+    fit.residuals.each_m.push_back((predicted.translation() - fitted.translation()).norm());
+    fit.angles_rad.push_back(Eigen::AngleAxisd(predicted.linear() * fitted.linear().transpose()).angle());
     if (fit.residuals.each_m.back() > settings.furthest_m || fit.angles_rad.back() > settings.furthest_rad)
       return refusal("pose " + std::to_string(i + 1) + " disagrees with the others by " +
                          std::to_string(std::lround(fit.residuals.each_m.back() * 1e3)) + " mm and " +

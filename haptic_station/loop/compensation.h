@@ -44,22 +44,22 @@ static_assert(std::is_trivially_copyable_v<Compensation>);
                                                   const Point<HapticBase>& sampled, const surface::TouchSample& touch,
                                                   const surface::Displaced& displaced,
                                                   const control::ControlOutput& out) noexcept {
-  Compensation told;
+  Compensation compensation;
   if (hand.valid) {
-    told.hand_age_s = hand.age_s;
-    told.hand_carried_m = (hand.at.m - sampled.m).norm();
-    told.hand_sigma_m = hand.sigma_m;
-    told.shown_offset_m = (out.displayed_hand.m - hand.at.m).norm();
+    compensation.hand_age_s = hand.age_s;
+    compensation.hand_carried_m = (hand.at.m - sampled.m).norm();
+    compensation.hand_sigma_m = hand.sigma_m;
+    compensation.shown_offset_m = (out.displayed_hand.m - hand.at.m).norm();
   }
-  told.surface_age_s = touch.age_s;
-  told.surface_carried_m = displaced.carried_m;
-  told.surface_sigma_m = touch.uncertainty_m;
-  told.slewed_m = displaced.slewed_m;
-  told.support = touch.support;
-  told.hand_excess_J = out.hand_excess_J;
-  told.drive_J = out.drive_J;
-  told.damping_N = out.damping.N.norm();
-  return told;
+  compensation.surface_age_s = touch.age_s;
+  compensation.surface_carried_m = displaced.carried_m;
+  compensation.surface_sigma_m = touch.uncertainty_m;
+  compensation.slewed_m = displaced.slewed_m;
+  compensation.support = touch.support;
+  compensation.hand_excess_J = out.hand_excess_J;
+  compensation.drive_J = out.drive_J;
+  compensation.damping_N = out.damping.N.norm();
+  return compensation;
 }
 
 }  // namespace telepalp::station

@@ -77,46 +77,46 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
   const control::ControlOutput out = controller_.step(in, dt_s);
   last_out_ = out;
   // Act: the caller applies the force.
-  return {.force = out.force, .contact = in.contact, .control = out, .told = tell(in, out)};
+  return {.force = out.force, .contact = in.contact, .control = out, .sample = sample_of(in, out)};
 }
 
 Compensation HapticLoop::compensation() const noexcept {
-  Compensation told = compensation_of(last_hand_, newest_hand_, last_touch_, touch_.displaced(), last_out_);
-  told.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
-  told.device_jumps = device_gate_.jumps();
-  told.hand_jumps = hand_.refused();
-  return told;
+  Compensation compensation = compensation_of(last_hand_, newest_hand_, last_touch_, touch_.displaced(), last_out_);
+  compensation.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
+  compensation.device_jumps = device_gate_.jumps();
+  compensation.hand_jumps = hand_.refused();
+  return compensation;
 }
 
-TickSample HapticLoop::tell(const control::ControlInput& in, const control::ControlOutput& out) const noexcept {
-  TickSample told;
-  told.phase = static_cast<std::uint8_t>(out.phase);
-  told.fault = static_cast<std::uint8_t>(out.fault);
-  told.fault_stands = static_cast<std::uint8_t>(out.fault_stands);
-  told.in_body = in.contact.in_body;
-  told.surface_stale = !in.contact.valid;
-  told.limited = out.limited;
-  told.hand = packed(in.hand.m);
-  told.device = packed(in.device.m);
-  told.proxy = packed(in.contact.proxy.m);
-  told.normal = packed(in.contact.normal.v);
-  told.force = packed_towards_zero(out.force.N);
-  told.displayed_hand_camera = packed((camera_from_haptic_ * out.displayed_hand).m);
-  told.proxy_camera = packed((camera_from_haptic_ * in.contact.proxy).m);
-  told.normal_camera = packed((camera_from_haptic_ * in.contact.normal).v);
-  told.device_camera = packed((camera_from_haptic_ * in.device).m);
-  told.force_camera = packed_towards_zero((camera_from_haptic_ * out.force).N);
-  told.indentation_m = static_cast<float>(out.indentation.v.norm());
-  told.distance_m = static_cast<float>(in.contact.distance_m);
-  told.passivity_J = static_cast<float>(out.passivity_J);
-  told.hand_excess_J = static_cast<float>(out.hand_excess_J);
-  told.yields_in_s = static_cast<float>(out.yields_in_s);
-  told.device_age_s = static_cast<float>(in.device_age_s);
-  told.hand_age_s = static_cast<float>(in.hand_age_s);
-  told.surface_age_s = static_cast<float>(in.contact.age_s);
-  told.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
-  told.hand_sampled_ns = to_nanoseconds(hand_sampled_);
-  return told;
+TickSample HapticLoop::sample_of(const control::ControlInput& in, const control::ControlOutput& out) const noexcept {
+  TickSample sample;
+  sample.phase = static_cast<std::uint8_t>(out.phase);
+  sample.fault = static_cast<std::uint8_t>(out.fault);
+  sample.fault_stands = static_cast<std::uint8_t>(out.fault_stands);
+  sample.in_body = in.contact.in_body;
+  sample.surface_stale = !in.contact.valid;
+  sample.limited = out.limited;
+  sample.hand = packed(in.hand.m);
+  sample.device = packed(in.device.m);
+  sample.proxy = packed(in.contact.proxy.m);
+  sample.normal = packed(in.contact.normal.v);
+  sample.force = packed_towards_zero(out.force.N);
+  sample.displayed_hand_camera = packed((camera_from_haptic_ * out.displayed_hand).m);
+  sample.proxy_camera = packed((camera_from_haptic_ * in.contact.proxy).m);
+  sample.normal_camera = packed((camera_from_haptic_ * in.contact.normal).v);
+  sample.device_camera = packed((camera_from_haptic_ * in.device).m);
+  sample.force_camera = packed_towards_zero((camera_from_haptic_ * out.force).N);
+  sample.indentation_m = static_cast<float>(out.indentation.v.norm());
+  sample.distance_m = static_cast<float>(in.contact.distance_m);
+  sample.passivity_J = static_cast<float>(out.passivity_J);
+  sample.hand_excess_J = static_cast<float>(out.hand_excess_J);
+  sample.yields_in_s = static_cast<float>(out.yields_in_s);
+  sample.device_age_s = static_cast<float>(in.device_age_s);
+  sample.hand_age_s = static_cast<float>(in.hand_age_s);
+  sample.surface_age_s = static_cast<float>(in.contact.age_s);
+  sample.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
+  sample.hand_sampled_ns = to_nanoseconds(hand_sampled_);
+  return sample;
 }
 
 }  // namespace telepalp::station

@@ -49,7 +49,7 @@ class HapticLoop {
     Force<HapticBase> force;
     ports::SurfaceContact contact;
     control::ControlOutput control;
-    TickSample told;
+    TickSample sample;
   };
   /// Runs one tick. `now` may stand still or go back by up to 50 ms. A larger step back means that another session has
   /// begun: surface and hand samples are then discarded, and the station releases until new ones come.
@@ -64,7 +64,7 @@ class HapticLoop {
  private:
   void begin_new_time_line() noexcept;
   [[nodiscard]] ports::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
-  [[nodiscard]] TickSample tell(const control::ControlInput& in, const control::ControlOutput& out) const noexcept;
+  [[nodiscard]] TickSample sample_of(const control::ControlInput& in, const control::ControlOutput& out) const noexcept;
 
   DeviceGate device_gate_;
   surface::Touch touch_;

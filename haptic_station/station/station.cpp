@@ -21,8 +21,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr const char* kName = "telepalp-station";
-constexpr auto kTellPeriod = 10ms;  // /station/state at 100 Hz
-constexpr auto kTotalsPeriod = 1s;  // /station/stats
+constexpr auto kStatePeriod = 10ms;  // /station/state at 100 Hz
+constexpr auto kTotalsPeriod = 1s;   // /station/stats
 constexpr auto kSayStillWaiting = 5s;
 
 void say(const std::string& text) { program::log(kName, text); }
@@ -65,7 +65,7 @@ Station::Station(boost::asio::io_context& io, const StationOptions& options, con
       in_tick_(options.model || surface::runs_in_tick(surface)),
       loop_(make_loop(scene)),
       rig_(std::move(rig.rig)),
-      browser_hand_(rig.browser),
+      viewer_hand_tracker_(rig.browser),
       telemetry_(
           ticks_, [this](wire::Message message) { publish(std::move(message)); },
           [this](const TickSample& sample) { faults_.add(sample); }),
@@ -138,7 +138,7 @@ void Station::stop(const std::string& reason) {
   if (haptic_) haptic_->stop();
   telemetry_.drain(now());
   faults_.look(true);
-  tell_totals();
+  publish_totals();
   say("ending: " + reason);
   if (!costs_.empty())
     say("effects in contact: " + line_of(costs_, std::chrono::duration<double, std::micro>(kTickPeriod).count()));
@@ -171,7 +171,7 @@ void Station::on_link(wire::LinkState state, const std::string& detail) {
     return give_up(wire::refused_error(detail, options_.host + ":" + std::to_string(options_.port)));
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
-    telemetry_.tell_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
+    telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
 }
 
 /// Repeated attempts to connect are logged once until one succeeds.
@@ -204,10 +204,10 @@ void Station::on_depth(const wire::Message& message) {
 
 void Station::on_viewer_hand(const wire::Message& message) {
   const std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(*message.payload);
-  if (browser_hand_ == nullptr || !haptic_from_camera_ || !hand) return;
+  if (viewer_hand_tracker_ == nullptr || !haptic_from_camera_ || !hand) return;
   const msg::Vec3& at = hand->hand_camera();
   const Point<HapticBase> in_haptic = *haptic_from_camera_ * Point<DepthCamera>{{at.x(), at.y(), at.z()}};
-  const auto taken = browser_hand_->hear(*hand, in_haptic, std::chrono::steady_clock::now());
+  const auto taken = viewer_hand_tracker_->hear(*hand, in_haptic, std::chrono::steady_clock::now());
   if (std::exchange(hand_taken_, taken) != taken)
     say("/viewer/hand: viewer " + std::to_string(hand->viewer()) + ": " + tracking::in_words(taken));
 }
@@ -220,16 +220,16 @@ void Station::on_surface(const msg::SurfaceReport& report) {
 
 /// Near-lossless depth differs from the measurement, so the log states its error bound.
 void Station::say_depth(const msg::SurfaceReport& report) {
-  const wire::DepthFidelity told = wire::depth_fidelity(report);
-  const std::string words = wire::in_words(told);
+  const wire::DepthFidelity fidelity = wire::depth_fidelity(report);
+  const std::string words = wire::in_words(fidelity);
   if (std::exchange(depth_, words) == words) return;
-  if (!told.moved) return say("depth is lossless (" + told.mode + ")");
+  if (!fidelity.moved) return say("depth is lossless (" + fidelity.mode + ")");
   const std::string warning =
       "the touched depth is not as the camera measured it: " + words + "; it is for display, not for touch. fix: " +
-      (told.mode == codec::name(codec::DepthMode::Bounded) ? "telepalp-server --depth-mode fast, intra or temporal"
-                                                           : "give the server a source whose depth is as measured");
+      (fidelity.mode == codec::name(codec::DepthMode::Bounded) ? "telepalp-server --depth-mode fast, intra or temporal"
+                                                               : "give the server a source whose depth is as measured");
   say(warning);
-  telemetry_.tell_event(now(), msg::EVENT_KIND_SCENE, warning);
+  telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, warning);
 }
 
 /// Hands over the surface of the static model. The network thread does this, because there is no surface thread without
@@ -253,7 +253,7 @@ void Station::start_haptic_thread() {
   ticking_since_ = std::chrono::steady_clock::now();
   const std::string realtime = realtime_granted_ ? "with real-time priority" : "without real-time priority";
   say("touchable; ticking at 2 kHz " + realtime);
-  telemetry_.tell_event(now(), msg::EVENT_KIND_SCENE, "scene " + scene_.name + ", " + realtime);
+  telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, "scene " + scene_.name + ", " + realtime);
 }
 
 void Station::every_10_ms() {
@@ -268,7 +268,7 @@ void Station::every_10_ms() {
   if (time_is_up) return stop("done");
   if (!haptic_ && options_.patience && std::chrono::steady_clock::now() - started_ > *options_.patience)
     return lose_patience();
-  fast_timer_.expires_after(kTellPeriod);
+  fast_timer_.expires_after(kStatePeriod);
   fast_timer_.async_wait([this](const boost::system::error_code& error) {
     if (!error && !stopped_) every_10_ms();
   });
@@ -276,7 +276,7 @@ void Station::every_10_ms() {
 
 void Station::every_second() {
   if (haptic_)
-    tell_totals();
+    publish_totals();
   else if (const auto waited = std::chrono::steady_clock::now() - started_; waited % kSayStillWaiting < kTotalsPeriod)
     say(link_.state() == wire::LinkState::Connected ? "waiting for the first depth image" : "waiting for the server");
   slow_timer_.expires_after(kTotalsPeriod);
@@ -285,10 +285,10 @@ void Station::every_second() {
   });
 }
 
-void Station::tell_totals() {
+void Station::publish_totals() {
   if (!haptic_) return;
   if (haptic_->bill().take()) costs_ = costs_of(haptic_->bill().current(), cycles_per_us());
-  telemetry_.tell_totals(now(), haptic_->counts(), worker_->dropped(), realtime_granted_, costs_);
+  telemetry_.publish_totals(now(), haptic_->counts(), worker_->dropped(), realtime_granted_, costs_);
 }
 
 }  // namespace telepalp::station

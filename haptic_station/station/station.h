@@ -66,7 +66,7 @@ class Station {
   void end_threads();
   void every_10_ms();
   void every_second();
-  void tell_totals();
+  void publish_totals();
   void stop(const std::string& reason);
   void give_up(const Error& error);
   void lose_patience();
@@ -89,14 +89,15 @@ class Station {
   std::string depth_;  // depth mode that was logged last
 
   const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread
-  LatestValue<TouchableSurface> slow_surfaces_;             // surface thread to collision thread, if it exists
-  LatestValue<TouchableSurface> surfaces_;                  // surface or collision thread to haptic thread
-  LatestValue<Point<HapticBase>> device_to_surface_;        // haptic thread to surface thread
-  TickRing ticks_;                                          // haptic thread to network thread
-  HapticLoop loop_;                                         // owner: haptic thread, once it runs
-  std::unique_ptr<ports::Rig> rig_;                         // owner: haptic thread, once it runs
-  std::optional<tracking::BrowserHand::Taken> hand_taken_;  // last result that was logged for a viewer's hand
-  tracking::BrowserHand* browser_hand_;  // the tracker in rig_, or nullptr; hear() is called on this thread
+  LatestValue<TouchableSurface> slow_surfaces_;                   // surface thread to collision thread, if it exists
+  LatestValue<TouchableSurface> surfaces_;                        // surface or collision thread to haptic thread
+  LatestValue<Point<HapticBase>> device_to_surface_;              // haptic thread to surface thread
+  TickRing ticks_;                                                // haptic thread to network thread
+  HapticLoop loop_;                                               // owner: haptic thread, once it runs
+  std::unique_ptr<ports::Rig> rig_;                               // owner: haptic thread, once it runs
+  std::optional<tracking::ViewerHandTracker::Taken> hand_taken_;  // last result that was logged for a viewer's hand
+  tracking::ViewerHandTracker*
+      viewer_hand_tracker_;  // the tracker in rig_, or nullptr; hear() is called on this thread
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // known from the first image on
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;

@@ -14,9 +14,9 @@ constexpr int kPlacesASide = 4;
 constexpr double kLeg_s[] = {0.55, 0.35, 0.30, 0.40};  // durations: over the place, down to the skin, into it, out
 constexpr double kPress_s = 1.6;                       // sum of all four
 constexpr double kPressTo_m = -0.065;
-constexpr double kFeelBelow_m = 0.025;  // a shallower press does not reveal an object below the skin
-constexpr double kFelt_N_per_m = 20.0;  // of a place that was felt; the skin alone has three times as much
-constexpr double kTelling = 1.33;       // ratio to the median stiffness from which the person reports an object
+constexpr double kFeelBelow_m = 0.025;       // a shallower press does not reveal an object below the skin
+constexpr double kFelt_N_per_m = 20.0;       // of a place that was felt; the skin alone has three times as much
+constexpr double kStifferThanMedian = 1.33;  // ratio to the median stiffness from which the person reports an object
 
 struct Place {
   double x_m;
@@ -100,7 +100,7 @@ BlindSearchOutcome search_blindly(const BlindSearchSettings& settings) {
   });
   outcome.where.m = {stiffest->x_m, 0.0, stiffest->z_m};
   outcome.strongest_ratio = stiffest->stiffest_N_per_m / std::max(median_stiffness(places), 1e-9);
-  outcome.found = outcome.places_unfelt == 0 && outcome.strongest_ratio > kTelling;
+  outcome.found = outcome.places_unfelt == 0 && outcome.strongest_ratio > kStifferThanMedian;
   return outcome;
 }
 

@@ -20,12 +20,12 @@ Figure cylinder_paths(const TrialResult& result) {
   Figure figure{"path at the inner object, with the force (2 mm a newton)", "x [mm]", "y [mm]", {}, {}};
   std::vector<Curve> forces;
   control::Phase before = control::Phase::Released;
-  bool told[2] = {};
+  bool in_legend[2] = {};
   for (std::size_t i = 0; i < result.samples.size(); ++i) {
     const TrialSample& sample = result.samples[i];
     const control::Phase phase = std::exchange(before, sample.phase);
     if (sample.phase != control::Phase::ObjectUpper && sample.phase != control::Phase::ObjectLateral) continue;
-    bool& named = told[sample.phase == control::Phase::ObjectUpper ? 0 : 1];
+    bool& named = in_legend[sample.phase == control::Phase::ObjectUpper ? 0 : 1];
     if (sample.phase != phase) figure.curves.push_back(stretch(sample.phase, !std::exchange(named, true)));
     const double x_mm = 1e3 * sample.device.m.x();
     const double y_mm = 1e3 * sample.device.m.y();

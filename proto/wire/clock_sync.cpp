@@ -16,8 +16,8 @@ constexpr Nanoseconds kSlack = 100us;  // error of the stamps themselves, by sch
 
 /// True when no offset lies within both samples' bounds, even allowing for drift: the clocks have jumped between them.
 bool contradict(const ClockSample& a, const ClockSample& b) noexcept {
-  const Nanoseconds apart = b.heard - a.heard;
-  const Nanoseconds drift{static_cast<std::int64_t>(kDrift * static_cast<double>(apart.count()))};
+  const Nanoseconds elapsed = b.heard - a.heard;
+  const Nanoseconds drift{static_cast<std::int64_t>(kDrift * static_cast<double>(elapsed.count()))};
   const Nanoseconds difference = a.offset() - b.offset();
   return std::chrono::abs(difference) > a.round_trip() / 2 + b.round_trip() / 2 + std::chrono::abs(drift) + kSlack;
 }

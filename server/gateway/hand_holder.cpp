@@ -26,12 +26,12 @@ void HandHolder::let_go(std::uint64_t viewer) {
 std::optional<msg::HandHolder> HandHolder::news(SessionTime now) {
   std::erase_if(asking_, [&](const auto& one) { return now - one.second > kStillAsking; });
   msg::HandHolder holder;
-  holder.set_stamp_ns(told_.stamp_ns());
+  holder.set_stamp_ns(published_.stamp_ns());
   holder.set_viewer(holder_);
   for (const auto& [viewer, moved] : asking_) holder.add_asking(viewer);
-  if (holder.SerializeAsString() == told_.SerializeAsString()) return std::nullopt;
+  if (holder.SerializeAsString() == published_.SerializeAsString()) return std::nullopt;
   holder.set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(now)));
-  told_ = holder;
+  published_ = holder;
   return holder;
 }
 

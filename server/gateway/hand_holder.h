@@ -26,7 +26,7 @@ class HandHolder {
  private:
   std::uint64_t holder_ = 0;                     // 0: no viewer
   std::map<std::uint64_t, SessionTime> asking_;  // key: viewer; value: when it last moved its hand
-  msg::HandHolder told_;
+  msg::HandHolder published_;
 };
 
 }  // namespace telepalp::server

@@ -75,7 +75,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     context()->views.leave(views_subscriber_);
     if (context()->view_maker) context()->view_maker->subscriptions_changed();
     context()->holder.let_go(viewer);
-    tell_holder();
+    publish_holder();
   }
 
   void greet(const std::string& peer) {
@@ -104,9 +104,9 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (!request) return warn(to_string(request.error()));
     for (const std::uint32_t id : request->unsubscribe) subscriptions_.erase(id);
     for (const auto& wanted : request->subscribe) subscribe(wanted);
-    for (const std::uint32_t id : request->unadvertise) voice_.unadvertise(id);
+    for (const std::uint32_t id : request->unadvertise) commands_.unadvertise(id);
     for (const auto& channel : request->advertise)
-      if (const Result<void> taken = voice_.advertise(channel); !taken) warn(to_string(taken.error()));
+      if (const Result<void> taken = commands_.advertise(channel); !taken) warn(to_string(taken.error()));
     std::vector<std::string> topics;
     for (const auto& [id, topic] : subscriptions_) topics.emplace_back(topic);
     context()->hub.subscribe(*subscriber_, topics);
@@ -114,23 +114,23 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     context()->view_maker->subscriptions_changed();
   }
 
-  void tell_holder() {
+  void publish_holder() {
     const SessionTime now = context()->now();
     if (const std::optional<msg::HandHolder> news = context()->holder.news(now))
       context()->hub.publish(wire::make_message(wire::kHandHolder, now, *news));
   }
 
   void publish(const std::string& bytes) {
-    if (voice_.lets_go(bytes)) {
+    if (commands_.lets_go(bytes)) {
       context()->holder.let_go(*subscriber_);
-      return tell_holder();
+      return publish_holder();
     }
-    const auto message = voice_.hear(bytes, *subscriber_, context()->now());
+    const auto message = commands_.hear(bytes, *subscriber_, context()->now());
     if (!message) return warn(to_string(message.error()));
     if (!*message) return;
     if (!context()->hub.is_taken((*message)->topic.name, kSubscriberName)) warn_untaken();
     if (context()->holder.moves(*subscriber_, context()->now())) context()->hub.publish(**message);
-    tell_holder();
+    publish_holder();
   }
 
   void warn_untaken() {
@@ -219,7 +219,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   SubscriberId views_subscriber_ = 0;       // valid while subscriber_ is set
   bool view_is_next_ = false;
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics or kViewTopics
-  ViewerCommands voice_;
+  ViewerCommands commands_;
   std::optional<SessionTime> untaken_warned_;
   std::deque<std::string> texts_;  // texts to write before messages
   bool writing_ = false;

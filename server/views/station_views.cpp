@@ -72,9 +72,9 @@ foxglove::SceneEntity& add(foxglove::SceneUpdate& scene, const msg::StationState
   return entity;
 }
 
-void add_ball(foxglove::SceneUpdate& scene, const msg::StationState& station, const char* id, bool told,
+void add_ball(foxglove::SceneUpdate& scene, const msg::StationState& station, const char* id, bool known,
               const msg::Vec3& at, const Eigen::Vector3d& size_m, const Rgba& color) {
-  if (!told) return remove(scene, station, id);
+  if (!known) return remove(scene, station, id);
   foxglove::SpherePrimitive& ball = *add(scene, station, id).add_spheres();
   set(*ball.mutable_pose(), vector(at), Eigen::Quaterniond::Identity());
   set(*ball.mutable_size(), size_m);

@@ -15,14 +15,14 @@ namespace telepalp::server {
 namespace {
 
 std::optional<Intrinsics> intrinsics_in(const std::string& payload) {
-  foxglove::CameraCalibration told;
-  if (!told.ParseFromString(payload) || told.k_size() != 9) return std::nullopt;
-  const Intrinsics camera{.width = static_cast<int>(told.width()),
-                          .height = static_cast<int>(told.height()),
-                          .fx = told.k(0),
-                          .fy = told.k(4),
-                          .cx = told.k(2),
-                          .cy = told.k(5)};
+  foxglove::CameraCalibration calibration;
+  if (!calibration.ParseFromString(payload) || calibration.k_size() != 9) return std::nullopt;
+  const Intrinsics camera{.width = static_cast<int>(calibration.width()),
+                          .height = static_cast<int>(calibration.height()),
+                          .fx = calibration.k(0),
+                          .fy = calibration.k(4),
+                          .cx = calibration.k(2),
+                          .cy = calibration.k(5)};
   return is_well_formed(camera) ? std::optional(camera) : std::nullopt;
 }
 

@@ -31,7 +31,7 @@ Error bad(const std::string& name, const std::string& what) {
 }
 
 /// Field indices of x, y, z, the normal and the colour in a point.
-struct Places {
+struct FieldIndices {
   std::array<std::size_t, 3> at{};
   std::array<std::size_t, 3> normal{};
   std::size_t color = 0;
@@ -99,8 +99,8 @@ Result<Header> parse_header(std::span<const std::byte> bytes, const std::string&
   return bad(name, "is not a PCD file: there is no DATA line");
 }
 
-Result<Places> places_of(const Header& header, const std::string& name) {
-  Places places;
+Result<FieldIndices> fields_of(const Header& header, const std::string& name) {
+  FieldIndices fields;
   const auto find = [&](const char* wanted, std::size_t& to) {
     for (std::size_t i = 0; i < header.fields.size(); ++i)
       if (header.fields[i].name == wanted && header.fields[i].type == 'F' && header.fields[i].count == 1 &&
@@ -110,24 +110,24 @@ Result<Places> places_of(const Header& header, const std::string& name) {
       }
     return false;
   };
-  if (!find("x", places.at[0]) || !find("y", places.at[1]) || !find("z", places.at[2]))
+  if (!find("x", fields.at[0]) || !find("y", fields.at[1]) || !find("z", fields.at[2]))
     return bad(name, "has no fields x, y and z of type F");
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
     const Field& field = header.fields[i];
     if ((field.name != "rgb" && field.name != "rgba") || field.bytes != 4 || field.count != 1) continue;
-    places.color = i;
-    places.has_color = true;
+    fields.color = i;
+    fields.has_color = true;
   }
-  places.has_normal =
-      find("normal_x", places.normal[0]) && find("normal_y", places.normal[1]) && find("normal_z", places.normal[2]);
-  return places;
+  fields.has_normal =
+      find("normal_x", fields.normal[0]) && find("normal_y", fields.normal[1]) && find("normal_z", fields.normal[2]);
+  return fields;
 }
 
-PointModel sized_model(const Header& header, const Places& places) {
+PointModel sized_model(const Header& header, const FieldIndices& fields) {
   PointModel model;
   model.points.resize(header.points);
-  if (places.has_normal) model.normals.resize(header.points);
-  if (places.has_color) model.colors.resize(header.points);
+  if (fields.has_normal) model.normals.resize(header.points);
+  if (fields.has_color) model.colors.resize(header.points);
   if (header.height > 1) model.width = static_cast<int>(header.width);
   return model;
 }
@@ -143,10 +143,10 @@ std::uint32_t packed(double value, char type) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(value));
 }
 
-Result<PointModel> parse_ascii(std::span<const std::byte> bytes, const Header& header, const Places& places,
+Result<PointModel> parse_ascii(std::span<const std::byte> bytes, const Header& header, const FieldIndices& fields,
                                const std::string& name) {
   if (bytes.size() / 2 < header.points) return bad(name, "declares more points than it has bytes for");
-  PointModel model = sized_model(header, places);
+  PointModel model = sized_model(header, fields);
   TextCursor text(bytes);
   std::vector<double> values(header.fields.size());
   for (std::size_t point = 0; point < header.points; ++point) {
@@ -162,10 +162,10 @@ Result<PointModel> parse_ascii(std::span<const std::byte> bytes, const Header& h
     const auto three = [&](const std::array<std::size_t, 3>& at) -> Eigen::Vector3f {
       return {number(at[0]), number(at[1]), number(at[2])};
     };
-    model.points[point] = three(places.at);
-    if (places.has_normal) model.normals[point] = three(places.normal);
-    if (places.has_color)
-      model.colors[point] = unpacked(packed(values[places.color], header.fields[places.color].type));
+    model.points[point] = three(fields.at);
+    if (fields.has_normal) model.normals[point] = three(fields.normal);
+    if (fields.has_color)
+      model.colors[point] = unpacked(packed(values[fields.color], header.fields[fields.color].type));
   }
   return model;
 }
@@ -182,7 +182,7 @@ float value_at(const std::byte* at, std::size_t bytes) {
 }
 
 /// `by_field`: all values of one field, then all of the next (compressed files); otherwise point by point.
-Result<PointModel> parse_binary(std::span<const std::byte> bytes, const Header& header, const Places& places,
+Result<PointModel> parse_binary(std::span<const std::byte> bytes, const Header& header, const FieldIndices& fields,
                                 bool by_field, const std::string& name) {
   std::size_t point_bytes = 0;
   std::vector<std::size_t> offsets;
@@ -193,7 +193,7 @@ Result<PointModel> parse_binary(std::span<const std::byte> bytes, const Header& 
   if (bytes.size() / point_bytes < header.points)
     return bad(name, "ends after " + std::to_string(bytes.size() / point_bytes) + " of " +
                          std::to_string(header.points) + " points");
-  PointModel model = sized_model(header, places);
+  PointModel model = sized_model(header, fields);
   const auto at = [&](std::size_t point, std::size_t field) {
     const Field& of = header.fields[field];
     return &bytes[by_field ? offsets[field] * header.points + point * of.bytes * of.count
@@ -205,18 +205,18 @@ Result<PointModel> parse_binary(std::span<const std::byte> bytes, const Header& 
   for (std::size_t point = 0; point < header.points; ++point) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto row = static_cast<Eigen::Index>(axis);
-      model.points[point][row] = read(point, places.at[axis]);
-      if (places.has_normal) model.normals[point][row] = read(point, places.normal[axis]);
+      model.points[point][row] = read(point, fields.at[axis]);
+      if (fields.has_normal) model.normals[point][row] = read(point, fields.normal[axis]);
     }
-    if (!places.has_color) continue;
+    if (!fields.has_color) continue;
     std::uint32_t argb = 0;
-    std::memcpy(&argb, at(point, places.color), sizeof argb);
+    std::memcpy(&argb, at(point, fields.color), sizeof argb);
     model.colors[point] = unpacked(argb);
   }
   return model;
 }
 
-Result<PointModel> parse_compressed(std::span<const std::byte> bytes, const Header& header, const Places& places,
+Result<PointModel> parse_compressed(std::span<const std::byte> bytes, const Header& header, const FieldIndices& fields,
                                     const std::string& name) {
   std::uint32_t sizes[2] = {};
   if (bytes.size() < sizeof sizes) return bad(name, "ends before its compressed data");
@@ -228,7 +228,7 @@ Result<PointModel> parse_compressed(std::span<const std::byte> bytes, const Head
   if (sizes[1] > lzf_most(sizes[0])) return bad(name, "declares more than its compressed data can hold");
   std::vector<std::byte> plain(sizes[1]);
   if (!lzf_decompress(bytes.subspan(sizeof sizes, sizes[0]), plain)) return bad(name, "has damaged compressed data");
-  return parse_binary(plain, header, places, true, name);
+  return parse_binary(plain, header, fields, true, name);
 }
 
 }  // namespace
@@ -236,12 +236,12 @@ Result<PointModel> parse_compressed(std::span<const std::byte> bytes, const Head
 Result<PointModel> parse_pcd(std::span<const std::byte> bytes, const std::string& name) {
   const Result<Header> header = parse_header(bytes, name);
   if (!header) return header.error();
-  const Result<Places> places = places_of(*header, name);
-  if (!places) return places.error();
+  const Result<FieldIndices> fields = fields_of(*header, name);
+  if (!fields) return fields.error();
   const std::span<const std::byte> data = bytes.subspan(header->data_at);
-  if (header->data == "ascii") return parse_ascii(data, *header, *places, name);
-  if (header->data == "binary") return parse_binary(data, *header, *places, false, name);
-  if (header->data == "binary_compressed") return parse_compressed(data, *header, *places, name);
+  if (header->data == "ascii") return parse_ascii(data, *header, *fields, name);
+  if (header->data == "binary") return parse_binary(data, *header, *fields, false, name);
+  if (header->data == "binary_compressed") return parse_compressed(data, *header, *fields, name);
   return bad(name, "has DATA '" + header->data + "', which is not ascii, binary or binary_compressed");
 }
 

@@ -57,9 +57,9 @@ std::vector<std::size_t> thin_path(std::span<const double> x, std::span<const do
   for (std::size_t i = 0; i < x.size(); ++i) {
     const bool finite = std::isfinite(x[i]) && std::isfinite(y[i]);
     if (!finite && gap) continue;
-    const bool apart =
+    const bool is_kept =
         !finite || gap || std::hypot(x[i] - x[kept.back()], y[i] - y[kept.back()]) >= distance || i + 1 == x.size();
-    if (apart) kept.push_back(i);
+    if (is_kept) kept.push_back(i);
     gap = !finite;
   }
   return kept;

@@ -52,12 +52,12 @@ class Station {
 
   Result<void> turn(Jitter& jitter) {
     station::HapticThread thread(loop_, rig_, surfaces_, *ticks_, device_to_surface_);
-    tell_surface();
+    publish_surface();
     const Result<bool> started = thread.start(station::Realtime::Prefer);
     if (!started) return started.error();
     jitter.realtime = *started;
     for (const auto end = Clock::now() + kTurn; Clock::now() < end; std::this_thread::sleep_for(33ms)) {
-      tell_surface();
+      publish_surface();
       drain(jitter);
     }
     thread.stop();
@@ -72,7 +72,7 @@ class Station {
     (void)bank.add(effects::Skin());
     return bank;
   }
-  void tell_surface() {
+  void publish_surface() {
     const auto plane = std::make_shared<station::PlaneSnapshot>(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), 1.0);
     plane->captured = SessionTime(Clock::now().time_since_epoch());
     surfaces_.put({plane, {}});
@@ -91,7 +91,7 @@ class Station {
   std::unique_ptr<station::TickRing> ticks_ = std::make_unique<station::TickRing>();
 };
 
-void tell(const std::string& name, const Jitter& jitter, Report& report) {
+void add_rows(const std::string& name, const Jitter& jitter, Report& report) {
   report.rows.push_back(measured(name + ", woken late, p50", jitter.late_us.p50(), "us"));
   report.rows.push_back(measured(name + ", woken late, p99", jitter.late_us.p99(), "us"));
   report.rows.push_back(measured(name + ", woken late, p99.9", jitter.late_us.p999(), "us"));
@@ -108,8 +108,8 @@ Result<void> measure_jitter(double seconds, Report& report) {
     idle_turn(idle);
     if (const Result<void> done = station.turn(busy); !done) return done.error();
   }
-  tell("a thread that only waits", idle, report);
-  tell("the haptic thread", busy, report);
+  add_rows("a thread that only waits", idle, report);
+  add_rows("the haptic thread", busy, report);
   report.rows.push_back(measured("the haptic thread, work in a tick, p99.9", busy.work_us.p999(), "us"));
   report.notes.push_back(std::string("both threads ") + (busy.realtime ? "with" : "without") +
                          " real-time priority and locked memory, in turns of half a second");

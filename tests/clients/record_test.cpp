@@ -160,7 +160,7 @@ TEST_F(Recorder, RecordsOnlyTheTopicsAskedForAndStopsWhenTheTimeIsUp) {
   EXPECT_EQ(reader->summary().statistics.message_count, 10u);
 }
 
-TEST_F(Recorder, SurvivesAServerThatGoesAwayAndComesBackAndTellsOfTheGap) {
+TEST_F(Recorder, SurvivesAServerThatReturnsAndReportsTheGap) {
   auto server = std::make_unique<Server>();
   const std::uint16_t port = server->port();
   const auto recorder = start(*server);
@@ -313,7 +313,7 @@ TEST_F(Recorder, AnExistingFileIsNotOverwritten) {
   EXPECT_EQ(bytes_of(session()), "mine");
 }
 
-TEST_F(Recorder, TellsWhatAFileHolds) {
+TEST_F(Recorder, DescribesAFile) {
   ASSERT_TRUE(wire::samples::write_file(session(), wire::samples::session(10, 500)));
   const auto facts = inspect(session());
   ASSERT_TRUE(facts) << to_string(facts.error());
@@ -323,13 +323,13 @@ TEST_F(Recorder, TellsWhatAFileHolds) {
   EXPECT_NE(text.find("/station/state  telepalp.msg.StationState      1000    100.0"), std::string::npos) << text;
 }
 
-TEST_F(Recorder, TellsWhatAFileHoldsInJsonToo) {
+TEST_F(Recorder, DescribesAFileInJsonToo) {
   ASSERT_TRUE(wire::samples::write_file(session(), wire::samples::session(10, 500)));
-  const std::string told = in("told").string();
-  const std::string command = kRecorder.string() + " info " + session().string() + " --json > " + told;
+  const std::string described = in("described").string();
+  const std::string command = kRecorder.string() + " info " + session().string() + " --json > " + described;
   ASSERT_EQ(std::system(command.c_str()), 0);
   boost::property_tree::ptree json;
-  boost::property_tree::read_json(told, json);
+  boost::property_tree::read_json(described, json);
   EXPECT_EQ(json.get<int>("messages"), 1600);
   EXPECT_EQ(json.get<std::string>("source"), "synthetic");
   const auto& topics = json.get_child("topics");

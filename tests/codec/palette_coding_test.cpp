@@ -64,7 +64,7 @@ TEST(DisparityLaw, LevelsAtEqualDistancesHaveNone) {
   if (!law) return;
   std::size_t named = 0;
   for (const std::uint16_t level : even) named += law->level_at(law->step_of(level)) == level ? 1 : 0;
-  EXPECT_LT(named, even.size() / 2) << "two numbers cannot tell these";
+  EXPECT_LT(named, even.size() / 2) << "two numbers cannot express these";
 }
 
 TEST(PaletteCoding, AKinectsLevelsTakeLessThanABitAndAHalfEach) {

@@ -60,7 +60,7 @@ struct SourceCase {
 
 class Demo : public ::testing::TestWithParam<SourceCase> {};
 
-TEST_P(Demo, RunsUnattendedAndLeavesFourFilesThatTellOfTheRun) {
+TEST_P(Demo, RunsUnattendedAndWritesFourFilesAboutTheRun) {
   const DemoRun run = demo(GetParam().name, "--headless --seconds 10 --source " + GetParam().source);
   ASSERT_EQ(run.exit_code, 0) << run.log;
   for (const char* file : {"session.mcap", "report.html", "report.json", "view.png"})

@@ -102,7 +102,7 @@ TEST_F(StationFault, ReleasesRecordsTheTicksAndIsRearmedOnlyWhenTheCauseIsGone) 
   ASSERT_TRUE(file) << to_string(file.error());
   EXPECT_GT(fs::file_size(kept), 10'000u);
   EXPECT_GT(ticks_of_silence(*file), 500)
-      << "the device's age tells why, and from 50 ms after its limit there is no force";
+      << "the device's age is the reason, and from 50 ms after its limit there is no force";
 
   device_.fault = Fault::None;
   std::this_thread::sleep_for(200ms);

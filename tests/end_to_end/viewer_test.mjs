@@ -62,15 +62,15 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     running.child.stdin.write('phase PHASE_CYLINDER_UPPER\n');
     await page.waitForSelector('#phase-name:text-is("Cylinder upper area")');
     running.child.stdin.write('phase PHASE_FAULTED\n');
-    await until('the fault is told', async () => (await banner(page)).includes('Station faulted'));
+    await until('the banner names the fault', async () => (await banner(page)).includes('Station faulted'));
     running.child.stdin.write('phase PHASE_OUT_BODY\nstale on\n');
-    await until('the stale surface is told', async () => (await banner(page)).includes('old surface'));
+    await until('the banner names the stale surface', async () => (await banner(page)).includes('old surface'));
     running.child.stdin.write('stale off\npause\n');
-    await until('the stale picture is told', async () => (await banner(page)).includes('Stale picture'));
+    await until('the banner names the stale picture', async () => (await banner(page)).includes('Stale picture'));
 
     running.child.stdin.end();
     await running.child.over;
-    await until('the lost server is told', async () => (await banner(page)).includes('Disconnected'));
+    await until('the banner names the lost server', async () => (await banner(page)).includes('Disconnected'));
     assert.equal((await status(page)).connected, false);
     const before = (await status(page)).frames;
     running = await startStage(workplace, running.port);
@@ -155,10 +155,10 @@ test('an overloaded viewer says that this computer is slow, and its numbers stay
       assert.equal(force, force_N.toFixed(1));
       assert.equal(indentation, (1000 * indentation_m).toFixed(0));
     }
-    const told = seen.filter(({banner: text}) => text !== '');
-    assert.ok(told.length > 20, 'a slow page is told of');
-    const right = told.filter(({banner: text}) => text.includes('This computer'));
-    assert.ok(right.length > 0.8 * told.length, 'and not the patient\'s site or the network');
+    const warned = seen.filter(({banner: text}) => text !== '');
+    assert.ok(warned.length > 20, 'a slow page is warned of');
+    const right = warned.filter(({banner: text}) => text.includes('This computer'));
+    assert.ok(right.length > 0.8 * warned.length, 'and not the patient\'s site or the network');
     const links = seen.map(({linkAge_ms}) => linkAge_ms).sort((a, b) => a - b);
     assert.ok(links[20] < 1000, `the queue does not grow: the link is ${links[20]} ms old`);
     assert.ok(new Set(seen.map(({numbersInstant_ms}) => numbersInstant_ms)).size > 3, 'it goes on');

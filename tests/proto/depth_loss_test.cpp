@@ -22,9 +22,9 @@ msg::DepthImage bounded_image(double least_m, double per_m) {
 
 TEST(DepthFidelity, DepthWithoutLossIsAsMeasured) {
   for (const std::string mode : {"fast", "intra", "temporal"}) {
-    const DepthFidelity told = depth_fidelity(image_of(mode));
-    EXPECT_FALSE(told.moved);
-    EXPECT_EQ(in_words(told), mode + ", as measured");
+    const DepthFidelity fidelity = depth_fidelity(image_of(mode));
+    EXPECT_FALSE(fidelity.moved);
+    EXPECT_EQ(in_words(fidelity), mode + ", as measured");
   }
 }
 
@@ -38,16 +38,16 @@ TEST(DepthFidelity, AnAbsurdBoundCountsAsUnknown) {
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double absurd : {nan, infinite, -0.001, 1.5})
     for (const msg::DepthImage& image : {bounded_image(absurd, 0.003), bounded_image(0.001, absurd)}) {
-      const DepthFidelity told = depth_fidelity(image);
-      EXPECT_TRUE(told.moved);
-      EXPECT_FALSE(told.within);
-      EXPECT_EQ(in_words(told), "bounded, off by an unknown amount");
+      const DepthFidelity fidelity = depth_fidelity(image);
+      EXPECT_TRUE(fidelity.moved);
+      EXPECT_FALSE(fidelity.within);
+      EXPECT_EQ(in_words(fidelity), "bounded, off by an unknown amount");
     }
 }
 
 TEST(DepthFidelity, NearLosslessDepthWithoutABoundIsNotAsMeasured) {
   EXPECT_EQ(in_words(depth_fidelity(image_of("bounded"))), "bounded, off by an unknown amount");
-  EXPECT_EQ(in_words(depth_fidelity(image_of(""))), "not told");
+  EXPECT_EQ(in_words(depth_fidelity(image_of(""))), "not stated");
 }
 
 TEST(DepthFidelity, LosslessCodingOfNearLosslessDepthIsNotAsMeasured) {
@@ -78,7 +78,7 @@ TEST(DepthFidelity, OfSeveralTheLeastExactIsTheOneThatCounts) {
   EXPECT_EQ(less_exact(exact, depth_fidelity(image_of("temporal"))).mode, "temporal");
 }
 
-TEST(DepthFidelity, TheStationPassesOnWhatTheImageTold) {
+TEST(DepthFidelity, TheStationReportsTheFidelityOfTheImage) {
   msg::SurfaceReport report;
   report.set_depth_mode("bounded");
   *report.mutable_depth_bound() = bounded_image(0.001, 0.00285).bound();

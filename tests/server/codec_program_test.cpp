@@ -53,16 +53,16 @@ TEST_F(CodecProgram, KeepsTheBoundThatItWasGivenAndSaysSoWhenAsked) {
   const auto [held, said] = run({"compare", in("original"), in("bounded.mcap"), "--bound", "3,10"});
   EXPECT_EQ(held, 0) << said;
   EXPECT_NE(said.find("bound held by every pixel"), std::string::npos) << said;
-  const auto [info, told] = run({"info", in("bounded.mcap")});
+  const auto [info, printed] = run({"info", in("bounded.mcap")});
   EXPECT_EQ(info, 0);
-  EXPECT_NE(told.find("off by up to 10 mm at 1 m"), std::string::npos) << told;
+  EXPECT_NE(printed.find("off by up to 10 mm at 1 m"), std::string::npos) << printed;
 }
 
 TEST_F(CodecProgram, DescribesARecordingInJsonToo) {
   ASSERT_EQ(run({"encode", in("original"), in("depth.mcap"), "--mode", "temporal", "--key-every", "2"}).first, 0);
-  const auto [code, told] = run({"info", in("depth.mcap"), "--json"});
-  ASSERT_EQ(code, 0) << told;
-  std::istringstream text(told);
+  const auto [code, printed] = run({"info", in("depth.mcap"), "--json"});
+  ASSERT_EQ(code, 0) << printed;
+  std::istringstream text(printed);
   boost::property_tree::ptree json;
   boost::property_tree::read_json(text, json);
   ASSERT_EQ(json.get_child("frames").size(), 3u);
@@ -87,17 +87,17 @@ TEST_F(CodecProgram, LosslessDepthKeepsABoundOfZero) {
     const std::string file = in(mode + ".mcap");
     ASSERT_EQ(run({"encode", in("original"), file, "--mode", mode}).first, 0);
     EXPECT_EQ(run({"compare", in("original"), file, "--bound", "0,0"}).first, 0);
-    const auto [info, told] = run({"info", file});
-    EXPECT_EQ(told.find("off by"), std::string::npos) << told;
+    const auto [info, printed] = run({"info", file});
+    EXPECT_EQ(printed.find("off by"), std::string::npos) << printed;
   }
 }
 
 TEST_F(CodecProgram, NearLosslessDepthIsNotCalledLosslessWhenItIsEncodedAgain) {
   ASSERT_EQ(run({"encode", in("original"), in("bounded.mcap"), "--mode", "bounded", "--bound", "3,10"}).first, 0);
   ASSERT_EQ(run({"encode", in("bounded.mcap"), in("again.mcap"), "--mode", "fast"}).first, 0);
-  const auto [code, told] = run({"info", in("again.mcap")});
+  const auto [code, printed] = run({"info", in("again.mcap")});
   EXPECT_EQ(code, 0);
-  EXPECT_NE(told.find("off by up to 10 mm at 1 m"), std::string::npos) << told;
+  EXPECT_NE(printed.find("off by up to 10 mm at 1 m"), std::string::npos) << printed;
 }
 
 TEST_F(CodecProgram, ABoundThatMakesNoSenseIsRefusedBeforeAnythingIsWritten) {

@@ -86,9 +86,9 @@ TEST(Flood, SixPublishersAndOneThatNeverReadsCostTheServerNoMemoryAndTheDoctorNo
   support::ChildProcess server(TELEPALP_BINARY_DIR "/bin/telepalp-server",
                                {"--source", "synthetic", "--port", "0", "--ready-file", folder.path() / "ready"},
                                folder.path() / "log");
-  const auto told = support::await_ready(folder.path() / "ready", "port");
-  ASSERT_TRUE(told);
-  const auto port = static_cast<std::uint16_t>(std::stoi(*told));
+  const auto ready = support::await_ready(folder.path() / "ready", "port");
+  ASSERT_TRUE(ready);
+  const auto port = static_cast<std::uint16_t>(std::stoi(*ready));
   boost::asio::io_context io;
   std::size_t images = 0;
   wire::ClientLink doctor(io, {.port = port, .name = "doctor", .role = "doctor", .subscribes = {"/camera/depth"}},

@@ -146,7 +146,7 @@ TEST(HttpReply, OtherMethodsAndOtherNamesAreRefused) {
   EXPECT_EQ(reply_to(get("/", ""), {}, {}, {}).result_int(), 421u);
 }
 
-TEST(HttpReply, TheSessionClockIsTold) {
+TEST(HttpReply, GivesTheSessionClock) {
   const HttpReply reply = reply_to(get("/session_clock"), {}, {}, session_time(1'700'000'000'123'456'789));
   EXPECT_EQ(reply.body(), "1700000000123456789");
   EXPECT_EQ(reply[http::field::cache_control], "no-store");

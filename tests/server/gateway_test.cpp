@@ -270,7 +270,7 @@ TEST(Gateway, ASlowRequestIsGivenUp) {
   EXPECT_TRUE(server.comes_to(0));
 }
 
-TEST(Gateway, BeyondItsLimitNewConnectionsAreToldSoAndThoseThatListenAreKept) {
+TEST(Gateway, BeyondItsLimitNewConnectionsGetAReasonAndSubscribersAreKept) {
   Running server({.max_connections = 2});
   Viewer one(server.port());
   Viewer two(server.port());

@@ -26,17 +26,17 @@ bool any_contains(const std::vector<std::string>& texts, const std::string& part
                      [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
 
-TEST(Places, SixtyFourViewersLeaveRoomForTheDoctorAndTheRecorderAndTheOneTooManyIsToldWhy) {
+TEST(Places, SixtyFourViewersLeaveRoomForTheDoctorAndTheRecorderAndTheNextViewerGetsAReason) {
   Site site;
   const Clients viewers = join(site, 64, {"/clock"}, "viewer");
   ASSERT_TRUE(site.run_until([&] { return connected(viewers) == 48 && site.listener->counts().refused >= 16; }));
   Client doctor(site, {"/camera/*"}, "station", 0, "doctor");
   Client recorder(site, {"*"}, "telepalp-record", 0, "recorder");
   EXPECT_TRUE(site.run_until([&] { return doctor.connected() && recorder.connected(); }));
-  std::size_t told = 0;
+  std::size_t refused = 0;
   for (const auto& viewer : viewers)
-    if (any_contains(viewer->details, "the server is full: all 48 places for viewers are taken. fix: ")) ++told;
-  EXPECT_EQ(told, 16u);
+    if (any_contains(viewer->details, "the server is full: all 48 places for viewers are taken. fix: ")) ++refused;
+  EXPECT_EQ(refused, 16u);
   EXPECT_TRUE(any_contains(site.notes, "is refused: the server is full: all 48 places for viewers"));
   EXPECT_LE(std::count_if(site.notes.begin(), site.notes.end(),
                           [](const std::string& note) { return note.find("is refused") != std::string::npos; }),

@@ -84,7 +84,7 @@ TEST(ServerProgram, ServesASyntheticPatientUntilItIsStoppedAndThenSaysGoodbye) {
   EXPECT_NE(server.logged().find("frames captured"), std::string::npos);
 }
 
-TEST(ServerProgram, TellsTheBoundThatItWasGivenWithEveryImage) {
+TEST(ServerProgram, PublishesTheGivenBoundWithEveryImage) {
   RunningServer server({"--source", "synthetic", "--depth-mode", "bounded", "--depth-bound", "2,4"});
   boost::asio::io_context io;
   std::vector<msg::DepthImage> images;

@@ -76,7 +76,7 @@ TEST(SceneView, TheArrowPointsAlongTheForceAndIsAsLongAsItIsStrong) {
   FAIL() << "no arrow";
 }
 
-TEST(SceneView, WhatTheStationDoesNotTellIsTakenAway) {
+TEST(SceneView, RemovesWhatTheStationDoesNotReport) {
   const foxglove::SceneUpdate scene = scene_view(msg::StationState());
   EXPECT_EQ(scene.entities_size(), 0);
   EXPECT_EQ(scene.deletions_size(), 4);

@@ -10,17 +10,17 @@ namespace telepalp::server {
 namespace {
 
 void print_line(std::size_t number, const codec::DepthPacketInfo& packet, std::size_t bytes,
-                const wire::DepthFidelity& told) {
+                const wire::DepthFidelity& fidelity) {
   const std::string place = packet.since_key == 0 ? "key" : "key+" + std::to_string(packet.since_key);
   std::printf("%6zu  %-8s %-10s %d x %d  unit %g mm  %d slices  %s  %zu B  ratio %.2f%s\n", number,
               std::string(codec::name(packet.mode)).c_str(), std::string(packet.coding).c_str(), packet.width,
               packet.height, 1000.0 * packet.unit_m, packet.slices, place.c_str(), bytes,
               2.0 * packet.width * packet.height / static_cast<double>(bytes),
-              told.moved ? ("  " + wire::how_far(told)).c_str() : "");
+              fidelity.moved ? ("  " + wire::how_far(fidelity)).c_str() : "");
 }
 
 void add_frame(program::Json& json, const codec::DepthPacketInfo& packet, std::size_t bytes,
-               const wire::DepthFidelity& told) {
+               const wire::DepthFidelity& fidelity) {
   json.begin_object();
   json.add("mode", codec::name(packet.mode));
   json.add("coding", packet.coding);
@@ -30,13 +30,13 @@ void add_frame(program::Json& json, const codec::DepthPacketInfo& packet, std::s
   json.add("slices", static_cast<std::uint64_t>(packet.slices));
   json.add("since_key", static_cast<std::uint64_t>(packet.since_key));
   json.add("bytes", static_cast<std::uint64_t>(bytes));
-  told.moved ? json.add("moved", wire::how_far(told)) : json.add_null("moved");
+  fidelity.moved ? json.add("moved", wire::how_far(fidelity)) : json.add_null("moved");
   json.end_object();
 }
 
-/// Calls `tell` with each depth image of `input`, in order.
-template <class Tell>
-Result<Totals> for_each_packet(const std::filesystem::path& input, Tell tell) {
+/// Calls `visit` with each depth image of `input`, in order.
+template <class Visit>
+Result<Totals> for_each_packet(const std::filesystem::path& input, Visit visit) {
   Result<wire::McapReader> reader = wire::McapReader::open(input);
   if (!reader) return reader.error();
   reader->select({.topics = {std::string(wire::kCameraDepth.name)}});
@@ -52,7 +52,7 @@ Result<Totals> for_each_packet(const std::filesystem::path& input, Tell tell) {
                    .fix = "record it again"};
     const Result<codec::DepthPacketInfo> packet = codec::inspect_depth(std::as_bytes(std::span(image.data())));
     if (!packet) return packet.error();
-    tell(totals.frames, *packet, image.data().size(), wire::depth_fidelity(image));
+    visit(totals.frames, *packet, image.data().size(), wire::depth_fidelity(image));
     totals.add(1.0 * packet->width * packet->height, image.data().size());
   }
   if (totals.frames == 0) return Error{.what = "holds no depth", .where = input.string(), .fix = "give a session file"};
@@ -71,9 +71,9 @@ Result<void> describe_in_json(const std::filesystem::path& input) {
   program::Json json;
   json.begin_object();
   json.begin_list("frames");
-  const Result<Totals> totals =
-      for_each_packet(input, [&json](std::size_t, const codec::DepthPacketInfo& packet, std::size_t bytes,
-                                     const wire::DepthFidelity& told) { add_frame(json, packet, bytes, told); });
+  const Result<Totals> totals = for_each_packet(
+      input, [&json](std::size_t, const codec::DepthPacketInfo& packet, std::size_t bytes,
+                     const wire::DepthFidelity& fidelity) { add_frame(json, packet, bytes, fidelity); });
   if (!totals) return totals.error();
   json.end_list();
   json.begin_object("total");

@@ -12,10 +12,10 @@ using plot::Series;
 template <class Take>
 Series over_time(const Session& session, std::string name, std::string_view color, Take take) {
   Series series{std::move(name), {}, {}, std::string(color)};
-  for (const msg::StationCompensation& told : session.compensations) {
-    const auto since_ns = static_cast<std::int64_t>(told.stamp_ns()) - session.first_ns.value_or(0);
+  for (const msg::StationCompensation& sample : session.compensations) {
+    const auto since_ns = static_cast<std::int64_t>(sample.stamp_ns()) - session.first_ns.value_or(0);
     series.x.push_back(static_cast<double>(since_ns) * 1e-9);
-    series.y.push_back(take(told));
+    series.y.push_back(take(sample));
   }
   return series;
 }
@@ -31,22 +31,23 @@ Chart chart_of(std::string title, std::string unit, std::vector<Series> series) 
 }  // namespace
 
 std::vector<Chart> compensation(const Session& session) {
-  using Told = const msg::StationCompensation&;
+  using Sample = const msg::StationCompensation&;
   if (session.compensations.empty()) return {};
   return {
       chart_of("Age of the data behind the force", "age [ms]",
-               {over_time(session, "surface", plot::kBlue, [](Told t) { return t.surface_age_s() * 1e3; }),
-                over_time(session, "hand", plot::kVermilion, [](Told t) { return t.hand_age_s() * 1e3; })}),
+               {over_time(session, "surface", plot::kBlue, [](Sample t) { return t.surface_age_s() * 1e3; }),
+                over_time(session, "hand", plot::kVermilion, [](Sample t) { return t.hand_age_s() * 1e3; })}),
       chart_of(
           "The surface, carried forward along its normal", "distance [mm]",
-          {over_time(session, "carried forward", plot::kBlue, [](Told t) { return t.surface_carried_m() * 1e3; }),
+          {over_time(session, "carried forward", plot::kBlue, [](Sample t) { return t.surface_carried_m() * 1e3; }),
            over_time(session, "offset that hides steps between snapshots", plot::kVermilion,
-                     [](Told t) { return t.slewed_m() * 1e3; }),
-           over_time(session, "uncertainty, 1 sigma", plot::kGrey, [](Told t) { return t.surface_sigma_m() * 1e3; })}),
+                     [](Sample t) { return t.slewed_m() * 1e3; }),
+           over_time(session, "uncertainty, 1 sigma", plot::kGrey,
+                     [](Sample t) { return t.surface_sigma_m() * 1e3; })}),
       chart_of(
           "The hand, predicted", "distance [mm]",
-          {over_time(session, "carried forward", plot::kVermilion, [](Told t) { return t.hand_carried_m() * 1e3; }),
-           over_time(session, "uncertainty, 1 sigma", plot::kGrey, [](Told t) { return t.hand_sigma_m() * 1e3; })})};
+          {over_time(session, "carried forward", plot::kVermilion, [](Sample t) { return t.hand_carried_m() * 1e3; }),
+           over_time(session, "uncertainty, 1 sigma", plot::kGrey, [](Sample t) { return t.hand_sigma_m() * 1e3; })})};
 }
 
 }  // namespace telepalp::report

@@ -56,12 +56,12 @@ std::vector<ar::PanelLine> figures_of(const Session& session, const msg::Station
 
 }  // namespace
 
-std::int64_t telling_moment_ns(const Session& session) {
-  const msg::StationState* telling = nullptr;
+std::int64_t deepest_moment_ns(const Session& session) {
+  const msg::StationState* deepest = nullptr;
   for (const msg::StationState& state : session.states)
-    if (is_drawable(state) && (telling == nullptr || !(state.indentation_m() < telling->indentation_m())))
-      telling = &state;
-  if (telling != nullptr) return static_cast<std::int64_t>(telling->stamp_ns());
+    if (is_drawable(state) && (deepest == nullptr || !(state.indentation_m() < deepest->indentation_m())))
+      deepest = &state;
+  if (deepest != nullptr) return static_cast<std::int64_t>(deepest->stamp_ns());
   return session.first_ns.value_or(0) + (session.last_ns.value_or(0) - session.first_ns.value_or(0)) / 2;
 }
 

@@ -85,9 +85,9 @@ bool keep_ticks(Session& session, const wire::Message& message) {
 }
 
 /// True if the sender started during the recording: its ticks take less time than the recording so far.
-bool started_here(const Session& session, std::uint64_t ticks, SessionTime told) {
+bool started_here(const Session& session, std::uint64_t ticks, SessionTime published) {
   constexpr double kSlack_s = 0.5, kPeriod_s = 5e-4;
-  const double recorded_s = to_seconds(Nanoseconds(to_nanoseconds(told) - session.first_ns.value_or(0)));
+  const double recorded_s = to_seconds(Nanoseconds(to_nanoseconds(published) - session.first_ns.value_or(0)));
   return static_cast<double>(ticks) * kPeriod_s <= recorded_s + kSlack_s;
 }
 

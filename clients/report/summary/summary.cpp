@@ -54,10 +54,10 @@ void add_latencies(Summary& summary, const Session& session) {
 }
 
 void add_compensation(Summary& summary, const Session& session) {
-  using Told = msg::StationCompensation;
+  using Sample = msg::StationCompensation;
   const auto& all = session.compensations;
-  summary.surface_carried_mm = over(all, [](const Told& t) { return std::abs(t.surface_carried_m()) * 1e3; });
-  summary.hand_carried_mm = over(all, [](const Told& t) { return t.hand_carried_m() * 1e3; });
+  summary.surface_carried_mm = over(all, [](const Sample& t) { return std::abs(t.surface_carried_m()) * 1e3; });
+  summary.hand_carried_mm = over(all, [](const Sample& t) { return t.hand_carried_m() * 1e3; });
 }
 
 std::size_t index_of(msg::Phase phase) { return static_cast<std::size_t>(&words_for(phase) - kPhases.data()); }

@@ -19,13 +19,13 @@ double percent(double part, double whole) { return whole > 0.0 ? 100.0 * part / 
 /// The check that the touched depth is as the camera measured it.
 Check depth_check(const Summary& s) {
   const wire::DepthFidelity& depth = s.depth;
-  const bool told = s.ticks > 0 && (depth.moved || !depth.mode.empty());
+  const bool known = s.ticks > 0 && (depth.moved || !depth.mode.empty());
   const std::string meaning =
       "the depth that was touched is " + wire::in_words(depth) + ": for display, and not as the camera measured it";
   if (depth.moved && !depth.within)
-    return {"depth error, bound not stated", told ? 1.0 : kUnknown, 0.0, "", true, meaning};
+    return {"depth error, bound not stated", known ? 1.0 : kUnknown, 0.0, "", true, meaning};
   const double off_mm = depth.within ? wire::at_1_m_mm(*depth.within) : 0.0;
-  return {"depth error, at 1 m", told ? off_mm : kUnknown, 0.0, "mm", true, meaning};
+  return {"depth error, at 1 m", known ? off_mm : kUnknown, 0.0, "mm", true, meaning};
 }
 
 double missed_percent(const Summary& s) { return percent(known(s.deadlines_missed), static_cast<double>(s.ticks)); }

@@ -1,4 +1,4 @@
-import type {HeldHand} from './held_hand';
+import type {ViewerHandInput} from './viewer_hand';
 import type {SceneView} from './scene/scene_view';
 
 const TURN_RAD = 0.09;
@@ -17,14 +17,14 @@ function button(id: string): HTMLButtonElement {
 }
 
 /** Wires buttons and keys to the view. */
-export function wireControls(view: SceneView, heldHand: HeldHand): void {
+export function wireControls(view: SceneView, viewerHand: ViewerHandInput): void {
   const help = document.getElementById('help') as HTMLDialogElement;
   const toggles: Toggle[] = [
     {button: 'show-hand', key: 'h', apply: (shown) => view.hand.setShown(shown)},
     {button: 'show-ball', key: 'b', apply: (shown) => view.probe.setBallVisible(shown)},
     {button: 'show-forces', key: 'f', apply: (shown) => view.probe.setForcesVisible(shown)},
     {button: 'show-color', key: 'c', apply: (shown) => view.surface.setColored(shown)},
-    {button: 'hold-hand', key: 't', apply: (held) => heldHand.setHeld(held)},
+    {button: 'hold-hand', key: 't', apply: (held) => viewerHand.setHeld(held)},
   ];
   const flip = ({button: id, apply}: Toggle) => {
     const shown = button(id).getAttribute('aria-pressed') !== 'true';

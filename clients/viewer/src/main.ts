@@ -1,5 +1,5 @@
 import {wireControls} from './controls';
-import {HeldHand} from './held_hand';
+import {ViewerHandInput} from './viewer_hand';
 import {now_ms} from './link/session_clock';
 import {SiteLink} from './link/site_link';
 import {Readouts} from './panel/readouts';
@@ -15,13 +15,13 @@ const state = new ViewerState();
 const readouts = new Readouts();
 const canvas = document.getElementById('scene') as HTMLCanvasElement;
 const view = openView();
-const heldHand = new HeldHand(view, canvas, (hand) => link.tellHand(hand));
+const viewerHand = new ViewerHandInput(view, canvas, (hand) => link.publishHand(hand));
 
 function openView(): SceneView {
   try {
     return new SceneView(canvas);
   } catch (problem) {
-    readouts.tell({level: 'alarm', title: 'No 3D here', text: 'This browser has no WebGL 2: use another, or a newer one.'});
+    readouts.showBanner({level: 'alarm', title: 'No 3D here', text: 'This browser has no WebGL 2: use another, or a newer one.'});
     throw problem;
   }
 }
@@ -38,11 +38,11 @@ const link = new SiteLink(
     },
     (news) => {
       state.news = news;
-      heldHand.showHolder(news.holder, news.viewer);
+      viewerHand.showHolder(news.holder, news.viewer);
     });
 
 const read = () => {
-  state.holdsHand = heldHand.held;
+  state.holdsHand = viewerHand.held;
   return state.read(now_ms());
 };
 
@@ -68,7 +68,7 @@ const status = publishStatus(() => ({
   coarseness: view.coarseness,
 }));
 
-wireControls(view, heldHand);
+wireControls(view, viewerHand);
 link.ask('instant');
 window.setInterval(() => {
   link.ask('news');

@@ -1,4 +1,4 @@
-import {inWords} from './depth/depth_told';
+import {inWords} from './depth/depth_fidelity';
 import {lookOf} from './panel/phases';
 import type {TimeAccount} from './present/time_account';
 import type {Reading} from './viewer_state';

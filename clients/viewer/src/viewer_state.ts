@@ -1,4 +1,4 @@
-import type {DepthTold} from './depth/depth_told';
+import type {DepthFidelity} from './depth/depth_fidelity';
 import {Phase, type StationState, type Vec3} from './link/messages';
 import {milliseconds} from './link/session_clock';
 import type {News} from './link/worker_messages';
@@ -14,7 +14,7 @@ export interface Reading extends Health {
   force_N: number | undefined;
   indentation_mm: number | undefined;
   limited: boolean;
-  depth: DepthTold | undefined;
+  depth: DepthFidelity | undefined;
   link_ms: number | undefined;
   fps: number;
   frames: number;

@@ -47,7 +47,7 @@ void HaplyDevice::on_text(std::string_view text) {
     const haply::State& state = **read;
     if (!std::exchange(line_is_up_, true)) say_(name_ + " answers, Inverse3 " + state.device_id);
     device_id_ = state.device_id;
-    told_.put(
+    readings_.put(
         {Clock::now(), {.at = haptic_from_inverse_ * state.cursor, .velocity = haptic_from_inverse_ * state.velocity}});
     thread_.answered();
   }
@@ -74,10 +74,10 @@ void HaplyDevice::send_force() {
 }
 
 ports::DeviceReading HaplyDevice::read() noexcept {
-  if (told_.take()) has_told_ = true;
-  ports::DeviceReading reading = told_.current().reading;
-  reading.age_s = has_told_ ? std::chrono::duration<double>(Clock::now() - told_.current().at).count()
-                            : std::numeric_limits<double>::infinity();
+  if (readings_.take()) has_reading_ = true;
+  ports::DeviceReading reading = readings_.current().reading;
+  reading.age_s = has_reading_ ? std::chrono::duration<double>(Clock::now() - readings_.current().at).count()
+                               : std::numeric_limits<double>::infinity();
   return reading;
 }
 

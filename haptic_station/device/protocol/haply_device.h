@@ -6,7 +6,6 @@
 #include <functional>
 #include <string>
 
-#include "haptic_station/device/protocol/protocol_thread.h"
 #include "haptic_station/device/protocol/haply_inverse.h"
 #include "haptic_station/device/protocol/protocol_thread.h"
 #include "haptic_station/device/protocol/websocket_line.h"
@@ -43,7 +42,7 @@ class HaplyDevice final : public ports::Device {
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct Told {
+  struct TimedReading {
     Clock::time_point at;
     ports::DeviceReading reading;
   };
@@ -67,9 +66,9 @@ class HaplyDevice final : public ports::Device {
   Clock::time_point sent_;          // owner: thread_
   bool line_is_up_ = false;         // owner: thread_
   std::atomic<std::uint64_t> refused_{0};
-  LatestValue<Told> told_;      // thread_ to haptic thread
-  LatestValue<Wanted> wanted_;  // haptic thread to thread_
-  bool has_told_ = false;       // owner: haptic thread
+  LatestValue<TimedReading> readings_;  // thread_ to haptic thread
+  LatestValue<Wanted> wanted_;          // haptic thread to thread_
+  bool has_reading_ = false;            // owner: haptic thread
 };
 
 }  // namespace telepalp::device

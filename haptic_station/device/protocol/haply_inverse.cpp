@@ -54,11 +54,11 @@ Result<std::optional<State>> parse_text(std::string_view text, std::string_view 
   if (text.size() > kMostTextBytes) return refused("over 64 KiB");
   json::JsonParseOptions options;
   options.ignore_unknown_fields = true;
-  haply_inverse::Text told;
-  if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &told, options); !read.ok())
+  haply_inverse::Text message;
+  if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &message, options); !read.ok())
     return refused("no state of the Inverse service: " + read.ToString().substr(0, 200));
-  if (told.inverse3_size() > kMostDevices) return refused("more than 16 devices");
-  for (const haply_inverse::Text::Inverse3& one : told.inverse3()) {
+  if (message.inverse3_size() > kMostDevices) return refused("more than 16 devices");
+  for (const haply_inverse::Text::Inverse3& one : message.inverse3()) {
     if (!wanted_id.empty() && one.device_id() != wanted_id) continue;
     if (!is_id(one.device_id())) return refused("an invalid device_id");
     if (!one.has_state()) return std::optional<State>{};

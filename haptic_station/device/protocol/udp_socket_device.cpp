@@ -66,12 +66,12 @@ ports::DeviceReading UdpDevice::read() noexcept {
     newest_.velocity = pose->velocity;
     newest_at_ = Clock::now();
     faulted_ = pose->faulted;
-    has_told_ = true;
+    has_reading_ = true;
   }
   ports::DeviceReading reading = newest_;
   // A device whose motors are off gives no force, so the watchdog treats it as silent.
-  reading.age_s = has_told_ && !faulted_ ? std::chrono::duration<double>(Clock::now() - newest_at_).count()
-                                         : std::numeric_limits<double>::infinity();
+  reading.age_s = has_reading_ && !faulted_ ? std::chrono::duration<double>(Clock::now() - newest_at_).count()
+                                            : std::numeric_limits<double>::infinity();
   return reading;
 }
 

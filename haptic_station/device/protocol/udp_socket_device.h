@@ -42,7 +42,7 @@ class UdpDevice final : public ports::Device {
   udp::PoseOrder order_;
   ports::DeviceReading newest_;
   Clock::time_point newest_at_;
-  bool has_told_ = false;
+  bool has_reading_ = false;
   bool faulted_ = false;
   std::uint64_t refused_ = 0;
 };

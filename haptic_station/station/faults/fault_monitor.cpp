@@ -46,7 +46,7 @@ void FaultMonitor::look(bool ending) {
   if (const std::optional<TickSample> fault = watch_.begun()) {
     const std::string cause = control::name(static_cast<control::FaultCause>(fault->fault));
     say("fault: " + cause + ": no force until an operator re-arms. fix: remove the cause, then " + how_to_rearm());
-    telemetry_.tell_event(handlers_.now(), msg::EVENT_KIND_FAULT, cause);
+    telemetry_.publish_event(handlers_.now(), msg::EVENT_KIND_FAULT, cause);
   }
   if (auto ticks = watch_.due(ending)) {
     flight_recorder_ =

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "haptic_station/device/held_device.h"
+#include "haptic_station/device/hand_driven_device.h"
 #include "haptic_station/device/joined_rig.h"
-#include "haptic_station/tracking/held_hand.h"
+#include "haptic_station/tracking/grip_tracker.h"
 #include "support/program/log.h"
 
 namespace telepalp::station {
@@ -90,7 +90,7 @@ Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice
     if (const Result<void> started = (*made)->start(within); !started) return started.error();
     return std::unique_ptr<ports::Device>(std::move(made).value());
   }
-  return std::unique_ptr<ports::Device>(std::make_unique<device::HeldDevice>(
+  return std::unique_ptr<ports::Device>(std::make_unique<device::HandDrivenDevice>(
       scene.simulated_device, scene.simulated_hand, Point<HapticBase>{{0.0, kRestHeight_m, 0.0}}));
 }
 
@@ -106,13 +106,13 @@ Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& s
   if (choice.is_simulated()) return connected;
   Result<std::unique_ptr<ports::Device>> device = connect_device(choice.device, scene);
   if (!device) return device.error();
-  std::unique_ptr<ports::Tracker> tracker = std::make_unique<tracking::HeldHand>();
+  std::unique_ptr<ports::Tracker> tracker = std::make_unique<tracking::GripTracker>();
   if (const auto* leap = std::get_if<Leap>(&choice.tracker)) {
     Result<std::unique_ptr<tracking::LeapTracker>> made = connect_leap(*leap, scene);
     if (!made) return made.error();
     tracker = std::move(made).value();
   } else if (std::holds_alternative<Browser>(choice.tracker)) {
-    auto made = std::make_unique<tracking::BrowserHand>();
+    auto made = std::make_unique<tracking::ViewerHandTracker>();
     connected.browser = made.get();
     tracker = std::move(made);
   }

@@ -9,8 +9,8 @@
 #include "haptic_station/device/protocol/websocket_line.h"
 #include "haptic_station/ports/rig.h"
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/tracking/protocol/browser_hand.h"
 #include "haptic_station/tracking/protocol/leap_tracker.h"
+#include "haptic_station/tracking/protocol/viewer_hand_tracker.h"
 #include "support/program/address.h"
 
 namespace telepalp::station {
@@ -62,7 +62,7 @@ inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 /// scene's simulated rig.
 struct ConnectedRig {
   std::unique_ptr<ports::Rig> rig;
-  tracking::BrowserHand* browser = nullptr;  ///< the rig's tracker if it is a browser hand, else nullptr
+  tracking::ViewerHandTracker* browser = nullptr;  ///< the rig's tracker if it is a browser hand, else nullptr
 };
 
 /// Connects the chosen rig. Error: a part does not answer; the error names it and a fix.

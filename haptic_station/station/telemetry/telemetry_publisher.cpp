@@ -40,17 +40,17 @@ void TelemetryPublisher::drain(SessionTime now) {
 }
 
 void TelemetryPublisher::watch_heat(SessionTime now) {
-  constexpr float kTold_s = 4.0F;  // the hand feels the warning at the same time
-  const bool near = last_.yields_in_s < kTold_s && last_.phase != 0;
-  if (near && !heat_told_)
-    tell_event(
+  constexpr float kWarnAhead_s = 4.0F;  // the hand feels the warning at the same time
+  const bool near = last_.yields_in_s < kWarnAhead_s && last_.phase != 0;
+  if (near && !heat_warned_)
+    publish_event(
         now, msg::EVENT_KIND_HEAT,
         "the device's motors are warm: within 4 s the force falls slowly to what they can hold. fix: press less");
   // Warns again only after the force was low enough to be held without limit.
-  if (near || std::isinf(last_.yields_in_s)) heat_told_ = near;
+  if (near || std::isinf(last_.yields_in_s)) heat_warned_ = near;
 }
 
-void TelemetryPublisher::tell_event(SessionTime now, msg::EventKind kind, const std::string& text) {
+void TelemetryPublisher::publish_event(SessionTime now, msg::EventKind kind, const std::string& text) {
   msg::StationEvent event;
   event.set_stamp_ns(stamp(now));
   event.set_surface_captured_ns(static_cast<std::uint64_t>(last_.surface_captured_ns));
@@ -59,11 +59,11 @@ void TelemetryPublisher::tell_event(SessionTime now, msg::EventKind kind, const 
   publish_(wire::make_message(wire::kStationEvents, now, event));
 }
 
-void TelemetryPublisher::tell_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped,
-                                     bool realtime, const std::vector<msg::EffectCost>& bill) {
+void TelemetryPublisher::publish_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped,
+                                        bool realtime, const std::vector<msg::EffectCost>& bill) {
   totals_.set_missed(counts.deadlines_missed.load(std::memory_order_relaxed));
   totals_.set_frames_dropped(frames_dropped);
-  totals_.set_telemetry_dropped(counts.ticks_untold.load(std::memory_order_relaxed));
+  totals_.set_telemetry_dropped(counts.ticks_dropped.load(std::memory_order_relaxed));
   msg::StationStats stats = totals_.message();
   stats.set_stamp_ns(stamp(now));
   stats.set_realtime(realtime);

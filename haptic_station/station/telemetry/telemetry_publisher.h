@@ -23,14 +23,14 @@ class TelemetryPublisher {
   void drain(SessionTime now);
 
   /// Publishes the totals so far.
-  void tell_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped, bool realtime,
-                   const std::vector<msg::EffectCost>& bill);
+  void publish_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped, bool realtime,
+                      const std::vector<msg::EffectCost>& bill);
 
   /// Adds the measurement of the idle timer to the totals.
   void set_idle_timer(const msg::TimerCheck& check) { idle_timer_ = check; }
 
   /// Publishes an event.
-  void tell_event(SessionTime now, msg::EventKind kind, const std::string& text);
+  void publish_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
   /// Warns once when warm motors are about to lower the force in contact.
   void watch_heat(SessionTime now);
@@ -48,7 +48,7 @@ class TelemetryPublisher {
   TickSample last_;
   std::optional<msg::TimerCheck> idle_timer_;
   bool has_ticked_ = false;
-  bool heat_told_ = false;
+  bool heat_warned_ = false;
 };
 
 }  // namespace telepalp::station

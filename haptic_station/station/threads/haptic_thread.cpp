@@ -76,17 +76,17 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
   const Clock::time_point decided = Clock::now();
   rig_.apply(act.force, act.contact, dt_s);
 
-  act.told.tick = tick_++;
-  act.told.stamp_ns = to_nanoseconds(now);
-  act.told.late_ns = static_cast<std::uint32_t>(due.late.count());
-  act.told.work_us = std::chrono::duration<float, std::micro>(decided - began).count();
+  act.sample.tick = tick_++;
+  act.sample.stamp_ns = to_nanoseconds(now);
+  act.sample.late_ns = static_cast<std::uint32_t>(due.late.count());
+  act.sample.work_us = std::chrono::duration<float, std::micro>(decided - began).count();
   if (tick_ % kTicksPerCompensation == 0) {
     Compensation compensation = loop_.compensation();
-    compensation.stamp_ns = act.told.stamp_ns;
+    compensation.stamp_ns = act.sample.stamp_ns;
     compensation_.put(compensation);
   }
   if (tick_ % kTicksPerBill == 0) bill_.put(bill_of(loop_.controller().effects()));
-  if (!ticks_.try_push(act.told)) counts_.ticks_untold.fetch_add(1, std::memory_order_relaxed);
+  if (!ticks_.try_push(act.sample)) counts_.ticks_dropped.fetch_add(1, std::memory_order_relaxed);
 }
 
 }  // namespace telepalp::station

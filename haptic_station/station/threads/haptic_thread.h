@@ -22,7 +22,7 @@ inline constexpr std::chrono::microseconds kTickPeriod{500};  // 2 kHz, S1 II.D
 /// Counters that the haptic thread writes and other threads read.
 struct HapticCounts {
   std::atomic<std::uint64_t> deadlines_missed{0};
-  std::atomic<std::uint64_t> ticks_untold{0};  ///< ticks dropped because the ring was full
+  std::atomic<std::uint64_t> ticks_dropped{0};  ///< ticks dropped because the ring was full
 };
 
 /// The 2 kHz thread: reads the rig, ticks the loop, applies the force. It does not allocate, and waits only for the

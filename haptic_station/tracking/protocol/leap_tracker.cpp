@@ -55,20 +55,20 @@ void LeapTracker::on_hello(const leap::Hello& hello) {
 void LeapTracker::on_frame(const leap::Frame& frame) {
   if (!spoke_) return;
   if (frame.refused > 0) refused_.fetch_add(frame.refused, std::memory_order_relaxed);
-  const std::chrono::microseconds told(frame.timestamp_us);
-  const auto at = service_clock_.map(told, Clock::now().time_since_epoch());
-  if (const auto hand = followed_.choose(std::chrono::duration<double>(told).count(), frame.hands))
-    sightings_.put(Clock::time_point(at), hand->palm);
+  const std::chrono::microseconds service_time(frame.timestamp_us);
+  const auto at = service_clock_.map(service_time, Clock::now().time_since_epoch());
+  if (const auto hand = followed_.choose(std::chrono::duration<double>(service_time).count(), frame.hands))
+    latest_hand_.put(Clock::time_point(at), hand->palm);
 }
 
 std::optional<ports::HandSample> LeapTracker::sample(SessionTime now, const ports::DeviceReading&) noexcept {
-  const auto seen = sightings_.take(now);
+  const auto seen = latest_hand_.take(now);
   if (!seen) return std::nullopt;
   return ports::HandSample{seen->at, haptic_from_tracker_ * seen->hand};
 }
 
 std::optional<Point<HandTracker>> LeapTracker::palm() noexcept {
-  const auto seen = sightings_.take();
+  const auto seen = latest_hand_.take();
   return seen ? std::optional(seen->hand) : std::nullopt;
 }
 

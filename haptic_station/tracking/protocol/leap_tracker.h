@@ -9,7 +9,7 @@
 #include "haptic_station/device/protocol/websocket_line.h"
 #include "haptic_station/ports/tracker.h"
 #include "haptic_station/tracking/protocol/followed_hand.h"
-#include "haptic_station/tracking/protocol/hand_sightings.h"
+#include "haptic_station/tracking/protocol/latest_hand.h"
 #include "proto/words/clock_envelope.h"
 
 namespace telepalp::tracking {
@@ -55,7 +55,7 @@ class LeapTracker final : public ports::Tracker {
   bool spoke_ = false;           // owner: thread_
   bool line_is_up_ = false;      // owner: thread_
   std::atomic<std::uint64_t> refused_{0};
-  Sightings<HandTracker> sightings_;  // thread_ to haptic thread
+  LatestHand<HandTracker> latest_hand_;  // thread_ to haptic thread
   const Transform<HapticBase, HandTracker> haptic_from_tracker_;
 };
 

@@ -29,11 +29,11 @@ std::optional<Eigen::Vector3d> three(const Numbers& numbers, double most) {
   return v * kMetres;
 }
 
-std::optional<Hand> hand_of(const leap_v6::Text::Hand& told) {
-  const auto palm = three(told.palmposition(), kFurthest_mm);
+std::optional<Hand> hand_of(const leap_v6::Text::Hand& hand_text) {
+  const auto palm = three(hand_text.palmposition(), kFurthest_mm);
   if (!palm) return std::nullopt;
-  Hand hand{.id = told.id(), .palm = {*palm}, .velocity = {}};
-  if (const auto velocity = three(told.palmvelocity(), kFastest_mm_per_s)) hand.velocity.v = *velocity;
+  Hand hand{.id = hand_text.id(), .palm = {*palm}, .velocity = {}};
+  if (const auto velocity = three(hand_text.palmvelocity(), kFastest_mm_per_s)) hand.velocity.v = *velocity;
   return hand;
 }
 
@@ -43,15 +43,15 @@ Result<Text> parse_text(std::string_view text) {
   if (text.size() > kMostTextBytes) return refused("over 256 KiB");
   json::JsonParseOptions options;
   options.ignore_unknown_fields = true;
-  leap_v6::Text told;
-  if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &told, options); !read.ok())
+  leap_v6::Text message;
+  if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &message, options); !read.ok())
     return refused("no frame of protocol 6: " + read.ToString().substr(0, 200));
-  if (told.has_version()) return Text{Hello{told.version(), told.serviceversion()}};
-  if (!told.has_timestamp()) return Text{Other{}};
-  if (told.timestamp() < 0 || told.timestamp() > kLatest_us) return refused("its timestamp is out of range");
-  if (static_cast<std::size_t>(told.hands_size()) > kMostHands) return refused("more than 16 hands");
-  Frame frame{.timestamp_us = told.timestamp(), .hands = {}, .refused = 0};
-  for (const leap_v6::Text::Hand& one : told.hands()) {
+  if (message.has_version()) return Text{Hello{message.version(), message.serviceversion()}};
+  if (!message.has_timestamp()) return Text{Other{}};
+  if (message.timestamp() < 0 || message.timestamp() > kLatest_us) return refused("its timestamp is out of range");
+  if (static_cast<std::size_t>(message.hands_size()) > kMostHands) return refused("more than 16 hands");
+  Frame frame{.timestamp_us = message.timestamp(), .hands = {}, .refused = 0};
+  for (const leap_v6::Text::Hand& one : message.hands()) {
     if (const auto hand = hand_of(one))
       frame.hands.push_back(*hand);
     else

@@ -10,12 +10,12 @@ namespace telepalp::bench::hand {
 
 void for_each_parallel(int count, const Options& options, const std::function<void(int)>& run) {
   std::atomic<int> next{0};
-  std::mutex telling;
+  std::mutex printing;
   int done = 0;
   const auto work = [&] {
     for (int i = next++; i < count; i = next++) {
       run(i);
-      const std::lock_guard lock(telling);
+      const std::lock_guard lock(printing);
       options.progress(++done, count);
     }
   };

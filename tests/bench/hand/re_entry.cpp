@@ -43,8 +43,8 @@ Outcome play(int number) {
   BenchStation station(with_skin(anchor), haptic_from_camera(*patient, spot), std::make_unique<RigidHand>(path));
   Outcome outcome;
   run(feed, station, 6.0, [&](const Tick& tick) {
-    constexpr double kTellsNothing_N = 0.25;  // the force of half a millimetre, the sensor's error
-    if (tick.time_s < out_s + pause_s || tick.law_N() < kTellsNothing_N) return;
+    constexpr double kWithinSensorError_N = 0.25;  // the force of half a millimetre, the sensor's error
+    if (tick.time_s < out_s + pause_s || tick.law_N() < kWithinSensorError_N) return;
     outcome.tried = true;
     // Forces of position control do not count as the skin's force.
     if (tick.displayed && tick.pushed_N() >= 0.5 * tick.law_N()) return;

@@ -126,10 +126,10 @@ msg::StationState state_at(double at_s) {
 
 msg::DepthBound default_bound() {
   const DepthErrorBound bound = codec::kOneDisparityStep;
-  msg::DepthBound told;
-  told.set_least_m(bound.least_m);
-  told.set_per_m(bound.per_m);
-  return told;
+  msg::DepthBound message;
+  message.set_least_m(bound.least_m);
+  message.set_per_m(bound.per_m);
+  return message;
 }
 
 void add_camera(std::vector<wire::Message>& out, const MadeSession& made) {
@@ -180,12 +180,12 @@ void add_station(std::vector<wire::Message>& out, const MadeSession& made) {
   for (int i = 0; i < static_cast<int>(seconds * 100.0); ++i)
     out.push_back(wire::make_message(wire::kStationState, time_of(i * 0.01), state_at(i * 0.01)));
   for (int i = 0; i < static_cast<int>(seconds * 100.0); ++i) {
-    msg::StationCompensation told;
-    told.set_stamp_ns(stamp(i * 0.01));
-    told.set_surface_age_s(0.03);
-    told.set_surface_carried_m(i % 2 == 0 ? 0.0002 : -0.0002);
-    told.set_hand_carried_m(0.001);
-    out.push_back(wire::make_message(wire::kStationCompensation, time_of(i * 0.01), told));
+    msg::StationCompensation message;
+    message.set_stamp_ns(stamp(i * 0.01));
+    message.set_surface_age_s(0.03);
+    message.set_surface_carried_m(i % 2 == 0 ? 0.0002 : -0.0002);
+    message.set_hand_carried_m(0.001);
+    out.push_back(wire::make_message(wire::kStationCompensation, time_of(i * 0.01), message));
   }
   for (int frame = 0; frame / 30.0 < seconds - 0.1; ++frame) {
     msg::SurfaceReport surface;

@@ -111,17 +111,17 @@ msg::ServerStats connection(const std::string& address, std::uint32_t sender, st
   return stats;
 }
 
-void tell(Session& session, const wire::Topic& topic, double at_s, const auto& proto) {
+void add(Session& session, const wire::Topic& topic, double at_s, const auto& proto) {
   add(session, wire::make_message(topic, session_time(kMadeStart_ns + static_cast<std::int64_t>(at_s * 1e9)), proto));
 }
 
 TEST(Summary, CountsFramesOfAllConnectionsOfAStationThatCameBack) {
   Session session;
-  tell(session, wire::kServerStats, 0.0, connection("", 0, 5, 0));
-  tell(session, wire::kServerStats, 10.0, connection("127.0.0.1:5001", 7, 280, 20));
-  tell(session, wire::kStationStats, 10.0, totals(7, 20'000, 279));
-  tell(session, wire::kServerStats, 15.0, connection("127.0.0.1:5002", 7, 83, 0));
-  tell(session, wire::kStationStats, 15.0, totals(7, 30'000, 362));
+  add(session, wire::kServerStats, 0.0, connection("", 0, 5, 0));
+  add(session, wire::kServerStats, 10.0, connection("127.0.0.1:5001", 7, 280, 20));
+  add(session, wire::kStationStats, 10.0, totals(7, 20'000, 279));
+  add(session, wire::kServerStats, 15.0, connection("127.0.0.1:5002", 7, 83, 0));
+  add(session, wire::kStationStats, 15.0, totals(7, 30'000, 362));
   settle(session);
   const Summary s = summarise(session);
   EXPECT_EQ(s.frames_sent, 363U);
@@ -132,10 +132,10 @@ TEST(Summary, CountsFramesOfAllConnectionsOfAStationThatCameBack) {
 
 TEST(Summary, CountsOnlyWhatHappenedWhileItWasRecorded) {
   Session session;
-  tell(session, wire::kServerStats, 0.0, connection("127.0.0.1:5001", 7, 3000, 10));
-  tell(session, wire::kStationStats, 0.5, totals(7, 200'000, 3010));
-  tell(session, wire::kServerStats, 5.0, connection("127.0.0.1:5001", 7, 3150, 12));
-  tell(session, wire::kStationStats, 5.5, totals(7, 210'000, 3160));
+  add(session, wire::kServerStats, 0.0, connection("127.0.0.1:5001", 7, 3000, 10));
+  add(session, wire::kStationStats, 0.5, totals(7, 200'000, 3010));
+  add(session, wire::kServerStats, 5.0, connection("127.0.0.1:5001", 7, 3150, 12));
+  add(session, wire::kStationStats, 5.5, totals(7, 210'000, 3160));
   settle(session);
   const Summary s = summarise(session);
   EXPECT_EQ(s.frames_sent, 150U);
@@ -143,13 +143,13 @@ TEST(Summary, CountsOnlyWhatHappenedWhileItWasRecorded) {
   EXPECT_EQ(s.frames_dropped, 2U);
 }
 
-TEST(Senders, AForgedStateIsToldApartAndIsAWarningOnTheFirstLine) {
+TEST(Senders, AForgedStateIsSeparatedAndIsAWarningOnTheFirstLine) {
   Session session;
   msg::StationState forged;
   forged.set_sender(666);
   forged.set_phase(msg::PHASE_IN_BODY);
   forged.set_indentation_m(0.5);
-  tell(session, wire::kStationState, 0.0, forged);  // before the station's first message
+  add(session, wire::kStationState, 0.0, forged);  // before the station's first message
   for (wire::Message message : made_messages({.seconds = 2.0})) {
     if (message.topic.name.starts_with("/station/")) {
       msg::Sender sender;
@@ -158,8 +158,8 @@ TEST(Senders, AForgedStateIsToldApartAndIsAWarningOnTheFirstLine) {
     }
     add(session, message);
   }
-  tell(session, wire::kServerStats, 1.9, connection("127.0.0.1:5001", 7, 60, 0));
-  tell(session, wire::kServerStats, 2.0, connection("127.0.0.1:6660", 666, 0, 0));
+  add(session, wire::kServerStats, 1.9, connection("127.0.0.1:5001", 7, 60, 0));
+  add(session, wire::kServerStats, 2.0, connection("127.0.0.1:6660", 666, 0, 0));
   settle(session);
   EXPECT_EQ(session.sender, 7U);
   const Summary s = summarise(session);
@@ -246,7 +246,7 @@ TEST(Summary, LatencyStagesAddUpToTheWhole) {
   EXPECT_LE(s.capture_to_touchable_ms.p99, 23.1);
 }
 
-TEST(Summary, TellsHowFarPredictionCarriedHandAndSurfaceWithoutTheirSign) {
+TEST(Summary, GivesHowFarPredictionCarriedHandAndSurfaceWithoutTheirSign) {
   const Summary s = summarise(session_of({.seconds = 4.0}));
   EXPECT_NEAR(s.surface_carried_mm.p50, 0.2, 1e-9);
   EXPECT_NEAR(s.surface_carried_mm.p99, 0.2, 1e-9);
@@ -317,7 +317,7 @@ TEST(Verdict, ARunWithinEveryBudgetIsCalledGood) {
   EXPECT_NE(verdict.account.find("2 times"), std::string::npos) << verdict.account;
 }
 
-TEST(Summary, TheForceThatWasFeltIsToldApartFromTheOneThatMovesTheFreeDevice) {
+TEST(Summary, TheForceInContactIsSeparateFromTheOneThatMovesTheFreeDevice) {
   Session session = session_of({.seconds = 2.0});
   session.ticks.force[0][0] = 7.0F;  // at the start the hand is outside the body
   const Summary s = summarise(session);
@@ -383,8 +383,8 @@ TEST(Base64, EqualsTheVectorsOfTheStandard) {
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
-TEST(TellingMoment, IsThatOfTheGreatestIndentation) {
-  EXPECT_NEAR(static_cast<double>(telling_moment_ns(session_of({.seconds = 1.9})) - kMadeStart_ns) * 1e-9, 1.0, 0.011);
+TEST(DeepestMoment, IsThatOfTheGreatestIndentation) {
+  EXPECT_NEAR(static_cast<double>(deepest_moment_ns(session_of({.seconds = 1.9})) - kMadeStart_ns) * 1e-9, 1.0, 0.011);
 }
 
 TEST(SessionFile, GivesBackTheFrameNearestToAMoment) {
@@ -440,7 +440,7 @@ TEST(Verdict, CountsDepthOfUnknownErrorAsNotMeasured) {
   EXPECT_NE(verdict.headline.find("off by an unknown amount"), std::string::npos) << verdict.headline;
 }
 
-TEST(ReportJson, TellsTheBoundOfTheDepthInMillimetresAndNullWhereThereIsNone) {
+TEST(ReportJson, GivesTheBoundOfTheDepthInMillimetresOrNull) {
   const std::string bounded = json_of(session_of({.seconds = 1.0, .depth_mode = codec::DepthMode::Bounded}));
   EXPECT_NE(bounded.find("\"least\": 1,"), std::string::npos) << bounded;
   EXPECT_NE(bounded.find("\"per_m2\": 2.85"), std::string::npos) << bounded;

@@ -28,7 +28,7 @@ test('while the session clock is not known, an old picture blames nobody', () =>
   assert.equal(banner({account: undefined, picture_ms: 1500}).text, 'It is 1.5 s old.');
 });
 
-test('numbers that are much older than the picture are told of', () => {
+test('numbers that are much older than the picture are a warning', () => {
   assert.match(banner({apart_ms: -600}).text, /0\.6 s older than the picture/);
   assert.equal(banner({apart_ms: 300}), undefined);
 });

@@ -65,7 +65,7 @@ test('who joins mid-group says so and waits for a key frame', () => {
   assert.deepEqual(drained(line), [9]);
 });
 
-test('after one that could not be decoded, nothing is shown until the next that stands alone', () => {
+test('after one that could not be decoded, nothing is shown until the next key frame', () => {
   const line = new PacketLine();
   [key(1), dependent(2), dependent(3)].forEach((next) => line.push(next));
   assert.equal(line.next(LAST, true).captured_ns, 1n);
@@ -80,7 +80,7 @@ test('after one that could not be decoded, nothing is shown until the next that 
   assert.deepEqual(drained(line), [7]);
 });
 
-test('a failure is forgotten when a packet waits that stands alone', () => {
+test('a failure is forgotten when a key frame waits', () => {
   const line = new PacketLine();
   line.push(key(1));
   assert.equal(line.next(LAST, true).captured_ns, 1n);

@@ -66,7 +66,7 @@ test('the parts add up to the age', () => {
   }
 });
 
-test('the oldest picture of the last second is told', () => {
+test('the oldest picture of the last second is shown', () => {
   const worst = new WorstOfSecond();
   const of = (computer) => ({site: 0, network: 0, computer});
   assert.equal(worst.note(of(900), 0).computer, 900);

@@ -12,7 +12,7 @@ const station = (stamp_ms, sampled_ms) => (
 
 test('a hand is shown only while its tracker sees one', () => {
   assert.equal(shownHand(station(5000, 4990)), at);
-  assert.equal(shownHand(station(5000, 5010)), at, 'sampled after the tick that is told of');
+  assert.equal(shownHand(station(5000, 5010)), at, 'sampled after the published tick');
   assert.equal(shownHand(station(5000, 4000)), undefined, 'a second ago');
   assert.equal(shownHand(station(5000, 0)), undefined, 'never');
 });

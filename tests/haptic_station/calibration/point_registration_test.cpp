@@ -58,7 +58,7 @@ TEST(PairFile, ReadsRowsAndRepeats) {
   EXPECT_DOUBLE_EQ((*pairs)[1].from.z(), 1e-3);
 }
 
-TEST(PairFile, TellsTheLineOfWhatIsNoNumber) {
+TEST(PairFile, NamesTheLineOfANumberThatIsNotFinite) {
   for (const char* row : {"1,0,1,0,0,0,2,0,0,0,0,0,0", "1,nan,0,0,0,0,0", "1,inf,0,0,0,0,0", "1.5,0,0,0,0,0,0", "1,2",
                           "1,0,0,0,0,0,0,", "x,0,0,0,0,0,0", "1, 0,0,0,0,0,0", "1e9,0,0,0,0,0,0"}) {
     const auto pairs = parse_point_pairs(std::string(kHeader) + "1,0,0,0,0,0,0\n" + row + "\n", "p.csv");

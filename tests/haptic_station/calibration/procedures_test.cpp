@@ -98,8 +98,8 @@ TEST(HandOnProbe, RepeatsAverageTheTrackersNoise) {
   const ProbeScene scene = probe_scene(50, 1e-3, 0.03);
   const auto fit = calibrate_hand_on_probe(scene.poses, scene.probe_from_hand);
   ASSERT_TRUE(fit) << to_string(fit.error());
-  const Eigen::Matrix3d apart = fit->haptic_from_tracker.linear() * scene.haptic_from_tracker.linear().transpose();
-  EXPECT_LT(Eigen::AngleAxisd(apart).angle(), 0.01);
+  const Eigen::Matrix3d difference = fit->haptic_from_tracker.linear() * scene.haptic_from_tracker.linear().transpose();
+  EXPECT_LT(Eigen::AngleAxisd(difference).angle(), 0.01);
   EXPECT_GT(fit->residuals.mean_m(), 0.5e-3);
   EXPECT_EQ(fit->angles_rad.size(), 50u);
 }

@@ -42,15 +42,15 @@ struct Outcome {
   bool finite = true;
   Compensation most;  ///< largest magnitude of each figure
 
-  void add(const Compensation& told) {
+  void add(const Compensation& compensation) {
     const auto raise = [](double& most_so_far, double value) { most_so_far = std::max(most_so_far, std::abs(value)); };
-    raise(most.hand_age_s, told.hand_age_s);
-    raise(most.hand_carried_m, told.hand_carried_m);
-    raise(most.hand_sigma_m, told.hand_sigma_m);
-    raise(most.surface_age_s, told.surface_age_s);
-    raise(most.surface_carried_m, told.surface_carried_m);
-    raise(most.surface_sigma_m, told.surface_sigma_m);
-    raise(most.shown_offset_m, told.shown_offset_m);
+    raise(most.hand_age_s, compensation.hand_age_s);
+    raise(most.hand_carried_m, compensation.hand_carried_m);
+    raise(most.hand_sigma_m, compensation.hand_sigma_m);
+    raise(most.surface_age_s, compensation.surface_age_s);
+    raise(most.surface_carried_m, compensation.surface_carried_m);
+    raise(most.surface_sigma_m, compensation.surface_sigma_m);
+    raise(most.shown_offset_m, compensation.shown_offset_m);
   }
   void add(const HapticLoop::Act& act, const HapticLoop::Act& before) {
     if (act.control.phase == control::Phase::OutBody) ++out_body;
@@ -109,7 +109,7 @@ TEST(HapticLoop, TouchesABreathingPatientThroughANoisyCameraWithoutAHeap) {
   EXPECT_LE(outcome.largest_step_N, 0.1);
 }
 
-TEST(HapticLoop, TellsWhatItDoesAboutDelayAndByHowMuch) {
+TEST(HapticLoop, ReportsEachCompensationOfDelayAndItsAmount) {
   const Compensation most = run(breathing_patient(), 4.0).most;
   EXPECT_NEAR(most.hand_age_s, 0.010, 0.002) << "the tracker's period";
   EXPECT_NEAR(most.surface_age_s, 0.0335, 0.001) << "a frame's period, without a network";

@@ -183,7 +183,7 @@ TEST(WatchdogClock, AStepOfSessionTimeNeitherJerksNorFreezesTheHand) {
     EXPECT_EQ(let_go, c.lets_go) << c.what;
     EXPECT_LE(largest_step_N, 0.25) << c.what;
     EXPECT_FALSE(control::has_let_go(before.control.phase)) << c.what << ": it is back after two seconds";
-    EXPECT_NEAR(before.told.hand[1], bench.true_hand_m(), 0.01) << c.what << ": the hand is followed, not frozen";
+    EXPECT_NEAR(before.sample.hand[1], bench.true_hand_m(), 0.01) << c.what << ": the hand is followed, not frozen";
   }
 }
 

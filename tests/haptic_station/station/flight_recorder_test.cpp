@@ -25,7 +25,7 @@ TEST(FlightRecorder, HoldsTheNewestTicksOldestFirst) {
   EXPECT_EQ(box.ticks().back().tick, 9u);
 }
 
-TEST(FaultWatch, TellsAFaultOnceAndHandsOutItsTicksHalfASecondLater) {
+TEST(FaultWatch, ReportsAFaultOnceAndReturnsItsTicksHalfASecondLater) {
   FaultWatch watch;
   std::uint64_t tick = 0;
   for (; tick < 100; ++tick) watch.add(sample(tick));

@@ -41,7 +41,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 class CalibrationHardCase : public testing::TestWithParam<Case> {
  protected:
   static void SetUpTestSuite() { std::puts("| 31 calibration from | must | got |\n| --- | --- | --- |"); }
-  static void tell(const Case& c, const Result<Registration>& fit) {
+  static void print(const Case& c, const Result<Registration>& fit) {
     const std::string must = c.says.empty() ? "the truth" : "refused: " + c.says;
     std::printf("| %-36s | %-36s | %s |\n", c.name.c_str(), must.c_str(), fit ? "the truth" : fit.error().what.c_str());
   }
@@ -50,7 +50,7 @@ class CalibrationHardCase : public testing::TestWithParam<Case> {
 TEST_P(CalibrationHardCase, IsCalibratedCorrectlyOrRefusedWithAReason) {
   const Case& c = GetParam();
   const Result<Registration> fit = register_points(pairs_of(c));
-  tell(c, fit);
+  print(c, fit);
   if (c.says.empty()) {
     ASSERT_TRUE(fit) << to_string(fit.error());
     EXPECT_LT((fit->to_from_from.matrix() - kTruth.matrix()).cwiseAbs().maxCoeff(), 1e-9);

@@ -90,7 +90,7 @@ AssertionResult twice_and_out_of_order() {
   };
   double off_m = 0.0;
   scene.watch = [&](const auto& act, double, const auto&, const device::SimulatedPair& pair) {
-    off_m = std::max(off_m, std::abs(act.told.hand[0] - pair.true_hand().m.x()));
+    off_m = std::max(off_m, std::abs(act.sample.hand[0] - pair.true_hand().m.x()));
   };
   const Felt felt = feel(scene);
   return all_of({below_m("dropped: hand off by", off_m, 0.001),

@@ -126,7 +126,7 @@ Felt with_swapped_hands(Person person, const std::function<bool(double)>& swappe
     return std::vector<TrackedHand>{{now_s, {hand.m + (swapped(now_s) ? 0.3 : 0.0) * Eigen::Vector3d::UnitX()}}};
   };
   scene.watch = [&](const station::HapticLoop::Act& act, double, const auto&, const device::SimulatedPair& pair) {
-    shown_m = std::max(shown_m, std::abs(act.told.hand[0] - pair.true_hand().m.x()));
+    shown_m = std::max(shown_m, std::abs(act.sample.hand[0] - pair.true_hand().m.x()));
   };
   return feel(scene);
 }
@@ -184,7 +184,7 @@ AssertionResult jittered() {
                     const device::SimulatedPair& pair) {
     if (now_s < 1.0) return;
     sigma_m = std::max(sigma_m, loop.compensation().hand_sigma_m);
-    error_m = std::max(error_m, std::abs(act.told.hand[0] - pair.true_hand().m.x()));
+    error_m = std::max(error_m, std::abs(act.sample.hand[0] - pair.true_hand().m.x()));
   };
   const Felt felt = feel(scene);
   return all_of({below("covariance bounded: sigma", sigma_m, 0.02, 1e3, "mm"),

@@ -59,7 +59,7 @@ AssertionResult rubbed_in_step_with_the_breath() {
     if (!std::exchange(touched, true)) first_x_m = act.contact.proxy.m.x();
     if (now_s < 60.0) return;
     // The default skin's d starts at its anchor, which should lie on the true skin at the x of the first contact.
-    const Eigen::Vector3f device(act.told.device.data());
+    const Eigen::Vector3f device(act.sample.device.data());
     const Eigen::Vector3d anchor = device.cast<double>() - act.control.indentation.v;
     worst_m = std::max(worst_m, std::abs(anchor.y() - anchor.x() * 0.25 * std::sin(kTau * 0.25 * now_s)));
   };

@@ -346,9 +346,9 @@ TEST(DepthMessage, StatesThatTheErrorOfItsDepthIsUnknown) {
     codec::EncodedDepth encoded;
     encoded.mode = mode;
     if (mode == codec::DepthMode::Bounded) encoded.bound = codec::kOneDisparityStep;
-    const wire::DepthFidelity told = wire::depth_fidelity(depth_message(frame, encoded));
-    EXPECT_TRUE(told.moved);
-    EXPECT_FALSE(told.within);
+    const wire::DepthFidelity fidelity = wire::depth_fidelity(depth_message(frame, encoded));
+    EXPECT_TRUE(fidelity.moved);
+    EXPECT_FALSE(fidelity.within);
   }
 }
 

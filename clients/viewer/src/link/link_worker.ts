@@ -17,7 +17,7 @@ const facts = new SiteFacts();
 let cameraMatrix: readonly number[] | undefined;
 let keyFrameRequested_ms = 0;
 
-const tell = (message: FromWorker, transfer: Transferable[] = []) => postMessage(message, {transfer});
+const post = (message: FromWorker, transfer: Transferable[] = []) => postMessage(message, {transfer});
 
 /** Session time on this computer's clock; undefined while the session clock is not known. */
 const local_ms = (at_ns: bigint) => (clock.offset_ms === undefined ? undefined : milliseconds(at_ns) - clock.offset_ms);
@@ -41,11 +41,11 @@ async function bitmapOf(color: ColorPicture | undefined): Promise<ImageBitmap | 
 
 async function present({decoded, station, color, arrival, trail}: Chosen): Promise<void> {
   const times = timesOf(arrival);
-  if (decoded === undefined || arrival === undefined) return tell({instant: {picture: undefined, station, trail, times}});
+  if (decoded === undefined || arrival === undefined) return post({instant: {picture: undefined, station, trail, times}});
   const bitmap = await bitmapOf(color);
   const picture = {...decoded, captured_ns: arrival.captured_ns, color: bitmap, cameraMatrix};
   const own: Transferable[] = [decoded.frame.samples.buffer as ArrayBuffer];
-  tell({instant: {picture, station, trail, times}}, bitmap === undefined ? own : [...own, bitmap]);
+  post({instant: {picture, station, trail, times}}, bitmap === undefined ? own : [...own, bitmap]);
 }
 
 function requestKeyFrame(): void {
@@ -112,7 +112,7 @@ const stream = new Stream(
 
 function news(): News {
   return {
-    ...facts.told,
+    ...facts.news,
     connected: stream.connected,
     retryAt_ms: stream.retryAt_ms,
     viewer: stream.viewer,
@@ -126,7 +126,7 @@ function news(): News {
 onmessage = ({data}: MessageEvent<ToWorker>) => {
   if ('hand' in data) stream.publish('/viewer/hand', data.hand);
   else if (data.ask === 'instant') instants.ask();
-  else tell({news: news()});
+  else post({news: news()});
 };
 
 clock.start();

@@ -14,9 +14,9 @@ export enum Phase {
   BodyToPlane,
   OutBody,
   PlaneToBody,
-  CylinderLateral,
-  AroundCylinder,
-  CylinderUpper,
+  ObjectLateral,
+  AroundObject,
+  ObjectUpper,
   Released,
   Faulted,
 }

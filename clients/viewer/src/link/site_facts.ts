@@ -1,4 +1,4 @@
-import {type DepthTold, depthTold} from '../depth/depth_told';
+import {type DepthFidelity, depthFidelity} from '../depth/depth_fidelity';
 import {type CaptureStatus, type DepthImage, type HandHolder, Phase, type StationState} from './messages';
 import type {News} from './worker_messages';
 
@@ -15,7 +15,7 @@ export class SiteFacts {
   holder: HandHolder = {viewer: 0n, asking: []};
 
   private everConnected = false;
-  private depth: DepthTold | undefined;
+  private depth: DepthFidelity | undefined;
   private dropped = 0;
   private lastSequence: bigint | undefined;
   private station: StationState | undefined;
@@ -41,7 +41,7 @@ export class SiteFacts {
   /** A depth image came. A gap in the sequence numbers means frames that were dropped on the way. */
   depthCame(image: DepthImage): void {
     const {sequence} = image;
-    this.depth = depthTold(image);
+    this.depth = depthFidelity(image);
     const last = this.lastSequence;
     if (last !== undefined && sequence > last) this.dropped += Number(sequence - last - 1n);
     this.lastSequence = sequence;
@@ -52,7 +52,7 @@ export class SiteFacts {
     this.stationHeard_ms = now_ms;
   }
 
-  get told() {
+  get news() {
     const {everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped} = this;
     return {
       everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped,

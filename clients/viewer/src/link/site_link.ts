@@ -23,7 +23,7 @@ export class SiteLink {
     this.say({ask: what});
   }
 
-  tellHand(hand: ViewerHand | LetGo): void {
+  publishHand(hand: ViewerHand | LetGo): void {
     this.say({hand});
   }
 

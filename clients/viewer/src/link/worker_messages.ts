@@ -1,7 +1,7 @@
 // Messages between page and link worker. The worker sends one message for each request of the page, so that no messages
 // queue up for a busy page.
 
-import type {DepthTold} from '../depth/depth_told';
+import type {DepthFidelity} from '../depth/depth_fidelity';
 import type {FrameTimes} from '../present/time_account';
 import type {Instant} from '../present/instant';
 import type {CaptureStatus, HandHolder, LetGo, Phase, ViewerHand} from './messages';
@@ -16,7 +16,7 @@ export interface News {
   heard: {published_ms: number; received_ms: number} | undefined;
   waiting: FrameTimes | undefined;
   capture: CaptureStatus | undefined;
-  depth: DepthTold | undefined;
+  depth: DepthFidelity | undefined;
   stationHeard_ms: number | undefined;
   phase: Phase;  // the newest phase, not that of the presented instant
   surfaceStale: boolean;

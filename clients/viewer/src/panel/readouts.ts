@@ -42,7 +42,7 @@ export class Readouts {
     this.showDepth(reading);
     this.showNumbers(reading);
     this.showFreshness(reading);
-    this.showBanner(reading);
+    this.updateBanner(reading);
     this.force.draw();
     this.indentation.draw();
   }
@@ -89,12 +89,12 @@ export class Readouts {
     setText('late', reading.lateTicks === undefined ? '–' : String(reading.lateTicks));
   }
 
-  private showBanner(reading: Reading): void {
+  private updateBanner(reading: Reading): void {
     document.body.dataset['old'] = String(!reading.connected && reading.everConnected);
-    this.tell(bannerFor(reading));
+    this.showBanner(bannerFor(reading));
   }
 
-  tell(banner: Banner | undefined): void {
+  showBanner(banner: Banner | undefined): void {
     element('banner').hidden = banner === undefined;
     if (banner === undefined) return;
     element('banner').dataset['level'] = banner.level;
@@ -108,7 +108,7 @@ function showAge(id: string, ms: number | undefined): void {
   element(id).dataset['old'] = String(ms !== undefined && ms > OLD_MS);
 }
 
-/** Writes only what changed: a screen reader is told of every write to a live region. */
+/** Writes only what changed: a screen reader reads out every write to a live region. */
 function setText(id: string, text: string): void {
   const target = element(id);
   if (target.textContent !== text) target.textContent = text;

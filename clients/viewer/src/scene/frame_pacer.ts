@@ -50,24 +50,24 @@ export class FramePacer {
   private begin(): void {
     this.wanted = false;
     const began_ms = performance.now();
-    const telling = this.draw();
+    const representative = this.draw();
     const done = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     this.gl.flush();
-    this.wait(done, began_ms, telling);
+    this.wait(done, began_ms, representative);
   }
 
-  private wait(done: WebGLSync | null, began_ms: number, telling: boolean): void {
+  private wait(done: WebGLSync | null, began_ms: number, representative: boolean): void {
     // A lost context signals nothing; it counts as done.
     const pending = done !== null && !this.gl.isContextLost() &&
         this.gl.getSyncParameter(done, this.gl.SYNC_STATUS) !== this.gl.SIGNALED;
     if (pending) {
-      window.setTimeout(() => this.wait(done, began_ms, telling), POLL_MS);
+      window.setTimeout(() => this.wait(done, began_ms, representative), POLL_MS);
       return;
     }
     if (done !== null) this.gl.deleteSync(done);
     this.onDrawn();
     this.drawn_ms = performance.now() - began_ms;
-    if (telling) this.judge(this.drawn_ms);
+    if (representative) this.judge(this.drawn_ms);
     if (this.drawn_ms < TOO_SLOW_MS) this.rested();
     else window.setTimeout(() => this.rested(), Math.min(this.drawn_ms, LONGEST_REST_MS));
   }

@@ -55,15 +55,15 @@ class FakeUdpDevice {
     if (wrong == Fault::Silent) return;
     ++sequence_;
     if (wrong != Fault::Hung) clock_us_ += 500;
-    udp::Pose told{.session = session,
+    udp::Pose pose{.session = session,
                    .sequence = sequence_,
                    .taken_us = clock_us_,
                    .heard = heard.sequence,
                    .faulted = wrong == Fault::MotorsOff,
                    .end_effector = {{0.01, -0.02, 0.03}},
                    .velocity = {{0, 0, 0}}};
-    if (wrong == Fault::NaN) told.end_effector.m.x() = std::nan("");
-    auto bytes = udp::encode(told);
+    if (wrong == Fault::NaN) pose.end_effector.m.x() = std::nan("");
+    auto bytes = udp::encode(pose);
     if (wrong == Fault::Garbage) bytes.fill(std::byte{0x55});
     boost::system::error_code ignored;
     (void)socket_.send_to(boost::asio::buffer(bytes), to, 0, ignored);

@@ -23,7 +23,7 @@ std::string state_text(const std::string& x = "0.05", const std::string& id = "0
          R"("cursor_velocity":{"x":0.1,"y":0.2,"z":-0.3}}}],"verse_grip":[],"wireless_verse_grip":[]})";
 }
 
-TEST(HaplyText, TellsWhereTheCursorIsAndHowFast) {
+TEST(HaplyText, GivesPositionAndVelocityOfTheCursor) {
   const auto read = haply::parse_text(state_text());
   ASSERT_TRUE(read) << to_string(read.error());
   ASSERT_TRUE(read->has_value());
@@ -99,7 +99,7 @@ class HaplyDeviceTest : public testing::Test {
   std::atomic<bool> spoilt{false};
 };
 
-TEST_F(HaplyDeviceTest, TellsItsPlaceInHAndGetsTheForceInItsOwnAxes) {
+TEST_F(HaplyDeviceTest, ReportsItsPositionInHAndGetsTheForceInItsOwnAxes) {
   FakeService service = make_service();
   HaplyDevice device = make_device(service.port());
   ASSERT_TRUE(device.start(5s));

@@ -104,7 +104,7 @@ TEST(PoseOrder, TakesTheNewestAcrossTheWrapAndNothingTwice) {
   EXPECT_EQ(order.judge(pose(1, 50, 90)), Verdict::OldSession) << "a late datagram from before";
 }
 
-TEST(UdpDevice, TellsItsPoseAndGetsProxyDistanceFlagAndForce) {
+TEST(UdpDevice, ReportsItsPoseAndGetsProxyDistanceFlagAndForce) {
   FakeUdpDevice fake;
   auto device = UdpDevice::open({"127.0.0.1", fake.port()});
   ASSERT_TRUE(device) << to_string(device.error());

@@ -7,10 +7,10 @@ namespace telepalp::device {
 
 /// A simulated device under a real, tracked hand. The simulated hand is pulled towards the tracked position and pushes
 /// the simulated end-effector. No person feels the force; everything else behaves as with a real device.
-class HeldDevice final : public ports::Device {
+class HandDrivenDevice final : public ports::Device {
  public:
-  HeldDevice(const SimulatedDeviceSettings& device, const SimulatedHandSettings& hand,
-             const Point<HapticBase>& rest) noexcept
+  HandDrivenDevice(const SimulatedDeviceSettings& device, const SimulatedHandSettings& hand,
+                   const Point<HapticBase>& rest) noexcept
       : pair_(device, hand) {
     pair_.place(rest, rest);
     intention_.at = rest;

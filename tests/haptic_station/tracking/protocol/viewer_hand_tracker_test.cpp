@@ -1,4 +1,4 @@
-#include "haptic_station/tracking/protocol/browser_hand.h"
+#include "haptic_station/tracking/protocol/viewer_hand_tracker.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@ namespace telepalp::tracking {
 namespace {
 
 using namespace std::chrono_literals;
-using Taken = BrowserHand::Taken;
-using Clock = BrowserHand::Clock;
+using Taken = ViewerHandTracker::Taken;
+using Clock = ViewerHandTracker::Clock;
 
 msg::ViewerHand from(std::uint64_t viewer, std::chrono::microseconds sampled) {
   msg::ViewerHand hand;
@@ -24,8 +24,8 @@ SessionTime session(Clock::time_point at) { return SessionTime(at.time_since_epo
 
 const Point<HapticBase> kNear{{0.0, 0.05, 0.0}};
 
-TEST(BrowserHand, GivesEachSampleOnceAtTheTimeThatTheViewerTookIt) {
-  BrowserHand hand;
+TEST(ViewerHandTracker, GivesEachSampleOnceAtTheTimeThatTheViewerTookIt) {
+  ViewerHandTracker hand;
   const auto began = Clock::now();
   EXPECT_FALSE(hand.sample(session(began), {}));
   EXPECT_EQ(hand.hear(from(1, 5s), kNear, began), Taken::Followed);
@@ -38,8 +38,8 @@ TEST(BrowserHand, GivesEachSampleOnceAtTheTimeThatTheViewerTookIt) {
   EXPECT_NEAR(to_seconds(late->at - session(began)), 0.020, 0.001);
 }
 
-TEST(BrowserHand, AHandThatPassesToAnotherViewerIsInvalidFor300ms) {
-  BrowserHand hand;
+TEST(ViewerHandTracker, AHandThatPassesToAnotherViewerIsInvalidFor300ms) {
+  ViewerHandTracker hand;
   const auto began = Clock::now();
   EXPECT_EQ(hand.hear(from(1, 0us), kNear, began), Taken::Followed);
   EXPECT_EQ(hand.hear(from(2, 0us), kNear, began + 100ms), Taken::Passing);
@@ -69,13 +69,13 @@ const HardCase kHardCases[] = {
      Taken::Followed},
 };
 
-TEST(BrowserHand, HardCasesNeitherBreakTheClockNorTheHand) {
+TEST(ViewerHandTracker, HardCasesNeitherBreakTheClockNorTheHand) {
   for (const HardCase& c : kHardCases) {
-    BrowserHand hand;
+    ViewerHandTracker hand;
     const auto now = Clock::now();
-    msg::ViewerHand told = from(1, 0us);
-    told.set_sampled_us(c.sampled_us);
-    EXPECT_EQ(hand.hear(told, c.at, now), c.taken) << c.what;
+    msg::ViewerHand message = from(1, 0us);
+    message.set_sampled_us(c.sampled_us);
+    EXPECT_EQ(hand.hear(message, c.at, now), c.taken) << c.what;
     const auto sample = hand.sample(session(Clock::now()), {});
     EXPECT_EQ(sample.has_value(), c.taken == Taken::Followed) << c.what;
     if (sample) {
@@ -84,8 +84,8 @@ TEST(BrowserHand, HardCasesNeitherBreakTheClockNorTheHand) {
   }
 }
 
-TEST(BrowserHand, AClockThatStepsIsANewClockAndNeverTheFuture) {
-  BrowserHand hand;
+TEST(ViewerHandTracker, AClockThatStepsIsANewClockAndNeverTheFuture) {
+  ViewerHandTracker hand;
   const auto began = Clock::now();
   EXPECT_EQ(hand.hear(from(1, 3600s), kNear, began), Taken::Followed);
   EXPECT_TRUE(hand.sample(session(Clock::now()), {}));

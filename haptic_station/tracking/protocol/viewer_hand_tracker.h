@@ -1,7 +1,7 @@
 #pragma once
 
 #include "haptic_station/ports/tracker.h"
-#include "haptic_station/tracking/protocol/hand_sightings.h"
+#include "haptic_station/tracking/protocol/latest_hand.h"
 #include "messages/viewer.pb.h"
 #include "proto/words/clock_envelope.h"
 
@@ -10,7 +10,7 @@ namespace telepalp::tracking {
 /// A hand that a user moves in a viewer by mouse, finger or headset. The server sends it on /viewer/hand and decides
 /// which viewer holds the hand. A viewer that lets go, rests or loses its connection sends nothing; the station's
 /// watchdog then acts on the age of the last position.
-class BrowserHand final : public ports::Tracker {
+class ViewerHandTracker final : public ports::Tracker {
  public:
   using Clock = std::chrono::steady_clock;
 
@@ -30,13 +30,13 @@ class BrowserHand final : public ports::Tracker {
                                                         const ports::DeviceReading& device) noexcept override;
 
  private:
-  std::uint64_t viewer_ = 0;         // owner: network thread; the viewer that is followed, 0: no viewer yet
-  Clock::time_point heard_{};        // owner: network thread
-  ClockEnvelope viewers_clock_;      // owner: network thread
-  Sightings<HapticBase> sightings_;  // network thread to haptic thread
+  std::uint64_t viewer_ = 0;            // owner: network thread; the viewer that is followed, 0: no viewer yet
+  Clock::time_point heard_{};           // owner: network thread
+  ClockEnvelope viewers_clock_;         // owner: network thread
+  LatestHand<HapticBase> latest_hand_;  // network thread to haptic thread
 };
 
 /// Describes the result in a log line.
-[[nodiscard]] const char* in_words(BrowserHand::Taken taken) noexcept;
+[[nodiscard]] const char* in_words(ViewerHandTracker::Taken taken) noexcept;
 
 }  // namespace telepalp::tracking

@@ -1,9 +1,9 @@
 import type {DepthImage} from '../link/messages';
 
 /** The accuracy that a depth image states. The texts are the same as in proto/wire/depth_loss. */
-export interface DepthTold {
+export interface DepthFidelity {
   moved: boolean;  // true: depth may differ from the measurement
-  mode: string;    // of the codec; empty: not told
+  mode: string;    // of the codec; empty: not stated
   howFar: string;  // "off by up to 2.85 mm at 1 m"
   more: string;    // explanation for the user
 }
@@ -16,10 +16,10 @@ const isCredible = (bound: number) => bound >= 0 && bound <= 1;
 
 const millimetres = (m: number) => `${Number((1000 * m).toPrecision(3))} mm`;
 
-export function depthTold({format, bound}: Pick<DepthImage, 'format' | 'bound'>): DepthTold {
+export function depthFidelity({format, bound}: Pick<DepthImage, 'format' | 'bound'>): DepthFidelity {
   const mode = format.slice(0, LONGEST_MODE);
   if (bound === undefined && mode !== MOVING_MODE)
-    return {moved: false, mode, howFar: mode === '' ? 'not told' : 'as measured', more: ''};
+    return {moved: false, mode, howFar: mode === '' ? 'not stated' : 'as measured', more: ''};
   const more = 'Depth is near-lossless to save bytes: for display, and not as the camera measured it.';
   if (bound === undefined || !isCredible(bound.leastM) || !isCredible(bound.perM))
     return {moved: true, mode, howFar: 'off by an unknown amount', more};
@@ -32,4 +32,4 @@ export function depthTold({format, bound}: Pick<DepthImage, 'format' | 'bound'>)
   };
 }
 
-export const inWords = ({mode, howFar}: DepthTold) => (mode === '' ? howFar : `${mode}, ${howFar}`);
+export const inWords = ({mode, howFar}: DepthFidelity) => (mode === '' ? howFar : `${mode}, ${howFar}`);

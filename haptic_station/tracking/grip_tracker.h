@@ -8,7 +8,7 @@ namespace telepalp::tracking {
 
 /// Stands in for a tracker when the person grips the end-effector: the hand's position is the device's position,
 /// sampled 100 times a second. A silent device gives no samples.
-class HeldHand final : public ports::Tracker {
+class GripTracker final : public ports::Tracker {
  public:
   [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,
                                                         const ports::DeviceReading& device) noexcept override {

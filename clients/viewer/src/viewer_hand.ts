@@ -42,7 +42,7 @@ class HolderNotice {
  * nothing is sent: the station releases, but this viewer still holds the hand. The button, a hidden page or the end of
  * the connection gives up the hand; until then, other viewers can only ask for it.
  */
-export class HeldHand {
+export class ViewerHandInput {
   private pointer: {x: number; y: number; pressed: boolean} | undefined;
   private skin: Vector3 | undefined;
   private at: Vector3 | undefined;
@@ -56,7 +56,7 @@ export class HeldHand {
   constructor(
       private readonly view: SceneView,
       private readonly canvas: HTMLCanvasElement,
-      private readonly tell: (hand: ViewerHand | LetGo) => void,
+      private readonly publish: (hand: ViewerHand | LetGo) => void,
   ) {
     for (const moved of ['pointermove', 'pointerdown', 'pointerup'] as const)
       canvas.addEventListener(moved, ({clientX, clientY, buttons}) => {
@@ -67,7 +67,7 @@ export class HeldHand {
     window.addEventListener('blur', () => (this.pointer = undefined));
     document.addEventListener('visibilitychange', () => {
       this.pointer = undefined;
-      if (document.hidden && this.held) this.tell({letGo: true});
+      if (document.hidden && this.held) this.publish({letGo: true});
     });
   }
 
@@ -80,7 +80,7 @@ export class HeldHand {
     window.clearInterval(this.timer);
     this.timer = wanted ? window.setInterval(() => this.step(), EVERY_MS) : undefined;
     this.rest();
-    if (!wanted) this.tell({letGo: true});
+    if (!wanted) this.publish({letGo: true});
     this.showNotice();
     this.view.setTurning(!wanted);
     this.canvas.classList.toggle('holds-hand', wanted);
@@ -97,7 +97,7 @@ export class HeldHand {
     this.height_m = Math.min(HOVER_M, Math.max(PRESSED_M, this.height_m + way_m));
     const towardsCamera = this.skin.clone().multiplyScalar(-1).normalize();
     const at = this.movedTowards(this.skin.clone().addScaledVector(towardsCamera, this.height_m), step_s);
-    this.tell({sampledUs: BigInt(Math.round(1000 * now_ms)), handCamera: toCamera(at)});
+    this.publish({sampledUs: BigInt(Math.round(1000 * now_ms)), handCamera: toCamera(at)});
   }
 
   /** `me`: this viewer's number at the server. When this viewer gets the hand, the hand starts over the skin. */

@@ -1,4 +1,4 @@
-// A hand held in a browser, through the real server, moves the real station: node browser_hand_test.mjs SERVER STATION
+// A hand held in a browser, through the real server, moves the real station: node viewer_hand_test.mjs SERVER STATION
 // VIEWER_DIR
 import assert from 'node:assert/strict';
 import {writeFileSync} from 'node:fs';
@@ -41,7 +41,7 @@ const start = async (workplace, tracker) => {
 };
 
 test('the pointer meets the skin, presses, and when it leaves the page the station lets go', async () => {
-  const workplace = new Workplace('browser_hand');
+  const workplace = new Workplace('viewer_hand');
   let browser;
   try {
     const {child, http_port} = await start(workplace, 'browser');
@@ -69,7 +69,7 @@ test('the pointer meets the skin, presses, and when it leaves the page the stati
 });
 
 test('deploy/demo --hand browser: the page says that there is no hand, and a mouse touches the patient', async () => {
-  const workplace = new Workplace('browser_hand_demo');
+  const workplace = new Workplace('viewer_hand_demo');
   let browser;
   try {
     process.env.TELEPALP_BIN = dirname(server);
@@ -129,47 +129,47 @@ async function connect(port) {
   });
   const id = client.advertise({topic: '/viewer/hand', encoding: 'protobuf', schemaName: 'telepalp.msg.ViewerHand'});
   const hands = type('/viewer/hand');
-  const tell = (x, y, z, extra = {}) => client.sendMessage(id, hands.encode(hands.fromObject({
+  const sendHand = (x, y, z, extra = {}) => client.sendMessage(id, hands.encode(hands.fromObject({
     sampled_us: Math.round(1000 * performance.now()), hand_camera: {x, y, z}, ...extra,
   })).finish());
   const letGo = () => client.sendMessage(id, hands.encode(hands.fromObject({let_go: true})).finish());
-  return {client, heard, tell, letGo, id, number: Number(heard.info.metadata.viewer)};
+  return {client, heard, sendHand, letGo, id, number: Number(heard.info.metadata.viewer)};
 }
 
 /** Holds a hand for `ms`, as often as a tracker would. */
-async function hold(ms, tell) {
-  for (const end = Date.now() + ms; Date.now() < end; await sleep(10)) tell();
+async function hold(ms, sendHand) {
+  for (const end = Date.now() + ms; Date.now() < end; await sleep(10)) sendHand();
 }
 
 const [IN_BODY, OUT_BODY, RELEASED] = [1, 3, 8];
 
 test('a held hand stays with its viewer through silence, another one asks, and when it passes the station lets go first', async () => {
-  const workplace = new Workplace('browser_hand_holder');
+  const workplace = new Workplace('viewer_hand_holder');
   try {
     const {http_port} = await start(workplace, 'browser');
     const [first, second] = [await connect(http_port), await connect(http_port)];
     await until('the first hand is followed', async () => {
-      await hold(200, () => first.tell(0, 0, 0.63));
+      await hold(200, () => first.sendHand(0, 0, 0.63));
       return first.heard.phase === OUT_BODY;
     });
     assert.equal(Number(first.heard.holder.viewer), first.number);
 
     // The first rests its hand for 2 s; the second pushes 4 cm under the skin.
     const before = first.heard.states.length;
-    await hold(2000, () => second.tell(0, 0, 0.74));
+    await hold(2000, () => second.sendHand(0, 0, 0.74));
     assert.ok(first.heard.hands.every(({viewer}) => Number(viewer) === first.number), 'no hand of the second reached the station');
     assert.ok(first.heard.states.slice(before).every(({phase}) => phase !== IN_BODY), 'nothing was touched');
     assert.deepEqual(first.heard.holder.asking.map(Number), [second.number], 'the first sees who asks');
 
     // It passes only when the first lets go, and the station is without force before it takes up the new hand.
     await until('the first hand is followed again', async () => {
-      await hold(200, () => first.tell(0, 0, 0.63));
+      await hold(200, () => first.sendHand(0, 0, 0.63));
       return first.heard.phase === OUT_BODY;
     });
-    await hold(300, () => first.tell(0, 0, 0.63));
+    await hold(300, () => first.sendHand(0, 0, 0.63));
     const passed = second.heard.states.length;
     first.letGo();
-    await hold(1500, () => second.tell(0.02, 0, 0.66));
+    await hold(1500, () => second.sendHand(0.02, 0, 0.66));
     await until('the second hand is followed', () => second.heard.phase === OUT_BODY);
     assert.equal(Number(second.heard.holder.viewer), second.number);
     const after = second.heard.states.slice(passed);
@@ -195,7 +195,7 @@ test('a held hand stays with its viewer through silence, another one asks, and w
 });
 
 test('the page that holds the hand shows that another viewer asks, and its button passes the hand on', async () => {
-  const workplace = new Workplace('browser_hand_asked');
+  const workplace = new Workplace('viewer_hand_asked');
   let browser;
   try {
     const {http_port} = await start(workplace, 'browser');
@@ -212,14 +212,14 @@ test('the page that holds the hand shows that another viewer asks, and its butto
     const notice = page.locator('.hand-notice');
     assert.equal(await notice.isVisible(), false, 'nobody asks yet');
     await until('the page shows who asks', async () => {
-      other.tell(0, 0, 0.63);
+      other.sendHand(0, 0, 0.63);
       return await notice.isVisible();
     });
     assert.match(await notice.innerText(), /Another viewer asks for the hand/);
     await page.screenshot({path: join(workplace.folder, 'asked.png')});
     await page.click('.hand-notice button');
     await until('the hand has passed', () => {
-      other.tell(0, 0, 0.63);
+      other.sendHand(0, 0, 0.63);
       return Number(other.heard.holder.viewer) === other.number;
     });
     await page.click('#hold-hand');
@@ -234,7 +234,7 @@ test('the page that holds the hand shows that another viewer asks, and its butto
 });
 
 test('what a hostile viewer sends never becomes a hand, and an honest one is served beside it', async () => {
-  const workplace = new Workplace('browser_hand_hostile');
+  const workplace = new Workplace('viewer_hand_hostile');
   try {
     const {http_port} = await start(workplace, 'browser');
     const hostile = await connect(http_port);
@@ -242,17 +242,17 @@ test('what a hostile viewer sends never becomes a hand, and an honest one is ser
     hostile.client.advertise({topic: '/station/events', encoding: 'protobuf', schemaName: 'telepalp.msg.StationEvent'});
     await until('the topic is denied', () => hostile.heard.warnings.some((text) => text.includes('/station/events')));
     await hold(600, () => {
-      for (const bad of [NaN, Infinity, 1e300, 11]) hostile.tell(0, 0, bad);
+      for (const bad of [NaN, Infinity, 1e300, 11]) hostile.sendHand(0, 0, bad);
       hostile.client.sendMessage(hostile.id, Buffer.alloc(1000, 0xff));
       hostile.client.sendMessage(77, Buffer.from([1, 2, 3]));
-      hostile.tell(0, 0, 9.9);  // well formed, out of the device's reach
+      hostile.sendHand(0, 0, 9.9);  // well formed, out of the device's reach
     });
-    await until('the station tells', () => hostile.heard.phase !== undefined);
+    await until('the station reports', () => hostile.heard.phase !== undefined);
     assert.equal(hostile.heard.phase, RELEASED);
     hostile.letGo();
     const honest = await connect(http_port);
     await until('the honest hand is followed', async () => {
-      await hold(200, () => honest.tell(0, 0, 0.63));
+      await hold(200, () => honest.sendHand(0, 0, 0.63));
       return honest.heard.phase === OUT_BODY;
     });
     await until('its silence is let go of', () => honest.heard.phase === RELEASED);
@@ -264,13 +264,13 @@ test('what a hostile viewer sends never becomes a hand, and an honest one is ser
 });
 
 test('a station that was not asked to takes no hand from a viewer', async () => {
-  const workplace = new Workplace('browser_hand_unasked');
+  const workplace = new Workplace('viewer_hand_unasked');
   try {
     const {child, http_port} = await start(workplace, 'simulated');
-    const {client, heard, tell} = await connect(http_port);
-    await hold(500, () => tell(0, 0, 0.63));
+    const {client, heard, sendHand} = await connect(http_port);
+    await hold(500, () => sendHand(0, 0, 0.63));
     assert.doesNotMatch(child.heard, /viewer/);
-    await until('the viewer is told, with what to do', () => heard.warnings.some((text) => /deploy\/demo --hand browser/.test(text)));
+    await until('the viewer is warned, with a fix', () => heard.warnings.some((text) => /deploy\/demo --hand browser/.test(text)));
     assert.equal(heard.warnings.length, 1, 'once a second, and not for each hand');
     client.close();
   } finally {

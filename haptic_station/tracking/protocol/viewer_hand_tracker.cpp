@@ -1,4 +1,4 @@
-#include "haptic_station/tracking/protocol/browser_hand.h"
+#include "haptic_station/tracking/protocol/viewer_hand_tracker.h"
 
 #include <algorithm>
 
@@ -13,8 +13,8 @@ bool in_reach(const Point<HapticBase>& at) noexcept { return at.m.norm() <= kRea
 
 }  // namespace
 
-BrowserHand::Taken BrowserHand::hear(const msg::ViewerHand& hand, const Point<HapticBase>& at,
-                                     Clock::time_point now) noexcept {
+ViewerHandTracker::Taken ViewerHandTracker::hear(const msg::ViewerHand& hand, const Point<HapticBase>& at,
+                                                 Clock::time_point now) noexcept {
   const bool another = hand.viewer() != viewer_;
   if (another && viewer_ != 0 && now - heard_ < kPassing) return Taken::Passing;
   if (!in_reach(at)) return Taken::OutOfReach;
@@ -24,22 +24,22 @@ BrowserHand::Taken BrowserHand::hear(const msg::ViewerHand& hand, const Point<Ha
   // About a century, so that the clock of a viewer cannot overflow session time.
   constexpr std::uint64_t kLatest_us = 3'200'000'000'000'000;
   const std::chrono::microseconds sampled(static_cast<std::int64_t>(std::min(hand.sampled_us(), kLatest_us)));
-  sightings_.put(Clock::time_point(viewers_clock_.map(sampled, now.time_since_epoch())), at);
+  latest_hand_.put(Clock::time_point(viewers_clock_.map(sampled, now.time_since_epoch())), at);
   return Taken::Followed;
 }
 
-std::optional<ports::HandSample> BrowserHand::sample(SessionTime now, const ports::DeviceReading&) noexcept {
-  const auto seen = sightings_.take(now);
+std::optional<ports::HandSample> ViewerHandTracker::sample(SessionTime now, const ports::DeviceReading&) noexcept {
+  const auto seen = latest_hand_.take(now);
   return seen ? std::optional(ports::HandSample{seen->at, seen->hand}) : std::nullopt;
 }
 
-const char* in_words(BrowserHand::Taken taken) noexcept {
+const char* in_words(ViewerHandTracker::Taken taken) noexcept {
   switch (taken) {
-    case BrowserHand::Taken::Followed:
+    case ViewerHandTracker::Taken::Followed:
       return "its hand is followed";
-    case BrowserHand::Taken::Passing:
+    case ViewerHandTracker::Taken::Passing:
       return "not followed yet, the hand has just passed to it";
-    case BrowserHand::Taken::OutOfReach:
+    case ViewerHandTracker::Taken::OutOfReach:
       return "not followed, its hand is out of the device's reach";
   }
   return "?";

@@ -13,7 +13,7 @@ namespace telepalp::tracking {
 /// Hands the newest hand position from a protocol thread to the haptic thread and converts its time to session time.
 /// `Frame`: the frame of reference of the positions.
 template <class Frame>
-class Sightings {
+class LatestHand {
  public:
   using Clock = std::chrono::steady_clock;
   struct Seen {
