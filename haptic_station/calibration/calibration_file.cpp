@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <ctime>
 
+#include "proto/wire/vector_message.h"
+#include "proto/words/rotation_vector.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/text_format.h"
 
@@ -13,14 +15,6 @@ namespace {
 
 constexpr double kFurthest_m = 10.0;
 constexpr double kLongestTurn_rad = 6.3;
-
-void set(msg::Xyz& out, const Eigen::Vector3d& v) {
-  out.set_x(v.x());
-  out.set_y(v.y());
-  out.set_z(v.z());
-}
-
-Eigen::Vector3d get(const msg::Xyz& in) { return {in.x(), in.y(), in.z()}; }
 
 std::string utc_text(std::chrono::system_clock::time_point at) {
   const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
@@ -37,8 +31,8 @@ msg::MeasuredTransform measured(const Eigen::Isometry3d& to_from_from, const Res
                                 const std::string& method, std::chrono::system_clock::time_point date, int rank) {
   msg::MeasuredTransform message;
   const Eigen::AngleAxisd turn(to_from_from.linear());
-  set(*message.mutable_transform()->mutable_translation_m(), to_from_from.translation());
-  set(*message.mutable_transform()->mutable_rotation_vector_rad(), turn.axis() * turn.angle());
+  wire::set_vector(*message.mutable_transform()->mutable_translation_m(), to_from_from.translation());
+  wire::set_vector(*message.mutable_transform()->mutable_rotation_vector_rad(), turn.axis() * turn.angle());
   message.set_date(utc_text(date));
   message.set_method(method);
   message.set_measurements(static_cast<std::uint32_t>(residuals.each_m.size()));
@@ -51,17 +45,14 @@ msg::MeasuredTransform measured(const Eigen::Isometry3d& to_from_from, const Res
 }
 
 Result<Eigen::Isometry3d> transform_of(const msg::MeasuredTransform& message, const std::string& where) {
-  const Eigen::Vector3d translation = get(message.transform().translation_m());
-  const Eigen::Vector3d turn = get(message.transform().rotation_vector_rad());
+  const Eigen::Vector3d translation = wire::vector_of(message.transform().translation_m());
+  const Eigen::Vector3d turn = wire::vector_of(message.transform().rotation_vector_rad());
   if (!message.has_transform() || !translation.allFinite() || !turn.allFinite() ||
       translation.cwiseAbs().maxCoeff() > kFurthest_m || turn.norm() > kLongestTurn_rad)
     return Error{.what = "no transform, or one beyond 10 m or a full turn",
                  .where = where,
                  .fix = "calibrate again with telepalp-station calibrate"};
-  Eigen::Isometry3d iso = Eigen::Isometry3d::Identity();
-  iso.translation() = translation;
-  if (turn.norm() > 0.0) iso.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-  return iso;
+  return isometry_of(turn, translation);
 }
 
 Result<msg::Calibration> read_calibration(const std::filesystem::path& file) {

@@ -4,19 +4,14 @@
 #include <string>
 
 #include "haptic_station/calibration/number_rows.h"
+#include "proto/words/rotation_vector.h"
 
 namespace telepalp::calibration {
 namespace {
 
 constexpr std::size_t kMostRows = 10'000;
 
-Eigen::Isometry3d pose_of(const double* six) {
-  const Eigen::Vector3d turn(six[3], six[4], six[5]);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = Eigen::Vector3d(six[0], six[1], six[2]);
-  if (turn.norm() > 0.0) pose.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-  return pose;
-}
+Eigen::Isometry3d pose_of(const double* six) { return isometry_of({six[3], six[4], six[5]}, {six[0], six[1], six[2]}); }
 
 }  // namespace
 

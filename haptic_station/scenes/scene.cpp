@@ -6,6 +6,7 @@
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/scenes/field_check.h"
+#include "proto/words/rotation_vector.h"
 #include "support/program/text_format.h"
 
 namespace telepalp::scenes {
@@ -15,7 +16,7 @@ namespace {
 #define TELEPALP_READ(check, prefix, message, field, into, ...) \
   if ((message).has_##field()) (check).number(prefix #field, (message).field(), Range __VA_ARGS__, into)
 
-Eigen::Vector3d read_xyz(FieldCheck& check, std::string_view field, const msg::Xyz& xyz, const Range& range) {
+Eigen::Vector3d read_xyz(FieldCheck& check, std::string_view field, const msg::Vec3& xyz, const Range& range) {
   Eigen::Vector3d out = Eigen::Vector3d::Zero();
   const std::string name(field);
   check.number(name + ".x", xyz.x(), range, out.x());
@@ -25,12 +26,11 @@ Eigen::Vector3d read_xyz(FieldCheck& check, std::string_view field, const msg::X
 }
 
 Eigen::Isometry3d read_transform(FieldCheck& check, const std::string& field, const msg::RigidTransform& message) {
-  Eigen::Isometry3d iso = Eigen::Isometry3d::Identity();
-  iso.translation() = read_xyz(check, field + ".translation_m", message.translation_m(), {-10, 10, "m"});
+  const Eigen::Vector3d translation_m =
+      read_xyz(check, field + ".translation_m", message.translation_m(), {-10, 10, "m"});
   const Eigen::Vector3d turn =
       read_xyz(check, field + ".rotation_vector_rad", message.rotation_vector_rad(), {-6.3, 6.3, "rad"});
-  if (turn.norm() > 0) iso.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-  return iso;
+  return isometry_of(turn, translation_m);
 }
 
 std::string tissue_names() {

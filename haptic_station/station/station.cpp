@@ -11,6 +11,7 @@
 #include "haptic_station/station/threads/cost_clock.h"
 #include "haptic_station/station/threads/timer_check.h"
 #include "proto/wire/depth_loss.h"
+#include "proto/wire/vector_message.h"
 #include "proto/wire/viewer_hand.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
@@ -205,8 +206,7 @@ void Station::on_depth(const wire::Message& message) {
 void Station::on_viewer_hand(const wire::Message& message) {
   const std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(*message.payload);
   if (viewer_hand_tracker_ == nullptr || !haptic_from_camera_ || !hand) return;
-  const msg::Vec3& at = hand->hand_camera();
-  const Point<HapticBase> in_haptic = *haptic_from_camera_ * Point<DepthCamera>{{at.x(), at.y(), at.z()}};
+  const Point<HapticBase> in_haptic = *haptic_from_camera_ * Point<DepthCamera>{wire::vector_of(hand->hand_camera())};
   const auto taken = viewer_hand_tracker_->hear(*hand, in_haptic, std::chrono::steady_clock::now());
   if (std::exchange(hand_taken_, taken) != taken)
     say("/viewer/hand: viewer " + std::to_string(hand->viewer()) + ": " + tracking::in_words(taken));

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "proto/wire/vector_message.h"
 #include "server/views/stamp.h"
 
 namespace telepalp::server {
@@ -20,8 +21,6 @@ SessionTime stamp_of(const msg::StationState& station) {
   return session_time(static_cast<std::int64_t>(station.stamp_ns()));
 }
 
-Eigen::Vector3d vector(const msg::Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
 void set(foxglove::Color& color, const Rgba& rgba) {
   color.set_r(rgba.r);
   color.set_g(rgba.g);
@@ -29,18 +28,14 @@ void set(foxglove::Color& color, const Rgba& rgba) {
   color.set_a(rgba.a);
 }
 
-void set(foxglove::Vector3& to, const Eigen::Vector3d& v) {
-  to.set_x(v.x());
-  to.set_y(v.y());
-  to.set_z(v.z());
+void set(foxglove::Quaternion& out, const Eigen::Quaterniond& q) {
+  wire::set_vector(out, q.vec());
+  out.set_w(q.w());
 }
 
 void set(foxglove::Pose& pose, const Eigen::Vector3d& at, const Eigen::Quaterniond& turned) {
-  set(*pose.mutable_position(), at);
-  pose.mutable_orientation()->set_x(turned.x());
-  pose.mutable_orientation()->set_y(turned.y());
-  pose.mutable_orientation()->set_z(turned.z());
-  pose.mutable_orientation()->set_w(turned.w());
+  wire::set_vector(*pose.mutable_position(), at);
+  set(*pose.mutable_orientation(), turned);
 }
 
 void add_transform(foxglove::FrameTransforms& all, SessionTime now, const char* parent, const char* child,
@@ -49,11 +44,8 @@ void add_transform(foxglove::FrameTransforms& all, SessionTime now, const char* 
   stamp(*one.mutable_timestamp(), now);
   one.set_parent_frame_id(parent);
   one.set_child_frame_id(child);
-  set(*one.mutable_translation(), at);
-  one.mutable_rotation()->set_x(turned.x());
-  one.mutable_rotation()->set_y(turned.y());
-  one.mutable_rotation()->set_z(turned.z());
-  one.mutable_rotation()->set_w(turned.w());
+  wire::set_vector(*one.mutable_translation(), at);
+  set(*one.mutable_rotation(), turned);
 }
 
 void remove(foxglove::SceneUpdate& scene, const msg::StationState& station, const char* id) {
@@ -76,18 +68,18 @@ void add_ball(foxglove::SceneUpdate& scene, const msg::StationState& station, co
               const msg::Vec3& at, const Eigen::Vector3d& size_m, const Rgba& color) {
   if (!known) return remove(scene, station, id);
   foxglove::SpherePrimitive& ball = *add(scene, station, id).add_spheres();
-  set(*ball.mutable_pose(), vector(at), Eigen::Quaterniond::Identity());
-  set(*ball.mutable_size(), size_m);
+  set(*ball.mutable_pose(), wire::vector_of(at), Eigen::Quaterniond::Identity());
+  wire::set_vector(*ball.mutable_size(), size_m);
   set(*ball.mutable_color(), color);
 }
 
 void add_force(foxglove::SceneUpdate& scene, const msg::StationState& station) {
   constexpr double kMetresPerNewton = 0.02;
   constexpr double kLeast_N = 1e-3;
-  const Eigen::Vector3d force_N = vector(station.force_camera_n());
+  const Eigen::Vector3d force_N = wire::vector_of(station.force_camera_n());
   if (!station.has_proxy_camera() || !(force_N.norm() > kLeast_N)) return remove(scene, station, "force");
   foxglove::ArrowPrimitive& arrow = *add(scene, station, "force").add_arrows();
-  set(*arrow.mutable_pose(), vector(station.proxy_camera()),
+  set(*arrow.mutable_pose(), wire::vector_of(station.proxy_camera()),
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), force_N));  // an arrow points along its x
   const double length_m = kMetresPerNewton * force_N.norm();
   arrow.set_shaft_length(0.7 * length_m);
@@ -106,10 +98,11 @@ foxglove::FrameTransforms transforms_view(const std::optional<msg::StationState>
   add_transform(all, now, "patient_site", kDepthFrame, Eigen::Vector3d::Zero(), half_turn_about_x);
   if (!station) return all;
   if (station->has_displayed_hand_camera())
-    add_transform(all, now, kDepthFrame, "hand", vector(station->displayed_hand_camera()), none);
-  if (station->has_proxy_camera()) add_transform(all, now, kDepthFrame, "proxy", vector(station->proxy_camera()), none);
+    add_transform(all, now, kDepthFrame, "hand", wire::vector_of(station->displayed_hand_camera()), none);
+  if (station->has_proxy_camera())
+    add_transform(all, now, kDepthFrame, "proxy", wire::vector_of(station->proxy_camera()), none);
   if (station->has_device_camera())
-    add_transform(all, now, kDepthFrame, "device", vector(station->device_camera()), none);
+    add_transform(all, now, kDepthFrame, "device", wire::vector_of(station->device_camera()), none);
   return all;
 }
 

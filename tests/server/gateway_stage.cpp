@@ -23,6 +23,7 @@
 #include "messages/clock.pb.h"
 #include "messages/station.pb.h"
 #include "proto/wire/session_clock.h"
+#include "proto/wire/vector_message.h"
 #include "server/gateway/gateway.h"
 #include "server/hub/hub.h"
 #include "support/program/options.h"
@@ -73,12 +74,6 @@ Picture picture(double t_s) {
         seen.color.rgb[3 * pixel + band] = static_cast<std::uint8_t>(base[band] * shade);
     }
   return seen;
-}
-
-void set(msg::Vec3* to, double x, double y, double z) {
-  to->set_x(x);
-  to->set_y(y);
-  to->set_z(z);
 }
 
 class Stage {
@@ -172,12 +167,12 @@ class Stage {
                                     : above_m > 0.02       ? msg::PHASE_OUT_BODY
                                     : std::sin(turn) > 0.0 ? msg::PHASE_PLANE_TO_BODY
                                                            : msg::PHASE_BODY_TO_PLANE));
-    set(state.mutable_force_n(), 0.0, force_N, 0.0);
-    set(state.mutable_displayed_hand_camera(), x, y, std::min(device_z, surface_z));
-    set(state.mutable_proxy_camera(), x, y, std::min(device_z, surface_z));
-    set(state.mutable_device_camera(), x, y, device_z);
-    set(state.mutable_force_camera_n(), 0.0, 0.0, -force_N);
-    set(state.mutable_normal_camera(), 0.0, 0.0, -1.0);
+    wire::set_vector(*state.mutable_force_n(), Eigen::Vector3d(0.0, force_N, 0.0));
+    wire::set_vector(*state.mutable_displayed_hand_camera(), Eigen::Vector3d(x, y, std::min(device_z, surface_z)));
+    wire::set_vector(*state.mutable_proxy_camera(), Eigen::Vector3d(x, y, std::min(device_z, surface_z)));
+    wire::set_vector(*state.mutable_device_camera(), Eigen::Vector3d(x, y, device_z));
+    wire::set_vector(*state.mutable_force_camera_n(), Eigen::Vector3d(0.0, 0.0, -force_N));
+    wire::set_vector(*state.mutable_normal_camera(), Eigen::Vector3d(0.0, 0.0, -1.0));
     state.set_distance_m(above_m);
     state.set_indentation_m(indentation_m);
     state.set_in_body(indentation_m > 0.0);

@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "clients/report/summary/phases.h"
+#include "proto/wire/vector_message.h"
 #include "support/plot/number.h"
 
 namespace telepalp::report {
 namespace {
-
-Eigen::Vector3d vector(const msg::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 bool in_front_of_camera(const msg::Vec3& at) { return std::isfinite(at.z()) && at.z() > 0.0; }
 
@@ -28,21 +27,21 @@ const msg::StationState* state_at(const Session& session, std::int64_t at_ns) {
 }
 
 ar::Touch touch_of(const msg::StationState& state) {
-  const Point<DepthCamera> device{vector(state.device_camera())};
+  const Point<DepthCamera> device{wire::vector_of(state.device_camera())};
   // Outside the body there may be no proxy. Then hand and proxy are drawn at the device.
   const Point<DepthCamera> proxy =
-      in_front_of_camera(state.proxy_camera()) ? Point<DepthCamera>{vector(state.proxy_camera())} : device;
+      in_front_of_camera(state.proxy_camera()) ? Point<DepthCamera>{wire::vector_of(state.proxy_camera())} : device;
   const Point<DepthCamera> hand = in_front_of_camera(state.displayed_hand_camera())
-                                      ? Point<DepthCamera>{vector(state.displayed_hand_camera())}
+                                      ? Point<DepthCamera>{wire::vector_of(state.displayed_hand_camera())}
                                       : proxy;
-  return {hand, proxy, device, {vector(state.force_camera_n())}, state.indentation_m(), state.in_body()};
+  return {hand, proxy, device, {wire::vector_of(state.force_camera_n())}, state.indentation_m(), state.in_body()};
 }
 
 std::vector<ar::PanelLine> figures_of(const Session& session, const msg::StationState& state) {
   const double since_start_s =
       static_cast<double>(static_cast<std::int64_t>(state.stamp_ns()) - session.first_ns.value_or(0)) * 1e-9;
   std::vector<ar::PanelLine> lines{{"state", std::string(words_for(state.phase()).words)},
-                                   {"force", plot::number(vector(state.force_n()).norm(), 2) + " N"},
+                                   {"force", plot::number(wire::vector_of(state.force_n()).norm(), 2) + " N"},
                                    {"indentation", plot::number(1e3 * state.indentation_m(), 1) + " mm"}};
   if (state.surface_captured_ns() > 0)
     lines.push_back(

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "haptic_station/surface/cloud/static_model.h"
+#include "proto/wire/vector_message.h"
+#include "proto/words/rotation_vector.h"
 #include "support/models/text_cursor.h"
 
 namespace telepalp::station {
@@ -14,14 +16,8 @@ using models::TextCursor;
 constexpr std::string_view kModel = "model:";
 constexpr double kBesideAxis_m = 0.015;
 
-Vector3d vector_of(const msg::Xyz& xyz) { return {xyz.x(), xyz.y(), xyz.z()}; }
-
 Eigen::Isometry3d transform_of(const msg::RigidTransform& message) {
-  const Vector3d turn = vector_of(message.rotation_vector_rad());
-  Eigen::Isometry3d iso = Eigen::Isometry3d::Identity();
-  if (turn.norm() > 0.0) iso.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-  iso.translation() = vector_of(message.translation_m());
-  return iso;
+  return isometry_of(wire::vector_of(message.rotation_vector_rad()), wire::vector_of(message.translation_m()));
 }
 
 double median_of(std::vector<double> values) {

@@ -4,18 +4,13 @@
 #include <cmath>
 
 #include "haptic_station/control/phases/phase.h"
+#include "proto/wire/vector_message.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::station {
 namespace {
 
 using Triple = std::array<float, 3>;
-
-void set(msg::Vec3& out, const Triple& in) {
-  out.set_x(in[0]);
-  out.set_y(in[1]);
-  out.set_z(in[2]);
-}
 
 double norm(const Triple& v) noexcept { return std::hypot(double{v[0]}, double{v[1]}, double{v[2]}); }
 
@@ -42,16 +37,16 @@ msg::StationState state_message(const TickSample& sample) {
   state.set_surface_captured_ns(static_cast<std::uint64_t>(sample.surface_captured_ns));
   state.set_hand_sampled_ns(static_cast<std::uint64_t>(sample.hand_sampled_ns));
   state.set_phase(phase_of(sample));
-  set(*state.mutable_hand(), sample.hand);
-  set(*state.mutable_device(), sample.device);
-  set(*state.mutable_proxy(), sample.proxy);
-  set(*state.mutable_normal(), sample.normal);
-  set(*state.mutable_force_n(), sample.force);
-  set(*state.mutable_displayed_hand_camera(), sample.displayed_hand_camera);
-  set(*state.mutable_proxy_camera(), sample.proxy_camera);
-  set(*state.mutable_normal_camera(), sample.normal_camera);
-  set(*state.mutable_device_camera(), sample.device_camera);
-  set(*state.mutable_force_camera_n(), sample.force_camera);
+  wire::set_vector(*state.mutable_hand(), sample.hand);
+  wire::set_vector(*state.mutable_device(), sample.device);
+  wire::set_vector(*state.mutable_proxy(), sample.proxy);
+  wire::set_vector(*state.mutable_normal(), sample.normal);
+  wire::set_vector(*state.mutable_force_n(), sample.force);
+  wire::set_vector(*state.mutable_displayed_hand_camera(), sample.displayed_hand_camera);
+  wire::set_vector(*state.mutable_proxy_camera(), sample.proxy_camera);
+  wire::set_vector(*state.mutable_normal_camera(), sample.normal_camera);
+  wire::set_vector(*state.mutable_device_camera(), sample.device_camera);
+  wire::set_vector(*state.mutable_force_camera_n(), sample.force_camera);
   state.set_distance_m(sample.distance_m);
   state.set_indentation_m(sample.indentation_m);
   state.set_in_body(sample.in_body);

@@ -11,6 +11,7 @@
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
 #include "messages/station.pb.h"
+#include "proto/wire/vector_message.h"
 
 namespace telepalp::report {
 namespace {
@@ -73,12 +74,6 @@ Instant instant_at(double at_s) {
   return now;
 }
 
-void set(msg::Vec3* out, double x, double y, double z) {
-  out->set_x(x);
-  out->set_y(y);
-  out->set_z(z);
-}
-
 msg::StationTicks ticks_from(int first, int count) {
   msg::StationTicks batch;
   batch.set_first_tick_ns(stamp(first * 5e-4));
@@ -114,11 +109,13 @@ msg::StationState state_at(double at_s) {
   state.set_stamp_ns(stamp(at_s));
   state.set_surface_captured_ns(at_s > 0.05 ? stamp(std::floor((at_s - 0.02) * 30.0) / 30.0) : 0);
   state.set_phase(now.phase);
-  set(state.mutable_force_n(), 0.0, now.force_N, 0.0);
-  set(state.mutable_device_camera(), now.sideways_m, 0.0, 1.0 - now.height_m);
-  set(state.mutable_proxy_camera(), now.sideways_m, 0.0, std::min(1.0, 1.0 - now.height_m));
-  set(state.mutable_displayed_hand_camera(), now.sideways_m, 0.0, std::min(1.0, 1.0 - now.height_m));
-  set(state.mutable_force_camera_n(), 0.0, 0.0, -now.force_N);
+  wire::set_vector(*state.mutable_force_n(), Eigen::Vector3d(0.0, now.force_N, 0.0));
+  wire::set_vector(*state.mutable_device_camera(), Eigen::Vector3d(now.sideways_m, 0.0, 1.0 - now.height_m));
+  wire::set_vector(*state.mutable_proxy_camera(),
+                   Eigen::Vector3d(now.sideways_m, 0.0, std::min(1.0, 1.0 - now.height_m)));
+  wire::set_vector(*state.mutable_displayed_hand_camera(),
+                   Eigen::Vector3d(now.sideways_m, 0.0, std::min(1.0, 1.0 - now.height_m)));
+  wire::set_vector(*state.mutable_force_camera_n(), Eigen::Vector3d(0.0, 0.0, -now.force_N));
   state.set_indentation_m(now.indentation_m);
   state.set_in_body(now.indentation_m > 0.0);
   return state;
