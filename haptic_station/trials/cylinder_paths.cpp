@@ -2,41 +2,54 @@
 
 #include <utility>
 
+#include "support/plot/palette.h"
+
 namespace telepalp::trials {
 namespace {
 
 constexpr double kForceLine_mm_per_N = 2.0;
 constexpr std::size_t kForceEvery = 10;  // samples: 50 ms
 
-/// A part of the path in one phase; it has no name if the legend already shows its colour.
-Curve stretch(control::Phase phase, bool named) {
+/// A part of the path in one phase, still without points.
+plot::Series path_in(control::Phase phase) {
   const bool upper = phase == control::Phase::ObjectUpper;
-  return {named ? (upper ? "upper area" : "lateral area") : "", upper ? "#5e3c99" : "#e66101", {}, {}};
+  return {.name = upper ? "upper area" : "lateral area",
+          .x = {},
+          .y = {},
+          .color = std::string(upper ? plot::kPurple : plot::kBlue),
+          .style = plot::Style::Path};
+}
+
+plot::Series force_line(double x_mm, double y_mm, const Eigen::Vector3d& force_N) {
+  const Eigen::Vector3d line_mm = kForceLine_mm_per_N * force_N;
+  return {.name = "",
+          .x = {x_mm, x_mm + line_mm.x()},
+          .y = {y_mm, y_mm + line_mm.y()},
+          .color = std::string(plot::kGrey),
+          .style = plot::Style::Path};
 }
 
 }  // namespace
 
-Figure cylinder_paths(const TrialResult& result) {
-  Figure figure{"path at the inner object, with the force (2 mm a newton)", "x [mm]", "y [mm]", {}, {}};
-  std::vector<Curve> forces;
+plot::Chart cylinder_paths(const TrialResult& result) {
+  plot::Chart chart{.title = "path at the inner object, with the force (2 mm a newton)",
+                    .x = {.label = "x [mm]"},
+                    .y = {.label = "y [mm]"}};
+  std::vector<plot::Series> forces;
   control::Phase before = control::Phase::Released;
-  bool in_legend[2] = {};
   for (std::size_t i = 0; i < result.samples.size(); ++i) {
     const TrialSample& sample = result.samples[i];
     const control::Phase phase = std::exchange(before, sample.phase);
     if (sample.phase != control::Phase::ObjectUpper && sample.phase != control::Phase::ObjectLateral) continue;
-    bool& named = in_legend[sample.phase == control::Phase::ObjectUpper ? 0 : 1];
-    if (sample.phase != phase) figure.curves.push_back(stretch(sample.phase, !std::exchange(named, true)));
+    if (sample.phase != phase) chart.series.push_back(path_in(sample.phase));
     const double x_mm = 1e3 * sample.device.m.x();
     const double y_mm = 1e3 * sample.device.m.y();
-    figure.curves.back().x.push_back(x_mm);
-    figure.curves.back().y.push_back(y_mm);
-    if (i % kForceEvery != 0) continue;
-    const Eigen::Vector3d line_mm = kForceLine_mm_per_N * sample.force.N;
-    forces.push_back({"", "#999999", {x_mm, x_mm + line_mm.x()}, {y_mm, y_mm + line_mm.y()}});
+    chart.series.back().x.push_back(x_mm);
+    chart.series.back().y.push_back(y_mm);
+    if (i % kForceEvery == 0) forces.push_back(force_line(x_mm, y_mm, sample.force.N));
   }
-  figure.curves.insert(figure.curves.begin(), forces.begin(), forces.end());
-  return figure;
+  chart.series.insert(chart.series.begin(), forces.begin(), forces.end());
+  return chart;
 }
 
 }  // namespace telepalp::trials

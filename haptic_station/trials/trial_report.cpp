@@ -3,7 +3,9 @@
 #include <cstdio>
 
 #include "haptic_station/trials/cylinder_paths.h"
-#include "haptic_station/trials/figure.h"
+#include "support/plot/chart.h"
+#include "support/plot/number.h"
+#include "support/plot/palette.h"
 #include "support/program/files/whole_file.h"
 
 namespace telepalp::trials {
@@ -17,50 +19,52 @@ std::string number(double value) {
   return text;
 }
 
-/// A number with three digits, for the reader.
-std::string readable(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+/// Without escaping: the texts are names of telepalp.
+std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
-std::string quoted(const std::string& text) {
-  return "\"" + text + "\"";
-}  // without escaping: the texts are telepalp's own names
-
-const char* color_of(Phase phase) {
+/// As in the report of a session (clients/report).
+std::string_view color_of(Phase phase) {
   switch (phase) {
     case Phase::InBody:
-      return "#fde0dd";
+      return plot::kOrange;
     case Phase::BodyToPlane:
-      return "#fff7cc";
+      return plot::kGreen;
     case Phase::OutBody:
-      return "#e5f5e0";
+      return plot::kSky;
     case Phase::PlaneToBody:
-      return "#deebf7";
+      return plot::kYellow;
     case Phase::ObjectLateral:
-      return "#e7d4f0";
+      return plot::kBlue;
     case Phase::AroundObject:
-      return "#f3e6f5";
+      return plot::kVermilion;
     case Phase::ObjectUpper:
-      return "#d5c0e6";
+      return plot::kPurple;
     case Phase::Released:
+      return plot::kGrey;
     case Phase::Faulted:
-      return "#eeeeee";
+      return plot::kBlack;
   }
-  return "#ffffff";
+  return plot::kBlack;
 }
 
-std::vector<Stretch> stretches_of(const TrialResult& result) {
-  std::vector<Stretch> out;
+plot::Band band_of(Phase phase, double from_s, double to_s) {
+  return {.from = from_s,
+          .to = to_s,
+          .color = std::string(color_of(phase)),
+          .name = name(phase),
+          .mark = std::to_string(control::plotted_number(phase))};
+}
+
+std::vector<plot::Band> bands_of(const TrialResult& result) {
+  std::vector<plot::Band> out;
   double from_s = 0.0;
   Phase phase = Phase::Released;
   for (const Transition& change : result.transitions) {
-    out.push_back({from_s, change.time_s, color_of(phase)});
+    out.push_back(band_of(phase, from_s, change.time_s));
     from_s = change.time_s;
     phase = change.to;
   }
-  if (!result.samples.empty()) out.push_back({from_s, result.samples.back().time_s, color_of(phase)});
+  if (!result.samples.empty()) out.push_back(band_of(phase, from_s, result.samples.back().time_s));
   return out;
 }
 
@@ -71,38 +75,52 @@ std::vector<double> each(const TrialResult& result, Of&& of) {
   return out;
 }
 
-std::vector<Figure> figures_of(const TrialResult& result) {
-  const std::vector<double> time = each(result, [](const TrialSample& s) { return s.time_s; });
-  std::vector<Figure> figures;
-  figures.push_back(
-      {"height",
-       "time [s]",
-       "y [mm]",
-       {{"hand", "#888888", time, each(result, [](const TrialSample& s) { return s.hand.m.y() * 1e3; })},
-        {"end-effector", "#1f77b4", time, each(result, [](const TrialSample& s) { return s.device.m.y() * 1e3; })},
-        {"shown hand", "#2ca02c", time, each(result, [](const TrialSample& s) { return s.shown.m.y() * 1e3; })}},
-       stretches_of(result)});
-  figures.push_back(
-      {"along x",
-       "time [s]",
-       "x [mm]",
-       {{"hand", "#888888", time, each(result, [](const TrialSample& s) { return s.hand.m.x() * 1e3; })},
-        {"end-effector", "#1f77b4", time, each(result, [](const TrialSample& s) { return s.device.m.x() * 1e3; })}},
-       stretches_of(result)});
-  figures.push_back({"force",
-                     "time [s]",
-                     "|F| [N]",
-                     {{"force", "#d62728", time, each(result, [](const TrialSample& s) { return s.force.N.norm(); })}},
-                     stretches_of(result)});
-  Curve curve{"in body", "#d62728", {}, {}};
+template <class Of>
+plot::Series over_time(const TrialResult& result, const char* name, std::string_view color, Of&& of) {
+  return {.name = name,
+          .x = each(result, [](const TrialSample& s) { return s.time_s; }),
+          .y = each(result, of),
+          .color = std::string(color)};
+}
+
+plot::Chart chart_over_time(const TrialResult& result, const char* title, const char* unit,
+                            std::vector<plot::Series> series) {
+  return {.title = title,
+          .x = {.label = "time [s]"},
+          .y = {.label = unit},
+          .series = std::move(series),
+          .bands = bands_of(result)};
+}
+
+plot::Chart force_against_indentation(const TrialResult& result) {
+  plot::Series inside{
+      .name = "in body", .x = {}, .y = {}, .color = std::string(plot::kVermilion), .style = plot::Style::Path};
   for (const TrialSample& s : result.samples)
     if (control::is_inside(s.phase)) {
-      curve.x.push_back(s.indentation_m * 1e3);
-      curve.y.push_back(s.force.N.norm());
+      inside.x.push_back(s.indentation_m * 1e3);
+      inside.y.push_back(s.force.N.norm());
     }
-  if (const Figure paths = cylinder_paths(result); !paths.curves.empty()) figures.push_back(paths);
-  figures.push_back({"force against indentation", "|d| [mm]", "|F| [N]", {curve}, {}});
-  return figures;
+  return {
+      .title = "force against indentation", .x = {.label = "|d| [mm]"}, .y = {.label = "|F| [N]"}, .series = {inside}};
+}
+
+std::vector<plot::Chart> charts_of(const TrialResult& result) {
+  std::vector<plot::Chart> charts;
+  charts.push_back(chart_over_time(
+      result, "height", "y [mm]",
+      {over_time(result, "hand", plot::kGrey, [](const TrialSample& s) { return s.hand.m.y() * 1e3; }),
+       over_time(result, "end-effector", plot::kBlue, [](const TrialSample& s) { return s.device.m.y() * 1e3; }),
+       over_time(result, "shown hand", plot::kGreen, [](const TrialSample& s) { return s.shown.m.y() * 1e3; })}));
+  charts.push_back(chart_over_time(
+      result, "along x", "x [mm]",
+      {over_time(result, "hand", plot::kGrey, [](const TrialSample& s) { return s.hand.m.x() * 1e3; }),
+       over_time(result, "end-effector", plot::kBlue, [](const TrialSample& s) { return s.device.m.x() * 1e3; })}));
+  charts.push_back(chart_over_time(
+      result, "force", "|F| [N]",
+      {over_time(result, "force", plot::kVermilion, [](const TrialSample& s) { return s.force.N.norm(); })}));
+  if (const plot::Chart paths = cylinder_paths(result); !paths.series.empty()) charts.push_back(paths);
+  charts.push_back(force_against_indentation(result));
+  return charts;
 }
 
 std::string json_of(const TrialResult& result) {
@@ -138,24 +156,20 @@ std::string to_json(std::span<const TrialResult> results) {
 std::string to_html(std::span<const TrialResult> results) {
   std::string out =
       "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>telepalp: the four trials</title>\n"
-      "<style>body{font-family:sans-serif;max-width:940px;margin:2em auto}span{padding:2px 6px;margin-right:6px}"
+      "<style>body{font-family:sans-serif;max-width:940px;margin:2em auto}"
       "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>Run in virtual time by a "
       "simulated hand on a simulated device, through the live haptic loop. Plane: a level skin that is known exactly, "
       "so that the controller alone is seen. Camera: a belly under a Kinect-like camera, with noise and disparity "
-      "steps, through the surface builder. There is no network.</p>\n<p>";
-  for (std::size_t i = 0; i < control::kPhaseCount; ++i) {
-    const auto phase = static_cast<Phase>(i + 1);
-    out += "<span style=\"background:" + std::string(color_of(phase)) + "\">" + name(phase) +
-           " (s<sub>f</sub> = " + std::to_string(control::plotted_number(phase)) + ")</span> ";
-  }
-  out += "</p>\n";
+      "steps, through the surface builder. There is no network. The numbers in the charts are S1's "
+      "s<sub>f</sub>.</p>\n";
   for (const TrialResult& result : results) {
     const TrialFigures& f = result.figures;
     out += "<h2>" + std::string(title(result.trial)) + ", on the " + result.surface + "</h2>\n<p>largest force " +
-           readable(f.most_force_N) + " N, largest step " + readable(f.worst_force_step_N) +
-           " N a tick, end-effector jump at transitions " + readable(f.worst_jump_m * 1e3) + " mm, " +
-           readable(f.contact_s) + " s in contact, " + readable(f.unfelt_s) + " s in the true skin unfelt</p>\n";
-    for (const Figure& figure : figures_of(result)) out += to_svg(figure);
+           plot::readable(f.most_force_N) + " N, largest step " + plot::readable(f.worst_force_step_N) +
+           " N a tick, end-effector jump at transitions " + plot::readable(f.worst_jump_m * 1e3) + " mm, " +
+           plot::readable(f.contact_s) + " s in contact, " + plot::readable(f.unfelt_s) +
+           " s in the true skin unfelt</p>\n";
+    for (const plot::Chart& chart : charts_of(result)) out += plot::to_svg(chart);
   }
   return out + "</html>\n";
 }
