@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proto/words/smooth_step.h"
+
 namespace telepalp::effects {
 
 bool StiffRegions::add(const StiffRegion& region) noexcept {
@@ -22,7 +24,7 @@ Force<HapticBase> StiffRegions::step(const EffectInput& in, double) noexcept {
     const double z_m = in.device.m.z() - region.center.m.z();
     const double r_m = std::hypot(x_m, z_m);
     const double u = std::clamp((r_m - region.radius_m) / region.fade_m, 0.0, 1.0);
-    const double weight = 1.0 - u * u * (3.0 - 2.0 * u);
+    const double weight = 1.0 - smooth_step(u);
     const double weight_per_m = -6.0 * u * (1.0 - u) / region.fade_m;
     const double energy_J = 0.5 * region.added_N_per_m * depth_m * depth_m;
     energy_J_ += energy_J * weight;

@@ -8,7 +8,6 @@
 #include "haptic_station/station/rigs/placement.h"
 #include "haptic_station/station/rigs/scene_rig.h"
 #include "haptic_station/station/threads/bill.h"
-#include "haptic_station/station/threads/cost_clock.h"
 #include "haptic_station/station/threads/timer_check.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/vector_message.h"

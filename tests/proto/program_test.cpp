@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <sstream>
 #include <thread>
@@ -15,6 +16,7 @@
 #include "support/program/address.h"
 #include "support/program/ending.h"
 #include "support/program/files/shipped.h"
+#include "support/program/json.h"
 #include "support/program/options.h"
 #include "support/program/terminal.h"
 #include "support/program/text_format.h"
@@ -202,6 +204,16 @@ TEST(TextFormat, AnUnknownFieldIsNamedWithLineAndColumn) {
   ASSERT_FALSE(read.ok());
   EXPECT_TRUE(read.error().where.starts_with("camera.textproto:2:")) << read.error().where;
   EXPECT_NE(read.error().what.find("fx_px"), std::string::npos) << read.error().what;
+}
+
+TEST(Json, NumbersThatAreNotFiniteBecomeNull) {
+  Json json;
+  json.begin_object();
+  json.add("a", std::nan(""));
+  json.add("b", INFINITY);
+  json.add("c\"\n", 0.5);
+  json.end_object();
+  EXPECT_EQ(std::move(json).finish(), "{\n  \"a\": null,\n  \"b\": null,\n  \"c\\\"\\u000a\": 0.5\n}\n");
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "clients/report/summary/report_json.h"
 
-#include "clients/report/summary/json.h"
 #include "clients/report/summary/phases.h"
+#include "support/program/json.h"
 
 namespace telepalp::report {
 namespace {
+
+using program::Json;
 
 void add_quantiles(Json& json, std::string_view key, const Quantiles& values, bool tail) {
   json.begin_object(key);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "haptic_station/surface/snapshot/soft_object_weight.h"
+#include "proto/words/smooth_step.h"
 
 namespace telepalp::surface {
 namespace {
@@ -16,8 +17,7 @@ constexpr std::size_t kMostNeighbors = 256;
 /// Weight of a point by the angle between its normal and `facing`: 1 up to 60 degrees, 0 from 90 degrees.
 double side_weight(const Vector3d& normal, const Vector3d& facing) noexcept {
   if (facing.isZero()) return 1.0;
-  const double t = std::clamp(2.0 * normal.dot(facing), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return smooth_step(2.0 * normal.dot(facing));
 }
 
 struct Sums {
@@ -52,8 +52,7 @@ void add(Sums& sums, const Vector3d& offset, const Vector3d& normal, double side
 double support_of(double weight) noexcept {
   constexpr double kLeast = 0.02;
   constexpr double kWhole = 0.30;
-  const double t = std::clamp((weight - kLeast) / (kWhole - kLeast), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return smooth_step(kLeast, kWhole, weight);
 }
 
 FieldSample sample_of(const Sums& sums) noexcept {

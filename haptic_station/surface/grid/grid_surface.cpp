@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "haptic_station/surface/snapshot/soft_object_weight.h"
+#include "proto/words/smooth_step.h"
 
 namespace telepalp::surface {
 namespace {
@@ -120,10 +121,7 @@ double full_weight(double support_nodes) noexcept {
 constexpr double kLeastCover = 0.30;
 constexpr double kWholeCover = 0.55;
 
-double support_of(double cover) noexcept {
-  const double t = std::clamp((cover - kLeastCover) / (kWholeCover - kLeastCover), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
+double support_of(double cover) noexcept { return smooth_step(kLeastCover, kWholeCover, cover); }
 
 /// f and its gradient, from the sums by the quotient and product rules.
 FieldSample sample_of(const Sums& sums, const LatticePoint& at, double full_weight) noexcept {

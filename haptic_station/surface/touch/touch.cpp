@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "proto/words/smooth_step.h"
+
 namespace telepalp::surface {
 namespace {
 
@@ -17,11 +19,6 @@ constexpr double kFoot_m_per_s = 0.15;      // largest speed of the foot under a
 constexpr double kHeldPlane_m_per_s = 0.1;  // of a held plane's foot below the device; the force follows it
 constexpr double kLeastShown = 0.05;        // least displayed share at which a contact begins
 constexpr double kLongestTick_s = 0.01;     // longest tick over which the controller computes a speed
-
-double smooth_step(double t) noexcept {
-  const double x = std::clamp(t, 0.0, 1.0);
-  return x * x * (3.0 - 2.0 * x);
-}
 
 Vector3d tangential(const Vector3d& v, const Vector3d& normal) noexcept { return v - normal.dot(v) * normal; }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proto/words/smooth_step.h"
 #include "server/capture/synthetic/shape/smooth.h"
 #include "server/capture/synthetic/true_surface.h"
 #include "support/sensor/pixel_noise.h"
@@ -35,11 +36,6 @@ double value_noise(const sensor::PixelNoise& noise, const Eigen::Vector2d& at) {
   const double top = corner(0, 0) + s.x() * (corner(1, 0) - corner(0, 0));
   const double bottom = corner(0, 1) + s.x() * (corner(1, 1) - corner(0, 1));
   return top + s.y() * (bottom - top);
-}
-
-double smooth_step(double from, double to, double at) {
-  const double t = std::clamp((at - from) / (to - from), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
 }
 
 /// `at`: along the body and across it [m]; `cloth` 0 to 1.

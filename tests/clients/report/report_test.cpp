@@ -12,7 +12,6 @@
 #include "clients/report/figures/report_html.h"
 #include "clients/report/figures/view.h"
 #include "clients/report/session/session_file.h"
-#include "clients/report/summary/json.h"
 #include "clients/report/summary/phases.h"
 #include "clients/report/summary/report_json.h"
 #include "proto/wire/mcap/writer.h"
@@ -275,16 +274,6 @@ TEST(Session, APayloadThatIsNoProtobufIsCountedAsDamaged) {
   Session session;
   add(session, {wire::kStationState, session_time(5), std::make_shared<const std::string>("\xff\xff\xff")});
   EXPECT_EQ(session.damaged, 1U);
-}
-
-TEST(Json, NumbersThatAreNotFiniteBecomeNull) {
-  Json json;
-  json.begin_object();
-  json.add("a", std::nan(""));
-  json.add("b", INFINITY);
-  json.add("c\"\n", 0.5);
-  json.end_object();
-  EXPECT_EQ(std::move(json).finish(), "{\n  \"a\": null,\n  \"b\": null,\n  \"c\\\"\\u000a\": 0.5\n}\n");
 }
 
 TEST(ReportJson, HasEveryKeyThatOthersReadEvenOfASessionWithoutStation) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "server/capture/synthetic/motion/quintic_step.h"
 #include "server/capture/synthetic/motion/seeded_draw.h"
-#include "server/capture/synthetic/motion/smooth_step.h"
 
 namespace telepalp::server {
 namespace {
@@ -42,14 +42,14 @@ BreathSequence::BreathSequence(const BreathStyle& style, std::uint64_t seed) : r
 Breath BreathSequence::within(const Drawn& breath, double from_begin_s) const noexcept {
   const double phase = from_begin_s / breath.period_s;
   if (phase < breath.inhale) {
-    const Changing up = smooth_step(phase / breath.inhale);
+    const Changing up = quintic_step(phase / breath.inhale);
     return {.lift_m = breath.from_m + (breath.peak_m - breath.from_m) * up.value,
             .speed_m_per_s = (breath.peak_m - breath.from_m) * up.rate / (breath.inhale * breath.period_s)};
   }
   const double exhale = 1.0 - breath.inhale - breath.pause;
   const double x = std::min(1.0, (phase - breath.inhale) / exhale);
   const double skewed = std::pow(x, breath.skew);
-  const Changing down = smooth_step(skewed);
+  const Changing down = quintic_step(skewed);
   const double skew_rate = x > 0.0 && x < 1.0 ? breath.skew * skewed / x : 0.0;
   const double syllable = 2.0 * std::numbers::pi * breath.syllables_hz;
   const double window = std::sin(std::numbers::pi * x);

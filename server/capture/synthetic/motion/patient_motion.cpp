@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "server/capture/synthetic/motion/quintic_step.h"
 #include "server/capture/synthetic/motion/seeded_draw.h"
-#include "server/capture/synthetic/motion/smooth_step.h"
 
 namespace telepalp::server {
 namespace {
@@ -29,7 +29,7 @@ Slot slot_at(SessionTime time, double length_s) noexcept {
 
 /// A smooth step from 0 to 1 that begins at `begins_s` and takes `takes_s`.
 Changing ramp(double now_s, double begins_s, double takes_s) noexcept {
-  const Changing step = smooth_step((now_s - begins_s) / takes_s);
+  const Changing step = quintic_step((now_s - begins_s) / takes_s);
   return {step.value, step.rate / takes_s};
 }
 
@@ -38,7 +38,7 @@ constexpr double kHoldFlat_s = 7.5;
 constexpr double kHoldBegins_s = 0.3;
 constexpr double kHoldEnds_s = 0.4;
 
-/// Integral of 1 - smooth_step over [0, t], for t in [0, 1].
+/// Integral of 1 - quintic_step over [0, t], for t in [0, 1].
 double slowing(double t) noexcept { return t - t * t * t * t * (2.5 - 3.0 * t + t * t); }
 
 /// The time of the breath and its rate; it stands still while the breath is held.
@@ -52,7 +52,7 @@ Changing held_clock(SessionTime time, std::uint64_t seed) noexcept {
   double clock_s = std::min(slot.from_begin_s, onset_s) + kHoldBegins_s * slowing(slows);
   clock_s += kHoldEnds_s * (resumes - slowing(resumes));
   clock_s += std::max(0.0, slot.from_begin_s - resumes_s - kHoldEnds_s);
-  const double speed = 1.0 - smooth_step(slows).value + (resumes > 0.0 ? smooth_step(resumes).value : 0.0);
+  const double speed = 1.0 - quintic_step(slows).value + (resumes > 0.0 ? quintic_step(resumes).value : 0.0);
   return {static_cast<double>(slot.number) * (kHoldSlot_s - lost_s) + clock_s, speed};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proto/words/smooth_step.h"
 #include "server/capture/synthetic/shape/rasterise.h"
 #include "server/capture/synthetic/shape/smooth.h"
 
@@ -53,12 +54,8 @@ Eigen::Vector2d RestShape::body_coordinates_m(double u, double v) const noexcept
 
 double RestShape::cloth_share(double u, double v) const noexcept {
   const Eigen::Vector2d at = body_coordinates_m(u, v);
-  const auto rise = [](double from, double to, double x) {
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-  };
   const double hem = kHem_m - 0.02 * std::cos(9.0 * at.y());
-  return rise(hem + 0.004, hem - 0.004, at.x()) * rise(kHips_m, kHips_m - 0.02, std::abs(at.y()));
+  return smooth_step(hem + 0.004, hem - 0.004, at.x()) * smooth_step(kHips_m, kHips_m - 0.02, std::abs(at.y()));
 }
 
 ImageField::Sample RestShape::lift_share(double u, double v) const noexcept {
