@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 #include <thread>
 
 #include "proto/words/frames.h"
 #include "proto/words/latest_value.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
+#include "proto/words/rotation_vector.h"
+#include "proto/words/smooth_step.h"
 #include "proto/words/spsc_ring.h"
 
 namespace telepalp {
@@ -80,6 +83,21 @@ TEST(SpscRing, AcrossTwoThreadsNothingIsLostOrTorn) {
     ++expected;
   }
   producer.join();
+}
+
+TEST(RotationVector, TurnsAboutItsAxisByItsLengthAndThenTranslates) {
+  const Eigen::Isometry3d isometry = isometry_of({0.0, 0.0, std::numbers::pi / 2.0}, {1.0, 2.0, 3.0});
+  EXPECT_LT((isometry * Eigen::Vector3d(1.0, 0.0, 0.0) - Eigen::Vector3d(1.0, 3.0, 3.0)).norm(), 1e-15);
+  EXPECT_TRUE(isometry_of(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()).isApprox(Eigen::Isometry3d::Identity()));
+}
+
+TEST(SmoothStep, RisesFromZeroToOneWithoutSlopeAtItsEnds) {
+  for (const double t : {-5.0, 0.0}) EXPECT_EQ(smooth_step(t), 0.0);
+  for (const double t : {1.0, 5.0}) EXPECT_EQ(smooth_step(t), 1.0);
+  EXPECT_EQ(smooth_step(0.5), 0.5);
+  EXPECT_LT(smooth_step(1e-3), 4e-6);
+  EXPECT_GT(smooth_step(1.0 - 1e-3), 1.0 - 4e-6);
+  EXPECT_EQ(smooth_step(3.0, 1.0, 2.0), 0.5);  // falling
 }
 
 }  // namespace
