@@ -250,7 +250,7 @@ TEST(McapDamage, AChunkInAChunkIsRefused) {
   const Outcome outcome = stream(file_with(schema_and_channel() + chunk_of(inner, inner.size()), [](auto&, auto) {}));
   EXPECT_EQ(outcome.messages, 0u);
   ASSERT_EQ(outcome.errors.size(), 1u);
-  EXPECT_NE(outcome.errors.front().find("may not stand in a chunk"), std::string::npos);
+  EXPECT_NE(outcome.errors.front().find("is not allowed in a chunk"), std::string::npos);
 }
 
 TEST(McapDamage, RecordsThatTheSpecificationMayAddLaterAreSkipped) {
