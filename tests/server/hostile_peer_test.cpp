@@ -173,7 +173,7 @@ TEST(HostilePeer, AskingWithoutListeningEndsTheConnectionAndNotTheMemory) {
     stranger.say(probes);
   EXPECT_EQ(site.listener->peers(), 0u);
   ASSERT_FALSE(site.notes.empty());
-  expect_says(site.notes.back(), "asks and does not listen");
+  expect_says(site.notes.back(), "without reading the replies");
 }
 
 TEST(HostilePeer, AskingForKeyFramesWithoutEndAsksThePublisherOnce) {

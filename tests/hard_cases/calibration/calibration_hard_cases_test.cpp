@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
              }},
         Case{"one column shifted by a row",
              {{0, 0, 0}, {0.3, 0, 0}, {0, 0.2, 0}, {0, 0, 0.1}, {0.3, 0.2, 0.1}},
-             "do not belong together",
+             "do not match",
              "worst is pair",
              Eigen::Matrix3d::Identity(),
              [](std::vector<PointPair>& p) {
