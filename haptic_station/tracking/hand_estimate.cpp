@@ -4,96 +4,124 @@
 #include <cmath>
 
 namespace telepalp::tracking {
+namespace {
 
-void HandEstimate::restart(SessionTime at, const Point<HapticBase>& hand) noexcept {
-  constexpr double kSpeedSigma_m_per_s = 0.5;
-  constexpr double kAccelerationSigma_m_per_s2 = 5.0;
-  motion_.setZero();
-  motion_.row(0) = hand.m.transpose();
-  covariance_.setZero();
-  covariance_(0, 0) = settings_.noise_m * settings_.noise_m;
-  covariance_(1, 1) = kSpeedSigma_m_per_s * kSpeedSigma_m_per_s;
-  if (settings_.model == MotionModel::ConstantAcceleration)
-    covariance_(2, 2) = kAccelerationSigma_m_per_s2 * kAccelerationSigma_m_per_s2;
-  newest_ = at;
-  started_ = true;
-  outliers_ = 0;
-}
+constexpr double kStartSpeed_m_per_s = 0.5;  // standard deviation, after a restart
+constexpr double kLeastProcess_m2_per_s3 = 1e-4;
+constexpr double kRounding_m2 = 1e-14;
 
-Eigen::Matrix3d HandEstimate::transition(double dt, double velocity_memory_s) const noexcept {
-  Eigen::Matrix3d step = Eigen::Matrix3d::Identity();
-  step(0, 1) = dt;
-  if (settings_.model == MotionModel::DampedVelocity) {
-    step(1, 1) = std::exp(-dt / velocity_memory_s);
-    step(0, 1) = velocity_memory_s * (1.0 - step(1, 1));
-  }
-  if (settings_.model == MotionModel::ConstantAcceleration) {
-    step(1, 2) = dt;
-    step(0, 2) = 0.5 * dt * dt;
-  }
+Eigen::Matrix2d transition(double dt_s) noexcept {
+  Eigen::Matrix2d step = Eigen::Matrix2d::Identity();
+  step(0, 1) = dt_s;
   return step;
 }
 
-Eigen::Matrix3d HandEstimate::process_noise(double dt) const noexcept {
-  const double dt2 = dt * dt;
-  const double dt3 = dt2 * dt;
-  Eigen::Matrix3d q = Eigen::Matrix3d::Zero();
-  // The noise of the constant-velocity model serves for the damped velocity, too: over one period of the tracker both
-  // agree within a few per cent.
-  if (settings_.model != MotionModel::ConstantAcceleration) {
-    q(0, 0) = dt3 / 3.0;
-    q(0, 1) = q(1, 0) = dt2 / 2.0;
-    q(1, 1) = dt;
-    return q * settings_.acceleration_m_per_s2 * settings_.acceleration_m_per_s2;
-  }
-  q(0, 0) = dt3 * dt2 / 20.0;
-  q(0, 1) = q(1, 0) = dt2 * dt2 / 8.0;
-  q(0, 2) = q(2, 0) = dt3 / 6.0;
-  q(1, 1) = dt3 / 3.0;
-  q(1, 2) = q(2, 1) = dt2 / 2.0;
-  q(2, 2) = dt;
-  return q * settings_.jerk_m_per_s3 * settings_.jerk_m_per_s3;
+/// The velocity changes right after a sample and then stays, for unit intensity. With small measurement noise the
+/// filter's velocity is then the one between the last two samples.
+Eigen::Matrix2d process_noise(double dt_s) noexcept {
+  const double dt2 = dt_s * dt_s;
+  Eigen::Matrix2d q;
+  q << dt2 * dt_s, dt2, dt2, dt_s;
+  return q;
+}
+
+}  // namespace
+
+double HandEstimate::noise_m() const noexcept { return std::sqrt(noise_.variance_m2()); }
+
+void HandEstimate::restart(SessionTime at, const Point<HapticBase>& hand) noexcept {
+  motion_.setZero();
+  motion_.row(0) = hand.m.transpose();
+  covariance_.setZero();
+  covariance_(0, 0) = noise_.variance_m2();
+  covariance_(1, 1) = kStartSpeed_m_per_s * kStartSpeed_m_per_s;
+  noise_.begin_movement(hand.m);
+  persistence_.begin_movement();
+  surprise_m2_ = 0.0;
+  newest_ = received_ = at;
+  implausible_s_ = agree_s_ = 0.0;
+  started_ = true;
+}
+
+/// From one sample to the next a hand can be fast. While samples are rejected it may go on at an ordinary speed, but not
+/// far: after a longer time nothing is known about its place.
+bool HandEstimate::is_jump(SessionTime at, const Point<HapticBase>& hand) const noexcept {
+  constexpr double kOrdinary_m_per_s = 1.5;
+  constexpr double kFarthest_m = 0.1;
+  constexpr double kShortest_s = 0.005;
+  const double since_s = std::max(to_seconds(at - received_), kShortest_s);
+  const double from_last_m = (hand.m.transpose() - motion_.row(0)).norm();
+  const double meanwhile_m = std::min(kOrdinary_m_per_s * to_seconds(received_ - newest_), kFarthest_m);
+  return from_last_m > settings_.fastest_m_per_s * since_s + meanwhile_m;
+}
+
+/// Samples that agree with each other for long enough are the new truth.
+Taken HandEstimate::hold(SessionTime at, const Point<HapticBase>& hand) noexcept {
+  ++refused_;
+  const double since_s = to_seconds(at - received_);
+  const bool agrees = implausible_s_ > 0.0 && (hand.m - held_at_.m).norm() <= settings_.fastest_m_per_s * since_s;
+  agree_s_ = agrees ? agree_s_ + since_s : 0.0;
+  if (agree_s_ >= settings_.believed_after_s) return restart(at, hand), Taken::Restarted;
+  implausible_s_ = to_seconds(at - newest_);
+  held_at_ = hand;
+  received_ = at;
+  return Taken::Jump;
+}
+
+/// The process noise is what the innovations show beyond what the filter expects. A single large innovation counts at
+/// once, half: a hand that starts to move is followed without delay.
+void HandEstimate::adapt(double surprise_m2, double expected_m2, double dt_s) noexcept {
+  const double remembered = surprise_m2_ > 0.0 ? std::exp(-dt_s / settings_.surprise_memory_s) : 0.0;
+  surprise_m2_ += (1.0 - remembered) * (surprise_m2 - surprise_m2_);
+  const double unexpected_m2 = std::max(surprise_m2_, 0.5 * surprise_m2) - expected_m2 - noise_.variance_m2();
+  process_m2_per_s3_ = std::max(kLeastProcess_m2_per_s3, unexpected_m2 / (dt_s * dt_s * dt_s));
+}
+
+void HandEstimate::filter(const Point<HapticBase>& hand, double dt_s) noexcept {
+  noise_.add(hand.m, dt_s);
+  const Eigen::Matrix2d step = transition(dt_s);
+  const Motion predicted = step * motion_;
+  const Eigen::RowVector3d innovation_m = hand.m.transpose() - predicted.row(0);
+  Eigen::Matrix2d spread = step * covariance_ * step.transpose();
+  adapt(innovation_m.squaredNorm() / 3.0, spread(0, 0), dt_s);
+  spread += process_m2_per_s3_ * process_noise(dt_s);
+  const double noise_m2 = noise_.variance_m2();
+  const Eigen::Vector2d gain = spread.col(0) / (spread(0, 0) + noise_m2 + kRounding_m2);
+  motion_ = predicted + gain * innovation_m;
+  // Joseph's form: stays symmetric and positive where the plain update loses both to rounding.
+  Eigen::Matrix2d rest = Eigen::Matrix2d::Identity();
+  rest.col(0) -= gain;
+  covariance_ = rest * spread * rest.transpose() + noise_m2 * gain * gain.transpose();
 }
 
 Taken HandEstimate::update(SessionTime at, const Point<HapticBase>& hand) noexcept {
   if (!hand.m.allFinite()) return ++refused_, Taken::NotFinite;
-  const double dt = started_ ? to_seconds(at - newest_) : 0.0;
-  if (!started_ || dt > settings_.restart_after_s) return restart(at, hand), Taken::Restarted;
-  if (dt <= 0.0) return ++refused_, Taken::OutOfOrder;
-
-  const Eigen::Matrix3d step = transition(dt, settings_.velocity_memory_s);
-  const Motion predicted = step * motion_;
-  const Eigen::RowVector3d surprise = hand.m.transpose() - predicted.row(0);
-  const double from_last_m = (hand.m.transpose() - motion_.row(0)).norm();
-  if (from_last_m > settings_.fastest_m_per_s * std::max(dt, 0.005)) {
-    ++refused_;
-    if (++outliers_ < settings_.outliers_until_restart) return Taken::Outlier;
-    return restart(at, hand), Taken::Restarted;
-  }
-  outliers_ = 0;
-  const Eigen::Matrix3d spread = step * covariance_ * step.transpose() + process_noise(dt);
-  const Eigen::Vector3d gain = spread.col(0) / (spread(0, 0) + settings_.noise_m * settings_.noise_m);
-  motion_ = predicted + gain * surprise;
-  // Joseph's form of the update: the covariance stays symmetric and positive despite rounding.
-  Eigen::Matrix3d rest = Eigen::Matrix3d::Identity();
-  rest.col(0) -= gain;
-  covariance_ = rest * spread * rest.transpose() + settings_.noise_m * settings_.noise_m * gain * gain.transpose();
-  newest_ = at;
+  const double since_s = started_ ? to_seconds(at - received_) : 0.0;
+  if (!started_ || since_s > settings_.restart_after_s) return restart(at, hand), Taken::Restarted;
+  if (since_s <= 0.0) return ++refused_, Taken::OutOfOrder;
+  if (is_jump(at, hand)) return hold(at, hand);
+  const double dt_s = to_seconds(at - newest_);
+  filter(hand, dt_s);
+  persistence_.add(at, motion_.row(0).transpose(), motion_.row(1).transpose(), dt_s);
+  newest_ = received_ = at;
+  implausible_s_ = agree_s_ = 0.0;
   return Taken::Used;
 }
 
 HandPrediction HandEstimate::predict(SessionTime now) const noexcept {
   if (!started_) return {};
   const double age_s = to_seconds(now - newest_);
-  const double dt = std::clamp(age_s, 0.0, settings_.longest_prediction_s);
-  const Eigen::Matrix3d step = transition(dt, settings_.prediction_memory_s);
-  const Motion motion = step * motion_;
-  const Eigen::Matrix3d spread = step * covariance_ * step.transpose() + process_noise(dt);
+  const double dt_s = std::clamp(age_s, 0.0, settings_.longest_prediction_s);
   const bool held = age_s > settings_.longest_prediction_s;
-  return {.at = {motion.row(0).transpose()},
-          .velocity = {held ? Eigen::Vector3d::Zero().eval() : motion.row(1).transpose().eval()},
-          .sigma_m = std::sqrt(spread(0, 0)),
+  const Eigen::Matrix2d step = transition(dt_s);
+  const double spread_m2 = (step * covariance_ * step.transpose())(0, 0);
+  const double random_m2 = process_m2_per_s3_ * dt_s * dt_s * dt_s / 3.0;  // white acceleration
+  return {.at = {(motion_.row(0) + persistence_.reach_s(dt_s) * motion_.row(1)).transpose()},
+          .velocity = {held ? Eigen::Vector3d::Zero().eval()
+                            : (persistence_.left(dt_s) * motion_.row(1)).transpose().eval()},
+          .sigma_m = std::sqrt(spread_m2 + random_m2),
           .age_s = age_s,
+          .implausible_s = implausible_s_,
           .valid = true};
 }
 

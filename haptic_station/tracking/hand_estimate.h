@@ -1,32 +1,24 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 
+#include "haptic_station/tracking/sample_noise.h"
+#include "haptic_station/tracking/velocity_persistence.h"
 #include "proto/words/frames.h"
 #include "proto/words/time.h"
 
 namespace telepalp::tracking {
 
-/// Motion model of the hand between samples.
-enum class MotionModel {
-  DampedVelocity,  ///< the velocity decays exponentially: a moving hand will stop
-  ConstantVelocity,
-  ConstantAcceleration,  ///< good for slow, smooth movements only; overshoots real hands
-};
-
 struct HandEstimateSettings {
-  MotionModel model = MotionModel::DampedVelocity;
-  double noise_m = 0.0005;             ///< standard deviation of a sample
-  double jerk_m_per_s3 = 60.0;         ///< intensity of the white jerk (acceleration model) [m/s^3 / sqrt(Hz)]
-  double acceleration_m_per_s2 = 1.0;  ///< intensity of the white acceleration (velocity models) [m/s^2 / sqrt(Hz)]
-  double velocity_memory_s = 0.8;      ///< time constant of the velocity's decay between samples
-  double prediction_memory_s = 0.06;   ///< time constant after the newest sample; shorter, as the hand may be stopping
+  double noise_memory_s = 3.0;         ///< over which the tracker's noise is estimated
+  double surprise_memory_s = 0.05;     ///< over which the hand's changes of velocity are estimated
+  double persistence_memory_s = 1.0;   ///< over which the velocity's time constant is learnt
+  double velocity_memory_s = 0.1;      ///< that time constant, until movements show another
   double longest_prediction_s = 0.05;  ///< at a greater age the predicted position no longer changes
   double restart_after_s = 0.2;        ///< the filter restarts after a longer gap between samples
-  double fastest_m_per_s = 5.0;        ///< a sample that implies a greater speed is an outlier
-  int outliers_until_restart = 5;      ///< after so many outliers in a row, the filter restarts at the newest
+  double fastest_m_per_s = 5.0;        ///< a sample that implies a greater speed is a jump, and held
+  double believed_after_s = 0.5;       ///< after a jump, samples that agree for so long are the new truth
 };
 
 /// The hand's predicted state at an instant, from the samples before it.
@@ -34,19 +26,27 @@ struct HandPrediction {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
   double sigma_m = 0.0;         ///< standard deviation per axis
-  double age_s = 0.0;           ///< age of the newest sample
+  double age_s = 0.0;           ///< age of the newest sample that was believed
+  double implausible_s = 0.0;   ///< samples have been beyond physics for so long; 0: the newest one is plausible
   bool valid = false;           ///< false: no sample yet
 };
 
 /// How update() handled a sample.
-enum class Taken { Used, Restarted, NotFinite, OutOfOrder, Outlier };
+enum class Taken { Used, Restarted, NotFinite, OutOfOrder, Jump };
 
-/// Kalman filter over hand or proxy samples at about 100 Hz, predicted at 2 kHz (S1 II.D). It uses the time stamp of
-/// each sample, so jitter, gaps and bursts cause no model error. The restart after a gap bounds its covariance. Axes
-/// are independent and share one covariance. No allocation. Owner: control thread.
+/// Adaptive Kalman filter over hand or proxy samples at about 100 Hz, predicted at 2 kHz (S1 II.D). The measurement
+/// noise follows from the samples (SampleNoise), the process noise from the newest innovations, and the velocity's time
+/// constant from the recent movements (VelocityPersistence). With a tracker that smooths its samples the filter becomes
+/// the straight line through the last two samples, shortened by that time constant; with a noisy tracker it averages.
+/// It uses the time stamp of each sample, so jitter, gaps and bursts cause no model error. The restart after a gap
+/// bounds its covariance. A jump beyond physics is held: the estimate stays on the believed samples. Axes are
+/// independent and share one covariance. No allocation. Owner: control thread.
 class HandEstimate {
  public:
-  explicit HandEstimate(const HandEstimateSettings& settings = {}) noexcept : settings_(settings) {}
+  explicit HandEstimate(const HandEstimateSettings& settings = {}) noexcept
+      : settings_(settings),
+        noise_(settings.noise_memory_s),
+        persistence_(settings.velocity_memory_s, settings.persistence_memory_s) {}
 
   /// Adds a sample taken at `at`. The estimate changes only when the result is Used or Restarted.
   Taken update(SessionTime at, const Point<HapticBase>& hand) noexcept;
@@ -54,20 +54,31 @@ class HandEstimate {
   void forget() noexcept { started_ = false; }
   [[nodiscard]] HandPrediction predict(SessionTime now) const noexcept;
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }
+  /// Estimated standard deviation of a sample, per axis.
+  [[nodiscard]] double noise_m() const noexcept;
 
  private:
-  using Motion = Eigen::Matrix3d;  ///< rows: position, velocity, acceleration; columns: axes
+  using Motion = Eigen::Matrix<double, 2, 3>;  ///< rows: position, velocity; columns: axes
 
   void restart(SessionTime at, const Point<HapticBase>& hand) noexcept;
-  [[nodiscard]] Eigen::Matrix3d transition(double dt_s, double velocity_memory_s) const noexcept;
-  [[nodiscard]] Eigen::Matrix3d process_noise(double dt_s) const noexcept;
+  [[nodiscard]] bool is_jump(SessionTime at, const Point<HapticBase>& hand) const noexcept;
+  [[nodiscard]] Taken hold(SessionTime at, const Point<HapticBase>& hand) noexcept;
+  void filter(const Point<HapticBase>& hand, double dt_s) noexcept;
+  void adapt(double surprise_m2, double expected_m2, double dt_s) noexcept;
 
   HandEstimateSettings settings_;
+  SampleNoise noise_;
+  VelocityPersistence persistence_;
   Motion motion_ = Motion::Zero();
-  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
-  SessionTime newest_{};
+  Eigen::Matrix2d covariance_ = Eigen::Matrix2d::Zero();
+  double surprise_m2_ = 0.0;        ///< recent mean square of the filter's innovations, per axis
+  double process_m2_per_s3_ = 0.0;  ///< intensity of the hand's random acceleration
+  SessionTime newest_{};            ///< believed
+  SessionTime received_{};          ///< the newest of all, believed or held
+  Point<HapticBase> held_at_;       ///< the newest held one
+  double implausible_s_ = 0.0;
+  double agree_s_ = 0.0;  ///< held samples have agreed with each other for so long
   bool started_ = false;
-  int outliers_ = 0;
   std::uint64_t refused_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "haptic_station/tracking/hand_trace.h"
 #include "tests/bench/accuracy_rms.h"
 #include "tests/bench/distribution.h"
+#include "tests/bench/fixed_kalman.h"
 #include "tests/haptic_station/surface/touch_scenario.h"
 #include "where.h"
 
@@ -23,28 +24,23 @@ constexpr Eigen::Index kHeight = 1;  // the tracker's y
 /// Predicts the hand at a sample's time by every model, from the samples up to `newest`.
 class HandModels {
  public:
-  HandModels() {
-    for (const auto model : {tracking::MotionModel::ConstantVelocity, tracking::MotionModel::ConstantAcceleration,
-                             tracking::MotionModel::DampedVelocity}) {
-      tracking::HandEstimateSettings settings;
-      settings.model = model;
-      estimates_.emplace_back(settings);
-    }
-  }
-
   void update(const tracking::TraceSample& sample) {
-    for (auto& estimate : estimates_) (void)estimate.update(sample.at, {sample.palm.m});
+    velocity_.update(sample.at, sample.palm.m);
+    damped_.update(sample.at, sample.palm.m);
+    (void)adaptive_.update(sample.at, {sample.palm.m});
   }
 
   [[nodiscard]] std::array<Vector3d, 5> at(SessionTime when, const tracking::TraceSample& newest,
                                            const tracking::TraceSample& before) const {
     const double share = to_seconds(when - newest.at) / to_seconds(newest.at - before.at);
-    return {newest.palm.m, newest.palm.m + share * (newest.palm.m - before.palm.m), estimates_[0].predict(when).at.m,
-            estimates_[1].predict(when).at.m, estimates_[2].predict(when).at.m};
+    return {newest.palm.m, newest.palm.m + share * (newest.palm.m - before.palm.m), velocity_.predict(when),
+            damped_.predict(when), adaptive_.predict(when).at.m};
   }
 
  private:
-  std::vector<tracking::HandEstimate> estimates_;
+  FixedKalman velocity_{kFixedVelocity};
+  FixedKalman damped_{kFixedDamped};
+  tracking::HandEstimate adaptive_;
 };
 
 HandPredictionError predict(const tracking::HandTrace& trace, const std::string& name, std::size_t ahead) {

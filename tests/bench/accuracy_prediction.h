@@ -19,8 +19,8 @@ struct HandPredictionError {
   std::array<double, 5> height_m{};
 };
 
-inline constexpr std::array<const char*, 5> kHandModels{"hold last", "straight on", "Kalman, constant velocity",
-                                                        "Kalman, constant acceleration", "Kalman, damped velocity"};
+inline constexpr std::array<const char*, 5> kHandModels{"hold last", "straight on", "fixed noise, constant velocity",
+                                                        "fixed noise, damped velocity", "adaptive"};
 inline constexpr std::size_t kDefaultHandModel = 4;
 
 /// Predicts each sample of four recorded traces from the samples at least 1, 2 and 4 samples (about 9, 18 and 36 ms)

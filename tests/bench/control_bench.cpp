@@ -15,6 +15,7 @@
 #include "haptic_station/trials/blind_search.h"
 #include "haptic_station/trials/trial_run.h"
 #include "tests/bench/distribution.h"
+#include "tests/bench/fixed_kalman.h"
 #include "where.h"
 
 namespace telepalp::bench {
@@ -165,19 +166,22 @@ void search_for_cylinders(bool by_camera, int searches, Report& report) {
 struct PredictionError {
   double hold_m = 0.0;
   double line_m = 0.0;
+  double fixed_m = 0.0;
   double estimate_m = 0.0;
 };
 
-PredictionError predict_held_out(const tracking::HandTrace& trace, const tracking::HandEstimateSettings& settings) {
+PredictionError predict_held_out(const tracking::HandTrace& trace) {
   PredictionError sum;
   double count = 0.0;
   for (std::size_t parity = 0; parity < 2; ++parity) {
-    tracking::HandEstimate estimate(settings);
+    tracking::HandEstimate estimate;
+    FixedKalman fixed(kFixedDamped);
     std::vector<const tracking::TraceSample*> used;
     for (std::size_t i = 0; i < trace.samples.size(); ++i) {
       const tracking::TraceSample& sample = trace.samples[i];
       if (i % 2 == parity) {
         (void)estimate.update(sample.at, {sample.palm.m});
+        fixed.update(sample.at, sample.palm.m);
         used.push_back(&sample);
         continue;
       }
@@ -190,29 +194,25 @@ PredictionError predict_held_out(const tracking::HandTrace& trace, const trackin
       const Eigen::Vector3d line = last.palm.m + (last.palm.m - before.palm.m) * (ahead_s / span_s);
       sum.hold_m += (last.palm.m - sample.palm.m).squaredNorm();
       sum.line_m += (line - sample.palm.m).squaredNorm();
+      sum.fixed_m += (fixed.predict(sample.at) - sample.palm.m).squaredNorm();
       sum.estimate_m += (estimate.predict(sample.at).at.m - sample.palm.m).squaredNorm();
       count += 1.0;
     }
   }
-  return {std::sqrt(sum.hold_m / count), std::sqrt(sum.line_m / count), std::sqrt(sum.estimate_m / count)};
+  return {std::sqrt(sum.hold_m / count), std::sqrt(sum.line_m / count), std::sqrt(sum.fixed_m / count),
+          std::sqrt(sum.estimate_m / count)};
 }
 
 Result<void> predict_hands(Report& report) {
   for (const std::string name : {"confidence-demo", "grab", "pinch", "test-paddle-rightwards"}) {
     const auto trace = tracking::read_hand_trace(TELEPALP_SOURCE_DIR "/tests/data/hand_tracking/" + name + ".csv");
     if (!trace) return trace.error();
-    const PredictionError damped = predict_held_out(*trace, {});
-    tracking::HandEstimateSettings other;
-    other.model = tracking::MotionModel::ConstantVelocity;
-    const PredictionError velocity = predict_held_out(*trace, other);
-    other.model = tracking::MotionModel::ConstantAcceleration;
-    const PredictionError acceleration = predict_held_out(*trace, other);
-    report.rows.push_back(measured(name + ": hold last", damped.hold_m * 1e3, "mm"));
-    report.rows.push_back(measured(name + ": straight on", damped.line_m * 1e3, "mm"));
-    report.rows.push_back(measured(name + ": Kalman, constant velocity", velocity.estimate_m * 1e3, "mm"));
-    report.rows.push_back(measured(name + ": Kalman, constant acceleration", acceleration.estimate_m * 1e3, "mm"));
-    report.rows.push_back(at_most(name + ": Kalman, damped velocity (default)", damped.estimate_m * 1e3, "mm",
-                                  std::min(damped.hold_m, damped.line_m) * 1e3));
+    const PredictionError error = predict_held_out(*trace);
+    report.rows.push_back(measured(name + ": hold last", error.hold_m * 1e3, "mm"));
+    report.rows.push_back(measured(name + ": straight on", error.line_m * 1e3, "mm"));
+    report.rows.push_back(measured(name + ": fixed noise, damped velocity", error.fixed_m * 1e3, "mm"));
+    report.rows.push_back(at_most(name + ": adaptive (default)", error.estimate_m * 1e3, "mm",
+                                  std::min(error.hold_m, error.line_m) * 1e3));
   }
   return {};
 }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace telepalp::tracking {
+
+/// Estimates a tracker's measurement noise from its own samples, without a model of the hand (after Mehra 1970, the
+/// autocovariance of the innovations). The innovation is the distance from a sample to the straight line through the
+/// two before. White noise makes successive innovations point in opposite directions; a hand that speeds up or brakes
+/// makes them point in the same direction. So the noise variance follows from their covariance, at any sample rate, and
+/// is zero for a tracker that smooths its samples. No allocation.
+class SampleNoise {
+ public:
+  explicit SampleNoise(double memory_s) noexcept : memory_s_(memory_s) {}
+
+  /// The next sample does not continue the movement. The variance so far stays: it belongs to the tracker.
+  void begin_movement(const Eigen::Vector3d& sample_m) noexcept;
+  /// A sample `dt_s` > 0 after the last one.
+  void add(const Eigen::Vector3d& sample_m, double dt_s) noexcept;
+
+  [[nodiscard]] double variance_m2() const noexcept { return variance_m2_; }  ///< per axis
+
+ private:
+  double memory_s_;
+  int samples_ = 0;  ///< of this movement, at most 3
+  Eigen::Vector3d last_m_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d step_m_per_s_ = Eigen::Vector3d::Zero();  ///< from the sample before to the last one
+  Eigen::Vector3d innovation_m_ = Eigen::Vector3d::Zero();
+  double dt_s_ = 0.0;        ///< between the last two samples
+  double ratio_ = 1.0;       ///< of the last interval to the one before
+  double covariance_ = 0.0;  ///< weighted sum of minus the covariance of successive innovations
+  double share_ = 0.0;       ///< weighted sum of what that covariance is for unit noise
+  double variance_m2_ = 0.0;
+};
+
+}  // namespace telepalp::tracking

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+#include "proto/words/time.h"
+
+namespace telepalp::tracking {
+
+/// How long the hand keeps its velocity, learnt from its recent movements: the distance it went over about 40 ms,
+/// compared with the velocity at the beginning. A hand that pokes and stops has a short memory of its velocity; a hand
+/// that sweeps keeps it. No allocation.
+class VelocityPersistence {
+ public:
+  /// `expected_s`: the velocity's time constant until movements show another. `memory_s`: of the learning.
+  VelocityPersistence(double expected_s, double memory_s) noexcept;
+
+  /// The next state does not continue the movement.
+  void begin_movement() noexcept { count_ = 0; }
+  /// The estimated state of the hand at a sample.
+  void add(SessionTime at, const Eigen::Vector3d& hand_m, const Eigen::Vector3d& velocity_m_per_s,
+           double dt_s) noexcept;
+
+  /// Time that the present velocity must be multiplied with to give the distance ahead after `ahead_s`.
+  [[nodiscard]] double reach_s(double ahead_s) const noexcept;
+  /// Share of the velocity that is left after `ahead_s`.
+  [[nodiscard]] double left(double ahead_s) const noexcept;
+
+ private:
+  struct State {
+    SessionTime at;
+    Eigen::Vector3d hand_m;
+    Eigen::Vector3d velocity_m_per_s;
+  };
+  static constexpr std::size_t kStates = 16;
+
+  [[nodiscard]] const State* a_while_before(SessionTime at) const noexcept;
+
+  double expected_per_s_;
+  double memory_s_;
+  std::array<State, kStates> states_{};  ///< a ring; the newest is at (next_ - 1)
+  std::size_t next_ = 0;
+  std::size_t count_ = 0;
+  double lost_ = 0.0;    ///< weighted sum of the distance that straight-on was too far
+  double weight_ = 0.0;  ///< of those sums
+  double brakes_per_s_;  ///< rate at which the velocity dies away
+};
+
+}  // namespace telepalp::tracking
