@@ -12,7 +12,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   const double dt_s = std::isfinite(dt_given_s) ? std::clamp(dt_given_s, 0.0, 0.01) : 0.0;
   // Sense.
   const ControlInput in = is_finite(given) ? given : blank_input(given, target_);
-  const FaultCause stands = standing_fault(given, settings_.ages);
+  const FaultCause stands = standing_fault(given, force_control_.touching(), settings_.ages);
   plane_.move(in.device, in.contact, dt_s);
   force_control_.release(hand_is_lost(in, settings_.ages.tracker_in_contact_s), settings_.transitions.contact_release_s,
                          dt_s);

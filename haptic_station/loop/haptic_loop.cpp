@@ -68,6 +68,7 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
                                  .hand_velocity = hand.velocity,
                                  .hand_valid = hand.valid,
                                  .hand_age_s = hand.age_s,
+                                 .hand_implausible_s = hand.implausible_s,
                                  .contact = contact_of(touch),
                                  .rearm = rearm_};
   rearm_ = false;

@@ -15,7 +15,7 @@ bool is_finite(const ports::SurfaceContact& contact) noexcept {
 
 bool is_finite(const ControlInput& in) noexcept {
   return in.device.m.allFinite() && in.device_velocity.v.allFinite() && std::isfinite(in.device_age_s) &&
-         std::isfinite(in.device_implausible_s) &&
+         std::isfinite(in.device_implausible_s) && std::isfinite(in.hand_implausible_s) &&
          (!in.hand_valid || (in.hand.m.allFinite() && in.hand_velocity.v.allFinite())) &&
          (!in.contact.valid || is_finite(in.contact));
 }
@@ -30,10 +30,12 @@ ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device
   return blank;
 }
 
-FaultCause standing_fault(const ControlInput& in, const AgeLimits& ages) noexcept {
+FaultCause standing_fault(const ControlInput& in, bool touching, const AgeLimits& ages) noexcept {
   if (!is_finite(in)) return FaultCause::NotFinite;
   if (!(in.device_age_s <= ages.device_s)) return FaultCause::DeviceSilent;
-  return in.device_implausible_s <= ages.implausible_s ? FaultCause::None : FaultCause::DeviceImplausible;
+  if (!(in.device_implausible_s <= ages.implausible_s)) return FaultCause::DeviceImplausible;
+  const bool jumps = in.hand_valid && !(in.hand_implausible_s <= ages.hand_implausible_s);
+  return jumps && !touching ? FaultCause::HandImplausible : FaultCause::None;
 }
 
 // Each comparison is true only for a valid age; it is false for NaN.

@@ -13,8 +13,9 @@ namespace telepalp::control {
 /// that no NaN reaches the controller's state. It keeps only the operator's request from `in`.
 [[nodiscard]] ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device) noexcept;
 
-/// The reason why the station must fault at this tick, or FaultCause::None.
-[[nodiscard]] FaultCause standing_fault(const ControlInput& in, const AgeLimits& ages) noexcept;
+/// The reason why the station must fault at this tick, or FaultCause::None. While the hand is `touching` the skin, the
+/// force needs the device alone: an implausible tracker is then no fault, it counts as one that has lost the hand.
+[[nodiscard]] FaultCause standing_fault(const ControlInput& in, bool touching, const AgeLimits& ages) noexcept;
 
 /// True when the surface is older than its limit. An age that is NaN counts as too old.
 [[nodiscard]] bool surface_is_stale(const ControlInput& in, const AgeLimits& ages) noexcept;

@@ -7,17 +7,16 @@ using P = Phase;
 using E = Event;
 
 /// S1 Fig. 4. The dwell applies on the way out of the body. There a delay is harmless, and the dwell prevents rapid
-/// changes of phase. First contact does not wait for the dwell, because a fast hand would pass through the skin before
-/// it felt it. In body therefore begins on the tick at which the hand meets the skin, also from Out body. In Body to
-/// plane the hand already feels the skin; there only the change of the phase waits. Transitions at inner objects
-/// ("simply dependent on the hand position") and releases never wait.
+/// changes of phase. Contact never waits for the dwell, because a fast hand would pass through the skin before it felt
+/// it: In body begins on the tick at which the hand meets the skin, from each phase outside. Transitions at inner
+/// objects ("simply dependent on the hand position") and releases never wait.
 constexpr Row kTransitions[] = {
     {P::InBody, E::FromBody, P::BodyToPlane, true},
     {P::InBody, E::NearObject, P::AroundObject, false},
     {P::InBody, E::TouchUpper, P::ObjectUpper, false},
     {P::InBody, E::TouchLateral, P::ObjectLateral, false},
     {P::BodyToPlane, E::ToPlane, P::OutBody, true},
-    {P::BodyToPlane, E::IntoBody, P::InBody, true},
+    {P::BodyToPlane, E::IntoBody, P::InBody, false},
     {P::OutBody, E::UnderPlane, P::PlaneToBody, true},
     {P::OutBody, E::IntoBody, P::InBody, false},
     {P::PlaneToBody, E::IntoBody, P::InBody, false},
@@ -129,6 +128,8 @@ const char* name(FaultCause cause) noexcept {
       return "a number that is not finite";
     case FaultCause::DeviceImplausible:
       return "the haptic device reports impossibly fast movements";
+    case FaultCause::HandImplausible:
+      return "the hand tracker reports impossibly fast movements";
   }
   return "?";
 }

@@ -42,6 +42,7 @@ enum class FaultCause : std::uint8_t {
   DeviceSilent,       ///< the last reading of the device is older than its limit
   NotFinite,          ///< a number in the input or in the force is NaN or infinite
   DeviceImplausible,  ///< the device reports impossibly fast movements for longer than a glitch lasts
+  HandImplausible,    ///< the hand tracker does, out of contact, where the end-effector follows it
 };
 
 struct Row {

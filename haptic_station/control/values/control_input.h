@@ -15,6 +15,7 @@ struct ControlInput {
   Vector<HapticBase> hand_velocity;    ///< [m/s]
   bool hand_valid = false;             ///< false while the tracker has not seen a hand yet; `hand` is then meaningless
   double hand_age_s = 0.0;             ///< time since the newest sample of the tracker
+  double hand_implausible_s = 0.0;     ///< how long the tracker has reported impossibly fast movements; 0: plausible
   ports::SurfaceContact contact;  ///< the surface's answer for `device`; its age is valid even when no surface is near
   bool rearm = false;             ///< true on the tick at which an operator asks to re-arm
 };

@@ -38,7 +38,8 @@ struct AgeLimits {
   double tracker_in_contact_s = 3.0;  ///< in contact, where the skin's force depends on the device alone
   double surface_s = 1.0;
   double device_s = 0.1;
-  double implausible_s = 0.008;  ///< longest time of impossibly fast device readings; more is a fault
+  double implausible_s = 0.008;      ///< longest time of impossibly fast device readings; more is a fault
+  double hand_implausible_s = 0.08;  ///< the same of hand samples, out of contact
 };
 
 struct ControlSettings {

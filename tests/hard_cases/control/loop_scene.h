@@ -50,6 +50,8 @@ struct LoopScene {
       };
   /// Replaces the true reading of the device's encoders at `now_s`.
   std::function<void(double now_s, ports::DeviceReading&)> encoders = [](double, ports::DeviceReading&) {};
+  /// What an operator does at `now_s`.
+  std::function<void(double now_s, station::HapticLoop&)> operate = [](double, station::HapticLoop&) {};
   std::function<void(const station::HapticLoop::Act&, double now_s, const station::HapticLoop&,
                      const device::SimulatedPair&)>
       watch = [](const station::HapticLoop::Act&, double, const station::HapticLoop&, const device::SimulatedPair&) {};
@@ -76,6 +78,7 @@ inline Felt feel(const LoopScene& scene) {
       loop.hand_sampled(at_s(one.at_s), one.hand);
     ports::DeviceReading reading{.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0};
     scene.encoders(now_s, reading);
+    scene.operate(now_s, loop);
     const auto act = loop.tick(reading, at_s(now_s), scene.kTick_s);
     const device::SimulatedPair before = pair;
     pair.step(act.force, scene.person({now_s, act.contact, pair.device()}), LoopScene::kTick_s);

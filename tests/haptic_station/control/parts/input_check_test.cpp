@@ -39,16 +39,24 @@ TEST(InputCheck, ABlankInputIsFiniteStaleAndKeepsTheOperatorsRequest) {
 
 TEST(InputCheck, NamesTheCauseOfAFault) {
   ControlInput in = good();
-  EXPECT_EQ(standing_fault(in, {}), FaultCause::None);
+  EXPECT_EQ(standing_fault(in, false, {}), FaultCause::None);
   in.device_age_s = 0.11;
-  EXPECT_EQ(standing_fault(in, {}), FaultCause::DeviceSilent);
+  EXPECT_EQ(standing_fault(in, false, {}), FaultCause::DeviceSilent);
   in.device_age_s = kNaN;
-  EXPECT_EQ(standing_fault(in, {}), FaultCause::NotFinite);
+  EXPECT_EQ(standing_fault(in, false, {}), FaultCause::NotFinite);
   in.device_age_s = 0.0;
   in.device_implausible_s = 0.004;
-  EXPECT_EQ(standing_fault(in, {}), FaultCause::None) << "a glitch is bridged";
+  EXPECT_EQ(standing_fault(in, false, {}), FaultCause::None) << "a glitch is bridged";
   in.device_implausible_s = 0.009;
-  EXPECT_EQ(standing_fault(in, {}), FaultCause::DeviceImplausible);
+  EXPECT_EQ(standing_fault(in, false, {}), FaultCause::DeviceImplausible);
+  in.device_implausible_s = 0.0;
+  in.hand_implausible_s = 0.07;
+  EXPECT_EQ(standing_fault(in, false, {}), FaultCause::None) << "a tracker's glitch is held";
+  in.hand_implausible_s = 0.09;
+  EXPECT_EQ(standing_fault(in, false, {}), FaultCause::HandImplausible);
+  EXPECT_EQ(standing_fault(in, true, {}), FaultCause::None) << "the skin's force needs the device alone";
+  in.hand_valid = false;
+  EXPECT_EQ(standing_fault(in, false, {}), FaultCause::None) << "no hand has been seen";
 }
 
 TEST(InputCheck, AnAgeThatIsNaNOrFarInTheFutureIsStale) {
