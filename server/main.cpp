@@ -30,7 +30,10 @@ program::Usage usage() {
                        "synthetic"},
                       {"loop", "yes|no", "repeat a recording when it ends", "yes"},
                       {"seconds", "S", "stop after this time; 0: never", "0"},
-                      {"bind", "ADDRESS", "loopback address to listen on", "127.0.0.1"},
+                      {"bind", "ADDRESS", "where to listen; off this machine it needs --key", "127.0.0.1"},
+                      {"key", "FILE", "of telepalp-keys server: TLS, and peers need keys; default: none"},
+                      {"revoked", "FILE", "revocation list; default: revoked.crl beside the key"},
+                      {"audit", "FILE", "who did what, hash-chained; default: audit.log beside the key"},
                       {"port", "PORT", "for stations and recorders; 0: any free one", program::kServerPort},
                       {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; default: none"},
                       {.name = "allow-origin",
@@ -54,6 +57,7 @@ struct Asked {
   bool loop = true;
   std::chrono::duration<double> seconds{0.0};
   std::filesystem::path ready_file;
+  std::optional<server::Access::Options> keys;  // none: this machine alone
   server::Server::Options server;
   std::optional<server::GatewayOptions> gateway;  // nullopt: browsers are not served
 };
@@ -89,6 +93,20 @@ Result<std::optional<server::GatewayOptions>> gateway_options(const program::Arg
   return std::optional{std::move(options)};
 }
 
+Result<std::optional<server::Access::Options>> key_options(const program::Arguments& arguments) {
+  if (arguments.has("key"))
+    return std::optional(server::Access::Options{.key = arguments.text("key"),
+                                                 .revoked = arguments.text("revoked"),
+                                                 .audit = arguments.text("audit"),
+                                                 .say = [](const std::string& text) { program::log(kProgram, text); }});
+  for (const char* option : {"revoked", "audit"})
+    if (arguments.has(option))
+      return Error{.what = "this is of use with a key alone",
+                   .where = "--" + std::string(option),
+                   .fix = "add --key FILE, or leave it out"};
+  return std::optional<server::Access::Options>{};
+}
+
 Result<Asked> read_asked(const program::Arguments& arguments) {
   const Result<bool> loop = yes_or_no(arguments, "loop");
   if (!loop) return loop.error();
@@ -101,15 +119,19 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   const Result<codec::DepthStreamSettings> depth =
       server::read_depth_settings(arguments, {.mode = "depth-mode", .bound = "depth-bound"});
   if (!depth) return depth.error();
-  const Result<boost::asio::ip::address> address = server::loopback_address(arguments.text("bind"));
+  const Result<boost::asio::ip::address> address =
+      server::listening_address(arguments.text("bind"), arguments.has("key"));
   if (!address) return address.error();
   const Result<std::optional<server::GatewayOptions>> gateway = gateway_options(arguments);
   if (!gateway) return gateway.error();
+  const Result<std::optional<server::Access::Options>> keys = key_options(arguments);
+  if (!keys) return keys.error();
   const auto say = [](const std::string& text) { program::log(kProgram, text); };
   return Asked{.source = arguments.text("source"),
                .loop = *loop,
                .seconds = std::chrono::duration<double>(*seconds),
                .ready_file = arguments.text("ready-file"),
+               .keys = *keys,
                .server = {.name = arguments.text("name"),
                           .bind = arguments.text("bind"),
                           .port = static_cast<std::uint16_t>(*port),
@@ -124,8 +146,13 @@ std::string ports_text(std::uint16_t port, const server::Gateway* gateway) {
   return text;
 }
 
-int run(const Asked& asked) {
+int run(Asked asked) {
   boost::asio::io_context io;
+  if (asked.keys) {
+    auto access = server::Access::with_key(*asked.keys);
+    if (!access) return program::fail(access.error());
+    asked.server.access = std::move(access).value();
+  }
   Result<std::unique_ptr<server::Server>> listening = server::Server::listen(io, asked.server);
   if (!listening) return program::fail(listening.error());
   server::Server& server = **listening;
@@ -134,6 +161,8 @@ int run(const Asked& asked) {
   if (!source) return program::fail(source.error());
   std::unique_ptr<server::Gateway> gateway;
   if (asked.gateway) {
+    asked.gateway->access = asked.server.access;
+    asked.gateway->problem = [&server] { return server.problem(); };
     auto opened = server::Gateway::open(
         io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
     if (!opened) return program::fail(opened.error());
@@ -162,11 +191,14 @@ int run(const Asked& asked) {
     });
   }
   server.start(std::move(source).value(), asked.source, [&] { stop("the source came to its end"); });
-  program::log(kProgram, "listening on " + asked.server.bind + ":" + std::to_string(server.port()));
+  program::log(kProgram, "listening on " + asked.server.bind + ":" + std::to_string(server.port()) +
+                             (asked.keys ? ", TLS with keys" : ""));
+  asked.server.access->note(server::AuditEvent::Started, "port=" + std::to_string(server.port()));
   if (gateway) program::log(kProgram, "viewer at " + gateway->url());
   const Result<void> written = program::write_ready_file(asked.ready_file, ports_text(server.port(), gateway.get()));
   if (!written) return program::fail(written.error());
   io.run();
+  asked.server.access->note(server::AuditEvent::Stopped, {});
   program::log(kProgram, server.summary());
   return program::kDone;
 }

@@ -46,6 +46,7 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
                                        {.address = server->options_.bind,
                                         .port = server->options_.port,
                                         .name = server->options_.name,
+                                        .access = server->options_.access,
                                         .on_note = [raw = server.get()](const std::string& text) { raw->log(text); },
                                         // The statistics are published before the hub forgets the totals of a leaving
                                         // peer.
@@ -81,7 +82,14 @@ void Server::stop(const std::string& reason) {
 
 void Server::publish(wire::Message message) {
   if (message.topic.name == wire::kCameraStatus.name) log_state_changes(message);
+  if (message.topic.name == wire::kCameraDepth.name) last_depth_ = std::chrono::steady_clock::now();
   hub_.publish(std::move(message));
+}
+
+std::string Server::problem() const {
+  constexpr std::chrono::seconds kLongest{5};
+  const auto since = std::max(last_depth_, started_);
+  return std::chrono::steady_clock::now() - since > kLongest ? "no depth image for 5 s" : "";
 }
 
 void Server::publish_every_second() {

@@ -26,6 +26,7 @@ class Server {
     std::string name = "telepalp-server";
     std::string bind = "127.0.0.1";
     std::uint16_t port = 0;  ///< 0: any free port
+    std::shared_ptr<Access> access = Access::without_keys();
     EncodeOptions encode{};
     std::function<void(const std::string&)> log{};  ///< log lines about peers and the camera's state
   };
@@ -42,6 +43,8 @@ class Server {
   [[nodiscard]] std::uint16_t port() const noexcept { return listener_->port(); }
   [[nodiscard]] const wire::SessionClock& clock() const noexcept { return clock_; }
   [[nodiscard]] Hub& hub() noexcept { return hub_; }
+  /// What is wrong, for a health check; empty: nothing.
+  [[nodiscard]] std::string problem() const;
   /// One line with the run's totals, for the end of the program.
   [[nodiscard]] std::string summary() const;
 
@@ -60,7 +63,8 @@ class Server {
   Hub hub_;
   std::unique_ptr<PeerListener> listener_;
   boost::asio::steady_timer second_;
-  bool stopped_ = false;                // checked by timer handlers: a timer that has expired cannot be cancelled
+  bool stopped_ = false;  // checked by timer handlers: a timer that has expired cannot be cancelled
+  std::chrono::steady_clock::time_point last_depth_{};
   std::string last_state_;              // last logged state
   std::size_t most_waiting_bytes_ = 0;  // peak of the hub's queues since memory was last released
   std::chrono::steady_clock::time_point started_{};

@@ -24,7 +24,8 @@ program::Usage usage() {
   return {.program = kProgram,
           .purpose = "records a server's messages to a session file; describes and repairs such files",
           .positional = {},
-          .options = {{"connect", "HOST:PORT", "the server", program::kServerAddress},
+          .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
+                      {"key", "FILE", "your key, of telepalp-keys; needed for a server on another machine"},
                       {"out", "FILE.mcap", "new session file; named FILE.mcap.partial until it is complete"},
                       {"topics", "LIST", "comma-separated; a name ending in * is a prefix", "*"},
                       {"seconds", "S", "stop after this time; 0: at Ctrl-C", "0"},
@@ -92,13 +93,18 @@ int run_repair(const std::string& file, const std::string& out) {
 }
 
 Result<record::RecordingOptions> recording_options(const program::Arguments& arguments) {
-  const Result<program::Address> server = program::parse_address(arguments.text("connect"), "--connect");
+  const Result<program::Address> server =
+      program::parse_address(arguments.text("connect"), "--connect", program::kServerPort);
   if (!server) return server.error();
   const Result<double> seconds = arguments.number("seconds", 0.0, 1e7);
   if (!seconds) return seconds.error();
   const Result<program::Patience> patience = program::patience_of(arguments);
   if (!patience) return patience.error();
+  Result<std::shared_ptr<const keys::KeyFile>> key =
+      keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
+  if (!key) return key.error();
   record::RecordingOptions options{.server = *server,
+                                   .key = std::move(key).value(),
                                    .file = arguments.text("out"),
                                    .topics = {},
                                    .seconds = std::chrono::duration<double>(*seconds),

@@ -72,6 +72,7 @@ class Recording {
                .port = options.server.port,
                .name = kProgram,
                .role = "recorder",
+               .key = options.key,
                .subscribes = options.topics},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
                .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); }}) {}
@@ -111,7 +112,7 @@ class Recording {
 
   void on_state(wire::LinkState state, const std::string& detail) {
     if (state == wire::LinkState::Connected) return on_connected();
-    if (state == wire::LinkState::Refused) return fail(wire::refused_error(detail, address_text(options_.server)));
+    if (state == wire::LinkState::Refused) return fail(link_.refusal());
     if (state == wire::LinkState::Lost && !stopping_) {
       away_since_ = Clock::now();
       say("the server is away (" + detail + "); the recording continues when it is back");

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "proto/keys/key_file.h"
 #include "proto/words/result.h"
 #include "support/program/address.h"
 #include "support/program/patience.h"
@@ -15,6 +17,7 @@ namespace telepalp::record {
 
 struct RecordingOptions {
   program::Address server;
+  std::shared_ptr<const keys::KeyFile> key;  ///< null: the server is on this machine
   std::filesystem::path file;
   std::vector<std::string> topics;
   std::chrono::duration<double> seconds{0.0};  ///< duration from the first connection; 0: until a signal

@@ -26,7 +26,8 @@ program::Usage usage() {
   return {.program = "telepalp-station",
           .purpose = "turns a served depth stream into a surface that can be touched, at 2 kHz",
           .positional = "",
-          .options = {{"connect", "HOST:PORT", "the server", program::kServerAddress},
+          .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
+                      {"key", "FILE", "your key, of telepalp-keys; needed for a server on another machine"},
                       {"scene", "FILE", "a *.scene.textproto; default: palpation"},
                       {"surface", "NAME|model:FILE",
                        "replaces the scene's: a setting for the streamed surface, or a mesh or cloud to touch"},
@@ -63,7 +64,8 @@ std::filesystem::path control_of(const program::Arguments& arguments) {
 }
 
 Result<station::StationOptions> options_of(const program::Arguments& arguments) {
-  const Result<program::Address> server = program::parse_address(arguments.text("connect"), "--connect");
+  const Result<program::Address> server =
+      program::parse_address(arguments.text("connect"), "--connect", program::kServerPort);
   if (!server) return server.error();
   const Result<double> seconds = arguments.number("seconds", 0.0, 1e6);
   if (!seconds) return seconds.error();
@@ -71,8 +73,12 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
   if (!patience) return patience.error();
   const Result<station::Realtime> realtime = realtime_of(arguments.text("realtime"));
   if (!realtime) return realtime.error();
+  Result<std::shared_ptr<const keys::KeyFile>> key =
+      keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
+  if (!key) return key.error();
   return station::StationOptions{.host = server->host,
                                  .port = server->port,
+                                 .key = std::move(key).value(),
                                  .seconds = *seconds,
                                  .patience = *patience,
                                  .realtime = *realtime,

@@ -38,6 +38,7 @@ wire::ClientLink::Options link_options(const StationOptions& options, bool takes
                                  .port = options.port,
                                  .name = kName,
                                  .role = "doctor",
+                                 .key = options.key,
                                  .subscribes = options.model
                                                    ? std::vector<std::string>{}
                                                    : std::vector<std::string>{std::string(wire::kCameraDepth.name),
@@ -168,7 +169,7 @@ void Station::publish(wire::Message message) { (void)link_.publish(std::move(mes
 void Station::on_link(wire::LinkState state, const std::string& detail) {
   say_link("link " + std::string(wire::name(state)) + (detail.empty() ? "" : ": " + detail), state);
   if (state == wire::LinkState::Refused && !options_.model)  // a model is touched without a server
-    return give_up(wire::refused_error(detail, options_.host + ":" + std::to_string(options_.port)));
+    return give_up(link_.refusal());
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
     telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));

@@ -27,8 +27,9 @@ namespace telepalp::station {
 struct StationOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;
-  double seconds = 0.0;        ///< run time of the haptic loop; 0: until a signal
-  program::Patience patience;  ///< time limit for the server's first image
+  std::shared_ptr<const keys::KeyFile> key{};  ///< null: the server is on this machine
+  double seconds = 0.0;                        ///< run time of the haptic loop; 0: until a signal
+  program::Patience patience;                  ///< time limit for the server's first image
   Realtime realtime = Realtime::Prefer;
   std::filesystem::path control;                      ///< path of the socket for operators' commands; empty: no socket
   bool control_is_asked_for = false;                  ///< the user named the socket: start only if it can be opened

@@ -100,6 +100,17 @@ Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now) {
   return key;
 }
 
+Result<std::shared_ptr<const KeyFile>> load_client_key(const std::filesystem::path& file, WallTime now) {
+  if (file.empty()) return std::shared_ptr<const KeyFile>();
+  Result<KeyFile> key = load_key(file, now);
+  if (!key) return key.error();
+  if (key->kind == KeyFile::Kind::Server)
+    return Error{.what = "this is the key of a server",
+                 .where = file.string(),
+                 .fix = "ask for a key of your own: telepalp-keys client --name NAME --role ROLE"};
+  return std::make_shared<const KeyFile>(std::move(key).value());
+}
+
 Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::string& file) {
   if (now < key.identity.expires) return {};
   return Error{.what = "this key expired on " + in_words(key.identity.expires),

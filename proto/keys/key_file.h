@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,9 @@ struct KeyFile {
 
 /// Reads a key file of this machine. Error: anybody may read it, it is no key file, or it has expired at `now`.
 [[nodiscard]] Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now);
+
+/// The key that a client's `--key FILE` names; null for an empty name. Error: as above, or it is a server's key.
+[[nodiscard]] Result<std::shared_ptr<const KeyFile>> load_client_key(const std::filesystem::path& file, WallTime now);
 
 /// Error: `key` has expired at `now`. `file`: for the error.
 [[nodiscard]] Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::string& file);

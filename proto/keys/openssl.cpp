@@ -9,7 +9,9 @@
 #include <array>
 #include <cstdio>
 #include <ctime>
+#include <span>
 
+#include "proto/keys/token.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::keys {
@@ -17,11 +19,29 @@ namespace {
 
 constexpr std::size_t kMostCertificates = 8;
 constexpr std::size_t kSerialBytes = 10;
+constexpr std::size_t kSecretBytes = 32;
 
 std::string text_of(BIO& bytes) {
   char* data = nullptr;
   const long size = BIO_get_mem_data(&bytes, &data);
   return {data, static_cast<std::size_t>(size)};
+}
+
+template <std::size_t kBytes>
+std::array<unsigned char, kBytes> random_bytes() {
+  std::array<unsigned char, kBytes> bytes{};
+  demand(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1, "the machine gives random bytes");
+  return bytes;
+}
+
+std::string in_hexadecimal(std::span<const unsigned char> bytes) {
+  std::string text;
+  for (const unsigned char byte : bytes) {
+    char digits[3];
+    std::snprintf(digits, sizeof digits, "%02x", byte);
+    text += digits;
+  }
+  return text;
 }
 
 /// No key of ours has a password: the program must not stop at a terminal and ask for one.
@@ -32,17 +52,12 @@ int no_password(char*, int, int, void*) { return -1; }
 PrivateKeyPtr new_private_key() { return PrivateKeyPtr(EVP_EC_gen("P-256")); }
 
 std::string random_serial() {
-  std::array<unsigned char, kSerialBytes> bytes{};
-  demand(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1, "the machine gives random bytes");
+  std::array<unsigned char, kSerialBytes> bytes = random_bytes<kSerialBytes>();
   bytes[0] = static_cast<unsigned char>((bytes[0] & 0x7f) | 0x40);  // positive, and of a fixed length
-  std::string text;
-  for (const unsigned char byte : bytes) {
-    char digits[3];
-    std::snprintf(digits, sizeof digits, "%02x", byte);
-    text += digits;
-  }
-  return text;
+  return in_hexadecimal(bytes);
 }
+
+std::string random_secret() { return in_hexadecimal(random_bytes<kSecretBytes>()); }
 
 BytesPtr reader_of(std::string_view text) {
   return BytesPtr(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));

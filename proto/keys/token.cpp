@@ -6,6 +6,9 @@
 #include <charconv>
 #include <optional>
 #include <sstream>
+#include <vector>
+
+#include "proto/keys/openssl.h"
 
 namespace telepalp::keys {
 namespace {
@@ -108,6 +111,12 @@ Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, Wal
   if (bearer->expires <= now)
     return refused("the token of " + describe(*bearer) + " has expired", "ask for a new one: telepalp-keys token");
   return *bearer;
+}
+
+Result<Identity> read_token(std::string_view token, std::string_view authority_pem, WallTime now) {
+  const std::vector<CertificatePtr> authority = certificates_in(authority_pem);
+  if (authority.empty()) return refused("the authority's certificate cannot be read", "make the key anew");
+  return read_token(token, *X509_get0_pubkey(authority.front().get()), now);
 }
 
 }  // namespace telepalp::keys

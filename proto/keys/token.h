@@ -3,7 +3,10 @@
 #include <string>
 #include <string_view>
 
-#include "proto/keys/openssl.h"
+#include "proto/keys/identity.h"
+#include "proto/words/result.h"
+
+using EVP_PKEY = struct evp_pkey_st;
 
 namespace telepalp::keys {
 
@@ -14,7 +17,13 @@ inline constexpr std::size_t kMaxTokenBytes = 512;
 /// authority signs it. So a server needs no list of tokens, and a token cannot be guessed.
 [[nodiscard]] Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key);
 
+/// The same with the certificate of the authority, in PEM.
+[[nodiscard]] Result<Identity> read_token(std::string_view token, std::string_view authority_pem, WallTime now);
+
 /// Whom `token` names. Error: it is no token, another authority signed it, or it expired before `now`.
 [[nodiscard]] Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, WallTime now);
+
+/// 256 random bits in hexadecimal: a new secret.
+[[nodiscard]] std::string random_secret();
 
 }  // namespace telepalp::keys

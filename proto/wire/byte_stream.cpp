@@ -1,9 +1,9 @@
 #include "proto/wire/byte_stream.h"
 
-#include <netinet/tcp.h>
-
 #include <boost/asio/write.hpp>
 #include <utility>
+
+#include "proto/wire/sockets/tcp_socket.h"
 
 namespace telepalp::wire {
 namespace {
@@ -11,20 +11,9 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 
-/// About one depth image: enough to keep the network busy while the next message is taken from the queue.
-constexpr int kUnsentBytes = 128 << 10;
-
 class PlainTcp : public ByteStream {
  public:
-  explicit PlainTcp(tcp::socket socket) : socket_(std::move(socket)) {
-    boost::system::error_code ignored;  // the options only reduce latency; an error is harmless
-    socket_.set_option(tcp::no_delay(true), ignored);
-    socket_.set_option(asio::detail::socket_option::integer<IPPROTO_TCP, TCP_NOTSENT_LOWAT>(kUnsentBytes), ignored);
-    boost::system::error_code gone;
-    const tcp::endpoint remote = socket_.remote_endpoint(gone);
-    const std::string address = remote.address().to_string();
-    peer_ = (remote.address().is_v6() ? "[" + address + "]" : address) + ":" + std::to_string(remote.port());
-  }
+  explicit PlainTcp(tcp::socket socket) : socket_(std::move(socket)), peer_(peer_address(socket_)) { tune(socket_); }
 
   void async_read_some(asio::mutable_buffer into, Done done) override {
     socket_.async_read_some(asio::buffer(into), std::move(done));
@@ -50,6 +39,9 @@ class PlainTcp : public ByteStream {
 };
 
 }  // namespace
+
+std::optional<std::array<std::byte, 32>> ByteStream::keying_material(std::string_view) { return std::nullopt; }
+std::optional<Error> ByteStream::refusal(const boost::system::error_code&) { return std::nullopt; }
 
 std::unique_ptr<ByteStream> plain_tcp(tcp::socket socket) { return std::make_unique<PlainTcp>(std::move(socket)); }
 

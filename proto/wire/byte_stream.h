@@ -1,12 +1,18 @@
 #pragma once
 
+#include <array>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/system/error_code.hpp>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "proto/keys/identity.h"
+#include "proto/words/result.h"
 
 namespace telepalp::wire {
 
@@ -28,6 +34,15 @@ class ByteStream {
   [[nodiscard]] virtual boost::asio::any_io_executor executor() = 0;
   /// Address of the peer for log lines, for example "127.0.0.1:4711".
   [[nodiscard]] virtual std::string peer() const = 0;
+
+  /// True once a TLS handshake has succeeded.
+  [[nodiscard]] virtual bool is_sealed() const { return false; }
+  /// Whom the peer's certificate names, when TLS has verified one.
+  [[nodiscard]] virtual std::optional<keys::Identity> identity() { return std::nullopt; }
+  /// Secret bytes that both ends of a TLS session share; nullopt before the handshake has ended, and without TLS.
+  [[nodiscard]] virtual std::optional<std::array<std::byte, 32>> keying_material(std::string_view label);
+  /// What a failure means, when each further attempt would fail the same way.
+  [[nodiscard]] virtual std::optional<Error> refusal(const boost::system::error_code& failed);
 };
 
 /// A stream over plain TCP. Nagle's algorithm is off, and the kernel's send buffer is small: a message that waits in

@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds kLongestRetry = 2s;
 constexpr auto kConnectDeadline = 3s;
 constexpr int kEagerProbes = 8;  // probes in quick succession, so that the clock is accurate before the first image
 constexpr auto kEagerProbePeriod = 20ms;
-constexpr auto kProbePeriod = 50ms;  // ten seconds of jitter of 20 ms give the clock to 1 ms
+constexpr auto kProbePeriod = 1s;
 
 std::uint64_t random_number() {
   std::random_device random;
@@ -52,12 +52,6 @@ std::string_view name(LinkState state) noexcept {
       return "stopped";
   }
   return "?";
-}
-
-Error refused_error(const std::string& detail, const std::string& server) {
-  return {.what = "the server is of another version: " + detail,
-          .where = server,
-          .fix = "install the same telepalp at both ends; --version tells which one a program is"};
 }
 
 ClientLink::ClientLink(boost::asio::io_context& io, Options options, Handlers handlers)
@@ -144,26 +138,58 @@ void ClientLink::resolve() {
                           }));
 }
 
+/// Without a key, nothing leaves this machine: a patient in clear text on a network is worse than no connection.
 void ClientLink::connect_to(const tcp::endpoint& endpoint) {
+  if (!options_.key && !endpoint.address().is_loopback())
+    return refuse({.what = "the server is on another machine, and no key is given",
+                   .where = {},
+                   .fix = "give --key FILE; the technician of the server makes it: telepalp-keys client"});
   connecting_ = tcp::socket(io_);
   retry_.expires_after(kConnectDeadline);
   retry_.async_wait(while_alive([this](const error_code& code) {
     error_code ignored;
     if (!code) connecting_.close(ignored);
   }));
-  connecting_.async_connect(
-      endpoint, while_alive([this](const error_code& code) {
-        if (state_ == LinkState::Stopped) return;  // the operation may have ended before stop() was called
-        retry_.cancel();
-        if (code) return on_connect_failed(code.message());
-        ConnectionOwner& owner = *this;
-        connection_ = std::make_shared<Connection>(
-            plain_tcp(std::move(connecting_)),
-            Connection::Options{
-                .name = options_.name, .role = options_.role, .run = run_, .publishes = options_.publishes},
-            owner);
-        connection_->start();
-      }));
+  connecting_.async_connect(endpoint, while_alive([this](const error_code& code) {
+                              if (state_ == LinkState::Stopped) return;  // it may have ended before stop() was called
+                              retry_.cancel();
+                              if (code) return on_connect_failed(code.message());
+                              greet(std::move(connecting_));
+                            }));
+}
+
+void ClientLink::greet(tcp::socket socket) {
+  Result<std::unique_ptr<ByteStream>> stream = secured(std::move(socket));
+  if (!stream) return refuse(stream.error());
+  ConnectionOwner& owner = *this;
+  connection_ = std::make_shared<Connection>(std::move(stream).value(),
+                                             Connection::Options{.name = options_.name,
+                                                                 .role = options_.role,
+                                                                 .token = options_.key ? options_.key->token : "",
+                                                                 .run = run_,
+                                                                 .publishes = options_.publishes},
+                                             owner);
+  connection_->start();
+}
+
+Result<std::unique_ptr<ByteStream>> ClientLink::secured(tcp::socket socket) {
+  if (!options_.key) return plain_tcp(std::move(socket));
+  if (!tls_) {
+    Result<TlsSettings> settings = tls_settings(keys::client_context(*options_.key));
+    if (!settings) return settings.error();
+    tls_ = std::move(settings).value();
+  }
+  return tls_at_client(std::move(socket), tls_, options_.host, options_.key);
+}
+
+void ClientLink::refuse(Error why) {
+  refusal_ = std::move(why);
+  refusal_.where = options_.host + ":" + std::to_string(options_.port);
+  become(LinkState::Refused, refusal_.what);
+}
+
+std::optional<std::array<std::byte, 32>> ClientLink::keying_material(std::string_view label) const {
+  return connection_ ? connection_->keying_material(label) : std::nullopt;
 }
 
 void ClientLink::on_connect_failed(const std::string& reason) {
@@ -217,11 +243,11 @@ void ClientLink::on_message(Message message) {
 
 void ClientLink::on_closed(const std::string& reason) {
   add(received_before_, connection_->received());
-  const bool other_version = connection_->peer_has_other_version();
+  const std::optional<Error> refusal = connection_->refusal();
   connection_.reset();
   probe_.cancel();
   if (state_ == LinkState::Stopped) return;
-  if (other_version) return become(LinkState::Refused, reason);
+  if (refusal) return refuse(*refusal);
   if (state_ == LinkState::Connected) {
     counts_.not_sent +=
         outgoing_.remove_if([](const Message& message) { return !waits_for_a_connection(message.topic); });

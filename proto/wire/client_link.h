@@ -18,6 +18,7 @@
 #include "proto/wire/message.h"
 #include "proto/wire/send_queue.h"
 #include "proto/wire/session_clock.h"
+#include "proto/wire/tls_stream.h"
 
 namespace telepalp::wire {
 
@@ -25,13 +26,10 @@ enum class LinkState {
   Connecting,  ///< trying to connect, with back-off between attempts
   Connected,   ///< handshake done, subscribed, session clock synchronised
   Lost,        ///< the connection was lost; Connecting follows automatically
-  Refused,     ///< the server speaks another protocol version; nothing follows but Stopped
+  Refused,     ///< each attempt would end the same way, refusal() says why; nothing follows but Stopped
   Stopped,     ///< stop() was called; the final state
 };
 [[nodiscard]] std::string_view name(LinkState state) noexcept;
-
-/// Why a program ends at LinkState::Refused. `detail` is the state's, `server` its HOST:PORT.
-[[nodiscard]] Error refused_error(const std::string& detail, const std::string& server);
 
 /// A client's link to the server, for station, recorder and tools. It connects, subscribes, synchronises the session
 /// clock, publishes the client's topics, and reconnects when the server returns. It runs on the io_context's one
@@ -46,10 +44,11 @@ class ClientLink : private ConnectionOwner {
   struct Options {
     std::string host = "127.0.0.1";
     std::uint16_t port = 0;
-    std::string name{};                     ///< of this program; appears in the server's statistics
-    std::string role = "viewer";            ///< doctor, recorder, technician, qa, viewer: what place it is given
-    std::vector<std::string> subscribes{};  ///< topic names; one ending in '*' is a prefix
-    std::vector<Topic> publishes{};         ///< topics that publish() accepts; the server accepts only /station/…
+    std::string name{};                          ///< of this program; appears in the server's statistics
+    std::string role = "viewer";                 ///< doctor, recorder, technician, qa, viewer: what place it is given
+    std::shared_ptr<const keys::KeyFile> key{};  ///< null: plain TCP, to this machine alone
+    std::vector<std::string> subscribes{};       ///< topic names; one ending in '*' is a prefix
+    std::vector<Topic> publishes{};  ///< topics that publish() accepts; the server accepts only /station/…
   };
   struct Handlers {
     std::function<void(const Message&)> on_message{};
@@ -89,6 +88,10 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] Nanoseconds clock_uncertainty() const noexcept { return clock_sync_.uncertainty(); }
 
   [[nodiscard]] LinkState state() const noexcept { return state_; }
+  /// At LinkState::Refused: why, where and what to do.
+  [[nodiscard]] const Error& refusal() const noexcept { return refusal_; }
+  /// Connection::keying_material() of the current connection; nullopt without one.
+  [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const;
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
   /// Received and missed messages by topic, over all connections.
   [[nodiscard]] std::map<std::string_view, ReceivedCount> received() const;
@@ -116,6 +119,9 @@ class ClientLink : private ConnectionOwner {
   void resolve();
   void connect_to(const boost::asio::ip::tcp::endpoint& endpoint);
   void on_connect_failed(const std::string& reason);
+  void greet(boost::asio::ip::tcp::socket socket);
+  void refuse(Error why);
+  [[nodiscard]] Result<std::unique_ptr<ByteStream>> secured(boost::asio::ip::tcp::socket socket);
   void retry_later();
   void probe_later();
   void become(LinkState state, const std::string& detail);
@@ -125,6 +131,8 @@ class ClientLink : private ConnectionOwner {
   Options options_;
   Handlers handlers_;
   const std::uint64_t run_;  // by it a server knows this link again after a reconnection
+  TlsSettings tls_;          // null before the first connection, and without a key
+  Error refusal_;
   LinkState state_ = LinkState::Stopped;
   std::shared_ptr<Connection> connection_;  // shared with pending operations; null without a connection
   std::string peer_name_;

@@ -16,12 +16,27 @@ constexpr std::size_t kMaxProbes = 64;  // unanswered probes: a probe each 20 ms
 constexpr std::size_t kMaxChannels = 256;
 constexpr int kMaxSubscriptions = 64;
 constexpr std::size_t kMaxNameBytes = 128;
+constexpr std::size_t kMaxTokenBytes = 512;
 constexpr std::size_t kMaxReasonBytes = 512;
 constexpr auto kLinger = 500ms;
 constexpr std::uint64_t kLatestStamp = std::uint64_t{1} << 61;  // beyond it, sums of stamps could overflow
 
 Error bad_peer(std::string what) {
   return {.what = std::move(what), .where = "peer", .fix = "both ends must speak WIRE.md's version 1"};
+}
+
+Error other_version(const std::string& detail) {
+  return {.what = "the server is of another version: " + detail,
+          .where = {},
+          .fix = "install the same telepalp at both ends; --version tells which one a program is"};
+}
+
+/// The peer's reason is one line of `what. fix: fix`, as to_string() writes it.
+Error final_goodbye(const std::string& reason) {
+  constexpr std::string_view kFix = ". fix: ";
+  const std::size_t at = reason.find(kFix);
+  if (at == std::string::npos) return {.what = "the server refuses: " + reason, .where = {}, .fix = {}};
+  return {.what = "the server refuses: " + reason.substr(0, at), .where = {}, .fix = reason.substr(at + kFix.size())};
 }
 
 Nanoseconds local_now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }
@@ -36,12 +51,13 @@ std::uint32_t channel_of(const std::vector<Topic>& publishes, const Topic& topic
   return static_cast<std::uint32_t>(found - publishes.begin()) + 1;
 }
 
-msg::Control hello(const std::string& name, const std::string& role, std::uint64_t run) {
+msg::Control hello(const Connection::Options& options) {
   msg::Control control;
   control.mutable_hello()->set_protocol(kProtocolVersion);
-  control.mutable_hello()->set_name(name);
-  control.mutable_hello()->set_role(role);
-  control.mutable_hello()->set_run(run);
+  control.mutable_hello()->set_name(options.name);
+  control.mutable_hello()->set_role(options.role);
+  control.mutable_hello()->set_run(options.run);
+  control.mutable_hello()->set_token(options.token);
   return control;
 }
 
@@ -68,7 +84,7 @@ Connection::Connection(std::unique_ptr<ByteStream> stream, Options options, Conn
       parser_(kMaxHelloBytes) {}
 
 void Connection::start() {
-  send(hello(options_.name, options_.role, options_.run));
+  send(hello(options_));
   send(advertise(options_.publishes));
   watch(kHandshakeDeadline, "no Hello within 5 s");
   read();
@@ -98,7 +114,8 @@ void Connection::request_key_frame(const Message& unreadable) {
   send(std::move(control));
 }
 
-void Connection::close(const std::string& reason) {
+void Connection::close(const std::string& reason, bool final) {
+  refuses_ = final;
   drains_ = phase_ == Phase::Open;
   leave(reason);
 }
@@ -126,6 +143,7 @@ void Connection::finish(const std::string& reason) noexcept {
 }
 
 void Connection::on_lost(const boost::system::error_code& code) noexcept {
+  if (phase_ == Phase::Greeting) refusal_ = stream_->refusal(code);
   finish(phase_ == Phase::Leaving ? leaving_because_ : "connection ended: " + code.message());
 }
 
@@ -168,7 +186,7 @@ void Connection::on_bytes(std::span<const std::byte> bytes) {
   while (phase_ == Phase::Greeting || phase_ == Phase::Open) {
     Result<std::optional<Frame>> frame = parser_.next(bytes);
     if (!frame) {
-      other_version_ = phase_ == Phase::Greeting && parser_.met_other_version();
+      if (phase_ == Phase::Greeting && parser_.met_other_version()) refusal_ = other_version(frame.error().what);
       return leave(to_string(frame.error()));
     }
     if (!*frame) return;
@@ -211,6 +229,7 @@ Result<void> Connection::on_control(const Frame& frame) {
         owner_->on_key_frame_request(*topic, session_time(control.key_frame_request().published_ns()));
       return {};
     case msg::Control::kGoodbye:
+      if (control.goodbye().final()) refusal_ = final_goodbye(control.goodbye().reason());
       finish("peer left: " + control.goodbye().reason());
       return {};
     case msg::Control::KIND_NOT_SET:
@@ -221,12 +240,14 @@ Result<void> Connection::on_control(const Frame& frame) {
 
 Result<void> Connection::on_hello(const msg::Hello& peer) {
   if (phase_ != Phase::Greeting) return bad_peer("says Hello twice");
-  other_version_ = peer.protocol() != kProtocolVersion;
-  if (other_version_)
-    return bad_peer("speaks protocol " + std::to_string(peer.protocol()) + ", this end speaks " +
-                    std::to_string(kProtocolVersion));
-  if (peer.name().size() > kMaxNameBytes || peer.role().size() > kMaxNameBytes)
-    return bad_peer("has a name longer than 128 B");
+  if (peer.protocol() != kProtocolVersion) {
+    const Error error = bad_peer("speaks protocol " + std::to_string(peer.protocol()) + ", this end speaks " +
+                                 std::to_string(kProtocolVersion));
+    refusal_ = other_version(error.what);
+    return error;
+  }
+  if (peer.name().size() > kMaxNameBytes || peer.role().size() > kMaxNameBytes || peer.token().size() > kMaxTokenBytes)
+    return bad_peer("has a name longer than 128 B, or a token longer than 512 B");
   phase_ = Phase::Open;
   parser_.set_max_payload_bytes(options_.max_payload_bytes);
   watch(kSilenceDeadline, "nothing heard for 5 s");
@@ -312,6 +333,7 @@ void Connection::write() {
   said_goodbye_ = true;
   msg::Control goodbye;
   goodbye.mutable_goodbye()->set_reason(leaving_because_.substr(0, kMaxReasonBytes));
+  goodbye.mutable_goodbye()->set_final(refuses_);
   write_control(std::move(goodbye));
 }
 

@@ -59,6 +59,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   struct Options {
     std::string name{};                                ///< name of the program, sent to the peer
     std::string role{};                                ///< technician, doctor, viewer, qa, server
+    std::string token{};                               ///< bearer token, sent in Hello; empty: none
     std::uint64_t run = 0;                             ///< random number of this run of the program; 0: none
     std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
     std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello
@@ -76,14 +77,22 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.
   void request_key_frame(const Message& unreadable);
   /// Sends the remaining messages of next_to_send() and a Goodbye, and closes, within 0.5 s.
-  void close(const std::string& reason);
+  /// `final`: another attempt of the peer would end the same way.
+  void close(const std::string& reason, bool final = false);
   /// Closes at once; no callback follows.
   void abandon() noexcept;
 
   [[nodiscard]] bool ready() const noexcept { return phase_ == Phase::Open; }
-  /// True once the peer's first frame or its Hello told another protocol version: another try would end the same way.
-  [[nodiscard]] bool peer_has_other_version() const noexcept { return other_version_; }
+  /// Why each further attempt to connect would end the same way, if it would: the peer speaks another protocol version,
+  /// or refuses this end's key or role. `where` is empty.
+  [[nodiscard]] const std::optional<Error>& refusal() const noexcept { return refusal_; }
   [[nodiscard]] std::string peer() const { return stream_->peer(); }
+  [[nodiscard]] bool is_sealed() const { return stream_->is_sealed(); }
+  [[nodiscard]] std::optional<keys::Identity> identity() const { return stream_->identity(); }
+  /// Secret bytes that both ends of this TLS session share, from on_ready() on; nullopt without TLS.
+  [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const {
+    return stream_->keying_material(label);
+  }
   [[nodiscard]] const std::map<std::string_view, ReceivedCount>& received() const noexcept { return received_; }
 
  private:
@@ -121,7 +130,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::chrono::steady_clock::time_point read_due_{};  // by max_read_bytes_per_s
   Phase phase_ = Phase::Greeting;
   std::string leaving_because_;
-  bool other_version_ = false;
+  bool refuses_ = false;  // the Goodbye is final
+  std::optional<Error> refusal_;
 
   std::array<std::byte, 64 << 10> incoming_{};
   FrameParser parser_;

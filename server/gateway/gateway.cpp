@@ -50,6 +50,7 @@ Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, Hub& hub, s
   }
   auto acceptor = listen(io, options);
   if (!acceptor) return acceptor.error();
+  for (const std::string& host : options.access->hosts()) options.policy.allowed_hosts.push_back(host);
   const std::string session_id = std::to_string(to_nanoseconds(now()));
   auto context = std::make_shared<GatewayContext>(
       GatewayContext{hub, std::move(options), std::move(files), std::move(now), session_id, {}});
@@ -60,9 +61,11 @@ Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, Hub& hub, s
 Gateway::Gateway(tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context)
     : acceptor_(std::move(acceptor)),
       accept_again_(acceptor_.get_executor()),
+      second_(acceptor_.get_executor()),
       context_(std::move(context)),
       port_(acceptor_.local_endpoint().port()) {
   accept();
+  check_access_every_second();
 }
 
 Gateway::~Gateway() {
@@ -76,7 +79,19 @@ Gateway::~Gateway() {
 std::string Gateway::url() const {
   const std::string& address = context_->options.address;
   const bool is_v6 = address.find(':') != std::string::npos;
-  return "http://" + (is_v6 ? "[" + address + "]" : address) + ":" + std::to_string(port_) + "/";
+  return std::string(context_->options.access->has_keys() ? "https://" : "http://") +
+         (is_v6 ? "[" + address + "]" : address) + ":" + std::to_string(port_) + "/";
+}
+
+void Gateway::check_access_every_second() {
+  if (!context_->options.access->has_keys()) return;
+  context_->options.access->look_at_revocations();
+  const std::unordered_set<Connection*> open = context_->connections;  // check_access() may take them out
+  for (Connection* const connection : open) connection->check_access();
+  second_.expires_after(std::chrono::seconds(1));
+  second_.async_wait([this](boost::system::error_code cancelled) {
+    if (!cancelled) check_access_every_second();
+  });
 }
 
 void Gateway::accept() {

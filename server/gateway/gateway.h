@@ -14,8 +14,10 @@
 
 #include "proto/words/result.h"
 #include "proto/words/time.h"
+#include "server/access/access.h"
 #include "server/gateway/hand_holder.h"
 #include "server/gateway/request_policy.h"
+#include "server/gateway/sign_in/web_sessions.h"
 #include "server/gateway/static_files.h"
 #include "server/hub/hub.h"
 #include "server/views/view_maker.h"
@@ -28,7 +30,9 @@ struct GatewayOptions {
   std::filesystem::path viewer_files{};  ///< empty: no files, only the WebSocket
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
-  std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
+  std::shared_ptr<Access> access = Access::without_keys();  ///< shared with the listener for stations
+  std::function<std::string()> problem{};                   ///< what is wrong with the server; empty: nothing
+  std::function<void(const std::string&)> log{};            ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
   std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request's headers
   std::chrono::milliseconds idle_timeout{30'000};     ///< a viewer that does not answer pings is disconnected
@@ -45,6 +49,7 @@ struct GatewayContext {
   std::string session_id;                       ///< differs for each start of the server
   std::unordered_set<Connection*> connections;  ///< open connections, at most options.max_connections
   HandHolder holder{};
+  WebSessions sessions{};
   Hub views{};                              ///< kViewTopics, for viewers alone
   std::unique_ptr<ViewMaker> view_maker{};  ///< null once the gateway is gone
 };
@@ -60,6 +65,8 @@ class Connection {
   virtual void close() = 0;
   /// True when the connection neither receives nor publishes anything, so that it may be closed to make room for
   /// another one.
+  /// Ends the connection if its key or session has ended; called each second.
+  virtual void check_access() {}
   [[nodiscard]] virtual bool is_idle() const { return false; }
 
  protected:
@@ -92,10 +99,12 @@ class Gateway {
   Gateway(boost::asio::ip::tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context);
   void accept();
   void make_room();
+  void check_access_every_second();
   void refuse(boost::asio::ip::tcp::socket socket);
 
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer accept_again_;
+  boost::asio::steady_timer second_;
   std::shared_ptr<GatewayContext> context_;  // shared with the connections
   std::uint16_t port_ = 0;
   std::chrono::steady_clock::time_point refusal_noted_{};

@@ -1,5 +1,9 @@
 #include "server/gateway/http_connection.h"
 
+#include <openssl/err.h>
+#include <openssl/ssl.h>
+
+#include <boost/asio/write.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
@@ -7,8 +11,11 @@
 #include <utility>
 
 #include "server/gateway/foxglove_protocol.h"
+#include "server/gateway/health/metrics.h"
 #include "server/gateway/http_reply.h"
+#include "server/gateway/sign_in/web_stream.h"
 #include "server/gateway/viewer_connection.h"
+#include "server/gateway/visit.h"
 
 namespace telepalp::server {
 namespace {
@@ -31,13 +38,25 @@ bool is_malformed(beast::error_code failed) {
 class HttpConnection final : public Connection, public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(tcp::socket socket, std::shared_ptr<GatewayContext> context)
-      : Connection(std::move(context)), stream_(std::move(socket)) {}
+      : Connection(std::move(context)), stream_(std::move(socket), this->context()->options.access->web_tls()) {
+    beast::error_code gone;
+    peer_ = stream_.socket().remote_endpoint(gone);
+  }
+
+  void start() {
+    if (!stream_.is_tls()) return read();
+    stream_.tcp().expires_after(context()->options.request_timeout);
+    stream_.async_handshake([self = shared_from_this()](beast::error_code failed) {
+      if (!failed) return self->read();
+      if (ERR_GET_REASON(static_cast<unsigned long>(failed.value())) == SSL_R_HTTP_REQUEST) self->say_https();
+    });
+  }
 
   void read() {
     parser_.emplace();
     parser_->header_limit(kMaxHeaderBytes);
     parser_->body_limit(kMaxBodyBytes);
-    stream_.expires_after(context()->options.request_timeout);
+    stream_.tcp().expires_after(context()->options.request_timeout);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code failed, std::size_t) {
       if (failed) return self->refuse_unreadable(failed);
       self->answer(self->parser_->release());
@@ -61,30 +80,52 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
       close();
   }
 
+  /// A browser that was told http:// where https:// is spoken.
+  void say_https() {
+    static constexpr std::string_view kText =
+        "HTTP/1.1 400 Bad Request\r\nContent-Type: text/plain\r\nConnection: close\r\nContent-Length: 44\r\n\r\n"
+        "this port speaks HTTPS: begin with https://\n";
+    boost::asio::async_write(stream_.socket(), boost::asio::buffer(kText),
+                             [self = shared_from_this()](beast::error_code, std::size_t) {
+                               beast::error_code ignored;
+                               self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+                             });
+  }
+
   void answer(HttpRequest request) {
+    if (view(request.target()) == kHealthTarget) return write(health(request));
+    visit_.emplace(*context(), request, peer_.address().to_string());
     if (beast::websocket::is_upgrade(request)) return upgrade(request);
+    if (std::optional<HttpReply> reply = visit_->reply(request)) return write(std::move(*reply));
     write(reply_to(request, context()->files, context()->options.policy, context()->now()));
   }
 
+  HttpReply health(const HttpRequest& request) {
+    const std::string problem = context()->options.problem ? context()->options.problem() : "";
+    return refuse(request, problem.empty() ? http::status::ok : http::status::service_unavailable,
+                  problem.empty() ? "ok" : problem);
+  }
+
   void upgrade(const HttpRequest& request) {
-    beast::error_code failed;
-    const tcp::endpoint peer = stream_.socket().remote_endpoint(failed);
-    if (failed) return close();
     const RequestPolicy& policy = context()->options.policy;
     const std::string_view host = view(request[http::field::host]);
     if (!host_is_ours(policy, host))
       return write(refuse(request, http::status::misdirected_request, "the Host header is not a name of this server"));
-    if (!origin_is_allowed(policy, view(request[http::field::origin]), host, peer.address().is_loopback()))
+    const bool is_program = peer_.address().is_loopback() || visit_->brought_token();
+    if (!origin_is_allowed(policy, view(request[http::field::origin]), host, is_program))
       return write(refuse(request, http::status::forbidden, "pages from that origin may not open the stream"));
     const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));
     if (!subprotocol)
       return write(refuse(request, http::status::bad_request, "offer the subprotocol foxglove.websocket.v1"));
-    start_viewer_connection(stream_.release_socket(), request, *subprotocol, peer, context());
+    if (!visit_->may(keys::Operation::Watch))
+      return write(refuse(request, http::status::unauthorized, "sign in first, at https://" + std::string(host) + "/"));
+    stream_.tcp().expires_never();
+    start_viewer_connection(std::move(stream_), request, {*subprotocol, peer_, visit_->visitor()}, context());
   }
 
   void write(HttpReply reply) {
     reply_ = std::move(reply);
-    stream_.expires_after(context()->options.request_timeout);
+    stream_.tcp().expires_after(context()->options.request_timeout);
     http::async_write(stream_, reply_, [self = shared_from_this()](beast::error_code failed, std::size_t) {
       if (!failed && self->reply_.keep_alive()) return self->read();
       beast::error_code ignored;
@@ -92,7 +133,9 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     });
   }
 
-  beast::tcp_stream stream_;
+  WebStream stream_;
+  tcp::endpoint peer_;
+  std::optional<Visit> visit_;  // of the last request
   beast::flat_buffer buffer_{kMaxHeaderBytes + kMaxBodyBytes};
   std::optional<http::request_parser<http::string_body>> parser_;
   HttpReply reply_;
@@ -102,7 +145,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
 
 void start_http_connection(tcp::socket socket, std::shared_ptr<GatewayContext> context) {
   // shared_ptr: the pending read or write owns the connection
-  std::make_shared<HttpConnection>(std::move(socket), std::move(context))->read();
+  std::make_shared<HttpConnection>(std::move(socket), std::move(context))->start();
 }
 
 }  // namespace telepalp::server

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "server/gateway/request_headers.h"
+#include "server/gateway/request/request_headers.h"
 
 namespace telepalp::server {
 namespace {

@@ -36,11 +36,12 @@ std::string to_text(const tcp::endpoint& peer) {
 
 class ViewerConnection final : public Connection, public std::enable_shared_from_this<ViewerConnection> {
  public:
-  ViewerConnection(tcp::socket socket, std::shared_ptr<GatewayContext> context)
-      : Connection(std::move(context)), stream_(std::move(socket)) {}
+  ViewerConnection(WebStream stream, std::optional<Visitor> visitor, std::shared_ptr<GatewayContext> context)
+      : Connection(std::move(context)), stream_(std::move(stream)), visitor_(std::move(visitor)) {}
   ~ViewerConnection() override { leave(); }
 
-  void start(const HttpRequest& upgrade, std::string_view subprotocol, const tcp::endpoint& peer) {
+  void start(const HttpRequest& upgrade, const Newcomer& newcomer) {
+    const std::string_view subprotocol = newcomer.subprotocol;
     beast::error_code ignored;
     socket().set_option(tcp::no_delay(true), ignored);
     socket().set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
@@ -51,12 +52,19 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     stream_.set_option(websocket::stream_base::decorator([subprotocol](websocket::response_type& reply) {
       reply.set(beast::http::field::sec_websocket_protocol, beast::string_view(subprotocol.data(), subprotocol.size()));
     }));
-    stream_.async_accept(upgrade, [self = shared_from_this(), name = to_text(peer)](beast::error_code failed) {
+    stream_.async_accept(upgrade, [self = shared_from_this(), name = to_text(newcomer.peer)](beast::error_code failed) {
       if (!failed) self->greet(name);
     });
   }
 
   [[nodiscard]] bool is_idle() const override { return subscriber_ && subscriptions_.empty(); }
+
+  void check_access() override {
+    if (!visitor_) return;
+    const bool signed_out =
+        !visitor_->cookie.empty() && !context()->sessions.find(visitor_->cookie, std::chrono::steady_clock::now());
+    if (signed_out || !context()->options.access->still_holds(visitor_->who)) close();
+  }
 
   void close() override {
     leave();
@@ -120,7 +128,19 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
       context()->hub.publish(wire::make_message(wire::kHandHolder, now, *news));
   }
 
+  /// Whether this viewer may hold the hand. The first attempt of one that may not is written to the audit log.
+  bool may_touch() {
+    const bool may = visitor_ && context()->options.access->may(visitor_->who, keys::Operation::Touch).ok();
+    if (!may && !std::exchange(denied_, true)) {
+      const std::string who = visitor_ ? describe(visitor_->who) : "stranger";
+      context()->options.access->note(AuditEvent::Refused, "who=" + who + " program=browser why=may not touch");
+      warn("the role of " + who + " does not allow to touch. fix: sign in with a doctor's token");
+    }
+    return may;
+  }
+
   void publish(const std::string& bytes) {
+    if (!may_touch()) return;
     if (commands_.lets_go(bytes)) {
       context()->holder.let_go(*subscriber_);
       return publish_holder();
@@ -213,7 +233,9 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     });
   }
 
-  websocket::stream<beast::tcp_stream> stream_;
+  websocket::stream<WebStream> stream_;
+  std::optional<Visitor> visitor_;
+  bool denied_ = false;
   beast::flat_buffer incoming_;             // bounded by read_message_max
   std::optional<SubscriberId> subscriber_;  // set from the handshake until the end
   SubscriberId views_subscriber_ = 0;       // valid while subscriber_ is set
@@ -230,10 +252,10 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
 }  // namespace
 
-void start_viewer_connection(tcp::socket socket, const HttpRequest& upgrade, std::string_view subprotocol,
-                             const tcp::endpoint& peer, std::shared_ptr<GatewayContext> context) {
-  // shared: the connection is owned by whichever read or write is pending
-  std::make_shared<ViewerConnection>(std::move(socket), std::move(context))->start(upgrade, subprotocol, peer);
+void start_viewer_connection(WebStream stream, const HttpRequest& upgrade, const Newcomer& newcomer,
+                             std::shared_ptr<GatewayContext> context) {
+  // shared: the connection is owned by the pending reads and writes
+  std::make_shared<ViewerConnection>(std::move(stream), newcomer.visitor, std::move(context))->start(upgrade, newcomer);
 }
 
 }  // namespace telepalp::server

@@ -2,17 +2,25 @@
 
 #include <boost/asio/ip/tcp.hpp>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "server/gateway/gateway.h"
 #include "server/gateway/http_reply.h"
+#include "server/gateway/sign_in/web_stream.h"
+#include "server/gateway/visit.h"
 
 namespace telepalp::server {
 
-/// Accepts the WebSocket `upgrade` on `socket` and runs the Foxglove protocol on it, as a subscriber of the hub.
-/// `subprotocol`: the negotiated subprotocol.
-void start_viewer_connection(boost::asio::ip::tcp::socket socket, const HttpRequest& upgrade,
-                             std::string_view subprotocol, const boost::asio::ip::tcp::endpoint& peer,
+/// What the gateway knows of a viewer before its WebSocket opens.
+struct Newcomer {
+  std::string_view subprotocol;  ///< the negotiated one
+  boost::asio::ip::tcp::endpoint peer;
+  std::optional<Visitor> visitor;
+};
+
+/// Accepts the WebSocket `upgrade` on `stream` and runs the Foxglove protocol on it, as a subscriber of the hub.
+void start_viewer_connection(WebStream stream, const HttpRequest& upgrade, const Newcomer& newcomer,
                              std::shared_ptr<GatewayContext> context);
 
 }  // namespace telepalp::server

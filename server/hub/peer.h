@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/access/audit_text.h"
 #include "server/hub/peer_listener.h"
 #include "server/hub/upstream.h"
 
@@ -22,7 +23,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
       : listener_(listener),
         number_(number),
         connection_(std::make_shared<wire::Connection>(
-            wire::plain_tcp(std::move(socket)),
+            listener.stream_over(std::move(socket)),
             wire::Connection::Options{.name = listener.options_.name,
                                       .role = "server",
                                       .publishes = {wire::kTopics.begin(), wire::kTopics.end()},
@@ -32,6 +33,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     connection_->start();
   }
   ~Peer() override {
+    access().touch().leave(number_, true, Clock::now());
     if (subscriber_) listener_.hub_.leave(subscriber_);
     connection_->abandon();
   }
@@ -42,40 +44,106 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   /// The kind of place that the peer occupies; nullopt: no Hello yet, or refused.
   [[nodiscard]] std::optional<PlaceKind> place() const noexcept { return place_; }
 
+  /// Ends the connection when its key has expired or been revoked meanwhile.
+  void check_key() {
+    if (!who_ || access().still_holds(*who_)) return;
+    deny({.what = "the key of " + describe(*who_) + " has expired or is revoked",
+          .where = {},
+          .fix = "ask the technician for a new one: telepalp-keys renew"});
+  }
+
   [[nodiscard]] bool is_idle(Clock::time_point now) const noexcept {
     const IdleLimits& limits = listener_.options_.idle;
     return place_ && !subscribed_ && now - useful_ > (advertised_ ? limits.silent : limits.without_topics);
   }
 
  private:
+  Access& access() const { return *listener_.options_.access; }
+
   bool accepts(const wire::Topic& topic) override {
-    advertised_ = advertised_ || may_publish_upstream(topic);
-    return may_publish_upstream(topic);
+    const bool may = may_publish_upstream(topic) && who_ && access().may(*who_, keys::Operation::Touch) &&
+                     (holds_touch_ || takes_touch_late());
+    if (!may)
+      access().note(AuditEvent::Refused,
+                    in_audit() + " why=" + audit_text("may not publish " + std::string(topic.name)));
+    advertised_ = advertised_ || may;
+    return may;
+  }
+
+  [[nodiscard]] std::string in_audit() const {
+    return "who=" + (who_ ? describe(*who_) : std::string("stranger")) + " program=" + audit_text(name_) +
+           " from=" + connection_->peer() + (who_ && !who_->serial.empty() ? " key=" + who_->serial : "");
+  }
+
+  /// What a peer that takes a place of `kind` does.
+  static keys::Operation operation_of(PlaceKind kind) noexcept {
+    if (kind == PlaceKind::Station) return keys::Operation::Touch;
+    return kind == PlaceKind::Recorder ? keys::Operation::Record : keys::Operation::Watch;
+  }
+
+  /// Refuses what no further attempt can change.
+  void deny(const Error& why) {
+    audited_ = true;
+    access().note(AuditEvent::Refused, in_audit() + " why=" + audit_text(why.what));
+    listener_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + why.what);
+    connection_->close(to_string(why), true);
   }
 
   void on_ready(const msg::Hello& peer) override {
     name_ = peer.name();
     useful_ = Clock::now();
+    const Result<keys::Identity> who =
+        access().who(connection_->is_sealed(), connection_->identity(), peer.token(), host_of(connection_->peer()));
+    if (!who) return deny(who.error());
+    who_ = *who;
     const PlaceKind kind = place_for(peer.role());
+    if (const Result<void> may = access().may(*who_, operation_of(kind)); !may) return deny(may.error());
     const std::size_t places = listener_.options_.places.of(kind);
     if (listener_.taken(kind) >= places) return refuse(full_house(kind, places));
+    if (kind == PlaceKind::Station && !takes_touch()) return refuse(touch_is_held());
     place_ = kind;
     sender_ = listener_.sender_number(peer.run());
     subscriber_ = listener_.hub_.join(
         name_, connection_->peer(), [this] { connection_->wake(); }, sender_);
-    listener_.note(name_ + " (" + peer.role() + ") joined from " + connection_->peer());
+    listener_.note(name_ + " (" + (access().has_keys() ? describe(*who_) : peer.role()) + ") joined from " +
+                   connection_->peer());
+    access().note(AuditEvent::Joined, in_audit());
+    if (kind == PlaceKind::Recorder) access().note(AuditEvent::Records, in_audit());
+    if (holds_touch_) access().note(AuditEvent::TookTouch, in_audit());
+  }
+  /// With keys, one doctor holds the touch. Without, all programs are on this machine, and so is whoever started them.
+  bool takes_touch() {
+    if (!access().has_keys()) return true;
+    holds_touch_ = access().touch().take(number_, who_->serial, who_->name, Clock::now());
+    return holds_touch_;
+  }
+  /// The same for a peer that did not come as a station, and yet publishes like one.
+  bool takes_touch_late() {
+    const bool took = takes_touch();
+    if (holds_touch_) access().note(AuditEvent::TookTouch, in_audit());
+    return took;
+  }
+  [[nodiscard]] std::string touch_is_held() const {
+    return "doctor " + access().touch().holder(Clock::now()).value_or("?") +
+           " holds the touch. fix: wait: it is yours when that station ends, or is silent for 10 s";
   }
   void refuse(const std::string& reason) {
+    access().note(AuditEvent::Refused, in_audit() + " why=" + audit_text(reason));
     listener_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + reason);
     connection_->close(reason);
   }
   void on_subscribe(std::vector<std::string> topics) override {
+    if (!who_ || !access().may(*who_, keys::Operation::Watch)) return;
     if (subscribed_ && topics.empty()) useful_ = Clock::now();
     subscribed_ = !topics.empty();
     listener_.hub_.subscribe(subscriber_, topics);
   }
   void on_message(wire::Message message) override {
     useful_ = Clock::now();
+    if (holds_touch_ && !access().touch().renew(number_, useful_)) {
+      holds_touch_ = false;
+      return refuse(touch_is_held());
+    }
     if (!rates_.passes(message, useful_)) return on_over_rate(message.topic);
     if (is_valid_upstream(message)) return listener_.hub_.publish(with_sender(std::move(message), sender_));
     ++listener_.counts_.invalid_messages;
@@ -94,6 +162,11 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   }
   void on_clock(const wire::ClockSample&) override {}  // the server's clock is the session clock: it sends no probes
   void on_closed(const std::string& reason) override {
+    if (place_) access().note(AuditEvent::Left, in_audit() + " why=" + audit_text(reason));
+    if (holds_touch_) access().note(AuditEvent::GaveTouch, in_audit());
+    if (!who_ && !audited_ && access().has_keys())
+      access().note(AuditEvent::Refused, in_audit() + " why=" + audit_text(reason));
+    access().touch().leave(number_, reason.starts_with("peer left"), Clock::now());
     leave_hub();
     listener_.note((name_.empty() ? "a stranger" : name_) + " at " + connection_->peer() + " left: " + reason);
     listener_.forget(number_);
@@ -111,7 +184,10 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   PeerListener& listener_;
   PeerNumber number_;
   std::string name_;
+  std::optional<keys::Identity> who_;  // nullopt: not known yet, or refused
   std::optional<PlaceKind> place_;
+  bool holds_touch_ = false;
+  bool audited_ = false;        // the log tells why this peer is refused
   bool advertised_ = false;     // the peer has advertised an allowed topic
   bool subscribed_ = false;     // the peer is subscribed to at least one topic
   Clock::time_point useful_{};  // when it last published, subscribed or greeted

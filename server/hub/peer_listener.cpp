@@ -36,21 +36,25 @@ error_code open_acceptor(tcp::acceptor& acceptor, const tcp::endpoint& endpoint)
 
 }  // namespace
 
-Result<asio::ip::address> loopback_address(const std::string& address) {
+Result<asio::ip::address> listening_address(const std::string& address, bool has_keys) {
   error_code code;
   const asio::ip::address parsed = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, code);
   if (code)
-    return Error{.what = "'" + address + "' is not an address", .where = "--bind", .fix = "give 127.0.0.1 or ::1"};
-  if (!parsed.is_loopback())
-    return Error{.what = address + " is reachable from the network, and this server has no keys to protect the patient",
+    return Error{.what = "'" + address + "' is not an address",
                  .where = "--bind",
-                 .fix = "bind 127.0.0.1 or ::1, and carry it to the other site through a tunnel such as ssh -L"};
+                 .fix = "give 127.0.0.1 for this machine alone, or 0.0.0.0 with --key"};
+  if (!parsed.is_loopback() && !has_keys)
+    return Error{.what = address + " is reachable from the network, and this server has no key to protect the patient",
+                 .where = "--bind",
+                 .fix =
+                     "telepalp-keys authority && telepalp-keys server --host NAME-OR-ADDRESS-OF-THIS-SERVER, then add "
+                     "--key keys/server.key"};
   return parsed;
 }
 
 Result<std::unique_ptr<PeerListener>> PeerListener::listen(asio::io_context& io, Hub& hub,
                                                            const wire::SessionClock& clock, Options options) {
-  const Result<asio::ip::address> address = loopback_address(options.address);
+  const Result<asio::ip::address> address = listening_address(options.address, options.access->has_keys());
   if (!address) return address.error();
   const tcp::endpoint endpoint{*address, options.port};
   std::unique_ptr<PeerListener> listener(new PeerListener(io, hub, clock, std::move(options)));
@@ -87,6 +91,11 @@ void PeerListener::accept() {
       if (!stopped) accept();
     });
   });
+}
+
+std::unique_ptr<wire::ByteStream> PeerListener::stream_over(tcp::socket socket) const {
+  const Access& access = *options_.access;
+  return access.has_keys() ? wire::tls_at_server(std::move(socket), access.tls()) : wire::plain_tcp(std::move(socket));
 }
 
 void PeerListener::admit(tcp::socket socket) {
@@ -131,7 +140,9 @@ void PeerListener::let_a_stranger_go() {
 
 void PeerListener::let_idle_go_every_second() {
   const auto now = std::chrono::steady_clock::now();
+  options_.access->look_at_revocations();
   for (const auto& [number, peer] : peers_) {
+    peer->check_key();
     if (!peer->is_idle(now)) continue;
     ++counts_.let_go_idle;
     peer->close("it asked for no topic and published nothing, and others may need its place");

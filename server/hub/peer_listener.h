@@ -14,14 +14,15 @@
 #include "proto/wire/connection.h"
 #include "proto/wire/session_clock.h"
 #include "proto/words/result.h"
+#include "server/access/access.h"
 #include "server/hub/hub.h"
 #include "server/hub/places.h"
 
 namespace telepalp::server {
 
-/// Parses an address to listen on. Error: not a loopback address. The protocol has no encryption yet, so other
-/// addresses would expose patient data to the network.
-[[nodiscard]] Result<boost::asio::ip::address> loopback_address(const std::string& address);
+/// Parses an address to listen on. Error: not a loopback address, and `has_keys` is false: without TLS it would expose
+/// the patient to the network.
+[[nodiscard]] Result<boost::asio::ip::address> listening_address(const std::string& address, bool has_keys);
 
 /// Accepts peers (stations, recorders, tools) and connects each to the hub: subscribed messages go to the peer,
 /// messages of a station go to the hub. Owner: the server's network thread.
@@ -31,6 +32,7 @@ class PeerListener {
     std::string address = "127.0.0.1";
     std::uint16_t port = 0;  ///< 0: any free port
     std::string name = "telepalp-server";
+    std::shared_ptr<Access> access = Access::without_keys();  ///< shared with the gateway
     PlaceLimits places{};
     IdleLimits idle{};
     std::function<void(const std::string&)> on_note{};  ///< log lines: connected, disconnected and why
@@ -70,6 +72,7 @@ class PeerListener {
   [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: strangers
   void let_a_stranger_go();
   void let_idle_go_every_second();
+  [[nodiscard]] std::unique_ptr<wire::ByteStream> stream_over(boost::asio::ip::tcp::socket socket) const;
 
   boost::asio::io_context& io_;
   Hub& hub_;

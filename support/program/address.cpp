@@ -4,23 +4,22 @@
 
 namespace telepalp::program {
 
-Result<Address> parse_address(std::string_view text, std::string_view where) {
-  const auto wrong = [&] {
-    return Error{.what = "'" + std::string(text) + "' is not HOST:PORT",
-                 .where = std::string(where),
-                 .fix = "write it as 127.0.0.1:7400 or [::1]:7400"};
-  };
-  const std::size_t colon = text.rfind(':');
-  if (colon == std::string_view::npos || colon == 0) return wrong();
+Result<Address> parse_address(std::string_view text, std::string_view where, std::string_view default_port) {
+  const Error wrong{
+      .what = "'" + std::string(text) + "' is not " + (default_port.empty() ? "HOST:PORT" : "HOST or HOST:PORT"),
+      .where = std::string(where),
+      .fix = "write it as 127.0.0.1:7400 or [::1]:7400"};
+  // The last colon is before the port, but for an address in brackets that ends the text.
+  const std::size_t colon = text.ends_with(']') ? std::string_view::npos : text.rfind(':');
   std::string_view host = text.substr(0, colon);
-  if (host.front() == '[' && host.back() == ']')
+  const std::string_view digits = colon == std::string_view::npos ? default_port : text.substr(colon + 1);
+  if (host.starts_with('[') && host.ends_with(']'))
     host = host.substr(1, host.size() - 2);
   else if (host.find(':') != std::string_view::npos)
-    return wrong();
-  const std::string_view digits = text.substr(colon + 1);
+    return wrong;
   std::uint16_t port = 0;
   const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
-  if (code != std::errc{} || end != digits.data() + digits.size() || port == 0 || host.empty()) return wrong();
+  if (code != std::errc{} || end != digits.data() + digits.size() || port == 0 || host.empty()) return wrong;
   return Address{std::string(host), port};
 }
 

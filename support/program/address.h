@@ -13,7 +13,9 @@ struct Address {
   std::uint16_t port = 0;
 };
 
-/// Parses `HOST:PORT`, with an IPv6 host in brackets. `where`: the option's name, for errors.
-[[nodiscard]] Result<Address> parse_address(std::string_view text, std::string_view where);
+/// Parses `HOST:PORT`, with an IPv6 host in brackets. `where`: the option's name, for errors. `default_port`: of an
+/// address without a port; empty: it needs one.
+[[nodiscard]] Result<Address> parse_address(std::string_view text, std::string_view where,
+                                            std::string_view default_port = {});
 
 }  // namespace telepalp::program

@@ -157,6 +157,14 @@ TEST(Address, HostAndPortAreReadAndAnythingElseIsRefused) {
     EXPECT_FALSE(parse_address(wrong, "--connect").ok()) << wrong;
 }
 
+TEST(Address, WithoutAPortItIsTheDefaultOne) {
+  EXPECT_EQ(parse_address("patient.example", "--connect", "7400")->port, 7400);
+  EXPECT_EQ(parse_address("[::1]", "--connect", "7400")->host, "::1");
+  EXPECT_EQ(parse_address("10.0.0.5:81", "--connect", "7400")->port, 81);
+  for (const char* wrong : {"", "host:", ":7400", "host:0", "::1", "[::1", "[]", "[::1]:", "a]:7"})
+    EXPECT_FALSE(parse_address(wrong, "--connect", "7400").ok()) << wrong;
+}
+
 /// Exit code and duration of a child process that is asked three times to end while it has `work` left.
 std::pair<int, std::chrono::milliseconds> end_with(std::chrono::milliseconds work) {
   const auto begun = std::chrono::steady_clock::now();

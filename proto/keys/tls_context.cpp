@@ -1,0 +1,153 @@
+#include "proto/keys/tls_context.h"
+
+#include <openssl/err.h>
+#include <openssl/x509v3.h>
+
+#include <utility>
+
+#include "proto/keys/certificate.h"
+
+namespace telepalp::keys {
+namespace {
+
+/// AES-128 first: it is the cheapest, and 128 bits are enough.
+constexpr const char* kCiphers = "TLS_AES_128_GCM_SHA256:TLS_AES_256_GCM_SHA384:TLS_CHACHA20_POLY1305_SHA256";
+constexpr const char* kAskTechnician = "ask the technician for a key: telepalp-keys client --name NAME --role ROLE";
+
+void free_is_revoked(void*, void* kept, CRYPTO_EX_DATA*, int, long, void*) { delete static_cast<IsRevoked*>(kept); }
+
+int revocation_slot() {
+  static const int slot =
+      CRYPTO_get_ex_new_index(CRYPTO_EX_INDEX_SSL_CTX, 0, nullptr, nullptr, nullptr, free_is_revoked);
+  return slot;
+}
+
+/// OpenSSL has checked signature, dates and purpose; this adds the revocations.
+int check_certificate(int fine, X509_STORE_CTX* store) {
+  if (fine == 0 || X509_STORE_CTX_get_error_depth(store) != 0) return fine;
+  const auto* session = static_cast<SSL*>(X509_STORE_CTX_get_ex_data(store, SSL_get_ex_data_X509_STORE_CTX_idx()));
+  const auto* is_revoked = static_cast<IsRevoked*>(SSL_CTX_get_ex_data(SSL_get_SSL_CTX(session), revocation_slot()));
+  const X509& certificate = *X509_STORE_CTX_get_current_cert(store);
+  if (is_revoked == nullptr || !(*is_revoked)(serial_of(*X509_get0_serialNumber(&certificate)))) return 1;
+  X509_STORE_CTX_set_error(store, X509_V_ERR_CERT_REVOKED);
+  return 0;
+}
+
+/// A context that shows `key`, if it has a certificate, and trusts its authority.
+Result<TlsContextPtr> make_context(const SSL_METHOD* method, const KeyFile& key) {
+  TlsContextPtr context(SSL_CTX_new(method));
+  const std::vector<CertificatePtr> authority = certificates_in(key.authority);
+  bool made = context && !authority.empty() && SSL_CTX_set_min_proto_version(context.get(), TLS1_3_VERSION) == 1 &&
+              SSL_CTX_set_ciphersuites(context.get(), kCiphers) == 1 &&
+              X509_STORE_add_cert(SSL_CTX_get_cert_store(context.get()), authority.front().get()) == 1;
+  if (made && !key.certificate.empty()) {
+    const std::vector<CertificatePtr> own = certificates_in(key.certificate);
+    const PrivateKeyPtr secret = private_key_in(key.private_key);
+    made = !own.empty() && secret && SSL_CTX_use_certificate(context.get(), own.front().get()) == 1 &&
+           SSL_CTX_use_PrivateKey(context.get(), secret.get()) == 1;
+  }
+  if (!made) return openssl_error("TLS");
+  SSL_CTX_set_session_cache_mode(context.get(), SSL_SESS_CACHE_OFF);
+  SSL_CTX_set_num_tickets(context.get(), 0);
+  SSL_CTX_set_options(context.get(), SSL_OP_NO_TICKET | SSL_OP_NO_RENEGOTIATION);
+  return context;
+}
+
+Error refused(std::string what, std::string fix) {
+  return {.what = std::move(what), .where = {}, .fix = std::move(fix)};
+}
+
+/// The client refused the server's certificate.
+Error bad_server(long verdict, const KeyFile& key, const std::string& host) {
+  switch (verdict) {
+    case X509_V_ERR_HOSTNAME_MISMATCH:
+    case X509_V_ERR_IP_ADDRESS_MISMATCH:
+      return refused("the server's key is not for the host " + host,
+                     "connect to a host that the key names, or make the server's key with --host " + host);
+    case X509_V_ERR_CERT_HAS_EXPIRED:
+      return refused("the server's key has expired", "renew it at the server: telepalp-keys renew server.key");
+    case X509_V_ERR_CERT_NOT_YET_VALID:
+      return refused("the server's key is not valid yet", "set the clock of this computer");
+    default:
+      return refused("the server is not of the authority " + key.authority_name + " that made this key (" +
+                         X509_verify_cert_error_string(verdict) + ")",
+                     "give the key that was made for this server, or look who answers at this address");
+  }
+}
+
+/// The server refused the client's certificate.
+std::optional<Error> bad_client(int reason) {
+  switch (reason) {
+    case SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED:
+      return refused("the server refuses this key: it has expired", "telepalp-keys renew FILE, at the technician's");
+    case SSL_R_SSLV3_ALERT_CERTIFICATE_REVOKED:
+      return refused("the server refuses this key: it is revoked", kAskTechnician);
+    case SSL_R_TLSV1_ALERT_UNKNOWN_CA:
+      return refused("the server refuses this key: another authority made it", kAskTechnician);
+    case SSL_R_TLSV13_ALERT_CERTIFICATE_REQUIRED:
+    case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:
+    case SSL_R_SSLV3_ALERT_UNSUPPORTED_CERTIFICATE:
+    case SSL_R_SSLV3_ALERT_CERTIFICATE_UNKNOWN:
+    case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
+      return refused("the server refuses this key", kAskTechnician);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+Result<TlsContextPtr> server_context(const KeyFile& key, IsRevoked is_revoked) {
+  Result<TlsContextPtr> context = make_context(TLS_server_method(), key);
+  if (!context) return context;
+  SSL_CTX* const made = context->get();
+  SSL_CTX_set_ex_data(made, revocation_slot(), new IsRevoked(std::move(is_revoked)));
+  SSL_CTX_set_verify(made, SSL_VERIFY_PEER, check_certificate);  // a peer without a certificate brings a token
+  const std::vector<CertificatePtr> authority = certificates_in(key.authority);
+  SSL_CTX_add_client_CA(made, authority.front().get());
+  return context;
+}
+
+Result<TlsContextPtr> web_server_context(const KeyFile& key) { return make_context(TLS_server_method(), key); }
+
+Result<TlsContextPtr> client_context(const KeyFile& key) {
+  Result<TlsContextPtr> context = make_context(TLS_client_method(), key);
+  if (context) SSL_CTX_set_verify(context->get(), SSL_VERIFY_PEER, nullptr);
+  return context;
+}
+
+void expect_host(SSL& session, const std::string& host) {
+  X509_VERIFY_PARAM* const checks = SSL_get0_param(&session);
+  X509_VERIFY_PARAM_set_hostflags(checks, X509_CHECK_FLAG_NO_WILDCARDS | X509_CHECK_FLAG_NEVER_CHECK_SUBJECT);
+  if (X509_VERIFY_PARAM_set1_ip_asc(checks, host.c_str()) == 1) return;
+  ERR_clear_error();
+  X509_VERIFY_PARAM_set1_host(checks, host.c_str(), host.size());
+}
+
+std::optional<Identity> identity_of_peer(SSL& session) {
+  X509* const certificate = SSL_get0_peer_certificate(&session);
+  if (certificate == nullptr || SSL_get_verify_result(&session) != X509_V_OK) return std::nullopt;
+  Result<Identity> identity = identity_of(*certificate);
+  if (!identity) return std::nullopt;
+  return std::move(identity).value();
+}
+
+std::optional<std::array<std::byte, 32>> keying_material(SSL& session, std::string_view label) {
+  std::array<std::byte, 32> bytes{};
+  if (SSL_is_init_finished(&session) != 1 ||
+      SSL_export_keying_material(&session, reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), label.data(),
+                                 label.size(), nullptr, 0, 0) != 1)
+    return std::nullopt;
+  return bytes;
+}
+
+std::optional<Error> refusal_of(SSL& session, unsigned long code, const KeyFile& key, const std::string& host) {
+  const int reason = ERR_GET_REASON(code);
+  if (reason == SSL_R_CERTIFICATE_VERIFY_FAILED) return bad_server(SSL_get_verify_result(&session), key, host);
+  if (reason == SSL_R_WRONG_VERSION_NUMBER || reason == SSL_R_HTTP_REQUEST || reason == SSL_R_UNSUPPORTED_PROTOCOL)
+    return refused("the server does not speak TLS, so a key would protect nothing",
+                   "start the server with --key, or on this machine leave out --key");
+  return bad_client(reason);
+}
+
+}  // namespace telepalp::keys

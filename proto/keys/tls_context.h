@@ -1,0 +1,49 @@
+#pragma once
+
+#include <openssl/ssl.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "proto/keys/identity.h"
+#include "proto/keys/key_file.h"
+#include "proto/words/result.h"
+
+namespace telepalp::keys {
+
+struct FreeTlsContext {
+  void operator()(SSL_CTX* context) const noexcept { SSL_CTX_free(context); }
+};
+using TlsContextPtr = std::unique_ptr<SSL_CTX, FreeTlsContext>;
+using IsRevoked = std::function<bool(const std::string& serial)>;
+
+/// TLS 1.3 for a server with `key`. A client's certificate is checked if it sends one; `is_revoked` is asked at each
+/// handshake. There is no resumption: each session checks the key anew.
+[[nodiscard]] Result<TlsContextPtr> server_context(const KeyFile& key, IsRevoked is_revoked);
+
+/// The same for browsers, which are not asked for a certificate.
+[[nodiscard]] Result<TlsContextPtr> web_server_context(const KeyFile& key);
+
+/// TLS 1.3 for a client: it trusts the authority of its key alone, and shows its certificate if it has one.
+[[nodiscard]] Result<TlsContextPtr> client_context(const KeyFile& key);
+
+/// Lets the client's `session` accept only a server whose certificate names `host`, a name or an address.
+void expect_host(SSL& session, const std::string& host);
+
+/// Whom the verified certificate of the peer names; nullopt: it sent none.
+[[nodiscard]] std::optional<Identity> identity_of_peer(SSL& session);
+
+/// 32 bytes that both ends of a session share and nobody else knows (RFC 8446, 7.5). nullopt before the handshake ends.
+[[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(SSL& session, std::string_view label);
+
+/// What a client's failed handshake or read means, when each further attempt would fail the same way. `code`: OpenSSL's
+/// error. `host`: as for expect_host().
+[[nodiscard]] std::optional<Error> refusal_of(SSL& session, unsigned long code, const KeyFile& key,
+                                              const std::string& host);
+
+}  // namespace telepalp::keys

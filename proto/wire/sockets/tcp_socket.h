@@ -1,0 +1,18 @@
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <string>
+
+namespace telepalp::wire {
+
+/// Turns Nagle's algorithm off and keeps the kernel's send buffer small: a message that waits there cannot be replaced.
+void tune(boost::asio::ip::tcp::socket& socket);
+
+/// "127.0.0.1:4711", or "[::1]:4711": the peer's address.
+[[nodiscard]] std::string peer_address(const boost::asio::ip::tcp::socket& socket);
+
+/// Ends the sending direction and reads on for half a second at most: closing a socket with unread bytes sends a reset,
+/// which may overtake the last words. At most 32 sockets are read so; further ones are closed.
+void close_gently(boost::asio::ip::tcp::socket socket);
+
+}  // namespace telepalp::wire

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "proto/keys/key_file.h"
+#include "proto/keys/revocations.h"
+#include "proto/keys/role.h"
+#include "proto/wire/tls_stream.h"
+#include "proto/words/result.h"
+#include "server/access/audit_log.h"
+#include "server/access/token_back_off.h"
+#include "server/access/touch_lease.h"
+
+namespace telepalp::server {
+
+/// Decides who may enter the server and do what, and writes it down. Without a key every peer is `local`, and the
+/// server listens on loopback alone. Owner: the server's network thread. Its listeners share it by shared_ptr, because
+/// TLS handshakes under way ask it for revocations.
+class Access : public std::enable_shared_from_this<Access> {
+ public:
+  struct Options {
+    std::filesystem::path key;      ///< of telepalp-keys server
+    std::filesystem::path revoked;  ///< empty: revoked.crl beside the key, if it exists
+    std::filesystem::path audit;    ///< empty: audit.log beside the key
+    std::function<void(const std::string&)> say{};
+  };
+
+  [[nodiscard]] static std::shared_ptr<Access> without_keys();
+  /// Error: the key cannot be read or has expired, or the revocation list is of another authority.
+  [[nodiscard]] static Result<std::shared_ptr<Access>> with_key(Options options);
+
+  [[nodiscard]] bool has_keys() const noexcept { return key_.has_value(); }
+  /// TLS for stations and recorders, and for browsers; null without keys.
+  [[nodiscard]] const wire::TlsSettings& tls() const noexcept { return tls_; }
+  [[nodiscard]] const wire::TlsSettings& web_tls() const noexcept { return web_tls_; }
+  /// Names and addresses under which clients reach this server, from its key.
+  [[nodiscard]] const std::vector<std::string>& hosts() const;
+
+  /// Who a peer of the wire is: by its certificate, else by its `token`. `address`: without the port.
+  [[nodiscard]] Result<keys::Identity> who(bool is_sealed, const std::optional<keys::Identity>& certificate,
+                                           std::string_view token, const std::string& address);
+  /// Who brings this `token`, in a browser. Wrong ones are slowed down by address.
+  [[nodiscard]] Result<keys::Identity> bearer(std::string_view token, const std::string& address);
+
+  /// The check of each operation, where it enters the server.
+  [[nodiscard]] Result<void> may(const keys::Identity& who, keys::Operation operation) const;
+
+  /// False once the key has expired or is revoked.
+  [[nodiscard]] bool still_holds(const keys::Identity& who) const;
+
+  /// Reads the revocation list again if its file changed. Call it each second.
+  void look_at_revocations();
+
+  void note(AuditEvent event, const std::string& text);
+  [[nodiscard]] TouchLease& touch() noexcept { return touch_; }
+
+  struct Counts {
+    std::uint64_t refused = 0;  ///< keys, tokens and operations
+    std::uint64_t joined = 0;
+    std::uint64_t audit_lines = 0;
+    std::uint64_t audit_not_written = 0;
+  };
+  [[nodiscard]] Counts counts() const;
+
+ private:
+  Access() = default;
+  [[nodiscard]] Result<void> open_key(const Options& options);
+  [[nodiscard]] Result<void> read_revocations();
+
+  std::optional<keys::KeyFile> key_;
+  wire::TlsSettings tls_;
+  wire::TlsSettings web_tls_;
+  std::filesystem::path revoked_file_;
+  std::filesystem::file_time_type revoked_read_{};
+  keys::Revocations revocations_;
+  TokenBackOff back_off_;
+  TouchLease touch_;
+  std::unique_ptr<AuditLog> audit_;
+  std::function<void(const std::string&)> say_;
+  Counts counts_;
+};
+
+/// "127.0.0.1:4711" -> "127.0.0.1"
+[[nodiscard]] std::string host_of(const std::string& peer);
+
+}  // namespace telepalp::server

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "proto/keys/audit_chain.h"
+#include "proto/keys/identity.h"
+#include "proto/words/result.h"
+
+namespace telepalp::server {
+
+/// What the log tells of. The name is the word in the log.
+enum class AuditEvent { Started, Stopped, Joined, Left, Records, TookTouch, GaveTouch, Refused, SignedIn, SignedOut };
+[[nodiscard]] std::string_view name(AuditEvent event) noexcept;
+
+/// A file of hash-chained lines (proto/keys/audit_chain.h), one for each event: "time=… event=joined who=doctor anna
+/// from=10.0.0.7:4711 …". Each line is in the kernel before the next event is handled. Owner: the server's network
+/// thread.
+class AuditLog {
+ public:
+  /// Opens `file` and continues its chain. A file whose chain is broken is renamed to FILE.damaged-N, and `say` is
+  /// told.
+  [[nodiscard]] static Result<std::unique_ptr<AuditLog>> open(const std::filesystem::path& file,
+                                                              const std::function<void(const std::string&)>& say);
+
+  /// Never fails: a full disk must not stop the patient's stream. What could not be written is counted, and said once.
+  /// Of refusals in 10 s, 20 of strangers and 200 of others are written; the next line tells how many more there were:
+  /// nobody may fill the disk.
+  void note(AuditEvent event, const std::string& text, keys::WallTime now);
+
+  [[nodiscard]] std::uint64_t lines() const noexcept { return position_.lines; }
+  [[nodiscard]] std::uint64_t not_written() const noexcept { return not_written_; }
+
+ private:
+  AuditLog(std::filesystem::path file, keys::AuditPosition position, std::function<void(const std::string&)> say);
+  [[nodiscard]] bool is_too_often(AuditEvent event, const std::string& text, keys::WallTime now);
+
+  std::filesystem::path file_;
+  std::ofstream stream_;
+  keys::AuditPosition position_;
+  std::function<void(const std::string&)> say_;
+  std::uint64_t not_written_ = 0;
+  keys::WallTime refusals_since_{};
+  std::uint64_t strangers_ = 0;  // refused since then
+  std::uint64_t others_ = 0;
+  std::uint64_t unsaid_ = 0;
+};
+
+}  // namespace telepalp::server

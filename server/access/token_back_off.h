@@ -1,0 +1,29 @@
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+
+namespace telepalp::server {
+
+/// Slows down guessing: after five wrong tokens from an address, none is looked at for a second, and the time doubles
+/// with each further one, up to a minute. A right token clears the address. Bounded memory; pure.
+class TokenBackOff {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  [[nodiscard]] bool may_try(const std::string& address, TimePoint now) const;
+  void failed(const std::string& address, TimePoint now);
+  void succeeded(const std::string& address) { addresses_.erase(address); }
+  [[nodiscard]] std::size_t addresses() const noexcept { return addresses_.size(); }
+
+ private:
+  struct Failures {
+    unsigned count = 0;
+    TimePoint until{};
+    TimePoint last{};
+  };
+  std::map<std::string, Failures> addresses_;  // at most kMostAddresses: the oldest is forgotten
+};
+
+}  // namespace telepalp::server

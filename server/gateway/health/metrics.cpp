@@ -1,0 +1,44 @@
+#include "server/gateway/health/metrics.h"
+
+namespace telepalp::server {
+namespace {
+
+std::string described(const std::string& name, const std::string& type, const std::string& help) {
+  return "# HELP " + name + " " + help + "\n# TYPE " + name + " " + type + "\n";
+}
+
+std::string single(const std::string& name, const std::string& type, const std::string& help, std::uint64_t value) {
+  return described(name, type, help) + name + " " + std::to_string(value) + "\n";
+}
+
+std::string by_topic(const Hub& hub, const std::string& name, const std::string& help,
+                     std::uint64_t Hub::TopicCount::*count) {
+  std::string text = described(name, "counter", help);
+  for (const auto& [topic, counts] : hub.topic_counts())
+    text += name + "{topic=\"" + std::string(topic) + "\"} " + std::to_string(counts.*count) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string metrics_text(const Hub& hub, const Access::Counts& access, std::size_t browsers, bool touch_is_held) {
+  using Count = Hub::TopicCount;
+  return by_topic(hub, "telepalp_published_messages_total", "Messages published, by topic.", &Count::published) +
+         by_topic(hub, "telepalp_published_bytes_total", "Bytes published, by topic.", &Count::bytes) +
+         by_topic(hub, "telepalp_sent_messages_total", "Messages sent to subscribers, by topic.", &Count::sent) +
+         by_topic(hub, "telepalp_dropped_messages_total", "Messages dropped for slow subscribers, by topic.",
+                  &Count::dropped) +
+         single("telepalp_subscribers", "gauge", "Stations, recorders and browsers that are connected.",
+                hub.subscriber_counts().size()) +
+         single("telepalp_browser_connections", "gauge", "Open connections of the web port.", browsers) +
+         single("telepalp_waiting_bytes", "gauge", "Bytes that wait for subscribers, without images.",
+                hub.waiting_bytes()) +
+         single("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch.", touch_is_held ? 1 : 0) +
+         single("telepalp_joined_total", "counter", "Peers that were let in.", access.joined) +
+         single("telepalp_refused_total", "counter", "Keys, tokens and operations that were refused.", access.refused) +
+         single("telepalp_audit_lines", "gauge", "Lines of the audit log.", access.audit_lines) +
+         single("telepalp_audit_lines_not_written_total", "counter", "Lines lost to a full disk.",
+                access.audit_not_written);
+}
+
+}  // namespace telepalp::server

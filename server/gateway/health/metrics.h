@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "server/access/access.h"
+#include "server/hub/hub.h"
+
+namespace telepalp::server {
+
+inline constexpr std::string_view kMetricsTarget = "/metrics";
+inline constexpr std::string_view kHealthTarget = "/health";
+
+/// The server's counts in Prometheus' text format. It names no person and no address.
+[[nodiscard]] std::string metrics_text(const Hub& hub, const Access::Counts& access, std::size_t browsers,
+                                       bool touch_is_held);
+
+}  // namespace telepalp::server

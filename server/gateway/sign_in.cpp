@@ -1,0 +1,93 @@
+#include "server/gateway/sign_in.h"
+
+namespace telepalp::server {
+namespace {
+
+namespace http = boost::beast::http;
+
+/// A page of our own, without script or style: it may post a form to this server and do nothing else.
+constexpr const char* kFormPolicy = "default-src 'none'; form-action 'self'; base-uri 'none'; frame-ancestors 'none'";
+
+std::string html_escaped(std::string_view text) {
+  std::string safe;
+  for (const char letter : text) switch (letter) {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += letter;
+    }
+  return safe;
+}
+
+HttpReply page(const HttpRequest& request, http::status status, const std::string& body) {
+  HttpReply reply = refuse(request, status,
+                           "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>telepalp</title><body>" +
+                               body + "</body></html>");
+  reply.set(http::field::content_type, "text/html; charset=utf-8");
+  reply.set("Content-Security-Policy", kFormPolicy);
+  return reply;
+}
+
+}  // namespace
+
+HttpReply sign_in_page(const HttpRequest& request, std::string_view problem) {
+  const std::string why = problem.empty() ? "" : "<p role=\"alert\">" + html_escaped(problem) + "</p>";
+  return page(request, http::status::unauthorized,
+              "<h1>telepalp</h1>" + why +
+                  "<form method=\"post\" action=\"/sign-in\"><label>Token <input name=\"token\" type=\"password\" "
+                  "autocomplete=\"off\" autofocus required></label> <button>Sign in</button></form>"
+                  "<p>The token is the line after <code>token:</code> in the file that the technician gave you.</p>");
+}
+
+HttpReply sign_out_page(const HttpRequest& request, const std::string& who) {
+  return page(request, http::status::ok,
+              "<h1>telepalp</h1><p>You are signed in as " + html_escaped(who) +
+                  ".</p><form method=\"post\" action=\"/sign-out\"><button>Sign out</button></form>");
+}
+
+HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie) {
+  HttpReply reply = refuse(request, http::status::see_other, "");
+  reply.set(http::field::location, boost::beast::string_view(target.data(), target.size()));
+  reply.set(http::field::set_cookie, std::string(kCookieName) + "=" + cookie +
+                                         "; Path=/; Secure; HttpOnly; SameSite=Strict" +
+                                         (cookie.empty() ? "; Max-Age=0" : ""));
+  return reply;
+}
+
+std::string token_in_form(std::string_view body) {
+  constexpr std::string_view kField = "token=";
+  if (!body.starts_with(kField)) return {};
+  std::string_view value = body.substr(kField.size());
+  value = value.substr(0, value.find('&'));
+  while (value.starts_with('+')) value.remove_prefix(1);  // a space that was pasted with the token
+  while (value.ends_with('+')) value.remove_suffix(1);
+  return std::string(value);
+}
+
+std::string_view our_cookie(std::string_view cookies) noexcept {
+  while (!cookies.empty()) {
+    std::string_view one = cookies.substr(0, cookies.find(';'));
+    cookies.remove_prefix(std::min(cookies.size(), one.size() + 1));
+    while (one.starts_with(' ')) one.remove_prefix(1);
+    if (one.starts_with(kCookieName) && one.substr(kCookieName.size()).starts_with('='))
+      return one.substr(kCookieName.size() + 1);
+  }
+  return {};
+}
+
+std::string_view bearer_token(std::string_view authorization) noexcept {
+  constexpr std::string_view kScheme = "Bearer ";
+  return authorization.starts_with(kScheme) ? authorization.substr(kScheme.size()) : std::string_view{};
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "proto/keys/identity.h"
+
+namespace telepalp::server {
+
+/// Browsers that signed in with a token. A browser keeps a random cookie; the server keeps its hash and whom it stands
+/// for. Bounded: the oldest session ends when there are too many. Owner: the server's network thread.
+class WebSessions {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+  static constexpr std::size_t kMost = 256;
+  static constexpr std::chrono::hours kLongest{12};
+
+  /// Begins a session; returns the cookie's value.
+  [[nodiscard]] std::string begin(const keys::Identity& who, TimePoint now);
+  [[nodiscard]] std::optional<keys::Identity> find(std::string_view cookie, TimePoint now) const;
+  /// Ends the session of `cookie`; returns whose it was.
+  std::optional<keys::Identity> end(std::string_view cookie);
+  [[nodiscard]] std::size_t size() const noexcept { return sessions_.size(); }
+
+ private:
+  struct Session {
+    keys::Identity who;
+    TimePoint begun;
+  };
+  std::map<std::string, Session> sessions_;  // by the hash of the cookie
+};
+
+}  // namespace telepalp::server

@@ -1,0 +1,100 @@
+#include "server/gateway/visit.h"
+
+#include <utility>
+
+#include "server/access/audit_text.h"
+#include "server/gateway/health/metrics.h"
+#include "server/gateway/request_policy.h"
+#include "server/gateway/sign_in.h"
+
+namespace telepalp::server {
+namespace {
+
+namespace http = boost::beast::http;
+
+std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
+
+auto steady_now() { return std::chrono::steady_clock::now(); }
+
+/// A page of another origin must not sign anybody in or out.
+bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
+  const std::string_view host = view(request[http::field::host]);
+  return host_is_ours(policy, host) && view(request[http::field::origin]) == "https://" + std::string(host);
+}
+
+}  // namespace
+
+Visit::Visit(GatewayContext& context, const HttpRequest& request, std::string address)
+    : context_(context), address_(std::move(address)) {
+  Access& access = *context_.options.access;
+  const std::string_view token = bearer_token(view(request[http::field::authorization]));
+  const std::string cookie(our_cookie(view(request[http::field::cookie])));
+  if (!access.has_keys()) {
+    const Result<keys::Identity> local = access.who(false, std::nullopt, "", address_);
+    visitor_ = Visitor{.who = *local, .cookie = {}};
+  } else if (!token.empty()) {
+    const Result<keys::Identity> bearer = access.bearer(token, address_);
+    brought_token_ = bearer.ok();
+    if (bearer) visitor_ = Visitor{.who = *bearer, .cookie = {}};
+    if (!bearer) note(AuditEvent::Refused, "who=stranger why=" + audit_text(bearer.error().what));
+  } else if (const auto who = context_.sessions.find(cookie, steady_now()); who && access.still_holds(*who)) {
+    visitor_ = Visitor{.who = *who, .cookie = cookie};
+  }
+}
+
+bool Visit::may(keys::Operation operation) const {
+  return visitor_ && context_.options.access->may(visitor_->who, operation).ok();
+}
+
+std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
+  const std::string_view target = view(request.target());
+  const bool has_keys = context_.options.access->has_keys();
+  if (target == kMetricsTarget) return metrics(request);
+  if (!has_keys) return std::nullopt;
+  if (target == kSignInTarget && request.method() == http::verb::post) return sign_in(request);
+  if (!may(keys::Operation::Watch)) {
+    if (target == "/" || target == kSignInTarget) return sign_in_page(request, problem_);
+    return refuse(request, http::status::unauthorized, "sign in first");
+  }
+  if (target == kSignInTarget) return go_to(request, "/", visitor_->cookie);
+  if (target != kSignOutTarget) return std::nullopt;
+  return request.method() == http::verb::post ? sign_out(request) : sign_out_page(request, describe(visitor_->who));
+}
+
+HttpReply Visit::sign_in(const HttpRequest& request) {
+  if (!is_from_our_page(request, context_.options.policy))
+    return refuse(request, http::status::forbidden, "pages from that origin may not sign in here");
+  const Result<keys::Identity> who = context_.options.access->bearer(token_in_form(request.body()), address_);
+  if (!who) {
+    note(AuditEvent::Refused, "who=stranger why=" + audit_text(who.error().what));
+    return sign_in_page(request, who.error().what + ". " + who.error().fix);
+  }
+  note(AuditEvent::SignedIn, "who=" + describe(*who) + " key=" + who->serial);
+  return go_to(request, "/", context_.sessions.begin(*who, steady_now()));
+}
+
+HttpReply Visit::sign_out(const HttpRequest& request) {
+  if (!is_from_our_page(request, context_.options.policy))
+    return refuse(request, http::status::forbidden, "pages from that origin may not sign out here");
+  if (const auto who = context_.sessions.end(visitor_->cookie)) note(AuditEvent::SignedOut, "who=" + describe(*who));
+  return go_to(request, "/", "");
+}
+
+HttpReply Visit::metrics(const HttpRequest& request) const {
+  if (!may(keys::Operation::Metrics))
+    return refuse(request, visitor_ ? http::status::forbidden : http::status::unauthorized,
+                  "metrics need a token of a technician or of QA: Authorization: Bearer TOKEN");
+  if (!host_is_ours(context_.options.policy, view(request[http::field::host])))
+    return refuse(request, http::status::misdirected_request, "this server is not known by that name");
+  const std::string text = metrics_text(context_.hub, context_.options.access->counts(), context_.connections.size(),
+                                        context_.options.access->touch().holder(steady_now()).has_value());
+  HttpReply reply = refuse(request, http::status::ok, text);
+  reply.set(http::field::content_type, "text/plain; version=0.0.4; charset=utf-8");
+  return reply;
+}
+
+void Visit::note(AuditEvent event, const std::string& text) const {
+  context_.options.access->note(event, text + " program=browser from=" + address_);
+}
+
+}  // namespace telepalp::server

@@ -1,0 +1,190 @@
+// The web port of a server with keys, as a browser and as a stranger use it: node keys_browser_test.mjs BIN_DIR VIEWER_DIR
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {randomBytes} from 'node:crypto';
+import {readFileSync} from 'node:fs';
+import http from 'node:http';
+import https from 'node:https';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+
+import {sleep, until, Workplace} from './running_program.mjs';
+
+const [bin, viewer] = process.argv.slice(2);
+const workplace = new Workplace('keys');
+const folder = join(workplace.folder, 'keys');
+const keys = (...words) => execFileSync(join(bin, 'telepalp-keys'), [...words, '--dir', folder], {encoding: 'utf8'});
+const tokenOf = (name) => /^token: (.*)$/m.exec(readFileSync(join(folder, `${name}.token`), 'utf8'))[1];
+const audit = () => readFileSync(join(folder, 'audit.log'), 'utf8');
+let server, ca, origin;
+
+before(async () => {
+  keys('authority');
+  keys('server', '--host', '127.0.0.1');
+  for (const [name, role] of [['dora', 'doctor'], ['vera', 'viewer'], ['quinn', 'qa']]) keys('token', '--name', name, '--role', role);
+  server = await workplace.server(join(bin, 'telepalp-server'),
+    ['--source', 'synthetic', '--viewer', viewer, '--key', join(folder, 'server.key')]);
+  ca = readFileSync(join(folder, 'authority.crt'));
+  origin = `https://127.0.0.1:${server.http_port}`;
+});
+after(() => workplace.end());
+
+/** One request over HTTPS, without a redirect followed. */
+function ask(path, {method = 'GET', headers = {}, body = ''} = {}) {
+  return new Promise((resolve, reject) => {
+    const request = https.request({host: '127.0.0.1', port: server.http_port, path, method, ca, headers, agent: false,
+      ...(headers.host ? {checkServerIdentity: () => undefined} : {})}, (reply) => {
+      let text = '';
+      reply.on('data', (part) => (text += part));
+      reply.on('end', () => resolve({status: reply.statusCode, headers: reply.headers, text}));
+    });
+    request.on('error', reject);
+    request.end(body);
+  });
+}
+
+const signIn = (token, from = origin) =>
+  ask('/sign-in', {method: 'POST', headers: {origin: from, 'content-type': 'application/x-www-form-urlencoded'}, body: `token=${token}`});
+const cookieOf = (reply) => reply.headers['set-cookie'][0].split(';')[0];
+
+/** Opens a WebSocket; resolves with its status and, if it is open, the socket. */
+function upgrade(headers, subprotocol = 'foxglove.websocket.v1') {
+  return new Promise((resolve, reject) => {
+    const request = https.request({
+      host: '127.0.0.1', port: server.http_port, path: '/stream', ca, agent: false,
+      headers: {connection: 'Upgrade', upgrade: 'websocket', 'sec-websocket-version': '13',
+        'sec-websocket-key': randomBytes(16).toString('base64'),
+        ...(subprotocol ? {'sec-websocket-protocol': subprotocol} : {}), ...headers},
+    }, (reply) => resolve({status: reply.statusCode}));
+    request.on('upgrade', (reply, socket, head) => {
+      const heard = {status: 101, socket, bytes: head, closed: false};
+      socket.on('data', (part) => (heard.bytes = Buffer.concat([heard.bytes, part])));
+      socket.on('close', () => (heard.closed = true));
+      socket.on('error', () => (heard.closed = true));
+      resolve(heard);
+    });
+    request.on('error', reject);
+    request.end();
+  });
+}
+
+/** A client's frame of at most 65535 bytes, masked as the protocol demands. */
+function frame(opcode, payload) {
+  const head = payload.length < 126 ? [0x80 | opcode, 0x80 | payload.length] : [0x80 | opcode, 0xfe, payload.length >> 8, payload.length & 255];
+  return Buffer.concat([Buffer.from(head), Buffer.alloc(4), payload]);
+}
+
+test('without a token there is a page to sign in, and nothing of the patient', async () => {
+  const page = await ask('/');
+  assert.equal(page.status, 401);
+  assert.match(page.text, /<form method="post" action="\/sign-in">/);
+  assert.match(page.headers['content-security-policy'], /default-src 'none'/);
+  assert.equal((await ask('/viewer.js')).status, 401);
+  assert.equal((await ask('/metrics')).status, 401);
+  assert.equal((await upgrade({origin})).status, 401);
+});
+
+test('a token signs in, by a cookie that scripts cannot read and other pages cannot use', async () => {
+  const reply = await signIn(tokenOf('vera'));
+  assert.equal(reply.status, 303);
+  assert.match(reply.headers['set-cookie'][0], /^__Host-telepalp=[0-9a-f]{64}; Path=\/; Secure; HttpOnly; SameSite=Strict$/);
+  const cookie = cookieOf(reply);
+  assert.equal((await ask('/', {headers: {cookie}})).status, 200);
+  const open = await upgrade({origin, cookie});
+  assert.equal(open.status, 101);
+  await until('the server greets', () => open.bytes.includes('serverInfo'));
+  open.socket.destroy();
+  assert.match(audit(), /event=signed-in who=viewer vera/);
+  assert.ok(!audit().includes(tokenOf('vera')) && !server.child.heard.includes(tokenOf('vera')), 'no token is logged');
+});
+
+test('bad input 22: guessed tokens are refused, audited and slowed down', async () => {
+  for (let i = 0; i < 8; i++) assert.equal((await signIn(`tp1.guess${i}.guess`)).status, 401);
+  assert.match((await signIn('tp1.guess.guess')).text, /too many wrong tokens/);
+  assert.match(audit(), /event=refused who=stranger why="this is no token/);
+  const started = Date.now();
+  await until('a right token is taken again', async () => (await signIn(tokenOf('vera'))).status === 303, 30_000);
+  assert.ok(Date.now() - started > 500);
+});
+
+test('bad input 23: a viewer that sends a haptic command is denied', async () => {
+  const open = await upgrade({origin, cookie: cookieOf(await signIn(tokenOf('vera')))});
+  open.socket.write(frame(1, Buffer.from(JSON.stringify({op: 'advertise', channels: [
+    {id: 1, topic: '/viewer/hand', encoding: 'protobuf', schemaName: 'telepalp.msg.ViewerHand'}]}))));
+  open.socket.write(frame(2, Buffer.from([1, 1, 0, 0, 0])));
+  await until('it is told so', () => open.bytes.includes('does not allow to touch'));
+  assert.match(audit(), /event=refused who=viewer vera program=browser why=may not touch/);
+  open.socket.destroy();
+});
+
+test('bad input 24: after signing out the cookie opens nothing, and open streams end', async () => {
+  const cookie = cookieOf(await signIn(tokenOf('dora')));
+  const open = await upgrade({origin, cookie});
+  assert.equal(open.status, 101);
+  assert.equal((await ask('/sign-out', {method: 'POST', headers: {cookie, origin}})).status, 303);
+  assert.equal((await ask('/', {headers: {cookie}})).status, 401);
+  assert.equal((await upgrade({origin, cookie})).status, 401);
+  await until('the stream ends', () => open.closed, 5000);
+  assert.match(audit(), /event=signed-out who=doctor dora/);
+});
+
+test('bad input 26: a foreign origin neither signs in nor opens the stream', async () => {
+  const cookie = cookieOf(await signIn(tokenOf('vera')));
+  for (const foreign of ['https://evil.example', 'null', 'https://127.0.0.1']) {
+    assert.equal((await signIn(tokenOf('vera'), foreign)).status, 403, foreign);
+    assert.equal((await upgrade({origin: foreign, cookie})).status, 403, foreign);
+  }
+  assert.equal((await signIn(tokenOf('vera'), '')).status, 403, 'a browser names the origin of a form');
+  assert.equal((await ask('/', {headers: {cookie, host: 'evil.example'}})).status, 421);
+});
+
+test('bad input 27: a message that is too long closes the stream with 1009', async () => {
+  const open = await upgrade({origin, cookie: cookieOf(await signIn(tokenOf('vera')))});
+  open.socket.write(Buffer.concat([Buffer.from([0x82, 0xff, 0, 0, 0, 0, 0, 2, 0, 0]), Buffer.alloc(4 + 1024)]));
+  await until('1009', () => open.bytes.includes(Buffer.from([0x03, 0xf1])));
+  open.socket.destroy();
+});
+
+test('bad input 28: without the subprotocol an upgrade is a bad request', async () => {
+  const cookie = cookieOf(await signIn(tokenOf('vera')));
+  assert.equal((await upgrade({origin, cookie}, '')).status, 400);
+});
+
+test('metrics are for technician and QA, health is for everyone', async () => {
+  const health = await ask('/health');
+  assert.equal(health.status, 200);
+  assert.equal(health.text, 'ok\n');
+  assert.equal((await ask('/metrics', {headers: {authorization: `Bearer ${tokenOf('vera')}`}})).status, 403);
+  const metrics = await ask('/metrics', {headers: {authorization: `Bearer ${tokenOf('quinn')}`}});
+  assert.equal(metrics.status, 200);
+  assert.match(metrics.text, /^telepalp_published_messages_total\{topic="\/camera\/depth"\} [1-9]/m);
+  assert.match(metrics.text, /^telepalp_refused_total [1-9]/m);
+  assert.ok(!/vera|quinn|127\.0\.0\.1/.test(metrics.text), 'no person and no address');
+});
+
+test('a token that is revoked ends its sessions', async () => {
+  const cookie = cookieOf(await signIn(tokenOf('dora')));
+  const open = await upgrade({origin, cookie});
+  keys('revoke', join(folder, 'dora.token'));
+  await until('the stream ends', () => open.closed, 5000);
+  assert.equal((await ask('/', {headers: {cookie}})).status, 401);
+  assert.match((await signIn(tokenOf('dora'))).text, /is revoked/);
+});
+
+test('plain HTTP is told to begin with https', async () => {
+  const text = await new Promise((resolve, reject) => {
+    http.get({host: '127.0.0.1', port: server.http_port, agent: false}, (reply) => {
+      let heard = '';
+      reply.on('data', (part) => (heard += part));
+      reply.on('end', () => resolve(heard));
+    }).on('error', reject);
+  });
+  assert.match(text, /this port speaks HTTPS/);
+});
+
+test('the audit log of all this is whole', async () => {
+  server.child.kill('SIGTERM');
+  await server.child.over;
+  await sleep(50);
+  assert.match(keys('audit-verify', join(folder, 'audit.log')), /none altered/);
+});

@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# Follows docs/two-sites.md word by word, between two network namespaces with a third one between them, in which
+# telepalp-link delays and reorders: two_sites_test.sh SOURCE_DIR BIN_DIR. Ends with 77 where namespaces are not permitted.
+set -uo pipefail
+source_dir=$1 bin=$2
+page=$source_dir/docs/two-sites.md
+export PATH=$bin:$PATH
+patient=tp_patient_$$ doctor=tp_doctor_$$ net=tp_net_$$
+work=$(mktemp -d)
+failures=0
+background=()
+fail() { echo "FAILED: $1"; [ -n "${2:-}" ] && tail -n 20 "$2"; failures=$((failures + 1)); }
+leave() {
+  for pid in "${background[@]}"; do kill -INT "$pid" 2>/dev/null; done
+  for pid in "${background[@]}"; do wait "$pid" 2>/dev/null; done
+  for space in "$patient" "$doctor" "$net"; do ip netns delete "$space" 2>/dev/null; done
+  rm -rf "$work"
+}
+trap leave EXIT
+if ! command -v ip >/dev/null || ! ip netns add "$net" 2>/dev/null; then
+  echo "skipped: network namespaces are not permitted here"
+  exit 77
+fi
+mkdir "$work/patient" "$work/doctor" "$work/run"
+chmod 700 "$work/run"
+export HOME=$work XDG_RUNTIME_DIR=$work/run
+
+# The doctor's site sees the server at 10.0.0.5: a router there forwards to the patient's site.
+join() { # SPACE ADDRESS ROUTER_ADDRESS NAME
+  ip netns add "$1" && ip link add "$4a" netns "$1" type veth peer name "$4b" netns "$net" &&
+    ip -n "$1" addr add "$2/24" dev "$4a" && ip -n "$net" addr add "$3/24" dev "$4b" &&
+    ip -n "$1" link set "$4a" up && ip -n "$net" link set "$4b" up && ip -n "$1" link set lo up
+}
+join "$patient" 10.0.1.5 10.0.1.1 pat && join "$doctor" 10.0.0.9 10.0.0.5 doc || { echo "skipped: no veth here"; exit 77; }
+
+blocks() { # KIND: the commands of the page's blocks of this kind and after it those of each later one, in order
+  awk '/^```/ {inside = !inside; kind = substr($0, 4); next} inside {print kind "\t" $0}' "$page"
+}
+start() { # SITE NAME COMMAND…
+  local space=$1 log=$work/$2.log
+  shift 2
+  (cd "$work/$(site_of "$space")" && exec ip netns exec "$space" "$@") >"$log" 2>&1 &
+  background+=($!)
+}
+site_of() { [ "$1" = "$patient" ] && echo patient || echo doctor; }
+wait_for() { # WHAT FILE TEXT
+  for _ in $(seq 300); do grep -q "$3" "$2" 2>/dev/null && return 0; sleep 0.1; done
+  fail "$1: not within 30 s" "$2"
+}
+
+for port in 7400 8765; do
+  ip netns exec "$net" telepalp-link --listen 10.0.0.5:$port --connect 10.0.1.5:$port --profile lte --seed 1 --quiet >"$work/link_$port.log" 2>&1 &
+  background+=($!)
+done
+
+ran=0
+while IFS=$'\t' read -r -u 3 kind line; do
+  ran=$((ran + 1))
+  echo "two sites: $kind: $line"
+  case $kind in
+    carry) cp "$work/patient/$line" "$work/doctor/" || fail "$line cannot be carried" ;;
+    "patient background")
+      # shellcheck disable=SC2086
+      start "$patient" server $line
+      wait_for "the server" "$work/server.log" "viewer at https://" ;;
+    "doctor background")
+      # shellcheck disable=SC2086
+      start "$doctor" station $line
+      wait_for "the station" "$work/station.log" "link connected" ;;
+    patient | doctor)
+      [ "$kind" = patient ] && space=$patient || space=$doctor
+      (cd "$work/$kind" && timeout 60 ip netns exec "$space" $line) >"$work/step.log" 2>&1 </dev/null || fail "$line" "$work/step.log"
+      case $line in
+        curl*) grep -qx ok "$work/step.log" || fail "$line does not print ok" "$work/step.log" ;;
+        *"record info"*) grep -q '/camera/depth' "$work/step.log" || fail "the session holds no depth" "$work/step.log" ;;
+        *audit-verify*) grep -q 'none altered' "$work/step.log" || fail "$line" "$work/step.log" ;;
+      esac ;;
+    *) fail "the page has a block of the kind '$kind'" ;;
+  esac
+done 3< <(blocks)
+[ "$ran" -ge 12 ] || fail "only $ran steps were found in the page"
+
+# What the page promises.
+wait_for "the revoked station ends" "$work/station.log" "is revoked"
+for event in took-touch records; do
+  grep -q "event=$event who=doctor anna" "$work/patient/keys/audit.log" || fail "the audit log does not name $event" "$work/patient/keys/audit.log"
+done
+stolen=$(cd "$work/doctor" && timeout 30 ip netns exec "$doctor" telepalp-record --connect 10.0.0.5 --key anna.key --out stolen.mcap --seconds 2 2>&1) && fail "a revoked key still records"
+grep -q 'revoked' <<<"$stolen" || fail "a revoked key is not told so: $stolen"
+plain=$(cd "$work/doctor" && timeout 30 ip netns exec "$doctor" telepalp-record --connect 10.0.0.5 --out plain.mcap --seconds 2 2>&1) && fail "no key, and yet it records"
+grep -q 'no key is given' <<<"$plain" || fail "without a key it is not told so: $plain"
+[ "$failures" = 0 ] && echo "two sites: $ran steps of the page, over the lte profile"
+exit $((failures > 0))
