@@ -25,6 +25,8 @@ class DelayRelay {
       pass_on(server_, client_, down_);
     });
   }
+  /// All that crossed the network, both ways.
+  [[nodiscard]] const std::string& overheard() const { return overheard_; }
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
  private:
@@ -41,6 +43,7 @@ class DelayRelay {
     from.async_read_some(boost::asio::buffer(way.buffer),
                          [this, &from, &to, &way](const boost::system::error_code& code, std::size_t bytes) {
                            if (code) return;
+                           overheard_.append(way.buffer.data(), bytes);
                            way.waiting.emplace_back(Clock::now() + way.delay, std::string(way.buffer.data(), bytes));
                            if (way.waiting.size() == 1) release(to, way);
                            pass_on(from, to, way);
@@ -57,6 +60,7 @@ class DelayRelay {
     });
   }
 
+  std::string overheard_;
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::ip::tcp::socket client_;
   boost::asio::ip::tcp::socket server_;

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <random>
 
+#include "tests/server/delay_relay.h"
 #include "tests/server/keyed_site.h"
 
 namespace telepalp::server {
@@ -271,6 +273,63 @@ std::chrono::milliseconds time_to_close(Site& site, const std::string& bytes) {
   read();
   EXPECT_TRUE(site.run_until([&] { return closed; }, 9s));
   return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begun);
+}
+
+/// Whether a listener between a server and its subscriber hears the word "PATIENT" of a camera message.
+bool is_overheard(Site& site, std::shared_ptr<const keys::KeyFile> key) {
+  DelayRelay relay(site.io, site.listener->port(), 0ms);
+  KeyedClient client(site, std::move(key), "viewer", {}, "127.0.0.1", relay.port());
+  EXPECT_TRUE(site.run_until([&] { return client.connected(); }));
+  site.run_until([] { return false; }, 100ms);  // the subscription arrives
+  site.hub.publish(message(wire::kCameraColor, "PATIENT"));
+  EXPECT_TRUE(site.run_until([&] { return !client.messages.empty(); }));
+  EXPECT_GT(relay.overheard().size(), 500u);
+  return relay.overheard().find("PATIENT") != std::string::npos;
+}
+
+TEST(KeyedLink, WhoListensOnTheNetworkHearsNothingOfThePatient) {
+  Site plain;
+  EXPECT_TRUE(is_overheard(plain, nullptr)) << "so that the test can fail";
+  KeyedSite sealed;
+  EXPECT_FALSE(is_overheard(sealed, sealed.ring.key("vera", Role::Viewer)));
+}
+
+/// This process may open `more` further files while it lives.
+struct FewDescriptors {
+  rlimit before{};
+  explicit FewDescriptors(rlim_t more) {
+    ::getrlimit(RLIMIT_NOFILE, &before);
+    const int next = ::dup(0);
+    ::close(next);
+    rlimit few = before;
+    few.rlim_cur = static_cast<rlim_t>(next) + more;
+    ::setrlimit(RLIMIT_NOFILE, &few);
+  }
+  ~FewDescriptors() { ::setrlimit(RLIMIT_NOFILE, &before); }
+};
+
+TEST(BadInput33, WithoutDescriptorsTheServerWaitsAndThenAcceptsAgain) {
+  KeyedSite site;
+  KeyedClient anna(site, site.ring.key("anna", Role::Doctor), "doctor", {wire::kStationState});
+  ASSERT_TRUE(site.run_until([&] { return anna.connected(); }));
+  std::vector<tcp::socket> greedy;
+  {
+    const FewDescriptors few(6);
+    boost::system::error_code full;
+    while (!full && greedy.size() < 100) {
+      greedy.emplace_back(site.io);
+      greedy.back().connect({boost::asio::ip::make_address("127.0.0.1"), site.listener->port()}, full);
+    }
+    EXPECT_TRUE(full);
+    std::size_t handlers = 0;
+    const auto end = std::chrono::steady_clock::now() + 500ms;
+    while (std::chrono::steady_clock::now() < end) handlers += site.io.run_one_for(5ms);
+    EXPECT_LT(handlers, 300u) << "it does not spin";
+    EXPECT_TRUE(anna.connected());
+    greedy.clear();
+  }
+  KeyedClient vera(site, site.ring.key("vera", Role::Viewer));
+  EXPECT_TRUE(site.run_until([&] { return vera.connected(); }));
 }
 
 TEST(BadInput11, ASlowHandshakeEndsAfterFiveSecondsAndADoctorIsNotDisturbed) {

@@ -78,10 +78,10 @@ struct KeyedClient {
   wire::ClientLink link;
 
   KeyedClient(Site& site, std::shared_ptr<const keys::KeyFile> key, std::string role = "viewer",
-              std::vector<wire::Topic> publishes = {}, std::string host = "127.0.0.1")
+              std::vector<wire::Topic> publishes = {}, std::string host = "127.0.0.1", std::uint16_t port = 0)
       : link(site.io,
              {.host = std::move(host),
-              .port = site.listener->port(),
+              .port = port != 0 ? port : site.listener->port(),
               .name = "test",
               .role = std::move(role),
               .key = std::move(key),
