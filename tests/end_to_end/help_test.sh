@@ -43,6 +43,8 @@ done
 
 demo=$("$source_dir/deploy/demo" --help) || failed "deploy/demo --help ends with $?"
 [ "$("$source_dir/deploy/demo" -h)" = "$demo" ] || failed "deploy/demo -h is not its --help"
+awk 'BEGIN {bad = 0} length($0) > 80 {bad = 1; print "deploy/demo: too wide: " $0} END {exit bad}' <<<"$demo" ||
+  failed "deploy/demo --help is wider than 80 columns"
 case $(tail -n 1 <<<"$demo") in "example: deploy/demo"*) ;; *) failed "deploy/demo --help does not end with an example" ;; esac
 
 grep -q 'is given twice' <<<"$("$source_dir/deploy/demo" --seconds 2 --seconds 3 2>&1)" || failed "deploy/demo takes --seconds twice"
