@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <boost/property_tree/json_parser.hpp>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <thread>
 #include <utility>
 
 #include "support/images/image_file.h"
@@ -56,6 +58,22 @@ TEST_F(CodecProgram, KeepsTheBoundThatItWasGivenAndSaysSoWhenAsked) {
   const auto [info, printed] = run({"info", in("bounded.mcap")});
   EXPECT_EQ(info, 0);
   EXPECT_NE(printed.find("off by up to 10 mm at 1 m"), std::string::npos) << printed;
+}
+
+TEST_F(CodecProgram, LeavesNoFileBehindWhenItIsInterrupted) {
+  for (int i = 3; i < 4000; ++i)
+    std::filesystem::create_hard_link(in("original/0.png"), in("original/" + std::to_string(i) + ".png"));
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string partial = in("depth.mcap.partial");
+    support::ChildProcess process(TELEPALP_BINARY_DIR "/bin/telepalp-codec",
+                                  {"encode", in("original"), in("depth.mcap")}, in("log"));
+    for (int i = 0; i < 2000 && !std::filesystem::exists(partial); ++i) std::this_thread::sleep_for(2ms);
+    ASSERT_TRUE(std::filesystem::exists(partial)) << "it has begun to write";
+    process.signal(signal);
+    EXPECT_EQ(process.wait(20s), 1);
+    EXPECT_FALSE(std::filesystem::exists(partial));
+    EXPECT_FALSE(std::filesystem::exists(in("depth.mcap")));
+  }
 }
 
 TEST_F(CodecProgram, DescribesARecordingInJsonToo) {

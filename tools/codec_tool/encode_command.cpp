@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 
 #include "proto/wire/mcap/writer.h"
@@ -17,6 +18,17 @@ SessionTime captured_of(const NamedDepth& named, std::size_t number) {
   return SessionTime{kAssumedPeriod * static_cast<std::int64_t>(number)};
 }
 
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void interrupt(int /*signal*/) { interrupted = 1; }
+
+/// Fails after Ctrl-C or SIGTERM, so that the unfinished file is removed.
+Result<void> go_on(const std::filesystem::path& output) {
+  if (interrupted == 0) return {};
+  return Error{
+      .what = "was interrupted, and what was encoded is removed", .where = output.string(), .fix = "run it again"};
+}
+
 /// Prints a note about damage: a recording that was not finished still gives the frames that it has.
 void say_what_is_missing(const Error& damage) { std::fprintf(stderr, "note: %s\n", to_string(damage).c_str()); }
 
@@ -24,6 +36,8 @@ void say_what_is_missing(const Error& damage) { std::fprintf(stderr, "note: %s\n
 
 Result<void> encode_recording(const std::filesystem::path& input, const std::filesystem::path& output,
                               const codec::DepthStreamSettings& settings, double unit_m) {
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
   Result<wire::McapWriter> writer = wire::McapWriter::open(
       output, {.program = "telepalp-codec", .version = {}, .commit = {}, .source = input.string(), .scene = {}});
   if (!writer) return writer.error();
@@ -33,6 +47,7 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
   Result<void> done = for_each_depth(
       input, unit_m,
       [&](NamedDepth named) -> Result<void> {
+        if (const auto going_on = go_on(output); !going_on) return going_on.error();
         const SessionTime captured = captured_of(named, totals.frames);
         codec::EncodedDepth encoded = encoder.encode(named.depth);
         const RgbdFrame frame{.captured = captured,
