@@ -25,7 +25,7 @@ struct CloudOptions {
   std::size_t samples = 0;    ///< number of points sampled from a mesh; 0: `spacing_m` decides
   double spacing_m = 0.0;     ///< between a mesh's samples; 0: its area and smallest features decide
   bool flip_normals = false;  ///< of a mesh or an unorganised cloud
-  bool anyway = false;        ///< accept samples that are too coarse for the mesh
+  bool anyway = false;        ///< see surface::StaticModelSettings
 };
 
 /// Opens a cloud or mesh file. An organised cloud from a pinhole camera is converted to a depth image's lattice; any

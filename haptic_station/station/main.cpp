@@ -31,6 +31,7 @@ program::Usage usage() {
                       {"scene", "FILE", "a *.scene.textproto; default: palpation"},
                       {"surface", "NAME|model:FILE",
                        "replaces the scene's: a setting for the streamed surface, or a mesh or cloud to touch"},
+                      {"anyway", "", "touch a model that is refused as too coarse or noisy, or without a sure outside"},
                       {"calibration", "FILE", "a file of telepalp-station calibrate"},
                       program::patience_option("how long to wait for the server and its first image; 0: for ever"),
                       {"device", station::kDeviceWords, "the haptic device", "simulated"},
@@ -120,20 +121,20 @@ Result<scenes::Scene> read_calibrated(const std::filesystem::path& scene_file, c
 
 /// The static model of the scene; nullopt if the scene has none.
 Result<std::optional<station::StaticPatient>> model_of(const scenes::Scene& scene,
-                                                       const std::filesystem::path& scene_file) {
+                                                       const std::filesystem::path& scene_file, bool anyway) {
   if (!scene.message.patient_surface().has_static_model()) return std::optional<station::StaticPatient>{};
-  Result<station::StaticPatient> patient = station::open_static_patient(scene, scene_file.parent_path());
+  Result<station::StaticPatient> patient = station::open_static_patient(scene, scene_file.parent_path(), anyway);
   if (!patient) return patient.error();
   return std::optional{std::move(patient).value()};
 }
 
-int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene_file) {
+int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene_file, bool anyway) {
   if (!scene) return program::fail(scene.error());
   const Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
   if (!trace) return program::fail(trace.error());
   const Result<surface::SurfaceSettings> surface = surface_of(*scene);
   if (!surface) return program::fail(surface.error());
-  const Result<std::optional<station::StaticPatient>> model = model_of(*scene, scene_file);
+  const Result<std::optional<station::StaticPatient>> model = model_of(*scene, scene_file, anyway);
   if (!model) return program::fail(model.error());
   const std::string touched = *model ? std::to_string((*model)->snapshot->points) + " points of " +
                                            scene->message.patient_surface().static_model().file() +
@@ -155,13 +156,13 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
 }
 
 int run(station::StationOptions options, const Result<scenes::Scene>& scene, const std::filesystem::path& scene_file,
-        const station::RigChoice& rig_choice) {
+        const station::RigChoice& rig_choice, bool anyway) {
   if (!scene) return program::fail(scene.error());
   Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
   if (!trace) return program::fail(trace.error());
   const Result<surface::SurfaceSettings> surface = surface_of(*scene);
   if (!surface) return program::fail(surface.error());
-  Result<std::optional<station::StaticPatient>> model = model_of(*scene, scene_file);
+  Result<std::optional<station::StaticPatient>> model = model_of(*scene, scene_file, anyway);
   if (!model) return program::fail(model.error());
   options.model = std::move(model).value();
   Result<station::ConnectedRig> rig = station::connect_rig(rig_choice, *scene);
@@ -186,5 +187,6 @@ int main(int argc, char** argv) {
   const Result<std::filesystem::path> scene = scene_of(**read);
   if (!scene) return program::fail(scene.error());
   const Result<scenes::Scene> calibrated = read_calibrated(*scene, **read);
-  return (*read)->has("check") ? check(calibrated, *scene) : run(*options, calibrated, *scene, *rig);
+  const bool anyway = (*read)->has("anyway");
+  return (*read)->has("check") ? check(calibrated, *scene, anyway) : run(*options, calibrated, *scene, *rig, anyway);
 }

@@ -47,7 +47,8 @@ Vector3d skin_on_top(const std::vector<Vector3d>& points) {
 
 }  // namespace
 
-Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std::filesystem::path& folder) {
+Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std::filesystem::path& folder,
+                                          bool anyway) {
   const msg::PatientSurface::StaticModel& asked = scene.message.patient_surface().static_model();
   const std::filesystem::path file = folder / asked.file();
   const Result<models::PointModel> read = models::read_point_model(file);
@@ -56,6 +57,7 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
   if (asked.has_unit_m()) settings.unit_m = asked.unit_m();
   if (asked.has_samples()) settings.samples = asked.samples();
   settings.flip_normals = asked.flip_normals();
+  settings.anyway = anyway;
   if (!(settings.unit_m > 0.0) || (settings.samples > 0 && settings.samples < 100) || settings.samples > 1'000'000)
     return Error{
         .what = "patient_surface.static_model: unit_m is above 0, samples is 0 (as the shape needs) or 100 to 1000000",

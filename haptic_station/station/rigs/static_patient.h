@@ -18,9 +18,10 @@ struct StaticPatient {
 };
 
 /// Reads and places the model of `scene`. `folder`: base of the model's relative path. With center_on_surface, the
-/// highest skin point above the model's middle becomes the origin of the haptic base's frame H.
-[[nodiscard]] Result<StaticPatient> open_static_patient(const scenes::Scene& scene,
-                                                        const std::filesystem::path& folder);
+/// highest skin point above the model's middle becomes the origin of the haptic base's frame H. `anyway`: see
+/// StaticModelSettings.
+[[nodiscard]] Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std::filesystem::path& folder,
+                                                        bool anyway);
 
 /// Applies the value of `--surface` to the scene: "model:FILE[,unit_m=M][,samples=N]" sets the static model, any other
 /// word the surface setting.

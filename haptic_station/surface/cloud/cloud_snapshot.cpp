@@ -45,26 +45,35 @@ CloudSnapshot::CloudSnapshot(std::vector<CloudPoint> cloud, const CloudShape& sh
   motion.ages = false;
 }
 
+std::optional<Eigen::Vector3f> normal_of(const std::vector<Eigen::Vector3f>& near) {
+  if (near.empty()) return std::nullopt;
+  const auto count = static_cast<double>(near.size());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3f& at : near) {
+    const Eigen::Vector3d from = (at - near.front()).cast<double>();
+    mean += from / count;
+    square += from * from.transpose() / count;
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(square - mean * mean.transpose());
+  if (!(solver.eigenvalues()[1] > 1e-4 * solver.eigenvalues()[2])) return std::nullopt;
+  return solver.eigenvectors().col(0).cast<float>().normalized();
+}
+
 std::vector<CloudPoint> with_normals(const std::vector<Eigen::Vector3f>& points, int neighbors,
                                      const Eigen::Vector3f& viewpoint) {
   const auto index = make_nanoflann_index({.at_m = points, .width = 0});
   std::vector<Neighbor> found(static_cast<std::size_t>(std::clamp(neighbors, 3, 256)));
+  std::vector<Eigen::Vector3f> near;
   std::vector<CloudPoint> out;
   for (const Eigen::Vector3f& at : points) {
     if (!at.allFinite()) continue;
     const std::size_t count = index->within(at, kAnywhere_m, found);
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
-    for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::Vector3d from = (points[found[i].index] - at).cast<double>();
-      mean += from / static_cast<double>(count);
-      square += from * from.transpose() / static_cast<double>(count);
-    }
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(square - mean * mean.transpose());
-    if (!(solver.eigenvalues()[1] > 1e-4 * solver.eigenvalues()[2])) continue;
-    const Eigen::Vector3f normal = solver.eigenvectors().col(0).cast<float>().normalized();
-    out.push_back({at, normal.dot(viewpoint - at) < 0.0F ? Eigen::Vector3f(-normal) : normal});
+    near.clear();
+    for (std::size_t i = 0; i < count; ++i) near.push_back(points[found[i].index]);
+    const std::optional<Eigen::Vector3f> normal = normal_of(near);
+    if (normal) out.push_back({at, normal->dot(viewpoint - at) < 0.0F ? Eigen::Vector3f(-*normal) : *normal});
   }
   return out;
 }

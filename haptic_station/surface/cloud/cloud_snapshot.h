@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "haptic_station/surface/cloud/cloud_surface.h"
@@ -27,6 +28,10 @@ class CloudSnapshot final : public CloudSurface {
 
 /// Mean spacing of a cloud: the median distance to the sixth neighbour, over up to 500 points, divided by √6.
 [[nodiscard]] double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& index);
+
+/// The unit normal of points that lie near each other, by principal component analysis; of either sign. nullopt when
+/// they coincide or are collinear.
+[[nodiscard]] std::optional<Eigen::Vector3f> normal_of(const std::vector<Eigen::Vector3f>& near);
 
 /// Estimates a normal for each finite point by principal component analysis of its `neighbors` nearest points, oriented
 /// towards `viewpoint`. Points whose neighbours coincide or are collinear are left out.

@@ -9,6 +9,7 @@
 
 #include "haptic_station/surface/cloud/mesh_winding.h"
 #include "haptic_station/surface/cloud/model_sampling.h"
+#include "haptic_station/surface/cloud/touched_cloud.h"
 
 namespace telepalp::surface {
 namespace {
@@ -117,20 +118,6 @@ Result<StaticModel> touched_mesh(models::PointModel mesh, const StaticModelSetti
   return made;
 }
 
-std::vector<CloudPoint> cloud_points(const models::PointModel& cloud, const StaticModelSettings& settings,
-                                     const Vector3d& middle, std::string& remarks) {
-  if (cloud.normals.empty()) {
-    say(remarks, "the cloud has no normals: they are estimated from " + std::to_string(settings.normal_neighbors) +
-                     " neighbours and oriented towards the viewpoint");
-    return with_normals(cloud.points, settings.normal_neighbors, (settings.viewpoint_m - middle).cast<float>());
-  }
-  std::vector<CloudPoint> points;
-  for (std::size_t i = 0; i < cloud.points.size(); ++i)
-    if (cloud.points[i].allFinite() && cloud.normals[i].allFinite() && cloud.normals[i].norm() > 0.5F)
-      points.push_back({cloud.points[i], cloud.normals[i]});
-  return points;
-}
-
 }  // namespace
 
 bool spans_a_surface(const models::PointModel& model) {
@@ -157,16 +144,7 @@ Result<StaticModel> make_static_model(const models::PointModel& model, const Sta
   if (const std::string complaint = models::unit_complaint(near); !complaint.empty())
     return Error{.what = complaint, .where = "model", .fix = models::kSayTheUnit};
   if (!near.triangles.empty()) return touched_mesh(std::move(near), settings, settings.unit_m * middle);
-  StaticModel made;
-  std::vector<CloudPoint> points = cloud_points(near, settings, settings.unit_m * middle, made.remarks);
-  if (points.empty()) return no_surface();
-  if (settings.flip_normals)
-    for (CloudPoint& point : points) point.normal = -point.normal;
-  CloudShape shape;
-  shape.origin_m = settings.unit_m * middle;
-  shape.support_m = settings.support_m;
-  made.snapshot = std::make_shared<const CloudSnapshot>(std::move(points), shape, Index::Nanoflann);
-  return made;
+  return touched_cloud(near, settings, settings.unit_m * middle);
 }
 
 }  // namespace telepalp::surface

@@ -46,9 +46,10 @@ WindingNumber::WindingNumber(const models::PointModel& mesh) {
   build();
 }
 
-WindingNumber::WindingNumber(const std::vector<CloudPoint>& cloud, double area_m2) {
-  for (const CloudPoint& point : cloud)
-    patches_.push_back({point.at_m.cast<double>(), area_m2 * point.normal.cast<double>(), 0.0, 0});
+WindingNumber::WindingNumber(const std::vector<CloudPoint>& cloud, const std::vector<double>& areas_m2) {
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (areas_m2[i] > 0.0)
+      patches_.push_back({cloud[i].at_m.cast<double>(), areas_m2[i] * cloud[i].normal.cast<double>(), 0.0, 0});
   build();
 }
 

@@ -16,8 +16,8 @@ namespace telepalp::surface {
 class WindingNumber {
  public:
   explicit WindingNumber(const models::PointModel& mesh);
-  /// Each point stands for a disc of `area_m2`. Error: below 0.1 from 1.5 spacings off the cloud on.
-  WindingNumber(const std::vector<CloudPoint>& cloud, double area_m2);
+  /// Each point stands for a disc of its own area. Error: below 0.1 from 1.5 spacings off the cloud on.
+  WindingNumber(const std::vector<CloudPoint>& cloud, const std::vector<double>& areas_m2);
 
   [[nodiscard]] double at(const Eigen::Vector3d& query) const;
 

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <random>
 #include <sstream>
 
 #include "haptic_station/probe/palpation_path.h"
 #include "haptic_station/probe/probed_surface.h"
 #include "haptic_station/probe/touch_run.h"
+#include "haptic_station/surface/cloud/cloud_snapshot.h"
+#include "support/models/point_model.h"
 #include "tests/support/child_process.h"
 #include "where.h"
 
@@ -316,6 +319,53 @@ TEST_F(Probe, ADepthImageIsTouchedInItsOwnUnit) {
   const auto felt = touch_along(*opened->snapshot, *path, 500.0);
   expect_finite(felt);
   EXPECT_TRUE(std::any_of(felt.begin(), felt.end(), [](const Felt& one) { return one.in_body; }));
+}
+
+/// A real carton as a PCD file with normals of random sign, and points that scatter by `noise_m`.
+std::string carton_of_random_normals(float noise_m) {
+  models::PointModel cloud = *models::read_point_model(kData / "pcd/milk_color.pcd");
+  std::mt19937 random(8);
+  std::normal_distribution<float> noise(0.0F, noise_m);
+  std::ostringstream text;
+  text << "VERSION 0.7\nFIELDS x y z normal_x normal_y normal_z\nSIZE 4 4 4 4 4 4\nTYPE F F F F F F\n"
+       << "COUNT 1 1 1 1 1 1\nWIDTH " << cloud.points.size() << "\nHEIGHT 1\nPOINTS " << cloud.points.size()
+       << "\nDATA ascii\n";
+  for (const surface::CloudPoint& point : surface::with_normals(cloud.points, 30, Eigen::Vector3f::Zero())) {
+    const Eigen::Vector3f normal = random() % 2 == 0 ? point.normal : Eigen::Vector3f(-point.normal);
+    for (const float at : point.at_m) text << at + noise(random) << ' ';
+    text << normal.x() << ' ' << normal.y() << ' ' << normal.z() << '\n';
+  }
+  return text.str();
+}
+
+struct RefusedCloud {
+  const char* name;
+  float noise_m;
+  const char* says;
+};
+
+TEST_F(Probe, TheProgramsRefuseACloudThatCannotBeTouchedAndTouchItAnyway) {
+  const fs::path out = folder_.path() / "path.csv";
+  for (const RefusedCloud& refused : {RefusedCloud{"signs.pcd", 0.0F, "% of the normals contradict their neighbours"},
+                                      RefusedCloud{"noise.pcd", 0.012F, "is too noisy to be touched"}}) {
+    const fs::path cloud = file(refused.name, carton_of_random_normals(refused.noise_m));
+    const std::vector<std::string> probe = {"telepalp-probe", "path", "--cloud", cloud, "--out", out};
+    const std::vector<std::string> station = {"telepalp-station", "--check", "--surface", "model:" + cloud.string()};
+    for (std::vector<std::string> words : {probe, station}) {
+      const fs::path program = fs::path(TELEPALP_BINARY_DIR "/bin") / words.front();
+      words.erase(words.begin());
+      const auto run = [&] {
+        return support::ChildProcess(program, words, folder_.path() / "log").wait(std::chrono::seconds(60));
+      };
+      EXPECT_EQ(run(), 1) << program;
+      std::ifstream log(folder_.path() / "log");
+      const std::string said{std::istreambuf_iterator<char>(log), {}};
+      EXPECT_NE(said.find(refused.says), std::string::npos) << said;
+      EXPECT_NE(said.find("--anyway"), std::string::npos) << said;
+      words.emplace_back("--anyway");
+      EXPECT_EQ(run(), 0) << program << ' ' << refused.name;
+    }
+  }
 }
 
 TEST_F(Probe, TheProgramWritesTheColumnsThatItPromises) {

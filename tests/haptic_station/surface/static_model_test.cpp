@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "haptic_station/surface/cloud/cloud_noise.h"
 #include "haptic_station/surface/cloud/winding_number.h"
 #include "haptic_station/surface/touch/touch.h"
 
@@ -204,7 +205,7 @@ TEST(WindingNumber, IsOneInsideZeroOutsideAndTwoWhereBodiesOverlap) {
 
 TEST(WindingNumber, OfACloudNeedsNoTriangles) {
   const std::vector<CloudPoint> points = poisson_disk_samples(ball(0.1, {0, 0, 1}, true), 3000, 5);
-  const WindingNumber winding(points, 4.0 * M_PI * 0.01 / 3000.0);
+  const WindingNumber winding(points, std::vector<double>(3000, 4.0 * M_PI * 0.01 / 3000.0));
   for (int i = 0; i < 50; ++i) {
     const Vector3d way = points[60 * static_cast<std::size_t>(i)].normal.cast<double>();
     EXPECT_NEAR(winding.at(Vector3d(0, 0, 1) + 0.09 * way), 1.0, 0.1);
@@ -227,6 +228,76 @@ TEST(StaticModel, ACloudKeepsItsPointsAndItsGivenNormals) {
   const FieldSample above = model->snapshot->evaluate({0.04, 0.04, 0.503}, Vector3d::Zero(), {});
   EXPECT_NEAR(above.f_m, 0.003, 1e-6);
   EXPECT_GT(above.normal.z(), 0.999);
+}
+
+/// 120 × 120 points 2 mm apart on a hill of 40 mm, with noise along each axis.
+IndexedPoints noisy_hill(float noise_m) {
+  IndexedPoints hill;
+  std::mt19937 random(9);
+  std::normal_distribution<float> noise(0.0F, noise_m);
+  for (int j = -60; j < 60; ++j)
+    for (int i = -60; i < 60; ++i) {
+      const float x = 0.002F * static_cast<float>(i);
+      const float y = 0.002F * static_cast<float>(j);
+      const float z = 0.8F - 0.04F * std::exp(-(x * x + y * y) / (2.0F * 0.05F * 0.05F));
+      hill.at_m.emplace_back(x + noise(random), y + noise(random), z + noise(random));
+    }
+  return hill;
+}
+
+TEST(CloudNoise, IsMeasuredToATenthAndTheSupportFollowsIt) {
+  for (const float noise_m : {0.0F, 0.0005F, 0.001F, 0.002F, 0.004F}) {
+    const IndexedPoints hill = noisy_hill(noise_m);
+    const CloudNoise noise = noise_of(hill, *make_nanoflann_index(hill), 0.002);
+    EXPECT_TRUE(noise.is_surface);
+    EXPECT_NEAR(noise.noise_m, noise_m, 0.1 * static_cast<double>(noise_m) + 2e-5);
+    EXPECT_GE(noise.support_m, std::max(0.006, 4.0 * noise.noise_m));
+    EXPECT_EQ(noise.follows_noise(), noise_m > 0.0004F) << noise_m;
+  }
+}
+
+TEST(CloudNoise, OfPointsThatFillAVolumeSaysThatTheyAreNoSurface) {
+  IndexedPoints heap;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> any(-0.1F, 0.1F);
+  for (int i = 0; i < 8000; ++i) heap.at_m.emplace_back(any(random), any(random), any(random));
+  models::PointModel cloud;
+  cloud.points = heap.at_m;
+  const auto made = make_static_model(cloud, {});
+  ASSERT_FALSE(made.ok());
+  EXPECT_NE(made.error().fix.find("--anyway"), std::string::npos) << to_string(made.error());
+  EXPECT_TRUE(make_static_model(cloud, {.anyway = true}).ok());
+}
+
+/// The points and normals of a dome: the upper half of a ball, open below.
+models::PointModel dome() {
+  models::PointModel cloud;
+  for (const CloudPoint& point : poisson_disk_samples(ball(0.1, {0, 0, 1}, true), 4000, 3))
+    if (point.normal.z() > 0.0F) {
+      cloud.points.push_back(point.at_m);
+      cloud.normals.push_back(point.normal);
+    }
+  return cloud;
+}
+
+TEST(CloudOrientation, AFewReversedNormalsOfAnOpenCloudAreReversedBack) {
+  models::PointModel cloud = dome();
+  for (std::size_t i = 0; i < cloud.normals.size(); i += 20) cloud.normals[i] = -cloud.normals[i];
+  const auto made = make_static_model(cloud, {.viewpoint_m = {0, 0, 3}});
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_NE(made->remarks.find("5.0 % of the normals contradicted"), std::string::npos) << made->remarks;
+  for (const CloudPoint& point : made->snapshot->cloud()) ASSERT_GT(point.normal.z(), 0.0F);
+}
+
+TEST(CloudOrientation, AnOpenCloudThatIsTouchedFromInsideIsSaidToBeHollowAndNotReversed) {
+  models::PointModel cloud = dome();
+  EXPECT_EQ(make_static_model(cloud, {.viewpoint_m = {0, 0, 3}})->remarks, "");
+  for (Vector3f& normal : cloud.normals) normal = -normal;
+  const auto made = make_static_model(cloud, {.viewpoint_m = {0, 0, 3}});
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_NE(made->remarks.find("hollow"), std::string::npos) << made->remarks;
+  EXPECT_NE(made->remarks.find("% of its normals point away from the origin"), std::string::npos) << made->remarks;
+  for (const CloudPoint& point : made->snapshot->cloud()) ASSERT_LT(point.normal.z(), 0.0F);
 }
 
 TEST(MeshFiles, AnObjWithNormalsKeepsThemAndACloudOfPointsHasNone) {

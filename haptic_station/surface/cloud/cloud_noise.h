@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "haptic_station/surface/cloud/kdtree_index.h"
+
+namespace telepalp::surface {
+
+/// How far the points of a cloud scatter around the surface that they sample.
+struct CloudNoise {
+  double spacing_m = 0.0;
+  double noise_m = 0.0;    ///< standard deviation along the normal
+  double support_m = 0.0;  ///< radius of the weights that averages the noise enough for a steady force
+  bool is_surface = true;  ///< false: at each scale the points fill a volume
+  [[nodiscard]] bool follows_noise() const noexcept;  ///< the support is wider than three spacings
+};
+
+/// Fits quadrics to neighbourhoods of up to 300 points. The radius grows from three spacings until it is five times the
+/// median residual, because a smaller neighbourhood of a noisy cloud is a ball and not a disc.
+///
+/// The support is at least three spacings and four times the noise. It is also so wide that the curvature of the
+/// averaged noise stays below 10 per metre: a proxy 10 mm above the hand then moves by at most a tenth more than the
+/// hand. With soft-object weights of radius r, the curvature is 4.4 × noise × spacing / r³.
+[[nodiscard]] CloudNoise noise_of(const IndexedPoints& points, const NeighborIndex& index, double spacing_m);
+
+inline constexpr double kWidestSupport_m = 0.02;  ///< a cloud that needs a wider support is refused
+
+/// Number of points in a disc of the support: neighbours for the estimate of a normal.
+[[nodiscard]] int neighbors_in_support(const CloudNoise& noise);
+
+/// "22500 points 2.0 mm apart scatter by 2.0 mm: the support follows the noise and is 9.6 mm instead of 6.0 mm".
+[[nodiscard]] std::string description_of(const CloudNoise& noise, std::size_t points);
+
+}  // namespace telepalp::surface

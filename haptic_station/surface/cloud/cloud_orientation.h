@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "haptic_station/surface/cloud/cloud_snapshot.h"
+
+namespace telepalp::surface {
+
+/// Which way the normals of a cloud should point, found from the points alone: neighbours on a smooth surface have
+/// similar normals, and a closed surface winds once around its inside. Works on at most 20 000 points of the cloud.
+/// Source: Hoppe et al. 1992 (propagation along a minimum spanning tree), Barill et al. 2018 (winding number).
+class CloudOrientation {
+ public:
+  /// `cloud`: points with normals of the right direction, but of any sign. `noise_m`: scatter along the normal.
+  CloudOrientation(const std::vector<CloudPoint>& cloud, double noise_m);
+
+  /// Share of normals that disagree with the majority of their connected piece after propagation: about one half when
+  /// the signs are random.
+  [[nodiscard]] double against_neighbors() const noexcept { return against_; }
+  /// False when propagation contradicts itself in more than 5 % of the pairs of neighbours, as at touching thin sheets.
+  [[nodiscard]] bool is_consistent() const noexcept { return contradictions_ < 0.05; }
+  /// True when the cloud encloses a volume: the orientation then points outwards with certainty.
+  [[nodiscard]] bool is_closed() const noexcept { return closed_; }
+
+  /// The winding number below the surface plus the one above it: 1 for a closed surface with outward normals, -1 with
+  /// inward ones, 0 for a plane, in between for a dome or a bowl.
+  [[nodiscard]] double turns() const noexcept { return turns_; }
+
+  /// Share of normals of `cloud` that point to the other side.
+  [[nodiscard]] double share_against(const std::vector<CloudPoint>& cloud) const;
+  /// Reverses the normals of `cloud` that point to the other side.
+  void apply(std::vector<CloudPoint>& cloud) const;
+
+ private:
+  [[nodiscard]] std::size_t neighbors_of(std::size_t point, std::vector<Neighbor>& found) const;
+  [[nodiscard]] bool are_on_one_sheet(const CloudPoint& a, const CloudPoint& b) const;
+  [[nodiscard]] std::vector<std::size_t> propagate_from(std::size_t first, std::vector<bool>& seen);
+  void propagate();
+  void look_for_contradictions();
+  void look_for_inside();
+  [[nodiscard]] bool points_against(const CloudPoint& point) const;
+
+  std::vector<CloudPoint> points_;  // some of the cloud, oriented by propagation
+  std::shared_ptr<const NeighborIndex> index_;
+  double noise_m_;
+  double against_ = 0.0;
+  double contradictions_ = 0.0;
+  double turns_ = 0.0;
+  bool closed_ = false;
+};
+
+}  // namespace telepalp::surface
