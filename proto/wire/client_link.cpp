@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds kLongestRetry = 2s;
 constexpr auto kConnectDeadline = 3s;
 constexpr int kEagerProbes = 8;  // probes in quick succession, so that the clock is accurate before the first image
 constexpr auto kEagerProbePeriod = 20ms;
-constexpr auto kProbePeriod = 1s;
+constexpr auto kProbePeriod = 50ms;  // ten seconds of jitter of 20 ms give the clock to 1 ms
 
 std::uint64_t random_number() {
   std::random_device random;

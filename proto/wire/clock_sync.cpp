@@ -8,8 +8,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t kWindow = 32;  // half a minute of probes, one a second
-constexpr Nanoseconds kStep = 1s;    // longer than any network delay: another session, or a computer that was suspended
+constexpr Nanoseconds kWindow = 60s;  // over which the clocks' drift is constant
+constexpr std::size_t kMostSamples = 2000;
+constexpr Nanoseconds kDriftFrom = 20s;  // a shorter window gives the drift too coarsely
+constexpr Nanoseconds kStep = 1s;  // longer than any network delay: another session, or a computer that was suspended
 constexpr std::size_t kAgreeing = 3;   // so many new samples must contradict the old ones before these are dropped
 constexpr double kDrift = 200e-6;      // two crystals of 100 ppm that err in opposite directions
 constexpr Nanoseconds kSlack = 100us;  // error of the stamps themselves, by scheduling between stamp and socket
@@ -34,20 +36,65 @@ const ClockSample& nearest(Samples::const_iterator from, Samples::const_iterator
       from, to, [now](const ClockSample& a, const ClockSample& b) { return distance(a, now) < distance(b, now); });
 }
 
+Nanoseconds scaled(double factor, Nanoseconds span) noexcept {
+  return Nanoseconds{static_cast<std::int64_t>(factor * static_cast<double>(span.count()))};
+}
+
+/// Bounds on the offset: the quickest request gives the upper one, the quickest reply the lower one.
+struct Bounds {
+  Nanoseconds above;
+  Nanoseconds below;
+  [[nodiscard]] Nanoseconds middle() const noexcept { return below + (above - below) / 2; }
+};
+
+/// The bounds at local time `now` from those samples that agree with the nearest one. `drift`: by which the samples'
+/// offsets have changed since; `spread`: by which each bound widens with age.
+Bounds bounds(Samples::const_iterator from, Samples::const_iterator to, Nanoseconds now, double drift,
+              double spread) noexcept {
+  const ClockSample& best = nearest(from, to, now);
+  Bounds found{Nanoseconds::max(), Nanoseconds::min()};
+  for (; from != to; ++from) {
+    if (contradict(best, *from)) continue;
+    const Nanoseconds age = now - from->heard;
+    found.above = std::min(found.above, from->received - from->asked + scaled(drift + spread, age));
+    found.below = std::max(found.below, from->replied - from->heard + scaled(drift - spread, age));
+  }
+  return found;
+}
+
+/// Change of the offset, in seconds a second: the offset of the window's newer half against that of the older half.
+/// Each round knows the drift within the halves better.
+double drift_of(const Samples& window) noexcept {
+  if (window.back().heard - window.front().heard < kDriftFrom) return 0.0;
+  const auto half = window.begin() + static_cast<std::ptrdiff_t>(window.size() / 2);
+  const Nanoseconds older_end = std::prev(half)->heard;
+  const Nanoseconds newer_end = window.back().heard;
+  double drift = 0.0;
+  for (int round = 0; round < 3; ++round) {
+    const Nanoseconds older = bounds(window.begin(), half, older_end, drift, 0.0).middle();
+    const Nanoseconds newer = bounds(half, window.end(), newer_end, drift, 0.0).middle();
+    drift = static_cast<double>((newer - older).count()) / static_cast<double>((newer_end - older_end).count());
+    drift = std::clamp(drift, -kDrift, kDrift);
+  }
+  return drift;
+}
+
 }  // namespace
 
 Nanoseconds ClockSync::uncertainty() const noexcept {
   if (window_.empty()) return Nanoseconds::max();
   const Nanoseconds now = window_.back().heard;
-  return distance(nearest(window_.begin(), window_.end(), now), now);
+  const Bounds certain = bounds(window_.begin(), window_.end(), now, 0.0, kDrift);
+  const Nanoseconds estimate = bounds(window_.begin(), window_.end(), now, drift_of(window_), 0.0).middle();
+  return std::max({certain.above - estimate, estimate - certain.below, kSlack});
 }
 
 bool ClockSync::add(const ClockSample& sample) {
   if (sample.heard < sample.asked || sample.replied < sample.received || sample.round_trip() < 0ns) return false;
   window_.push_back(sample);
-  if (window_.size() > kWindow) window_.pop_front();
+  while (window_.size() > kMostSamples || sample.heard - window_.front().heard > kWindow) window_.pop_front();
   drop_what_a_jump_has_outdated();
-  follow(nearest(window_.begin(), window_.end(), sample.heard).offset(), sample.heard);
+  follow(bounds(window_.begin(), window_.end(), sample.heard, drift_of(window_), 0.0).middle(), sample.heard);
   return true;
 }
 

@@ -33,9 +33,9 @@ struct SlewedOffset {
 
 /// Estimates session time minus local steady time from probes. Pure: it reads no clock.
 ///
-/// The estimate is the recent sample with the shortest round trip: queueing lengthens a round trip, so this sample has
-/// the smallest bound on asymmetry. Age adds to a sample's distance, because oscillators drift (NTP's clock filter and
-/// root distance, RFC 5905 §10 and §11.2.1). An upward correction applies at once. A downward correction is slewed, so
+/// Delivery only delays: the quickest request of the last minute bounds the offset from above, the quickest reply from
+/// below, and the estimate is the middle. Jitter that is alike in both directions cancels. The drift of the clocks is the
+/// change of the estimate over half a minute. Samples that contradict the one with the shortest round trip are left out. An upward correction applies at once. A downward correction is slewed, so
 /// that time never runs backwards; one of 1 s or more means a restarted session and applies at once.
 class ClockSync {
  public:
@@ -47,7 +47,7 @@ class ClockSync {
 
   /// The slewed estimate of session minus local time; nullopt before the first sample.
   [[nodiscard]] const std::optional<SlewedOffset>& offset() const noexcept { return given_; }
-  /// Bound on the estimate's error: half its round trip plus the largest drift of the oscillators since.
+  /// Bound on the estimate's error on any path, symmetric or not: the bounds, widened by the largest drift of oscillators.
   [[nodiscard]] Nanoseconds uncertainty() const noexcept;
   /// Number of corrections that were applied at once, without the first.
   [[nodiscard]] std::uint64_t steps() const noexcept { return steps_; }

@@ -27,6 +27,7 @@ struct Rule {
 const std::vector<Rule> kRules{
     {"proto/words", {"proto/words"}},
     {"proto/impaired", {"proto/words", "proto/impaired"}},
+    {"proto/link", {"proto/words", "proto/link"}},
     {"proto/keys", {"proto/words", "proto/keys"}},
     {"proto/wire", {"proto/words", "proto/keys", "proto/wire", "messages", "foxglove"}},
     {"support", {"proto/words", "support"}},

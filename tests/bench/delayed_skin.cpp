@@ -10,6 +10,7 @@ namespace telepalp::bench {
 namespace {
 
 constexpr double kFrame_s = 1.0 / 30.0;
+constexpr double kBurst_frames = 4.0;
 constexpr double kTau = 2.0 * std::numbers::pi;
 
 SessionTime at(double time_s) { return SessionTime{from_seconds(time_s)}; }
@@ -118,17 +119,15 @@ surface::MotionTerms SkinMotion::terms() const noexcept {
 }
 
 DelayedSkin::DelayedSkin(const device::BreathingPlane& truth, double noise_m, LinkFaults faults, std::uint64_t seed)
-    : truth_(truth), noise_m_(noise_m), faults_(std::move(faults)), random_(seed) {}
+    : truth_(truth), noise_m_(noise_m), faults_(std::move(faults)), random_(seed), loss_(faults_.loss, kBurst_frames) {}
 
 void DelayedSkin::capture(double time_s) {
-  constexpr double kBurst = 4.0;
-  const double start = faults_.loss / (kBurst * std::max(1e-9, 1.0 - faults_.loss));
-  in_burst_ = in_burst_ ? random_.uniform() > 1.0 / kBurst : random_.uniform() < start;
+  const bool lost = loss_.lost(random_.uniform());
   const double height_m = truth_.at_m(time_s) + noise_m_ * random_.normal();
   double arrives_s = time_s + std::max(0.0, faults_.one_way_s + random_.uniform(-faults_.jitter_s, faults_.jitter_s));
   for (const auto& [from, to] : faults_.outages)
     if (arrives_s >= from && arrives_s < to) arrives_s = to;
-  if (!in_burst_) on_the_way_.push_back({time_s, arrives_s, height_m});
+  if (!lost) on_the_way_.push_back({time_s, arrives_s, height_m});
 }
 
 /// Takes the newest frame that has arrived; older ones are dropped.

@@ -8,6 +8,7 @@
 #include "haptic_station/device/random.h"
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 #include "haptic_station/surface/touch/touch.h"
+#include "proto/impaired/gilbert_elliott.h"
 
 namespace telepalp::bench {
 
@@ -95,7 +96,7 @@ class DelayedSkin {
   double next_capture_s_ = 0.0;
   double newest_s_ = -1.0;
   std::uint64_t sequence_ = 0;
-  bool in_burst_ = false;
+  impaired::GilbertElliott loss_;
 };
 
 }  // namespace telepalp::bench

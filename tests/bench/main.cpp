@@ -6,6 +6,7 @@
 #include "tests/bench/control_bench.h"
 #include "tests/bench/depth_bench.h"
 #include "tests/bench/hand/hand_bench.h"
+#include "tests/bench/link/link_bench.h"
 #include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
 #include "tests/bench/station_bench.h"
@@ -27,6 +28,7 @@ constexpr std::array kBenches{
     bench::Bench{"depth", "ratio and time of each depth mode and of other codecs", bench::run_depth},
     bench::Bench{"hand", "moving patients and bad links, against the true skin",
                  bench::run_hand},
+    bench::Bench{"link", "frames over bad networks, beside plain UDP, plain TCP and SRT", bench::run_link},
     bench::Bench{"pipeline", "a frame's way from the camera to the hand, and the 2 kHz loop's time",
                  bench::run_pipeline},
     bench::Bench{"station", "jitter of the 2 kHz thread, and calibration under noise",

@@ -4,22 +4,23 @@
 #include <utility>
 
 namespace telepalp::bench::hand {
+namespace {
+
+constexpr double kBurst_frames = 4.0;
+
+}  // namespace
 
 Feed::Feed(Settings settings)
-    : settings_(std::move(settings)), builder_(settings_.builder), random_(settings_.link.seed) {}
-
-bool Feed::lost() noexcept {
-  constexpr double kBurst_frames = 4.0;
-  const double begins = settings_.link.loss / (kBurst_frames * std::max(1e-9, 1.0 - settings_.link.loss));
-  in_burst_ = in_burst_ ? random_.uniform() > 1.0 / kBurst_frames : random_.uniform() < begins;
-  return in_burst_;
-}
+    : settings_(std::move(settings)),
+      builder_(settings_.builder),
+      random_(settings_.link.seed),
+      loss_(settings_.link.loss, kBurst_frames) {}
 
 void Feed::capture(double time_s) {
   const Link& link = settings_.link;
   const double jitter_s = std::min(link.jitter_s, link.one_way_s);
   const double arrives_s = time_s + link.one_way_s + random_.uniform(-jitter_s, jitter_s);
-  if (lost()) return;
+  if (loss_.lost(random_.uniform())) return;
   Frame frame{time_s, arrives_s, settings_.patient->depth_of(settings_.pose(time_s), at_time(time_s))};
   if (!settings_.damage(time_s, frame.depth)) return;
   const auto later = std::upper_bound(on_the_way_.begin(), on_the_way_.end(), arrives_s,

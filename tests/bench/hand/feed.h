@@ -7,6 +7,7 @@
 
 #include "haptic_station/device/random.h"
 #include "haptic_station/surface/build/surface_builder.h"
+#include "proto/impaired/gilbert_elliott.h"
 #include "server/capture/synthetic/synthetic_patient.h"
 
 namespace telepalp::bench::hand {
@@ -54,14 +55,13 @@ class Feed {
     DepthImage depth;
   };
   void capture(double time_s);
-  [[nodiscard]] bool lost() noexcept;
 
   Settings settings_;
   surface::SurfaceBuilder builder_;
   device::Random random_;
   std::deque<Frame> on_the_way_;  ///< ordered by arrival
   std::int64_t frames_ = 0;
-  bool in_burst_ = false;
+  impaired::GilbertElliott loss_;
 };
 
 [[nodiscard]] inline SessionTime at_time(double seconds) { return session_time(0) + from_seconds(seconds); }

@@ -1,0 +1,90 @@
+#include "proto/link/datagram_link.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace telepalp::link {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Time between two reports: about ten in a round trip of a continent.
+constexpr Nanoseconds kReportEvery = 5ms;
+
+Direction sends(End end) noexcept { return end == End::Client ? Direction::ClientToServer : Direction::ServerToClient; }
+Direction hears(End end) noexcept { return end == End::Client ? Direction::ServerToClient : Direction::ClientToServer; }
+
+std::uint32_t microseconds(Nanoseconds span) noexcept {
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(span / 1us, 0, UINT32_MAX));
+}
+
+}  // namespace
+
+DatagramLink::DatagramLink(const DatagramLinkSettings& settings, End end)
+    : sealer_(settings.seal, sends(end)),
+      opener_(settings.seal, hears(end)),
+      sender_(settings.deadline),
+      receiver_(settings.deadline) {}
+
+std::optional<Datagram> DatagramLink::seal(std::span<const std::byte> payload, SessionTime now) {
+  std::optional<Datagram> datagram(std::in_place);
+  const std::optional<std::uint64_t> sequence = sealer_.seal(payload, *datagram);
+  if (!sequence) return std::nullopt;
+  path_.sent(*sequence, datagram->size, now);
+  return datagram;
+}
+
+std::optional<std::vector<std::byte>> DatagramLink::feedback_due(SessionTime now) {
+  receiver_.step(now);
+  const bool waits = receiver_.assembling_B() > 0;  // a request may be due, or the last one was lost
+  if ((!unreported_ && !waits) || now - reported_at_ < kReportEvery) return std::nullopt;
+  unreported_ = false;
+  reported_at_ = now;
+  return write_feedback({.highest_sequence = highest_sequence_,
+                         .received_bytes = received_bytes_,
+                         .reported_ns = to_nanoseconds(now),
+                         .held_us = microseconds(now - highest_at_),
+                         .settled = losses_.settled(),
+                         .lost = losses_.lost(),
+                         .bursts = losses_.bursts(),
+                         .age_us = microseconds(newest_age_),
+                         .key_frames_wanted = receiver_.key_frames_wanted(),
+                         .missing = receiver_.missing(now)});
+}
+
+std::optional<Datagram> DatagramLink::next(SessionTime now) {
+  if (const auto feedback = feedback_due(now)) return seal(*feedback, now);
+  if (const auto fragment = sender_.next(now, path_)) return seal(*fragment, now);
+  return std::nullopt;
+}
+
+void DatagramLink::count(const Opened& opened, std::size_t bytes, SessionTime now) {
+  losses_.received(opened.sequence);
+  received_bytes_ += bytes;
+  if (!opened.newest) return;
+  highest_sequence_ = opened.sequence;
+  highest_at_ = now;
+}
+
+std::optional<bool> DatagramLink::received(std::span<const std::byte> datagram, SessionTime now) {
+  const std::optional<Opened> opened = opener_.open(datagram);
+  if (!opened) return std::nullopt;
+  count(*opened, datagram.size(), now);
+  if (const auto fragment = read_fragment(opened->payload)) {
+    receiver_.add(*fragment, now);
+    unreported_ = true;
+  } else if (const auto feedback = read_feedback(opened->payload)) {
+    path_.on_feedback(*feedback, now);
+    sender_.on_missing(feedback->missing, now, path_);
+    peer_wants_ |= feedback->key_frames_wanted;
+  }
+  return opened->newest;
+}
+
+std::optional<Frame> DatagramLink::take(SessionTime now) {
+  std::optional<Frame> frame = receiver_.take();
+  if (frame) newest_age_ = now - frame->captured;
+  return frame;
+}
+
+}  // namespace telepalp::link

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "proto/link/frames/frame_receiver.h"
+#include "proto/link/frames/frame_sender.h"
+#include "proto/link/path/loss_meter.h"
+#include "proto/link/path/path_estimate.h"
+#include "proto/link/seal/sealed_channel.h"
+
+namespace telepalp::link {
+
+enum class End { Client, Server };
+
+struct DatagramLinkSettings {
+  SealSettings seal;
+  Nanoseconds deadline = std::chrono::milliseconds(100);  ///< of a frame, from its capture
+};
+
+/// One end of a sealed link that carries frames with a deadline, in both directions. Pure: the caller moves datagrams
+/// and gives the time, which both ends count alike (the session clock). Owner: one thread.
+class DatagramLink {
+ public:
+  DatagramLink(const DatagramLinkSettings& settings, End end);
+
+  /// Queues a frame; returns the number of the frame that it replaces. The next frame of that channel must stand alone
+  /// if frames of the channel depend on each other.
+  std::optional<std::uint32_t> offer(Frame frame) { return sender_.offer(std::move(frame)); }
+
+  /// The next datagram to send now; nullopt: none until time passes or something arrives.
+  [[nodiscard]] std::optional<Datagram> next(SessionTime now);
+
+  /// Takes a datagram. nullopt: it is not from the peer; the caller does not answer. Otherwise whether it is the
+  /// newest: only then may the peer's address become the address it came from.
+  std::optional<bool> received(std::span<const std::byte> datagram, SessionTime now);
+
+  /// The next complete frame.
+  [[nodiscard]] std::optional<Frame> take(SessionTime now);
+
+  /// Bit n: the peer needs a frame of channel n that stands alone. Reading clears it.
+  [[nodiscard]] std::uint16_t key_frames_wanted() noexcept { return std::exchange(peer_wants_, std::uint16_t{0}); }
+
+  [[nodiscard]] const PathEstimate& path() const noexcept { return path_; }
+  [[nodiscard]] const SenderStatistics& sender() const noexcept { return sender_.statistics(); }
+  [[nodiscard]] const ReceiverStatistics& receiver() const noexcept { return receiver_.statistics(); }
+  [[nodiscard]] const OpenerStatistics& opener() const noexcept { return opener_.statistics(); }
+
+ private:
+  [[nodiscard]] std::optional<Datagram> seal(std::span<const std::byte> payload, SessionTime now);
+  [[nodiscard]] std::optional<std::vector<std::byte>> feedback_due(SessionTime now);
+  void count(const Opened& opened, std::size_t bytes, SessionTime now);
+
+  Sealer sealer_;
+  Opener opener_;
+  FrameSender sender_;
+  FrameReceiver receiver_;
+  PathEstimate path_;
+  LossMeter losses_;
+  std::uint64_t highest_sequence_ = 0;
+  std::uint64_t received_bytes_ = 0;
+  SessionTime highest_at_{};
+  SessionTime reported_at_{};
+  bool unreported_ = false;
+  Nanoseconds newest_age_{0};
+  std::uint16_t peer_wants_ = 0;
+};
+
+}  // namespace telepalp::link

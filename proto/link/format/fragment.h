@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "proto/link/seal/packet_format.h"
+
+namespace telepalp::link {
+
+/// First byte of a sealed payload.
+enum class PayloadKind : std::uint8_t { Fragment = 1, Feedback = 2 };
+
+inline constexpr std::size_t kFragmentHeaderBytes = 15;
+inline constexpr std::size_t kMostShardBytes = kPayloadBytes - kFragmentHeaderBytes;
+inline constexpr std::size_t kMostFrameBytes = std::size_t{8} << 20U;
+inline constexpr std::uint8_t kMostChannels = 16;
+/// Data shards of a block; with at most 127 repair shards they stay below the 255 that GF(2^8) allows.
+inline constexpr std::size_t kMostDataShards = 128;
+inline constexpr std::size_t kMostRepairShards = 127;
+
+/// How a frame of a given size is cut: into shards of one size, dealt to the blocks in turn. Both ends compute it from
+/// the size alone. Successive shards belong to different blocks, so that a loss burst is shared by all blocks.
+struct FrameLayout {
+  std::size_t data_shards = 1;
+  std::size_t shard_bytes = 1;
+  std::size_t blocks = 1;
+
+  explicit FrameLayout(std::size_t frame_bytes) noexcept
+      : data_shards((frame_bytes + kMostShardBytes - 1) / kMostShardBytes),
+        shard_bytes((frame_bytes + data_shards - 1) / data_shards),
+        blocks((data_shards + kMostDataShards - 1) / kMostDataShards) {}
+
+  [[nodiscard]] std::size_t data_in_block(std::size_t block) const noexcept {
+    return (data_shards - block + blocks - 1) / blocks;
+  }
+  /// Where the data shard lies in the frame, which is padded with zeros to data_shards * shard_bytes.
+  [[nodiscard]] std::size_t offset(std::size_t block, std::size_t shard) const noexcept {
+    return (shard * blocks + block) * shard_bytes;
+  }
+};
+
+/// What is written in front of a shard.
+struct FragmentHeader {
+  std::uint8_t channel = 0;       ///< below kMostChannels
+  bool key_frame = true;          ///< false: the frame depends on the one before
+  std::uint32_t frame = 0;        ///< counts the frames of the channel
+  std::uint32_t frame_bytes = 0;  ///< 1 to kMostFrameBytes
+  std::uint8_t block = 0;
+  std::uint8_t shard = 0;          ///< below the block's data shards: data; above: repair
+  std::uint8_t repair_shards = 0;  ///< of each block, sent with the data
+};
+
+/// A fragment that was received; `shard` has exactly the layout's size.
+struct Fragment {
+  FragmentHeader header;
+  std::span<const std::byte> shard;
+};
+
+void write_fragment_header(const FragmentHeader& header, std::span<std::byte, kFragmentHeaderBytes> out) noexcept;
+/// nullopt: `payload` is no fragment, or contradicts itself.
+[[nodiscard]] std::optional<Fragment> read_fragment(std::span<const std::byte> payload) noexcept;
+
+/// A block of a frame that lacks shards.
+struct Missing {
+  std::uint8_t channel = 0;
+  std::uint32_t frame = 0;
+  std::uint8_t block = 0;
+  std::uint8_t shards = 0;  ///< how many more the block needs
+  bool operator==(const Missing&) const = default;
+};
+
+/// What a receiver reports. Counters count from the start of the session.
+struct Feedback {
+  std::uint64_t highest_sequence = 0;
+  std::uint64_t received_bytes = 0;
+  std::int64_t reported_ns = 0;         ///< session time, which is never negative
+  std::uint32_t held_us = 0;            ///< from the arrival of the highest sequence until this report
+  std::uint32_t settled = 0;            ///< packets that have been received or given up
+  std::uint32_t lost = 0;               ///< of these, given up
+  std::uint32_t bursts = 0;             ///< runs of lost packets
+  std::uint32_t age_us = 0;             ///< of the newest frame when it was complete
+  std::uint16_t key_frames_wanted = 0;  ///< bit n: channel n needs a frame that stands alone
+  std::vector<Missing> missing{};       ///< at most kMostMissing
+  bool operator==(const Feedback&) const = default;
+};
+inline constexpr std::size_t kMostMissing = 100;
+
+[[nodiscard]] std::vector<std::byte> write_feedback(const Feedback& feedback);
+[[nodiscard]] std::optional<Feedback> read_feedback(std::span<const std::byte> payload);
+
+}  // namespace telepalp::link

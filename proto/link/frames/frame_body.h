@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "proto/link/format/fragment.h"
+#include "proto/words/time.h"
+
+namespace telepalp::link {
+
+/// The capture time in front of a frame's bytes.
+inline constexpr std::size_t kStampBytes = 8;
+
+/// Time stamp, bytes, and zeros up to whole shards.
+[[nodiscard]] inline std::vector<std::byte> frame_body(SessionTime captured, std::span<const std::byte> bytes,
+                                                       const FrameLayout& layout) {
+  std::vector<std::byte> body(layout.data_shards * layout.shard_bytes);
+  put_little_endian(body.data(), static_cast<std::uint64_t>(to_nanoseconds(captured)), kStampBytes);
+  std::copy(bytes.begin(), bytes.end(), body.begin() + kStampBytes);
+  return body;
+}
+
+/// The capture time; 0 for a negative one, which no honest peer sends and of which an age would overflow.
+[[nodiscard]] inline SessionTime stamp_of(std::span<const std::byte> body) noexcept {
+  return session_time(
+      std::max<std::int64_t>(0, static_cast<std::int64_t>(get_little_endian(body.data(), kStampBytes))));
+}
+
+}  // namespace telepalp::link

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <bitset>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "proto/link/frames/frame_sender.h"
+#include "proto/link/frames/reed_solomon.h"
+
+namespace telepalp::link {
+
+struct ReceiverStatistics {
+  std::uint64_t delivered = 0;
+  std::uint64_t late = 0;         ///< of these, after a newer frame of their channel
+  std::uint64_t incomplete = 0;   ///< frames given up because shards were missing
+  std::uint64_t undecodable = 0;  ///< complete frames given up because the frame they depend on is missing
+  std::uint64_t restored_shards = 0;
+  std::uint64_t malformed = 0;
+};
+
+/// Assembles frames from fragments in any order. A frame is delivered only when it is complete, and once. A key frame
+/// is delivered at once, and says whether it is the newest of its channel: an older one is repaired within its
+/// deadline, but must not be shown any more. A dependent frame is delivered only after the frame before it, and never
+/// late. Memory is bounded: at most kMostAssembling_B, and kMostFrames of a channel. Pure: time is an argument. Owner:
+/// one thread.
+class FrameReceiver {
+ public:
+  static constexpr std::size_t kMostAssembling_B = std::size_t{32} << 20U;
+  static constexpr std::size_t kMostFrames = 16;
+
+  explicit FrameReceiver(Nanoseconds deadline) : deadline_(deadline) {}
+
+  void add(const Fragment& fragment, SessionTime now);
+  /// The next complete frame; nullopt: none.
+  [[nodiscard]] std::optional<Frame> take();
+
+  /// Gives up frames that are too late. Call it at each step of time.
+  void step(SessionTime now);
+  /// Blocks whose first round is over and that lack shards, oldest frame first, at most kMostMissing.
+  [[nodiscard]] std::vector<Missing> missing(SessionTime now) const;
+  /// Bit n: channel n cannot go on without a frame that stands alone.
+  [[nodiscard]] std::uint16_t key_frames_wanted() const noexcept { return key_frames_wanted_; }
+
+  [[nodiscard]] std::size_t assembling_B() const noexcept { return assembling_B_; }
+  [[nodiscard]] const ReceiverStatistics& statistics() const noexcept { return statistics_; }
+
+ private:
+  struct Block {
+    std::vector<bool> has_data;
+    std::size_t data_received = 0;
+    std::vector<RepairShard> repairs{};
+    bool complete = false;
+  };
+  struct Assembly {
+    FragmentHeader header;
+    FrameLayout layout;
+    std::vector<std::byte> body;
+    std::vector<Block> blocks{};
+    std::size_t blocks_complete = 0;
+    SessionTime first_at;
+    SessionTime last_at{};  ///< of the newest fragment
+    [[nodiscard]] bool complete() const noexcept { return blocks_complete == blocks.size(); }
+  };
+  /// The numbers of the delivered frames.
+  class Delivered {
+   public:
+    [[nodiscard]] bool contains(std::uint32_t number) const noexcept {
+      return any_ && number <= newest_ && newest_ - number < kSize && seen_[number % kSize];
+    }
+    /// True if a frame of this number can still be delivered.
+    [[nodiscard]] bool allows(std::uint32_t number) const noexcept {
+      return is_newest(number) || (newest_ - number < kSize && !seen_[number % kSize]);
+    }
+    [[nodiscard]] bool is_newest(std::uint32_t number) const noexcept { return !any_ || number > newest_; }
+    void insert(std::uint32_t number) noexcept;
+
+   private:
+    static constexpr std::uint32_t kSize = 64;
+    bool any_ = false;
+    std::uint32_t newest_ = 0;
+    std::bitset<kSize> seen_;
+  };
+  struct Channel {
+    std::map<std::uint32_t, Assembly> frames;  ///< by number
+    Delivered delivered;
+  };
+  [[nodiscard]] Assembly* assembly_for(Channel& channel, const FragmentHeader& header, SessionTime now);
+  void add_shard(Assembly& frame, const Fragment& fragment);
+  void restore(Assembly& frame, std::size_t block);
+  [[nodiscard]] Frame delivered_from(Channel& channel, const Assembly& done);
+  [[nodiscard]] bool can_deliver(const Channel& channel, const Assembly& frame) const noexcept;
+  std::map<std::uint32_t, Assembly>::iterator drop(Channel& channel, std::map<std::uint32_t, Assembly>::iterator frame);
+  void give_up(Channel& channel, std::map<std::uint32_t, Assembly>::iterator frame);
+  void make_room(Channel& channel, std::size_t bytes);
+
+  Nanoseconds deadline_;
+  std::map<std::uint8_t, Channel> channels_;
+  std::size_t assembling_B_ = 0;
+  std::uint16_t key_frames_wanted_ = 0;
+  ReceiverStatistics statistics_;
+};
+
+}  // namespace telepalp::link

@@ -1,0 +1,154 @@
+#include "proto/link/frames/frame_sender.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "proto/link/frames/frame_body.h"
+#include "proto/link/frames/reed_solomon.h"
+#include "proto/words/demand.h"
+
+namespace telepalp::link {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t kMostKept = 32;         ///< started frames that can be repaired
+constexpr Nanoseconds kReceiverWaits = 15ms;  ///< before a receiver asks: reordering, and the pace of its reports
+
+/// A request and its answer fit before the deadline of a frame that is sent now.
+bool repairable(Nanoseconds left, const PathEstimate& path) {
+  return path.round_trip() > 0ns && left > path.round_trip() * 3 / 2 + kReceiverWaits;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> FrameSender::offer(Frame frame) {
+  demand(frame.channel < kMostChannels && !frame.bytes.empty() && frame.bytes.size() <= kMostFrameBytes - kStampBytes,
+         "a frame has a channel, bytes, and a bounded size");
+  const auto [place, is_new] = waiting_.try_emplace(frame.channel);
+  const std::optional<std::uint32_t> replaced = is_new ? std::nullopt : std::optional(place->second.number);
+  if (replaced) ++statistics_.replaced;
+  place->second = std::move(frame);
+  return replaced;
+}
+
+std::optional<std::vector<std::byte>> FrameSender::next(SessionTime now, PathEstimate& path) {
+  if (first_round_.empty()) start_newest(now, path);
+  std::deque<Piece>& from = requested_.empty() ? first_round_ : requested_;
+  if (from.empty() || !path.has_room(now)) return std::nullopt;
+  std::vector<std::byte> payload = fragment(from.front());
+  from.pop_front();
+  return payload;
+}
+
+void FrameSender::start_newest(SessionTime now, const PathEstimate& path) {
+  std::erase_if(waiting_, [&](const auto& entry) {
+    const bool late = now - entry.second.captured + path.least_round_trip() / 2 > 2 * deadline_;
+    if (late) ++statistics_.expired;
+    return late;
+  });
+  if (waiting_.empty()) return;
+  auto turn = waiting_.upper_bound(last_channel_);
+  if (turn == waiting_.end()) turn = waiting_.begin();
+  last_channel_ = turn->first;
+  start(waiting_.extract(turn).mapped(), now, path);
+}
+
+void FrameSender::start(Frame frame, SessionTime now, const PathEstimate& path) {
+  const std::size_t bytes = kStampBytes + frame.bytes.size();
+  const FrameLayout layout(bytes);
+  Outgoing outgoing{.header = {.channel = frame.channel,
+                               .key_frame = frame.key_frame,
+                               .frame = frame.number,
+                               .frame_bytes = static_cast<std::uint32_t>(bytes)},
+                    .captured = frame.captured,
+                    .padded = frame_body(frame.captured, frame.bytes, layout),
+                    .layout = layout,
+                    .blocks = std::vector<Block>(layout.blocks)};
+  const bool can_ask = repairable(deadline_ - (now - frame.captured), path);
+  const std::size_t repairs = repair_shards(layout.data_in_block(0), path.loss(), path.burst_packets(), can_ask);
+  outgoing.header.repair_shards = static_cast<std::uint8_t>(repairs);
+  const std::uint64_t place = forgotten_ + sent_.size();
+  for (std::size_t i = 0; i < layout.data_shards; ++i)
+    first_round_.push_back(
+        {place, static_cast<std::uint8_t>(i % layout.blocks), static_cast<std::uint8_t>(i / layout.blocks), {}});
+  for (std::size_t block = 0; block < layout.blocks; ++block)
+    queue_repairs(place, outgoing, block, repairs, first_round_);
+  ++statistics_.started;
+  statistics_.data_shards += layout.data_shards;
+  sent_.push_back(std::move(outgoing));
+  forget_old();
+}
+
+/// Appends `count` repair shards that were not sent before, as far as the code has them.
+void FrameSender::queue_repairs(std::uint64_t place, Outgoing& frame, std::size_t block, std::size_t count,
+                                std::deque<Piece>& to) {
+  const std::size_t first = frame.blocks[block].next_row;
+  count = std::min(count, kMostRepairShards - first);
+  const std::size_t data = frame.layout.data_in_block(block);
+  std::vector<const std::byte*> shards;
+  for (std::size_t i = 0; i < data; ++i) shards.push_back(frame.padded.data() + frame.layout.offset(block, i));
+  std::vector<std::vector<std::byte>> repairs(count, std::vector<std::byte>(frame.layout.shard_bytes));
+  std::vector<std::byte*> out;
+  for (std::vector<std::byte>& repair : repairs) out.push_back(repair.data());
+  make_repair_shards(shards, frame.layout.shard_bytes, first, out);
+  for (std::size_t i = 0; i < count; ++i)
+    to.push_back(
+        {place, static_cast<std::uint8_t>(block), static_cast<std::uint8_t>(data + first + i), std::move(repairs[i])});
+  frame.blocks[block].next_row += count;
+  statistics_.repair_shards += count;
+}
+
+std::vector<std::byte> FrameSender::fragment(const Piece& piece) const {
+  const Outgoing& frame = sent_[piece.outgoing - forgotten_];
+  FragmentHeader header = frame.header;
+  header.block = piece.block;
+  header.shard = piece.shard;
+  std::vector<std::byte> payload(kFragmentHeaderBytes + frame.layout.shard_bytes);
+  write_fragment_header(header, std::span<std::byte, kFragmentHeaderBytes>(payload.data(), kFragmentHeaderBytes));
+  const std::byte* const shard =
+      piece.repair.empty() ? frame.padded.data() + frame.layout.offset(piece.block, piece.shard) : piece.repair.data();
+  std::copy_n(shard, frame.layout.shard_bytes, payload.begin() + kFragmentHeaderBytes);
+  return payload;
+}
+
+std::optional<std::size_t> FrameSender::find(const Missing& missing) const noexcept {
+  const auto found = std::find_if(sent_.begin(), sent_.end(), [&](const Outgoing& frame) {
+    return frame.header.channel == missing.channel && frame.header.frame == missing.frame &&
+           missing.block < frame.layout.blocks;
+  });
+  if (found == sent_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - sent_.begin());
+}
+
+void FrameSender::on_missing(std::span<const Missing> missing, SessionTime now, const PathEstimate& path) {
+  for (const Missing& one : missing) {
+    const std::optional<std::size_t> place = find(one);
+    if (!place) continue;
+    Outgoing& frame = sent_[*place];
+    if (now + path.least_round_trip() / 2 > frame.captured + deadline_) continue;
+    Block& block = frame.blocks[one.block];
+    if (block.repaired_at != SessionTime{} && now - block.repaired_at < path.round_trip()) continue;  // on its way
+    block.repaired_at = now;
+    const double spare = 1.0 + 2.0 * path.loss() * (2.0 * path.burst_packets() - 1.0);
+    const auto count = static_cast<std::size_t>(std::ceil(one.shards * spare)) + (path.loss() > 0.02 ? 1 : 0);
+    const std::uint64_t before = statistics_.repair_shards;
+    queue_repairs(forgotten_ + *place, frame, one.block, count, requested_);
+    statistics_.requested_shards += statistics_.repair_shards - before;
+  }
+}
+
+/// Keeps a bounded number of frames, and each frame of which fragments wait.
+void FrameSender::forget_old() {
+  while (sent_.size() > kMostKept) {
+    const auto waits = [this](const std::deque<Piece>& pieces) {
+      return std::any_of(pieces.begin(), pieces.end(),
+                         [this](const Piece& piece) { return piece.outgoing == forgotten_; });
+    };
+    if (waits(first_round_) || waits(requested_)) return;
+    sent_.pop_front();
+    ++forgotten_;
+  }
+}
+
+}  // namespace telepalp::link

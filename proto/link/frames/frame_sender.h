@@ -1,0 +1,87 @@
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "proto/link/format/fragment.h"
+#include "proto/link/path/path_estimate.h"
+#include "proto/words/time.h"
+
+namespace telepalp::link {
+
+/// A message of a deadline topic, as the sender offers it and the receiver gets it.
+struct Frame {
+  std::uint8_t channel = 0;
+  std::uint32_t number = 0;  ///< counts the channel's frames at the source
+  bool key_frame = true;     ///< false: it needs frame `number - 1`
+  SessionTime captured{};
+  std::vector<std::byte> bytes{};
+  bool newest = true;  ///< set by the receiver: no newer frame of the channel was delivered before
+};
+
+struct SenderStatistics {
+  std::uint64_t started = 0;
+  std::uint64_t replaced = 0;  ///< dropped unsent, because a newer frame was offered
+  std::uint64_t expired = 0;   ///< dropped unsent, because their deadline could not be met
+  std::uint64_t data_shards = 0;
+  std::uint64_t repair_shards = 0;
+  std::uint64_t requested_shards = 0;  ///< of the repair shards: on request
+};
+
+/// Cuts frames into fragments. One frame of each channel waits; a newer one replaces it. Started frames are sent to the
+/// end. Pure: time and the path are arguments. Owner: one thread.
+class FrameSender {
+ public:
+  explicit FrameSender(Nanoseconds deadline) : deadline_(deadline) {}
+
+  /// The frame waits until the path has room. Returns the number of the waiting frame that it replaces. Frames of no
+  /// bytes, or above kMostFrameBytes with their time stamp, are a bug of the caller.
+  std::optional<std::uint32_t> offer(Frame frame);
+
+  /// The payload of the next datagram; nullopt: nothing to send, or no room on the path.
+  [[nodiscard]] std::optional<std::vector<std::byte>> next(SessionTime now, PathEstimate& path);
+
+  /// Prepares the repair shards that a receiver asks for, where they can still come in time.
+  void on_missing(std::span<const Missing> missing, SessionTime now, const PathEstimate& path);
+
+  [[nodiscard]] const SenderStatistics& statistics() const noexcept { return statistics_; }
+
+ private:
+  struct Block {
+    std::size_t next_row = 0;  ///< of the first repair shard that was not sent
+    SessionTime repaired_at{};
+  };
+  struct Outgoing {
+    FragmentHeader header;
+    SessionTime captured;
+    std::vector<std::byte> padded;  ///< time stamp, bytes, zeros up to whole shards
+    FrameLayout layout;
+    std::vector<Block> blocks;
+  };
+  struct Piece {
+    std::uint64_t outgoing;  ///< place in sent_, counted from the start
+    std::uint8_t block;
+    std::uint8_t shard;
+    std::vector<std::byte> repair;  ///< empty: a data shard
+  };
+  void start_newest(SessionTime now, const PathEstimate& path);
+  void start(Frame frame, SessionTime now, const PathEstimate& path);
+  void queue_repairs(std::uint64_t place, Outgoing& frame, std::size_t block, std::size_t count, std::deque<Piece>& to);
+  [[nodiscard]] std::vector<std::byte> fragment(const Piece& piece) const;
+  [[nodiscard]] std::optional<std::size_t> find(const Missing& missing) const noexcept;
+  void forget_old();
+
+  Nanoseconds deadline_;
+  std::map<std::uint8_t, Frame> waiting_;
+  std::uint8_t last_channel_ = kMostChannels;  ///< channels take turns
+  std::deque<Outgoing> sent_;                  ///< started frames, kept for repairs
+  std::uint64_t forgotten_ = 0;                ///< frames that have left sent_
+  std::deque<Piece> first_round_;
+  std::deque<Piece> requested_;
+  SenderStatistics statistics_;
+};
+
+}  // namespace telepalp::link

@@ -1,0 +1,139 @@
+#include "proto/link/path/path_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace telepalp::link {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Nanoseconds kRoundTripMemory = 10s;  ///< a route may change
+constexpr Nanoseconds kQueueMemory = 200ms;    ///< the shortest recent round trip is free of jitter
+constexpr Nanoseconds kRateSpan = 200ms;
+constexpr Nanoseconds kQueueTarget = 15ms;
+constexpr Nanoseconds kSilence = 1s;
+constexpr Nanoseconds kDrainAfter = 5s;  ///< half of the memory
+constexpr Nanoseconds kAsShort = 2ms;
+constexpr std::uint64_t kLeastLimit_B = 16 * kDatagramBytes;
+constexpr std::uint64_t kMostLimit_B = std::uint64_t{8} << 20U;
+constexpr double kLossMemory_packets = 30'000.0;  ///< about ten seconds of a camera
+constexpr double kPriorPackets = 200.0;           ///< weight of the first guess
+constexpr double kPriorLoss = 0.01;
+
+/// As many packets in flight as a window of sequence numbers: a sender that is never acknowledged stays bounded.
+constexpr std::size_t kMostOnTheWay = 65'536;
+
+}  // namespace
+
+void PathEstimate::sent(std::uint64_t sequence, std::size_t bytes, SessionTime now) {
+  if (sent_bytes_ == 0) last_heard_ = now;
+  sent_bytes_ += bytes;
+  on_the_way_.push_back({sequence, now, sent_bytes_});
+  if (on_the_way_.size() > kMostOnTheWay) on_the_way_.pop_front();
+}
+
+void PathEstimate::on_feedback(const Feedback& feedback, SessionTime now) {
+  const bool older =
+      last_ && (feedback.highest_sequence < last_->highest_sequence || feedback.reported_ns <= last_->reported_ns);
+  if (older || on_the_way_.empty() || feedback.highest_sequence > on_the_way_.back().sequence) return;
+  const std::uint64_t before = acknowledged_;
+  while (!on_the_way_.empty() && on_the_way_.front().sequence < feedback.highest_sequence) on_the_way_.pop_front();
+  if (!on_the_way_.empty() && on_the_way_.front().sequence == feedback.highest_sequence) {
+    acknowledged_ = std::max(acknowledged_, on_the_way_.front().total_B);
+    const Nanoseconds took = now - on_the_way_.front().at - std::chrono::microseconds(feedback.held_us);
+    if (took > 0ns) measure_round_trip(took, now);
+  }
+  last_heard_ = now;
+  reported_age_ = std::chrono::microseconds(feedback.age_us);
+  measure_rate(feedback);
+  measure_loss(feedback);
+  adapt_limit(acknowledged_ - before);
+  last_ = feedback;
+}
+
+void PathEstimate::measure_round_trip(Nanoseconds took, SessionTime now) {
+  recent_.push_back({now, took});
+  while (recent_.front().at < now - kRoundTripMemory) recent_.pop_front();
+  round_trip_ = round_trip_ == 0ns ? took : round_trip_ + (took - round_trip_) / 8;
+  least_round_trip_ = took;
+  Nanoseconds newest_least = took;
+  for (auto one = recent_.rbegin(); one != recent_.rend(); ++one) {
+    least_round_trip_ = std::min(least_round_trip_, one->took);
+    if (one->at >= now - kQueueMemory) newest_least = std::min(newest_least, one->took);
+  }
+  queue_delay_ = newest_least - least_round_trip_;
+  if (took <= least_round_trip_ + kAsShort) least_seen_at_ = now;
+}
+
+void PathEstimate::measure_rate(const Feedback& feedback) {
+  reports_.push_back({feedback.reported_ns, feedback.received_bytes});
+  while (Nanoseconds(feedback.reported_ns - reports_.front().at_ns) > kRateSpan) reports_.pop_front();
+  const double span_s = to_seconds(Nanoseconds(feedback.reported_ns - reports_.front().at_ns));
+  const std::uint64_t received = feedback.received_bytes - reports_.front().received_B;
+  if (span_s >= 0.5 * to_seconds(kRateSpan) && feedback.received_bytes >= reports_.front().received_B)
+    rate_B_per_s_ = static_cast<double>(received) / span_s;
+}
+
+void PathEstimate::measure_loss(const Feedback& feedback) {
+  const Feedback before = last_.value_or(Feedback{});
+  const double settled = static_cast<std::uint32_t>(feedback.settled - before.settled);
+  const double lost = static_cast<std::uint32_t>(feedback.lost - before.lost);
+  const double bursts = static_cast<std::uint32_t>(feedback.bursts - before.bursts);
+  if (lost > settled || bursts > lost) return;  // a receiver that counts wrongly
+  const double keep = std::exp(-settled / kLossMemory_packets);
+  settled_ = settled_ * keep + settled;
+  lost_ = lost_ * keep + lost;
+  bursts_ = bursts_ * keep + bursts;
+  loss_ = (lost_ + kPriorLoss * kPriorPackets) / (settled_ + kPriorPackets);
+  burst_packets_ = (lost_ + 2.0) / (bursts_ + 2.0);
+}
+
+/// Keeps the queue short: grows the limit while the round trip is near its least. When a queue builds up, the limit
+/// becomes what the path delivers in a round trip without the queue, jitter included, and the target.
+void PathEstimate::adapt_limit(std::uint64_t acknowledged_now) {
+  if (queue_delay_ > kQueueTarget && rate_B_per_s_ > 0.0)
+    limit_B_ = std::min(
+        limit_B_, static_cast<std::uint64_t>(rate_B_per_s_ * to_seconds(round_trip_ - queue_delay_ + kQueueTarget)));
+  else if (queue_delay_ < kQueueTarget / 2)
+    limit_B_ += acknowledged_now / 4;
+  limit_B_ = std::clamp(limit_B_, kLeastLimit_B, kMostLimit_B);
+}
+
+/// True while sending pauses so that the queue runs empty. Without a pause, the least round trip of a path that is
+/// always full would be forgotten, and the queue itself taken for the path.
+bool PathEstimate::drains(SessionTime now) noexcept {
+  if (round_trip_ > 0ns && now - least_seen_at_ > kDrainAfter) {
+    draining_ = true;
+    least_seen_at_ = now;
+  }
+  if (in_flight_B() < kLeastLimit_B) draining_ = false;
+  return draining_;
+}
+
+bool PathEstimate::has_room(SessionTime now) noexcept {
+  if (in_flight_B() > 0 && now - last_heard_ > std::max<Nanoseconds>(kSilence, 4 * round_trip_)) {
+    acknowledged_ = sent_bytes_;
+    limit_B_ = kLeastLimit_B;
+    last_heard_ = now;
+  }
+  return !drains(now) && in_flight_B() + kDatagramBytes <= limit_B_;
+}
+
+std::size_t repair_shards(std::size_t data_shards, double loss, double burst_packets, bool repairable) noexcept {
+  const double k = static_cast<double>(data_shards);
+  if (k * loss < (repairable ? 0.1 : 0.01)) return 0;
+  // Bursts of mean B inflate the variance of a sum of losses by 2B - 1. 2 % of the blocks may need a repair round;
+  // where none fits, 0.03 % may fail.
+  const double deviations = repairable ? 2.0 : 3.5;
+  const double inflation = 2.0 * std::max(1.0, burst_packets) - 1.0;
+  const auto most = static_cast<std::size_t>(std::ceil(0.4 * k)) + 1;
+  for (std::size_t repairs = 1; repairs < most; ++repairs) {
+    const double packets = k + static_cast<double>(repairs);
+    const double expected = packets * loss + deviations * std::sqrt(packets * loss * (1.0 - loss) * inflation);
+    if (static_cast<double>(repairs) >= expected + 0.5) return repairs;
+  }
+  return std::min(most, kMostRepairShards);
+}
+
+}  // namespace telepalp::link

@@ -1,0 +1,61 @@
+#include "proto/link/seal/aead.h"
+
+#include <openssl/evp.h>
+
+#include <algorithm>
+
+#include "proto/link/seal/packet_format.h"
+#include "proto/words/demand.h"
+
+namespace telepalp::link {
+namespace {
+
+const unsigned char* bytes(const std::byte* data) noexcept { return reinterpret_cast<const unsigned char*>(data); }
+unsigned char* bytes(std::byte* data) noexcept { return reinterpret_cast<unsigned char*>(data); }
+int size_of(std::span<const std::byte> data) noexcept { return static_cast<int>(data.size()); }
+
+void must(int done) { demand(done == 1, "OpenSSL's cipher works"); }
+
+}  // namespace
+
+void Aead::Free::operator()(evp_cipher_ctx_st* context) const noexcept { EVP_CIPHER_CTX_free(context); }
+
+Aead::Aead(Cipher cipher, const PacketKey& key, Use use) : context_(EVP_CIPHER_CTX_new()), salt_(key.salt) {
+  const EVP_CIPHER* const algorithm = cipher == Cipher::Aes256Gcm ? EVP_aes_256_gcm() : EVP_chacha20_poly1305();
+  must(EVP_CipherInit_ex(context_.get(), algorithm, nullptr, bytes(key.key.bytes().data()), nullptr,
+                         use == Use::Seal ? 1 : 0));
+}
+
+void Aead::start(std::uint64_t sequence, std::span<const std::byte> header) {
+  std::array<std::byte, 12> nonce = salt_;
+  for (std::size_t i = 0; i < 8; ++i) nonce[4 + i] ^= static_cast<std::byte>(sequence >> (8 * i));
+  must(EVP_CipherInit_ex(context_.get(), nullptr, nullptr, nullptr, bytes(nonce.data()), -1));
+  int written = 0;
+  must(EVP_CipherUpdate(context_.get(), nullptr, &written, bytes(header.data()), size_of(header)));
+}
+
+void Aead::seal(std::uint64_t sequence, std::span<const std::byte> header, std::span<const std::byte> plain,
+                std::byte* out) {
+  start(sequence, header);
+  int written = 0;
+  if (!plain.empty()) must(EVP_CipherUpdate(context_.get(), bytes(out), &written, bytes(plain.data()), size_of(plain)));
+  must(EVP_CipherFinal_ex(context_.get(), bytes(out) + written, &written));
+  must(EVP_CIPHER_CTX_ctrl(context_.get(), EVP_CTRL_AEAD_GET_TAG, kTagBytes, out + plain.size()));
+}
+
+bool Aead::open(std::uint64_t sequence, std::span<const std::byte> header, std::span<const std::byte> sealed,
+                std::byte* out) {
+  const std::span<const std::byte> cipher_text = sealed.first(sealed.size() - kTagBytes);
+  std::array<std::byte, kTagBytes> tag;
+  std::copy_n(sealed.data() + cipher_text.size(), tag.size(), tag.begin());
+  start(sequence, header);
+  int written = 0;
+  if (!cipher_text.empty())
+    must(EVP_CipherUpdate(context_.get(), bytes(out), &written, bytes(cipher_text.data()), size_of(cipher_text)));
+  must(EVP_CIPHER_CTX_ctrl(context_.get(), EVP_CTRL_AEAD_SET_TAG, kTagBytes, tag.data()));
+  if (EVP_CipherFinal_ex(context_.get(), bytes(out) + written, &written) == 1) return true;
+  std::fill_n(out, cipher_text.size(), std::byte{0});
+  return false;
+}
+
+}  // namespace telepalp::link

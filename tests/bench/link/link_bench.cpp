@@ -1,0 +1,143 @@
+#include "tests/bench/link/link_bench.h"
+
+#include <array>
+#include <ctime>
+
+#include "proto/link/datagram_link.h"
+#include "tests/bench/link/link_scenario.h"
+#ifdef TELEPALP_HAVE_SRT
+#include "tests/bench/link/srt_run.h"
+#endif
+
+namespace telepalp::bench {
+namespace {
+
+using namespace std::chrono_literals;
+using link::Outcome;
+using link::Scenario;
+
+constexpr double kVirtualSeconds = 120.0;
+
+/// A path, and the share of frames that must be complete within 100 ms of their capture.
+struct PathRow {
+  Nanoseconds round_trip;
+  double loss_percent;
+  double burst_packets;
+  double reach_percent;
+};
+
+constexpr std::array kPaths{
+    PathRow{50ms, 1, 1, 99.9},  PathRow{50ms, 5, 1, 99.5},  PathRow{50ms, 10, 1, 97},
+    PathRow{50ms, 1, 4, 99.5},  PathRow{50ms, 5, 4, 98},    PathRow{50ms, 10, 4, 95},
+    PathRow{100ms, 1, 1, 99.9}, PathRow{100ms, 5, 1, 99.5}, PathRow{100ms, 10, 1, 97},
+};
+
+std::string name_of(const PathRow& path) {
+  char text[80];
+  std::snprintf(text, sizeof text, "RTT %.0f ms, loss %.0f %%%s", to_milliseconds(path.round_trip), path.loss_percent,
+                path.burst_packets > 1.0 ? " in bursts of 4" : "");
+  return text;
+}
+
+double add_srt(Report& report, const std::string& name, Scenario scenario, double seconds) {
+#ifdef TELEPALP_HAVE_SRT
+  scenario.seconds = seconds;
+  const Outcome outcome = link::run_srt(scenario);
+  report.rows.push_back(measured(name + ": SRT", outcome.in_time_percent(), "%"));
+  report.rows.push_back(measured(name + ": SRT's overhead", outcome.overhead_percent(), "%"));
+  return outcome.in_time_percent();
+#else
+  (void)report, (void)name, (void)scenario, (void)seconds;
+  return 0.0;
+#endif
+}
+
+void add_path(Report& report, const PathRow& path, double real_seconds) {
+  const std::string name = name_of(path);
+  Scenario scenario = link::over(path.round_trip, path.loss_percent * 1e-2, path.burst_packets);
+  scenario.seconds = kVirtualSeconds;
+  const Outcome ours = run_telepalp(scenario);
+  const double udp = run_plain_udp(scenario).in_time_percent();
+  const double tcp = run_plain_tcp(scenario).in_time_percent();
+  report.rows.push_back(measured(name + ": plain UDP", udp, "%"));
+  report.rows.push_back(measured(name + ": plain TCP", tcp, "%"));
+  const double srt = add_srt(report, name, scenario, real_seconds);
+  report.rows.push_back(at_least(name + ": telepalp", ours.in_time_percent(), "%", std::max(path.reach_percent, srt)));
+  report.rows.push_back(at_most(name + ": telepalp's overhead", ours.overhead_percent(), "%", 45.0));
+  report.rows.push_back(at_most(name + ": wrong frames", static_cast<double>(ours.wrong), "frames", 0.0));
+}
+
+/// Processor time of this thread.
+Nanoseconds processor_time() {
+  timespec spent{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+  return std::chrono::seconds(spent.tv_sec) + Nanoseconds(spent.tv_nsec);
+}
+
+/// Processor time that the two ends take for an image, on a path without delay and loss.
+Distribution processing_ms() {
+  const telepalp::link::DatagramLinkSettings settings{
+      .seal = {.number = 1, .cipher = telepalp::link::preferred_cipher()}};
+  telepalp::link::DatagramLink server(settings, telepalp::link::End::Server);
+  telepalp::link::DatagramLink client(settings, telepalp::link::End::Client);
+  Distribution took_ms;
+  for (std::uint32_t number = 0; number < 1000; ++number) {
+    const SessionTime now{number * 33ms};
+    telepalp::link::Frame frame{.number = number, .captured = now, .bytes = std::vector<std::byte>(91'000)};
+    const Nanoseconds began = processor_time();
+    server.offer(std::move(frame));
+    while (const auto datagram = server.next(now)) (void)client.received(datagram->bytes(), now);
+    const bool complete = client.take(now).has_value();
+    if (complete) took_ms.add(to_milliseconds(processor_time() - began));
+    while (const auto answer = client.next(now + 10ms)) (void)server.received(answer->bytes(), now + 10ms);
+  }
+  return took_ms;
+}
+
+void add_no_loss(Report& report) {
+  const Outcome ours = run_telepalp(link::over(20ms, 0.0, 1.0));
+  const Distribution took_ms = processing_ms();
+  report.rows.push_back(at_most("no loss: overhead", ours.overhead_percent(), "%", 5.0));
+  report.rows.push_back(at_least("no loss: frames in time", ours.in_time_percent(), "%", 100.0));
+  report.rows.push_back(measured("no loss: sealing, cutting, opening, joining of 91 kB, p50", took_ms.p50(), "ms"));
+  report.rows.push_back(at_most("no loss: sealing, cutting, opening, joining of 91 kB, p99", took_ms.p99(), "ms", 1.0));
+}
+
+void add_thin_pipe(Report& report) {
+  Scenario scenario{.down = {.delay = 25ms, .rate_B_per_s = 2e6, .queue_B = std::size_t{2} << 20U},
+                    .up = {.delay = 25ms}};
+  scenario.seconds = kVirtualSeconds;
+  const Outcome ours = run_telepalp(scenario);
+  const Outcome tcp = run_plain_tcp(scenario);
+  report.rows.push_back(
+      measured("2 MB/s, RTT 50 ms, 2 MiB: plain TCP, age of the newest depth, p50", tcp.depth_age_ms.p50(), "ms"));
+  report.rows.push_back(
+      measured("2 MB/s, RTT 50 ms, 2 MiB: age of the newest depth, p50", ours.depth_age_ms.p50(), "ms"));
+  report.rows.push_back(
+      at_most("2 MB/s, RTT 50 ms, 2 MiB: age of the newest depth, p95", ours.depth_age_ms.quantile(0.95), "ms", 200.0));
+}
+
+}  // namespace
+
+Result<Report> run_link(const program::Arguments& arguments) {
+  const Result<double> seconds = arguments.number("seconds", 1.0, 600.0);
+  if (!seconds) return seconds.error();
+  Report report{.bench = "link", .rows = {}, .notes = {}};
+  for (const PathRow& path : kPaths) add_path(report, path, *seconds);
+  add_no_loss(report);
+  add_thin_pipe(report);
+  report.notes.push_back(
+      "frames in time: depth (91 kB) and colour (32 kB) complete within 100 ms of their capture, at 30 Hz");
+  report.notes.push_back(
+      "telepalp, plain UDP and plain TCP: 120 s of virtual time; plain TCP has no congestion control");
+#ifdef TELEPALP_HAVE_SRT
+  report.notes.push_back(
+      "SRT: --seconds of real time through telepalp-link, encrypted, latency = what remains of the 100 ms");
+#else
+  report.notes.push_back("SRT is not measured: Debian's libsrt-openssl-dev was not installed at build time");
+#endif
+  report.notes.push_back("overhead: bytes of all datagrams over bytes of the images, without IP and UDP headers");
+  return report;
+}
+
+}  // namespace telepalp::bench

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "tests/bench/link/link_scenario.h"
+
+namespace telepalp::bench::link {
+
+/// SRT in live mode between two sockets, through telepalp-link's proxy, in real time. Encryption and retransmission are
+/// on. Its latency is what remains of the deadline after encoding and the path's delay.
+[[nodiscard]] Outcome run_srt(const Scenario& scenario);
+
+}  // namespace telepalp::bench::link

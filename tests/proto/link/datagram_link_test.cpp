@@ -1,0 +1,115 @@
+// Both ends of a sealed link over the impaired path, in virtual time.
+#include "proto/link/datagram_link.h"
+
+#include <gtest/gtest.h>
+
+#include "proto/impaired/profiles.h"
+#include "tests/bench/link/link_scenario.h"
+
+namespace telepalp::link {
+namespace {
+
+using namespace std::chrono_literals;
+using bench::link::Outcome;
+using bench::link::Scenario;
+
+Scenario shorter(Scenario scenario, double seconds) {
+  scenario.seconds = seconds;
+  return scenario;
+}
+
+TEST(DatagramLink, WithoutLossEachFrameComesAtOnceAndCostsLessThanATwentieth) {
+  const Outcome outcome = run_telepalp(shorter(bench::link::over(0ms, 0.0, 1.0), 10.0));
+  EXPECT_EQ(outcome.in_time, outcome.frames);
+  EXPECT_EQ(outcome.wrong, 0U);
+  EXPECT_LE(outcome.latency_ms.p99(), 1.0);
+  EXPECT_LE(outcome.overhead_percent(), 5.0);
+}
+
+TEST(DatagramLink, CompletesFramesThroughLossWherePlainDatagramsDoNot) {
+  const Scenario scenario = shorter(bench::link::over(50ms, 0.05, 1.0), 20.0);
+  EXPECT_LE(run_plain_udp(scenario).in_time_percent(), 5.0);
+  const Outcome outcome = run_telepalp(scenario);
+  EXPECT_GE(outcome.in_time_percent(), 99.5);
+  EXPECT_EQ(outcome.wrong, 0U);
+}
+
+TEST(DatagramLink, SurvivesTheHostileProfileAndNeverShowsAWrongFrame) {
+  const auto profile = impaired::profile_named("hostile");
+  Scenario scenario{.down = profile->down, .up = profile->up};
+  scenario.seconds = 45.0;  // two outages
+  const Outcome outcome = run_telepalp(scenario);
+  EXPECT_EQ(outcome.wrong, 0U);
+  EXPECT_GE(outcome.latency_ms.count(), outcome.frames);  // of two images each
+}
+
+TEST(DatagramLink, AThinPipeWithADeepBufferStaysFresh) {
+  const impaired::Impairment down{.delay = 25ms, .rate_B_per_s = 2e6, .queue_B = 2U << 20U};
+  const Scenario scenario{.down = down, .up = {.delay = 25ms}};
+  const Outcome outcome = run_telepalp(scenario);
+  EXPECT_LE(outcome.depth_age_ms.quantile(0.95), 200.0);
+}
+
+TEST(DatagramLink, ABrokenChainIsMendedByAKeyFrame) {
+  Scenario scenario = shorter(bench::link::over(100ms, 0.05, 4.0), 30.0);
+  scenario.depth_depends = true;
+  const Outcome outcome = run_telepalp(scenario);
+  EXPECT_EQ(outcome.wrong, 0U);
+  EXPECT_GE(outcome.key_frames, 2U);
+  EXPECT_LE(outcome.key_frames, outcome.frames / 4);
+  EXPECT_GE(outcome.in_time_percent(), 85.0);
+}
+
+TEST(DatagramLink, IsSilentTowardsStrangers) {
+  DatagramLinkSettings settings{.seal = {.number = 7}};
+  DatagramLink server(settings, End::Server);
+  std::vector<std::byte> stranger(200, std::byte{1});
+  EXPECT_FALSE(server.received(stranger, SessionTime{1s}));
+  for (Nanoseconds now = 1s; now < 3s; now += 1ms) EXPECT_FALSE(server.next(SessionTime{now}));
+}
+
+TEST(DatagramLink, ASenderThatIsNeverAnsweredStaysBounded) {
+  DatagramLink server({.seal = {.number = 7}}, End::Server);
+  std::size_t sent = 0;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const SessionTime now{1s + i * 33ms};
+    server.offer({.channel = 0, .number = i, .captured = now, .bytes = std::vector<std::byte>(100'000)});
+    while (server.next(now)) ++sent;
+  }
+  EXPECT_LE(sent, 1100U);  // a mebibyte, then sixteen packets a second
+}
+
+TEST(PathEstimate, KnowsDelayLossAndRate) {
+  PathEstimate path;
+  std::uint64_t received = 0;
+  for (std::uint64_t i = 0; i < 4000; ++i) {  // 1 MB/s, 40 ms, 2 % lost in pairs
+    const SessionTime now{i * 1200us};
+    path.sent(i, 1200, now);
+    if (i < 40) continue;
+    received += 1176;
+    const auto settled = static_cast<std::uint32_t>(i - 39);
+    path.on_feedback({.highest_sequence = i - 40 + 7,
+                      .received_bytes = received,
+                      .reported_ns = to_nanoseconds(now) - 20'000'000,
+                      .held_us = 0,
+                      .settled = settled,
+                      .lost = settled / 50,
+                      .bursts = settled / 100},
+                     now);
+  }
+  EXPECT_NEAR(to_milliseconds(path.round_trip()), 33 * 1.2, 1.0);
+  EXPECT_NEAR(path.loss(), 0.02, 0.002);
+  EXPECT_NEAR(path.burst_packets(), 2.0, 0.2);
+  EXPECT_NEAR(path.rate_B_per_s(), 980e3, 20e3);
+  EXPECT_LE(path.in_flight_B(), 40U * 1200U);
+}
+
+TEST(PathEstimate, IgnoresFeedbackAboutWhatWasNotSent) {
+  PathEstimate path;
+  path.sent(0, 1200, SessionTime{1s});
+  path.on_feedback({.highest_sequence = 1'000'000, .received_bytes = UINT64_MAX, .reported_ns = 5}, SessionTime{2s});
+  EXPECT_EQ(path.in_flight_B(), 1200U);
+}
+
+}  // namespace
+}  // namespace telepalp::link
