@@ -15,7 +15,7 @@ Result<Address> parse_address(std::string_view text, std::string_view where, std
   const std::string_view digits = colon == std::string_view::npos ? default_port : text.substr(colon + 1);
   if (host.starts_with('[') && host.ends_with(']'))
     host = host.substr(1, host.size() - 2);
-  else if (host.find(':') != std::string_view::npos)
+  else if (host.find_first_of(":[]") != std::string_view::npos)
     return wrong;
   std::uint16_t port = 0;
   const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
