@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "haptic_station/ports/surface_contact.h"
 #include "proto/words/frames.h"
 
@@ -13,6 +16,15 @@ struct EffectInput {
   Vector<HapticBase> moved;            ///< motion of the device since the last tick [m]
 };
 
+/// Where an object inside the body is displayed, against the place that the scene gives it.
+struct Placement {
+  Vector<HapticBase> moved;     ///< [m]
+  Vector<HapticBase> velocity;  ///< [m/s]
+};
+inline constexpr std::size_t kMostEffects = 8;
+/// By the effect's number in the bank.
+using Placements = std::array<Placement, kMostEffects>;
+
 /// How close the device point is to an object inside the body, in ascending order: not near, within its margin, pressed
 /// from the side, pressed from above.
 enum class ObjectTouch { None, Near, Lateral, Upper };
@@ -25,6 +37,8 @@ enum class ObjectTouch { None, Near, Lateral, Upper };
 //   example the breathing skin double stiffest_N_per_m(double most_N) const    greatest stiffness of its spring at
 //   forces up to `most_N` ObjectTouch touch() const                       None, except for objects inside the body
 //   static constexpr const char* kName
+//   Point<HapticBase> place() const                 of objects inside the body alone: where the scene puts it; the bank
+//   lets such an effect feel the device as seen from the displaced object
 // EffectBank holds and steps the effects of a scene.
 
 }  // namespace telepalp::effects

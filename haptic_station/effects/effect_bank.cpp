@@ -14,7 +14,39 @@ auto with(Effect& effect, Do&& act) noexcept {
   return act(*std::get_if<I>(&effect));
 }
 
+template <class Effect>
+concept InnerObject = requires(const Effect& effect) {
+  { effect.place() }
+  noexcept;
+};
+
+/// The input as the effect feels it: an object inside the body feels the device relative to its displacement.
+template <class Effect>
+EffectInput felt_by(const Effect&, const EffectInput& in, const Placement& placement) noexcept {
+  EffectInput felt = in;
+  if constexpr (InnerObject<Effect>) felt.device.m -= placement.moved.v;
+  return felt;
+}
+
+template <class Effect>
+Eigen::Vector3d carried_at(const Effect& effect, const EffectInput& in, const Placement& placement) noexcept {
+  if constexpr (InnerObject<Effect>)
+    return placement.velocity.v;
+  else
+    return effect.carried_at(in).v;
+}
+
 }  // namespace
+
+std::optional<Point<HapticBase>> EffectBank::object_at(std::size_t effect) const noexcept {
+  if (effect >= count_) return std::nullopt;
+  return with(effects_[effect], [](const auto& e) noexcept -> std::optional<Point<HapticBase>> {
+    if constexpr (InnerObject<std::remove_cvref_t<decltype(e)>>)
+      return e.place();
+    else
+      return std::nullopt;
+  });
+}
 
 const char* EffectBank::name(const Effect& effect) noexcept {
   return with(effect, [](const auto& e) noexcept { return std::remove_cvref_t<decltype(e)>::kName; });
@@ -29,7 +61,8 @@ bool EffectBank::add(const Effect& effect) noexcept {
 
 void EffectBank::begin(const EffectInput& in) noexcept {
   held_ = {};
-  for (std::size_t i = 0; i < count_; ++i) with(effects_[i], [&](auto& e) noexcept { e.begin(in); });
+  for (std::size_t i = 0; i < count_; ++i)
+    with(effects_[i], [&](auto& e) noexcept { e.begin(felt_by(e, in, placements_[i])); });
 }
 
 Force<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, CostClock clock) noexcept {
@@ -38,9 +71,10 @@ Force<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, CostClock
   for (std::size_t i = 0; i < count_; ++i) {
     const std::uint64_t before = clock != nullptr ? clock() : 0;
     with(effects_[i], [&](auto& e) noexcept {
-      const Eigen::Vector3d carried_at = e.carried_at(in).v;
-      absorbed_J_ -= held_[i].force_N.dot(in.moved.v - 0.5 * dt_s * (held_[i].carried_at + carried_at));
-      held_[i] = {e.step(in, dt_s).N, carried_at};
+      const EffectInput felt = felt_by(e, in, placements_[i]);
+      const Eigen::Vector3d carried = carried_at(e, in, placements_[i]);
+      absorbed_J_ -= held_[i].force_N.dot(in.moved.v - 0.5 * dt_s * (held_[i].carried_at + carried));
+      held_[i] = {e.step(felt, dt_s).N, carried};
       sum.N += held_[i].force_N;
     });
     const std::uint64_t cost = clock != nullptr ? clock() - before : 0;

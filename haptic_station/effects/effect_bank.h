@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -28,12 +29,17 @@ struct EffectBill {
 /// The effects of a scene, in the order of the scene file. Owner: control thread.
 class EffectBank {
  public:
-  static constexpr std::size_t kMostEffects = 8;
+  static constexpr std::size_t kMostEffects = effects::kMostEffects;
   using Effect = std::variant<Skin, InnerCylinder, InnerSphere, Friction, StiffRegions, Organ>;
 
   /// False when the bank is full.
   bool add(const Effect& effect) noexcept;
   [[nodiscard]] std::size_t size() const noexcept { return count_; }
+
+  /// Displaces the objects inside the body, from the next begin() or step() on.
+  void place(const Placements& placements) noexcept { placements_ = placements; }
+  /// Where the scene puts the effect's object; nullopt: the effect is not an object inside the body.
+  [[nodiscard]] std::optional<Point<HapticBase>> object_at(std::size_t effect) const noexcept;
 
   void begin(const EffectInput& in) noexcept;
   /// The sum of all effects' forces on the hand.
@@ -59,6 +65,7 @@ class EffectBank {
   };
 
   std::array<Effect, kMostEffects> effects_{};
+  Placements placements_{};
   std::array<EffectBill, kMostEffects> bill_{};
   std::array<Held, kMostEffects> held_{};
   std::size_t count_ = 0;

@@ -30,30 +30,51 @@ SmoothDepth smooth_minimum(const Depths& d) noexcept {
   return {s, {by(d.top_m), by(d.bottom_m), by(d.lateral_m)}};
 }
 
-/// Distance of a point outside the cylinder: the largest excess over a face. It is exact except beyond an edge, where
-/// it is slightly too small.
-double outside_by_m(const Depths& d) noexcept { return -smallest(d); }
+/// Distance from the axis with its gradient's length along the radius. Within `core_m` of the axis the distance is
+/// rounded, because the mantle has no direction on the axis.
+struct Radial {
+  double m;
+  double per_m;  ///< times the vector from the axis: the gradient
+};
+Radial rounded(double radial_m, double core_m) noexcept {
+  if (radial_m >= core_m) return {radial_m, 1.0 / radial_m};
+  return {0.5 * (radial_m * radial_m / core_m + core_m), 1.0 / core_m};
+}
+
+/// The depth outside: minus the largest excess over a face. It is exact except beyond an edge, where it is slightly too
+/// small.
+SolidDepth outside(const Depths& d, const Eigen::Vector3d& radial) noexcept {
+  const double least = smallest(d);
+  if (least == d.lateral_m) return {least, radial};
+  return {least, (least == d.top_m ? 1.0 : -1.0) * Eigen::Vector3d::UnitY()};
+}
 
 }  // namespace
 
-Force<HapticBase> InnerCylinder::step(const EffectInput& in, double) noexcept {
+SolidDepth InnerCylinder::depth_at(const Eigen::Vector3d& from_top) const noexcept {
+  constexpr double kCore = 0.1;  // of the radius
+  const Radial from_axis = rounded(std::hypot(from_top.x(), from_top.z()), kCore * settings_.radius_m);
+  const Eigen::Vector3d radial = from_axis.per_m * Eigen::Vector3d{from_top.x(), 0.0, from_top.z()};
+  const Depths depths{-from_top.y(), settings_.height_m + from_top.y(), settings_.radius_m - from_axis.m};
+  if (smallest(depths) <= 1e-9) return outside(depths, radial);
+  const SmoothDepth smooth = smooth_minimum(depths);
+  return {smooth.s_m, Eigen::Vector3d::UnitY() * (smooth.by.top_m - smooth.by.bottom_m) + radial * smooth.by.lateral_m};
+}
+
+Force<HapticBase> InnerCylinder::step(const EffectInput& in, double dt_s) noexcept {
   const Eigen::Vector3d from_top = in.device.m - settings_.top_center.m;
-  const double radial_m = std::hypot(from_top.x(), from_top.z());
-  const Depths depths{-from_top.y(), settings_.height_m + from_top.y(), settings_.radius_m - radial_m};
+  const auto felt = entry_.step(from_top, in.contact.normal.v, dt_s,
+                                [this](const Eigen::Vector3d& point) noexcept { return depth_at(point); });
   energy_J_ = 0.0;
-  if (smallest(depths) <= 1e-9) {
-    touch_ = outside_by_m(depths) <= settings_.around_m ? ObjectTouch::Near : ObjectTouch::None;
+  if (felt.depth_m <= 0.0) {
+    touch_ = -depth_at(from_top).m <= settings_.around_m ? ObjectTouch::Near : ObjectTouch::None;
     return {};
   }
-  const SmoothDepth smooth = smooth_minimum(depths);
-  const Eigen::Vector3d radial = radial_m > 1e-9
-                                     ? Eigen::Vector3d{from_top.x() / radial_m, 0.0, from_top.z() / radial_m}
-                                     : Eigen::Vector3d::Zero();
-  const Eigen::Vector3d outwards =
-      Eigen::Vector3d::UnitY() * (smooth.by.top_m - smooth.by.bottom_m) + radial * smooth.by.lateral_m;
-  touch_ = smooth.by.top_m >= smooth.by.lateral_m ? ObjectTouch::Upper : ObjectTouch::Lateral;
-  energy_J_ = 0.5 * settings_.stiffness_N_per_m * smooth.s_m * smooth.s_m;
-  return {settings_.stiffness_N_per_m * smooth.s_m * outwards};
+  touch_ =
+      felt.outwards.y() >= std::hypot(felt.outwards.x(), felt.outwards.z()) ? ObjectTouch::Upper : ObjectTouch::Lateral;
+  const double stiffness_N_per_m = felt.share * settings_.stiffness_N_per_m;
+  energy_J_ = 0.5 * stiffness_N_per_m * felt.depth_m * felt.depth_m;
+  return {stiffness_N_per_m * felt.depth_m * felt.outwards};
 }
 
 }  // namespace telepalp::effects

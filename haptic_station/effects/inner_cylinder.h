@@ -1,6 +1,7 @@
 #pragma once
 
 #include "haptic_station/effects/effect.h"
+#include "haptic_station/effects/entry_side.h"
 
 namespace telepalp::effects {
 
@@ -18,22 +19,26 @@ struct InnerCylinderSettings {
 /// S1 switches between a force on the upper face and one on the lateral face; at the rim that is a step of stiffness
 /// times depth. Here the force is the gradient of 1/2 k s^2, where s is a smooth minimum of the depths under the upper,
 /// lower and lateral faces. Near each face it equals the paper's k times depth, and it is continuous and conservative
-/// everywhere.
+/// everywhere. s is looked up at the proxy of EntrySide: past the middle, seen from the side of entry, the force is
+/// sideways alone, where S1's force to the nearest face would draw the hand to the far one.
 class InnerCylinder {
  public:
   static constexpr const char* kName = "cylinder";
   using Settings = InnerCylinderSettings;
 
   explicit InnerCylinder(const Settings& settings = {}) noexcept : settings_(settings) {}
-  void begin(const EffectInput&) noexcept {}
+  void begin(const EffectInput&) noexcept { entry_.forget(); }
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
   [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
-  [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput&) const noexcept { return {}; }
+  [[nodiscard]] Point<HapticBase> place() const noexcept { return settings_.top_center; }
   [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.stiffness_N_per_m; }
   [[nodiscard]] ObjectTouch touch() const noexcept { return touch_; }
 
  private:
+  [[nodiscard]] SolidDepth depth_at(const Eigen::Vector3d& from_top) const noexcept;
+
   Settings settings_;
+  EntrySide entry_;
   double energy_J_ = 0.0;
   ObjectTouch touch_ = ObjectTouch::None;
 };

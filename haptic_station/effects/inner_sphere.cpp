@@ -2,20 +2,29 @@
 
 namespace telepalp::effects {
 
-Force<HapticBase> InnerSphere::step(const EffectInput& in, double) noexcept {
-  const Eigen::Vector3d from_center = in.device.m - settings_.center.m;
+SolidDepth InnerSphere::depth_at(const Eigen::Vector3d& from_center) const noexcept {
+  constexpr double kCore = 0.1;  // of the radius
+  const double core_m = kCore * settings_.radius_m;
   const double distance_m = from_center.norm();
-  const double depth_m = settings_.radius_m - distance_m;
+  if (distance_m >= core_m) return {settings_.radius_m - distance_m, from_center / distance_m};
+  const double rounded_m = 0.5 * (distance_m * distance_m / core_m + core_m);
+  return {settings_.radius_m - rounded_m, from_center / core_m};
+}
+
+Force<HapticBase> InnerSphere::step(const EffectInput& in, double dt_s) noexcept {
+  const Eigen::Vector3d from_center = in.device.m - settings_.center.m;
+  const auto felt = entry_.step(from_center, in.contact.normal.v, dt_s,
+                                [this](const Eigen::Vector3d& point) noexcept { return depth_at(point); });
   energy_J_ = 0.0;
-  if (depth_m <= 0.0) {
-    touch_ = -depth_m <= settings_.around_m ? ObjectTouch::Near : ObjectTouch::None;
+  if (felt.depth_m <= 0.0) {
+    touch_ = from_center.norm() <= settings_.radius_m + settings_.around_m ? ObjectTouch::Near : ObjectTouch::None;
     return {};
   }
-  if (distance_m > 1e-6) outwards_ = from_center / distance_m;
   constexpr double kCos45 = 0.70710678118654752;
-  touch_ = outwards_.y() >= kCos45 ? ObjectTouch::Upper : ObjectTouch::Lateral;
-  energy_J_ = 0.5 * settings_.stiffness_N_per_m * depth_m * depth_m;
-  return {settings_.stiffness_N_per_m * depth_m * outwards_};
+  touch_ = felt.outwards.y() >= kCos45 * felt.outwards.norm() ? ObjectTouch::Upper : ObjectTouch::Lateral;
+  const double stiffness_N_per_m = felt.share * settings_.stiffness_N_per_m;
+  energy_J_ = 0.5 * stiffness_N_per_m * felt.depth_m * felt.depth_m;
+  return {stiffness_N_per_m * felt.depth_m * felt.outwards};
 }
 
 }  // namespace telepalp::effects

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "haptic_station/effects/effect.h"
+#include "haptic_station/effects/entry_side.h"
 
 namespace telepalp::effects {
 
@@ -11,24 +12,27 @@ struct InnerSphereSettings {
   double around_m = 0.01;  ///< within this distance of the sphere, touch() is Near
 };
 
-/// A sphere inside the body (S1 II.D): F = k (r - |x - c|), outwards. touch() is Upper when the sphere is pressed from
-/// within 45 degrees of the upward vertical.
+/// A sphere inside the body (S1 II.D): F = k (r - |x - c|), outwards, with x the proxy of EntrySide: past the centre,
+/// the force is sideways alone. Within r / 10 of the centre the force falls to zero, because it has no direction there.
+/// touch() is Upper when the sphere is pressed from within 45 degrees of the upward vertical.
 class InnerSphere {
  public:
   static constexpr const char* kName = "sphere";
   using Settings = InnerSphereSettings;
 
   explicit InnerSphere(const Settings& settings = {}) noexcept : settings_(settings) {}
-  void begin(const EffectInput&) noexcept {}
+  void begin(const EffectInput&) noexcept { entry_.forget(); }
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
   [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
-  [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput&) const noexcept { return {}; }
+  [[nodiscard]] Point<HapticBase> place() const noexcept { return settings_.center; }
   [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.stiffness_N_per_m; }
   [[nodiscard]] ObjectTouch touch() const noexcept { return touch_; }
 
  private:
+  [[nodiscard]] SolidDepth depth_at(const Eigen::Vector3d& from_center) const noexcept;
+
   Settings settings_;
-  Eigen::Vector3d outwards_ = Eigen::Vector3d::UnitY();  ///< last direction from the centre to the device
+  EntrySide entry_;
   double energy_J_ = 0.0;
   ObjectTouch touch_ = ObjectTouch::None;
 };

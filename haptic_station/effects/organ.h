@@ -5,6 +5,7 @@
 
 #include "haptic_station/effects/distance_lattice.h"
 #include "haptic_station/effects/effect.h"
+#include "haptic_station/effects/entry_side.h"
 
 namespace telepalp::effects {
 
@@ -15,22 +16,27 @@ struct OrganSettings {
 };
 
 /// An organ inside the body, of any closed shape. The force is the gradient of 1/2 k depth^2, outwards, where the depth
-/// comes from a sampled distance field. It generalises the sphere of S1 II.D to scanned shapes.
+/// comes from a sampled distance field, at the proxy of EntrySide. It generalises the sphere of S1 II.D to scanned
+/// shapes.
 class Organ {
  public:
   static constexpr const char* kName = "organ";
   using Settings = OrganSettings;
 
   explicit Organ(Settings settings = {}) noexcept : settings_(std::move(settings)) {}
-  void begin(const EffectInput&) noexcept {}
+  void begin(const EffectInput&) noexcept { entry_.forget(); }
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
   [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
-  [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput&) const noexcept { return {}; }
+  /// The middle of the lattice.
+  [[nodiscard]] Point<HapticBase> place() const noexcept;
   [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.stiffness_N_per_m; }
   [[nodiscard]] ObjectTouch touch() const noexcept { return touch_; }
 
  private:
+  [[nodiscard]] SolidDepth depth_at(const Eigen::Vector3d& point_m) const noexcept;
+
   Settings settings_;
+  EntrySide entry_;
   double energy_J_ = 0.0;
   ObjectTouch touch_ = ObjectTouch::None;
 };

@@ -18,6 +18,7 @@ Vector3d ForceControl::step(const ControlInput& in, bool touching, double bound_
     ledger_.book(held_, measured_skin_N(Vector3d::Zero(), bound_N), moved_m_);
     return Vector3d::Zero();
   }
+  effects_.place(in.placements);
   if (contact_changed_) sink_in_.begin(-in.contact.distance_m);
   sink_in_.step(dt_s);
   shown_ = sink_in_.shown(in.contact);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "haptic_station/effects/effect.h"
 #include "haptic_station/ports/surface_contact.h"
 #include "proto/words/frames.h"
 
@@ -17,7 +18,8 @@ struct ControlInput {
   double hand_age_s = 0.0;             ///< time since the newest sample of the tracker
   double hand_implausible_s = 0.0;     ///< how long the tracker has reported impossibly fast movements; 0: plausible
   ports::SurfaceContact contact;  ///< the surface's answer for `device`; its age is valid even when no surface is near
-  bool rearm = false;             ///< true on the tick at which an operator asks to re-arm
+  effects::Placements placements{};  ///< displacements of the objects inside the body
+  bool rearm = false;                ///< true on the tick at which an operator asks to re-arm
 };
 
 }  // namespace telepalp::control

@@ -71,6 +71,7 @@ TEST(Organ, ABallOfTrianglesFeelsAsTheSphereDoes) {
   for (int i = 0; i < 2000; ++i) {
     const Vector3d way = Vector3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}.normalized();
     const double depth_m = random.uniform(0.0005, 0.015);
+    organ.begin(at(way));
     const Vector3d force_N = organ.step(at((kRadius_m - depth_m) * way), 0.0005).N;
     // The spline lies up to 0.09 mm outside of the ball at 15 mm of depth, its slope is up to 0.6 % less than 1, and
     // the triangles lie 0.01 mm inside.
@@ -90,6 +91,7 @@ TEST(Organ, ForceIsTheGradientOfItsEnergyEverywhereInALiver) {
   int inside = 0;
   for (int i = 0; i < 20'000; ++i) {
     const Vector3d p{random.uniform(-0.14, 0.06), random.uniform(0.27, 0.46), random.uniform(-0.09, 0.12)};
+    organ.begin(at(p));
     const Vector3d here_N = force(p);
     if (here_N.norm() > 0.0) ++inside;
     for (int axis = 0; axis < 3; ++axis) {

@@ -5,15 +5,17 @@
 #include "haptic_station/control/encountered_controller.h"
 #include "haptic_station/device/breathing_plane.h"
 #include "tests/hard_cases/control/felt.h"
+#include "tests/hard_cases/control/loop_scene.h"
 
 namespace telepalp::hard_cases {
 
 /// A hand so strong that the end-effector follows it against any force: down from 50 mm over two seconds, and then
-/// along `path`. The only effect is the skin.
+/// along `path`.
 struct ForcedPath {
   static constexpr double kDown_s = 2.0;
 
   double seconds = 10.0;
+  effects::EffectBank effects = the_skin();
   std::function<Eigen::Vector3d(double since_down_s)> path;
   std::function<ports::SurfaceContact(const Point<HapticBase>&, double)> surface = device::BreathingPlane{};
   std::function<void(const control::ControlOutput&, double now_s)> watch = [](const control::ControlOutput&, double) {};
@@ -22,9 +24,7 @@ struct ForcedPath {
 /// The figures of the run, without `fastest_device`, which needs a simulated device.
 inline Felt feel(const ForcedPath& scene) {
   constexpr double kTick_s = 0.0005;
-  effects::EffectBank skin;
-  (void)skin.add(effects::Skin{});
-  control::EncounteredController controller({}, skin);
+  control::EncounteredController controller({}, scene.effects);
   device::SimulatedPair at({}, {});
   device::SimulatedPair next({}, {});
   const auto place = [&](device::SimulatedPair& pair, double now_s) {

@@ -18,5 +18,7 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> device_rows();
 /// A skin that moves, steps, ends or is not seen, through the live loop.
 [[nodiscard]] std::vector<HardCase> moving_skin_rows();
+/// Objects inside the body that are pushed through.
+[[nodiscard]] std::vector<HardCase> inner_rows();
 
 }  // namespace telepalp::hard_cases

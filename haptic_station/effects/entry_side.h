@@ -1,0 +1,118 @@
+#pragma once
+
+#include <algorithm>
+
+#include "haptic_station/effects/effect.h"
+
+namespace telepalp::effects {
+
+/// Depth of a point inside a closed shape, with its derivative.
+struct SolidDepth {
+  double m = 0.0;                                      ///< positive inside
+  Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< minus the gradient of `m`; of length 1 near the surface
+};
+
+/// What is felt of a shape at one tick.
+struct FeltSolid {
+  double depth_m = 0.0;                                ///< of the proxy; 0: the shape is not touched
+  Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< at the proxy, as in SolidDepth
+  double share = 0.0;                                  ///< of the shape's stiffness that is shown
+};
+
+/// The god-object (proxy) of a shape inside the body: remembers from which side the device pushes into the shape, and
+/// looks the force up at a proxy. The proxy is the device, until the device has passed the middle of the shape as seen
+/// from that side; then it is the deepest point between the device and that side. So the proxy never reaches the far
+/// face: the force k s outwards(proxy), with s the depth of the proxy, has no component along the push.
+///
+/// For a given side, s is the greatest depth on the ray from the device towards that side, and the force is minus the
+/// gradient of 1/2 k s^2 (envelope theorem). It is thus conservative, and equal to S1's k times depth before the
+/// middle. Only there the side may change, which then changes neither force nor energy: a device that slides round a
+/// shape within 2 mm of its surface feels S1's force on all sides. Behind the far face the force fades within 0.1 s and
+/// the side is forgotten: that takes energy out.
+class EntrySide {
+ public:
+  /// Contact with the skin begins.
+  void forget() noexcept { *this = {}; }
+
+  /// One tick. `depth_at(point)` gives the SolidDepth of the shape. A device that entered on the side of the skin,
+  /// whose normal is `skin_normal`, pushes against that normal; elsewhere the push is the device's motion.
+  template <class DepthAt>
+  [[nodiscard]] FeltSolid step(const Eigen::Vector3d& device, const Eigen::Vector3d& skin_normal, double dt_s,
+                               const DepthAt& depth_at) noexcept {
+    const Eigen::Vector3d came_from = trail(device);
+    SolidDepth here = depth_at(device);
+    const bool inside = here.m > 0.0;
+    if (share_ <= 0.0) {
+      if (!inside) return {};
+      enter(device, here, skin_normal);
+    }
+    // A stiffness that falls under a held deformation gives no energy; one that rises would.
+    if (!inside) share_ = std::max(0.0, share_ - dt_s / kLetGo_s);
+    if (inside && here.outwards.dot(towards_) >= 0.0)
+      follow(device, here, skin_normal.dot(face_) >= kOblique ? skin_normal : came_from);
+    else
+      here = deepest_above(device, depth_at);
+    if (here.m <= 0.0) share_ = 0.0;
+    return share_ > 0.0 ? FeltSolid{here.m, here.outwards, share_} : FeltSolid{};
+  }
+
+ private:
+  static constexpr double kLetGo_s = 0.1;
+  static constexpr double kShallow_m = 0.002;  ///< a device that is not deeper slides on the surface
+  static constexpr double kLeash_m = 0.005;    ///< over which the direction of a push is taken
+  static constexpr double kOblique = 0.5;      ///< cosine; a motion more oblique to the surface is not a push into it
+  static constexpr double kSearch_m = 0.004;   ///< about the last proxy: a device of 8 m/s does not outrun it
+  static constexpr int kHalvings = 14;         ///< to 0.5 um
+
+  /// Unit vector to where the device came from, over the last 5 mm of its way; zero while it has hardly moved.
+  [[nodiscard]] Eigen::Vector3d trail(const Eigen::Vector3d& device) noexcept {
+    if (!has_trail_) trail_ = device;
+    has_trail_ = true;
+    const Eigen::Vector3d back = trail_ - device;
+    const double length_m = back.norm();
+    if (length_m > kLeash_m) trail_ = device + back * (kLeash_m / length_m);
+    return length_m > 0.2 * kLeash_m ? Eigen::Vector3d(back / length_m) : Eigen::Vector3d::Zero();
+  }
+
+  void enter(const Eigen::Vector3d& device, const SolidDepth& here, const Eigen::Vector3d& skin_normal) noexcept {
+    const double length = here.outwards.norm();
+    towards_ = face_ = length > 0.5 ? Eigen::Vector3d(here.outwards / length) : skin_normal;
+    middle_m_ = towards_.dot(device);
+    share_ = 1.0;
+  }
+
+  /// The proxy is the device: the side follows the surface under a shallow device, and is where a deep one is pushed
+  /// from.
+  void follow(const Eigen::Vector3d& device, const SolidDepth& here, const Eigen::Vector3d& from) noexcept {
+    if (here.m <= kShallow_m)
+      towards_ = face_ = here.outwards.normalized();
+    else if (from.dot(face_) >= kOblique && from.dot(here.outwards) >= 0.0)
+      towards_ = from;
+    middle_m_ = towards_.dot(device);
+  }
+
+  /// The deepest point on the ray from the device towards the entry side: where the depth's derivative along the ray
+  /// changes sign, near the proxy of the last tick. `middle_m_` is its coordinate along the entry side.
+  template <class DepthAt>
+  [[nodiscard]] SolidDepth deepest_above(const Eigen::Vector3d& device, const DepthAt& depth_at) noexcept {
+    const double along_m = towards_.dot(device);
+    const auto at = [&](double m) noexcept { return depth_at(device + (m - along_m) * towards_); };
+    double low_m = std::max(along_m, middle_m_ - kSearch_m);
+    double high_m = std::max(low_m, middle_m_ + kSearch_m);
+    for (int i = 0; i < kHalvings; ++i) {
+      const double half_m = 0.5 * (low_m + high_m);
+      (at(half_m).outwards.dot(towards_) < 0.0 ? low_m : high_m) = half_m;
+    }
+    middle_m_ = high_m;
+    return at(high_m);
+  }
+
+  Eigen::Vector3d towards_ = Eigen::Vector3d::Zero();  ///< unit, to the side from which the device pushes
+  Eigen::Vector3d face_ = Eigen::Vector3d::Zero();     ///< unit, outwards where the device left the surface's vicinity
+  Eigen::Vector3d trail_ = Eigen::Vector3d::Zero();    ///< follows the device on a leash
+  double middle_m_ = 0.0;                              ///< coordinate of the proxy along `towards_`
+  double share_ = 0.0;                                 ///< of the stiffness; 0: the shape is not touched
+  bool has_trail_ = false;
+};
+
+}  // namespace telepalp::effects
