@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "haptic_station/control/encountered_controller.h"
+#include "haptic_station/loop/body_frame.h"
 #include "haptic_station/surface/touch/touch.h"
 #include "haptic_station/tracking/hand_estimate.h"
 
@@ -36,6 +37,9 @@ struct Compensation {
   // Numbers of impossibly fast measurements that were rejected since start.
   std::uint64_t device_jumps = 0;
   std::uint64_t hand_jumps = 0;
+
+  // The objects inside the body, by the number of their effect: they follow the skin above them.
+  ObjectPlacements objects{};
 };
 static_assert(std::is_trivially_copyable_v<Compensation>);
 

@@ -17,6 +17,7 @@ void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcep
   haptic_from_camera_ = surface.haptic_from_camera;
   camera_from_haptic_ = surface.haptic_from_camera.inverse();
   touch_.adopt(*surface.snapshot, now);
+  body_.adopt(*surface.snapshot, surface.haptic_from_camera);
   surface_captured_ = surface.snapshot->captured;
   has_surface_ = true;
 }
@@ -48,8 +49,16 @@ ports::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) 
 
 void HapticLoop::begin_new_time_line() noexcept {
   touch_.release();
+  body_.release();
   hand_.forget();
   has_surface_ = false;
+}
+
+ObjectPlacements HapticLoop::objects() const noexcept {
+  ObjectPlacements objects = body_.objects();
+  const auto bill = controller_.effects().bill();
+  for (std::size_t i = 0; i < bill.size(); ++i) objects[i].name = bill[i].name;
+  return objects;
 }
 
 HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept {
@@ -70,6 +79,7 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
                                  .hand_age_s = hand.age_s,
                                  .hand_implausible_s = hand.implausible_s,
                                  .contact = contact_of(touch),
+                                 .placements = body_.step(touch, dt_s),
                                  .rearm = rearm_};
   rearm_ = false;
   last_touch_ = touch;
@@ -86,6 +96,7 @@ Compensation HapticLoop::compensation() const noexcept {
   compensation.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
   compensation.device_jumps = device_gate_.jumps();
   compensation.hand_jumps = hand_.refused();
+  compensation.objects = objects();
   return compensation;
 }
 
@@ -97,6 +108,8 @@ TickSample HapticLoop::sample_of(const control::ControlInput& in, const control:
   sample.in_body = in.contact.in_body;
   sample.surface_stale = !in.contact.valid;
   sample.limited = out.limited;
+  sample.object_unseen = body_.unseen();
+  sample.object_slide_unseen = body_.slide_unseen();
   sample.hand = packed(in.hand.m);
   sample.device = packed(in.device.m);
   sample.proxy = packed(in.contact.proxy.m);

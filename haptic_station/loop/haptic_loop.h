@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "haptic_station/control/encountered_controller.h"
+#include "haptic_station/loop/body_frame.h"
 #include "haptic_station/loop/compensation.h"
 #include "haptic_station/loop/device_gate.h"
 #include "haptic_station/loop/tick_sample.h"
@@ -31,7 +32,7 @@ class HapticLoop {
   };
 
   HapticLoop(const Settings& settings, const control::EncounteredController& controller) noexcept
-      : touch_(settings.touch), hand_(settings.hand), controller_(controller) {}
+      : touch_(settings.touch), body_(settings.touch.follow), hand_(settings.hand), controller_(controller) {}
 
   /// A newer surface. Its snapshot must stay alive until the next adopt().
   void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
@@ -58,6 +59,9 @@ class HapticLoop {
   /// What the last tick did about delay. Its time stamp is left for the caller to fill.
   [[nodiscard]] Compensation compensation() const noexcept;
 
+  /// Where the objects inside the body are displayed, and how well that is known.
+  [[nodiscard]] ObjectPlacements objects() const noexcept;
+
   [[nodiscard]] const control::EncounteredController& controller() const noexcept { return controller_; }
   [[nodiscard]] control::EncounteredController& controller() noexcept { return controller_; }
 
@@ -68,6 +72,7 @@ class HapticLoop {
 
   DeviceGate device_gate_;
   surface::Touch touch_;
+  BodyFrame body_;
   tracking::HandEstimate hand_;
   control::EncounteredController controller_;
   Transform<HapticBase, DepthCamera> haptic_from_camera_;

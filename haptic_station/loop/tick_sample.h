@@ -19,7 +19,9 @@ struct TickSample {
   std::uint8_t fault_stands = 0;  ///< control::FaultCause that persists and blocks re-arming
   bool in_body = false;
   bool surface_stale = false;
-  bool limited = false;  ///< the limiter changed the force
+  bool limited = false;              ///< the limiter changed the force
+  bool object_unseen = false;        ///< an object inside the body stays put: the skin above it is not seen
+  bool object_slide_unseen = false;  ///< an object does not follow the body along its skin
   std::array<float, 3> hand{};
   std::array<float, 3> device{};
   std::array<float, 3> proxy{};

@@ -106,7 +106,7 @@ void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
                                   [this](const wire::Message& unreadable) {
                                     boost::asio::post(io_, [this, unreadable] { link_.request_key_frame(unreadable); });
                                   }},
-      in_tick_ ? surfaces_ : slow_surfaces_, device_to_surface_);
+      in_tick_ ? surfaces_ : slow_surfaces_, device_to_surface_, scene_.effects);
 }
 
 Result<void> Station::run() {

@@ -1,5 +1,7 @@
 #include "clients/report/figures/compensation_figures.h"
 
+#include <cmath>
+
 #include "support/plot/palette.h"
 
 namespace telepalp::report {
@@ -28,12 +30,37 @@ Chart chart_of(std::string title, std::string unit, std::vector<Series> series) 
           .height_px = 240.0};
 }
 
+/// `take` of the object with the number `at` of every message; 0 where the message has no such object.
+template <class Take>
+Series over_object(const Session& session, int at, std::string name, std::string_view color, Take take) {
+  return over_time(session, std::move(name), color, [at, take](const msg::StationCompensation& told) {
+    return at < told.objects_size() ? take(told.objects(at)) : 0.0;
+  });
+}
+
+/// One chart for each object inside the body: how far it has moved with the skin, and how well that is known.
+void add_objects(const Session& session, std::vector<Chart>& charts) {
+  using Object = const msg::ObjectPlacement&;
+  const msg::StationCompensation& last = session.compensations.back();
+  for (int at = 0; at < last.objects_size(); ++at)
+    charts.push_back(
+        chart_of("The " + last.objects(at).name() + " inside the body, following the skin", "distance [mm]",
+                 {over_object(session, at, "moved up", plot::kBlue, [](Object o) { return o.moved().y() * 1e3; }),
+                  over_object(session, at, "moved sideways", plot::kVermilion,
+                              [](Object o) { return std::hypot(o.moved().x(), o.moved().z()) * 1e3; }),
+                  over_object(session, at, "uncertainty along the skin, 1 sigma", plot::kGrey,
+                              [](Object o) { return o.sigma_slide_m() * 1e3; }),
+                  over_object(session, at, "-1: slide unseen, -2: unseen", plot::kBlack, [](Object o) {
+                    return o.unseen() ? -2.0 : o.slide_unseen() ? -1.0 : 0.0;
+                  })}));
+}
+
 }  // namespace
 
 std::vector<Chart> compensation(const Session& session) {
   using Sample = const msg::StationCompensation&;
   if (session.compensations.empty()) return {};
-  return {
+  std::vector<Chart> charts{
       chart_of("Age of the data behind the force", "age [ms]",
                {over_time(session, "surface", plot::kBlue, [](Sample t) { return t.surface_age_s() * 1e3; }),
                 over_time(session, "hand", plot::kVermilion, [](Sample t) { return t.hand_age_s() * 1e3; })}),
@@ -48,6 +75,8 @@ std::vector<Chart> compensation(const Session& session) {
           "The hand, predicted", "distance [mm]",
           {over_time(session, "carried forward", plot::kVermilion, [](Sample t) { return t.hand_carried_m() * 1e3; }),
            over_time(session, "uncertainty, 1 sigma", plot::kGrey, [](Sample t) { return t.hand_sigma_m() * 1e3; })})};
+  add_objects(session, charts);
+  return charts;
 }
 
 }  // namespace telepalp::report

@@ -30,6 +30,8 @@ void add_latencies(Json& json, const Summary& summary) {
   add_quantiles(json, "surface_age_ms", summary.surface_age_ms, false);
   add_quantiles(json, "surface_carried_mm", summary.surface_carried_mm, false);
   add_quantiles(json, "hand_carried_mm", summary.hand_carried_mm, false);
+  json.add("object_unseen_share", summary.object_unseen_share);
+  json.add("object_slide_unseen_share", summary.object_slide_unseen_share);
 }
 
 void add_states(Json& json, const Summary& summary) {

@@ -58,6 +58,15 @@ void add_compensation(Summary& summary, const Session& session) {
   const auto& all = session.compensations;
   summary.surface_carried_mm = over(all, [](const Sample& t) { return std::abs(t.surface_carried_m()) * 1e3; });
   summary.hand_carried_mm = over(all, [](const Sample& t) { return t.hand_carried_m() * 1e3; });
+  if (all.empty()) return;
+  const auto share = [&](auto flagged) {
+    const auto count = std::count_if(all.begin(), all.end(), [&](const Sample& sample) {
+      return std::any_of(sample.objects().begin(), sample.objects().end(), flagged);
+    });
+    return static_cast<double>(count) / static_cast<double>(all.size());
+  };
+  summary.object_unseen_share = share([](const msg::ObjectPlacement& object) { return object.unseen(); });
+  summary.object_slide_unseen_share = share([](const msg::ObjectPlacement& object) { return object.slide_unseen(); });
 }
 
 std::size_t index_of(msg::Phase phase) { return static_cast<std::size_t>(&words_for(phase) - kPhases.data()); }

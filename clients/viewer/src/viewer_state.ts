@@ -119,6 +119,8 @@ function touchOf(station: StationState | undefined) {
     indentation_mm: station && 1000 * station.indentationM,
     limited: station?.limited ?? false,
     handShown: station && shownHand(station) !== undefined,
+    objectUnseen: station?.objectUnseen ?? false,
+    objectSlideUnseen: station?.objectSlideUnseen ?? false,
     surface_ms: station && station.surfaceCapturedNs !== 0n
         ? Number(station.stampNs - station.surfaceCapturedNs) / 1e6
         : undefined,

@@ -55,6 +55,8 @@ msg::StationState state_message(const TickSample& sample) {
   state.set_passivity_j(sample.passivity_J);
   state.set_hand_excess_j(sample.hand_excess_J);
   state.set_yields_in_s(sample.yields_in_s);
+  state.set_object_unseen(sample.object_unseen);
+  state.set_object_slide_unseen(sample.object_slide_unseen);
   return state;
 }
 
@@ -76,6 +78,18 @@ msg::StationCompensation compensation_message(const Compensation& compensation) 
   out.set_drive_j(compensation.drive_J);
   out.set_device_jumps(compensation.device_jumps);
   out.set_hand_jumps(compensation.hand_jumps);
+  for (std::size_t i = 0; i < compensation.objects.size(); ++i) {
+    const ObjectPlacement& placed = compensation.objects[i];
+    if (!placed.watched) continue;
+    msg::ObjectPlacement& object = *out.add_objects();
+    object.set_name(placed.name);
+    object.set_effect(static_cast<std::uint32_t>(i));
+    wire::set_vector(*object.mutable_moved(), placed.moved);
+    object.set_sigma_normal_m(placed.sigma_normal_m);
+    object.set_sigma_slide_m(placed.sigma_slide_m);
+    object.set_unseen(placed.unseen);
+    object.set_slide_unseen(placed.slide_unseen);
+  }
   return out;
 }
 

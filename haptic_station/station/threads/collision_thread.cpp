@@ -19,6 +19,7 @@ std::shared_ptr<PlaneSnapshot> plane_of(const surface::TouchSample& touch, const
   plane->points = seen.points;
   plane->index_name = seen.index_name;
   plane->motion.ages = seen.motion.ages;
+  plane->marks = seen.marks;
   return plane;
 }
 

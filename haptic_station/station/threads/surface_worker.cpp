@@ -23,13 +23,15 @@ Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
 }  // namespace
 
 SurfaceWorker::SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
-                             LatestValue<TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device)
+                             LatestValue<TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device,
+                             const effects::EffectBank& effects)
     : choice_(settings),
       builder_(settings),
       placement_(std::move(placement)),
       handlers_(std::move(handlers)),
       to_haptic_(to_haptic),
       device_(device),
+      effects_(effects),
       stay_(boost::asio::make_work_guard(io_)),
       thread_([this] { io_.run(); }) {}
 
@@ -90,7 +92,8 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   const DepthImage& depth = decoded_depth.image;
   if (depth.width != work.camera.width || depth.height != work.camera.height) return other_camera(depth, work.camera);
   const SessionTime decoded = handlers_.now();
-  if (!haptic_from_camera_) haptic_from_camera_ = placement_(depth, work.camera);
+  if (!haptic_from_camera_ && (haptic_from_camera_ = placement_(depth, work.camera)))
+    builder_.watch(mark_lines(effects_, haptic_from_camera_->inverse()));
   if (!haptic_from_camera_)
     return Error{.what = "nothing is measured around the image's centre, where the patient should be",
                  .where = "/camera/depth " + std::to_string(message.sequence()),

@@ -39,8 +39,10 @@ class SurfaceWorker {
     std::function<void(const wire::Message& unreadable)> request_key_frame;
   };
 
+  /// `effects`: of the scene; the skin above its objects inside the body is followed.
   SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
-                LatestValue<TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device);
+                LatestValue<TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device,
+                const effects::EffectBank& effects = {});
   ~SurfaceWorker();
   SurfaceWorker(const SurfaceWorker&) = delete;
   SurfaceWorker& operator=(const SurfaceWorker&) = delete;
@@ -73,6 +75,7 @@ class SurfaceWorker {
   Handlers handlers_;
   LatestValue<TouchableSurface>& to_haptic_;
   LatestValue<Point<HapticBase>>& device_;  // written by: haptic thread
+  const effects::EffectBank effects_;       // owner: surface thread
   bool device_known_ = false;               // owner: surface thread
   std::atomic<int> waiting_{0};             // messages offered and not yet taken by the surface thread
   std::uint64_t offered_ = 0;               // owner: network thread

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "haptic_station/surface/build/mark_tracker.h"
 #include "haptic_station/surface/cloud/cloud_snapshot.h"
 #include "haptic_station/surface/grid/grid_snapshot.h"
 #include "haptic_station/surface/paper/paper_surface.h"
@@ -56,6 +57,7 @@ struct SurfaceBuilder::State {
   std::optional<SessionTime> last;
   std::uint64_t sequence = 0;
   std::optional<TemporalFilter> filter;
+  MarkTracker marks;
   Intrinsics camera;  // camera of the filter's frames
 };
 
@@ -71,7 +73,10 @@ const SurfaceSettings& SurfaceBuilder::settings() const noexcept { return state_
 
 void SurfaceBuilder::use(const SurfaceSettings& settings) { state_->settings = settings; }
 
+void SurfaceBuilder::watch(const MarkLines& lines) { state_->marks.watch(lines); }
+
 void SurfaceBuilder::restart() {
+  state_->marks.restart();
   state_->last.reset();
   state_->filter.reset();
 }
@@ -99,10 +104,12 @@ std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& dep
     state.camera = camera;
   }
   const DepthField& shown = state.filter ? state.filter->add(field, dt_s) : field;
+  state.marks.add(shown, field, camera, dt_s);
   const MotionField* motion = state.filter ? &state.filter->motion() : nullptr;
   return make_snapshot(shown, camera, reach, state.settings, motion, [&](SurfaceSnapshot& snapshot) {
     snapshot.captured = captured;
     snapshot.sequence = ++state.sequence;
+    snapshot.marks = state.marks.marks();
   });
 }
 

@@ -38,7 +38,10 @@ class SurfaceBuilder {
   /// Uses `settings` from the next snapshot on; average and motion are kept.
   void use(const SurfaceSettings& settings);
 
-  /// Discards average and motion. Call it when the camera is replaced or moved.
+  /// Follows these places on the skin from the next frame on; SurfaceSnapshot::marks tells where they are.
+  void watch(const MarkLines& lines);
+
+  /// Discards average, motion and the patches of the marks. Call it when the camera is replaced or moved.
   void restart();
 
  private:

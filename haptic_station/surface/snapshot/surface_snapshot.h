@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "haptic_station/surface/snapshot/skin_mark.h"
 #include "proto/words/time.h"
 
 namespace telepalp::surface {
@@ -60,6 +61,7 @@ class SurfaceSnapshot {
   std::uint32_t points = 0;         ///< number of points in the index
   const char* index_name = "none";  ///< name of the neighbour index
   MotionModel motion;
+  SkinMarks marks{};  ///< places on the skin that are followed, at the capture
 
   /// The implicit function at `query`. `facing`: unit vector to the outside. It selects between two near surfaces, such
   /// as the two sides of a sheet; zero when unknown.

@@ -43,6 +43,9 @@ class Feed {
   /// region that the hand can reach.
   [[nodiscard]] std::shared_ptr<const surface::SurfaceSnapshot> step(double time_s, const Point<DepthCamera>& device);
 
+  /// Follows these places on the skin, as the station's surface thread does for the scene's objects.
+  void watch(const surface::MarkLines& lines) { builder_.watch(lines); }
+
   [[nodiscard]] server::TrueSurface truth(double time_s) const {
     return settings_.patient->surface_of(settings_.pose(time_s));
   }

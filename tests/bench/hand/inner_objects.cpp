@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "haptic_station/effects/distance_lattice.h"
 #include "tests/bench/hand/run.h"
@@ -59,9 +60,16 @@ RigidHand::Path press(const Eigen::Vector3d& at_m, double from_s, double deepest
   };
 }
 
-/// Depth below the true skin at which the hand meets the object at `at_m`. The patient is in `pose` from the third
-/// second on.
-double met_at_m(Object object, const server::PatientPose& pose, const Eigen::Vector3d& at_m) {
+/// How an object is met.
+struct Met {
+  double depth_m = kNotMet_m + kTopDepth_m;  ///< below the true skin
+  double beside_m = 0.0;                     ///< from its place in the true body to where it is displayed
+  bool unseen = false;                       ///< the station says that it does not see the skin above the object
+  bool slide_unseen = false;                 ///< the station says that it cannot tell a motion along the skin
+};
+
+/// How the object is met at `at_m`, with the patient in `pose` from the third second on.
+Met met_at(Object object, const server::PatientPose& pose, const Eigen::Vector3d& at_m) {
   const auto patient = torso();
   Feed feed({.patient = patient,
              .pose =
@@ -74,28 +82,45 @@ double met_at_m(Object object, const server::PatientPose& pose, const Eigen::Vec
                  },
              .link = {},
              .builder = {}});
-  BenchStation station(with_object(object), haptic_from_camera(*patient, spots()[0]),
-                       std::make_unique<RigidHand>(press(at_m, 5.0, 0.075)));
-  double met_m = kNotMet_m + kTopDepth_m;
+  const auto placed = haptic_from_camera(*patient, spots()[0]);
+  const StationSettings settings = with_object(object);
+  feed.watch(station::mark_lines(settings.effects, placed.inverse()));
+  BenchStation station(settings, placed, std::make_unique<RigidHand>(press(at_m, 5.0, 0.075)));
+  Met result;
   bool met = false;
   run(feed, station, 8.2, [&](const Tick& tick) {
     const effects::ObjectTouch touch = station.loop().controller().effects().touch();
     if (met || !tick.displayed || (touch != effects::ObjectTouch::Upper && touch != effects::ObjectTouch::Lateral))
       return;
     met = true;
-    met_m = tick.true_depth_m;
+    result.depth_m = tick.true_depth_m;
+    // The head is at the image's left: a slide towards it is one towards -x, and one to the right side towards -z.
+    const Eigen::Vector3d true_m{-pose.slide_m.x(), pose.rise_m, -pose.slide_m.y()};
+    for (const station::ObjectPlacement& placement : station.loop().objects()) {
+      if (!placement.watched) continue;
+      result.beside_m = (Eigen::Vector3f(placement.moved.data()).cast<double>() - true_m).norm();
+      result.unseen |= placement.unseen;
+      result.slide_unseen |= placement.slide_unseen;
+    }
   });
-  return met_m;
+  return result;
 }
 
-/// The largest difference of the object's depth between the moved body and the body at rest, over all places.
-double shifted_by_m(Object object, const std::vector<server::PatientPose>& poses, const std::vector<double>& offsets_m,
-                    const Options& options) {
+/// By how much the object's depth in the moved body differs from that in the body at rest.
+struct Shifted {
+  double worst_m = 0.0;        ///< of the places that are not flagged
+  double beside_m = 0.0;       ///< displayed beside its place in the true body, at the worst of these places
+  double flagged_share = 0.0;  ///< of the places, where the station says that it cannot tell
+};
+Shifted shifted_by(Object object, const std::vector<server::PatientPose>& poses, const std::vector<double>& offsets_m,
+                   const Options& options) {
   const auto places = static_cast<int>(offsets_m.size());
   const auto count = static_cast<int>(poses.size()) * places;
   const auto placed = haptic_from_camera(*torso(), spots()[0]);
   const Vector<DepthCamera> up = placed.inverse() * Vector<HapticBase>{Eigen::Vector3d::UnitY()};
   std::vector<double> off_m(static_cast<std::size_t>(count));
+  std::vector<double> beside_m(static_cast<std::size_t>(count));
+  std::vector<int> flagged(static_cast<std::size_t>(count));
   for_each_parallel(count, options, [&](int i) {
     const double offset_m = offsets_m[static_cast<std::size_t>(i % places)];
     const server::PatientPose& pose = poses[static_cast<std::size_t>(i / places)];
@@ -104,12 +129,17 @@ double shifted_by_m(Object object, const std::vector<server::PatientPose>& poses
           torso()->surface_of(posed).height_along(placed.inverse() * Point<HapticBase>{{x_m, 0.0, z_m}}, up);
       return Eigen::Vector3d{x_m, height ? height->m : 0.0, z_m};
     };
-    // The head is at the image's left: a slide towards it is one towards -x, and one to the right side towards -z.
-    const double rest_m = met_at_m(object, {}, skin_at({}, offset_m, 0.0));
-    const double moved_m = met_at_m(object, pose, skin_at(pose, offset_m - pose.slide_m.x(), -pose.slide_m.y()));
-    off_m[static_cast<std::size_t>(i)] = std::abs(moved_m - rest_m);
+    const Met rest = met_at(object, {}, skin_at({}, offset_m, 0.0));
+    const Met moved = met_at(object, pose, skin_at(pose, offset_m - pose.slide_m.x(), -pose.slide_m.y()));
+    const bool is_flagged = moved.unseen || (pose.slides() && moved.slide_unseen);
+    flagged[static_cast<std::size_t>(i)] = is_flagged ? 1 : 0;
+    if (is_flagged) return;
+    off_m[static_cast<std::size_t>(i)] = std::abs(moved.depth_m - rest.depth_m);
+    beside_m[static_cast<std::size_t>(i)] = moved.beside_m;
   });
-  return *std::max_element(off_m.begin(), off_m.end());
+  return {.worst_m = *std::max_element(off_m.begin(), off_m.end()),
+          .beside_m = *std::max_element(beside_m.begin(), beside_m.end()),
+          .flagged_share = std::accumulate(flagged.begin(), flagged.end(), 0.0) / count};
 }
 
 server::PatientPose risen(double rise_m) {
@@ -124,13 +154,16 @@ server::PatientPose slid(double x_m, double y_m) {
 }
 
 std::vector<Row> measure_depth(const std::string& name, Object object, const Options& options) {
-  const double edge_m = object == Object::Cylinder ? 0.024 : 0.0;  // with a flat top, only the edge shows a slide
-  const double risen_m = shifted_by_m(object, {risen(-0.01), risen(-0.005), risen(0.005), risen(0.01)}, {0.0}, options);
-  const double slid_m =
-      shifted_by_m(object, {slid(0.02, 0.0), slid(0.0, 0.02), slid(-0.02, 0.0)},
-                   object == Object::Cylinder ? std::vector{-edge_m, edge_m} : std::vector{0.0}, options);
-  return {at_most(name + ": depth below the skin, changed by 10 mm of its motion", 1e3 * risen_m, "mm", 2.0),
-          at_most(name + ": depth below the skin, changed by 20 mm sideways", 1e3 * slid_m, "mm", 3.0)};
+  const double edge_m = object == Object::Cylinder ? 0.024 : 0.0;  // a flat top tells of a slide at its edge alone
+  const Shifted risen_by = shifted_by(object, {risen(-0.01), risen(-0.005), risen(0.005), risen(0.01)}, {0.0}, options);
+  const Shifted slid_by =
+      shifted_by(object, {slid(0.02, 0.0), slid(0.0, 0.02), slid(-0.02, 0.0)},
+                 object == Object::Cylinder ? std::vector{-edge_m, edge_m} : std::vector{0.0}, options);
+  return {at_most(name + ": depth below the skin, changed by 10 mm of its motion", 1e3 * risen_by.worst_m, "mm", 2.0),
+          at_most(name + ": depth below the skin, changed by 20 mm sideways", 1e3 * slid_by.worst_m, "mm", 3.0),
+          at_most(name + ": beside its place in the body, after 20 mm sideways", 1e3 * slid_by.beside_m, "mm", 3.0),
+          at_most(name + ": moved by 10 mm, flagged as unseen", 100.0 * risen_by.flagged_share, "%", 0.0),
+          at_most(name + ": slid by 20 mm, flagged as unseen", 100.0 * slid_by.flagged_share, "%", 0.0)};
 }
 
 /// The least upward force during a push straight down to `far_m` below the skin.

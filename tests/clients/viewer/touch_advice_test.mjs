@@ -29,3 +29,11 @@ test('without a hand the page says how to hold one; with one, or without a stati
   assert.equal(touchAdvice({handShown: true, holdsHand: true, untaken: false}), undefined);
   assert.equal(touchAdvice({handShown: undefined, holdsHand: false, untaken: false}), undefined);
 });
+
+test('an inner object that is not followed is told of, after all that matters more', () => {
+  const well = {handShown: true, holdsHand: false, untaken: false, objectUnseen: false, objectSlideUnseen: false};
+  assert.equal(touchAdvice(well), undefined);
+  assert.equal(touchAdvice({...well, objectUnseen: true, objectSlideUnseen: true}).title, 'Inner object not seen');
+  assert.equal(touchAdvice({...well, objectSlideUnseen: true}).title, 'Sideways motion not seen');
+  assert.equal(touchAdvice({...well, objectUnseen: true, handShown: false}).title, 'No hand');
+});

@@ -20,5 +20,7 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> moving_skin_rows();
 /// Objects inside the body that are pushed through.
 [[nodiscard]] std::vector<HardCase> inner_rows();
+/// Objects inside a body that a camera sees move.
+[[nodiscard]] std::vector<HardCase> body_rows();
 
 }  // namespace telepalp::hard_cases

@@ -79,6 +79,8 @@ export interface StationState {
   inBody: boolean;
   surfaceStale: boolean;
   limited: boolean;
+  objectUnseen: boolean;       // an object inside the body stays put: the skin above it is not seen
+  objectSlideUnseen: boolean;  // an object does not follow the body along its skin
 }
 
 export interface StationEvent {

@@ -17,18 +17,30 @@ export interface TouchHealth {
   handShown: boolean | undefined;  // undefined: no station sends messages
   holdsHand: boolean;              // "Touch" is on in this page
   untaken: boolean;                // the server reports that no station uses this page's hand
+  objectUnseen: boolean;           // an object inside the body stays put: the skin above it is not seen
+  objectSlideUnseen: boolean;      // an object does not follow the body along its skin
 }
 
 /** What a user who wants to touch should do next; undefined when there is nothing to say. */
-export function touchAdvice({handShown, holdsHand, untaken}: TouchHealth): Banner | undefined {
+export function touchAdvice(health: TouchHealth): Banner | undefined {
+  const {handShown, holdsHand, untaken} = health;
   if (holdsHand && untaken)
     return {
       level: 'warn',
       title: 'Touch reaches no station',
       text: 'Start the demo with deploy/demo --hand browser, or the station with --tracker browser.',
     };
-  if (handShown !== false) return undefined;
+  if (handShown !== false) return placementAdvice(health);
   return holdsHand
       ? {level: 'wait', title: 'Touch', text: 'Move the pointer over the skin; hold the button down to push in.'}
       : {level: 'wait', title: 'No hand', text: 'Press Touch (T) to hold it here, if the station runs with --tracker browser.'};
+}
+
+/** How well the place of the objects inside the body is known; undefined while it is. */
+function placementAdvice({objectUnseen, objectSlideUnseen}: TouchHealth): Banner | undefined {
+  if (objectUnseen)
+    return {level: 'warn', title: 'Inner object not seen', text: 'The skin above it is hidden: it stays where it was.'};
+  if (objectSlideUnseen)
+    return {level: 'wait', title: 'Sideways motion not seen', text: 'Inner objects follow the skin up and down alone.'};
+  return undefined;
 }

@@ -1,0 +1,97 @@
+#include "haptic_station/loop/body_frame.h"
+
+#include <algorithm>
+
+#include "haptic_station/loop/packed.h"
+
+namespace telepalp::station {
+
+using Eigen::Vector3d;
+
+static_assert(effects::kMostEffects == surface::kMostMarks);
+
+surface::MarkLines mark_lines(const effects::EffectBank& effects,
+                              const Transform<DepthCamera, HapticBase>& camera_from_haptic) noexcept {
+  surface::MarkLines lines;
+  const Vector<DepthCamera> up = camera_from_haptic * Vector<HapticBase>{Vector3d::UnitY()};
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (const auto object = effects.object_at(i))
+      lines[i] = surface::MarkLine{.point = (camera_from_haptic * *object).m, .up = up.v};
+  return lines;
+}
+
+void BodyFrame::adopt(const surface::SurfaceSnapshot& snapshot,
+                      const Transform<HapticBase, DepthCamera>& haptic_from_camera) noexcept {
+  snapshot_ = &snapshot;
+  haptic_from_camera_ = haptic_from_camera;
+  marks_ = snapshot.marks;
+}
+
+/// The skin's motion at the mark since the capture, by the snapshot's own model: what carries the skin, carries the
+/// object under it. Zero where the snapshot does not reach.
+BodyFrame::Carried BodyFrame::carried(const surface::SkinMark& mark, double age_s) const noexcept {
+  const surface::MotionBasis basis = surface::motion_basis(snapshot_->motion, age_s);
+  const surface::FieldSample then = snapshot_->evaluate(mark.at, mark.normal, {});
+  const surface::FieldSample now = snapshot_->evaluate(mark.at, mark.normal, basis);
+  if (!then.valid || !now.valid) return {};
+  return {.m = then.f_m - now.f_m, .m_per_s = now.velocity_m_per_s};
+}
+
+/// Without surfaces nothing is seen; the objects stay where they are.
+void BodyFrame::release() noexcept {
+  snapshot_ = nullptr;
+  for (surface::SkinMark& mark : marks_) mark.seen = mark.slide_seen = false;
+}
+
+/// One object a tick: its carrying changes little in eight ticks.
+void BodyFrame::look_at_one(double age_s) noexcept {
+  const std::size_t i = next_look_;
+  next_look_ = (next_look_ + 1) % marks_.size();
+  if (marks_[i].watched && marks_[i].seen)
+    carried_[i] = carried(marks_[i], age_s);
+  else
+    carried_[i] = {};
+}
+
+const effects::Placements& BodyFrame::step(const surface::TouchSample& touch, double dt_s) noexcept {
+  const bool begins = touch.valid && touch.in_body && !in_body_;
+  in_body_ = touch.valid && touch.in_body;
+  const double dt = dt_s > 0.0 ? std::min(dt_s, 0.1) : 0.0;
+  if (snapshot_ != nullptr) look_at_one(touch.age_s);
+  const Vector3d lower_m = begins ? Vector3d(-touch.newest_above_m * touch.normal) : Vector3d::Zero();
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    if (!marks_[i].watched) continue;
+    effects::Placement& shown = shown_[i];
+    const Vector<DepthCamera> target{marks_[i].moved_m + carried_[i].m * marks_[i].normal};
+    const Vector<DepthCamera> target_rate{carried_[i].m_per_s * marks_[i].normal};
+    if (marks_[i].seen) shown.moved.v += (haptic_from_camera_ * Vector<DepthCamera>{lower_m}).v;
+    shown.velocity.v = surface::next_rate(shown.velocity.v, (haptic_from_camera_ * target).v - shown.moved.v,
+                                          (haptic_from_camera_ * target_rate).v, limits_, dt);
+    shown.moved.v += dt * shown.velocity.v;
+  }
+  return shown_;
+}
+
+bool BodyFrame::unseen() const noexcept {
+  return std::any_of(marks_.begin(), marks_.end(), [](const auto& mark) { return mark.watched && !mark.seen; });
+}
+
+bool BodyFrame::slide_unseen() const noexcept {
+  return std::any_of(marks_.begin(), marks_.end(), [](const auto& mark) { return mark.watched && !mark.slide_seen; });
+}
+
+ObjectPlacements BodyFrame::objects() const noexcept {
+  ObjectPlacements objects;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const surface::SkinMark& mark = marks_[i];
+    objects[i] = {.watched = mark.watched,
+                  .unseen = mark.watched && !mark.seen,
+                  .slide_unseen = mark.watched && !mark.slide_seen,
+                  .moved = packed(shown_[i].moved.v),
+                  .sigma_normal_m = static_cast<float>(mark.sigma_normal_m),
+                  .sigma_slide_m = static_cast<float>(mark.sigma_slide_m)};
+  }
+  return objects;
+}
+
+}  // namespace telepalp::station
