@@ -130,7 +130,7 @@ TEST(ServerProgram, BadInputIsOneLineWithItsFixAndItsExitCode) {
       {{"--source", "oni:/no/such/file.oni", "--port", "0"}, 1, "/no/such/file.oni"},
       {{"--source", "teleporter", "--port", "0"}, 1, "teleporter"},
       {{"--source", "synthetic", "--port", "0", "--ready-file", "/no/such/folder/ready"}, 1, "/no/such/folder/ready"},
-      {{"--bind", "0.0.0.0"}, 2, "no keys"},
+      {{"--bind", "0.0.0.0"}, 2, "no key to protect the patient. fix: telepalp-keys authority"},
       {{"--port", "70000"}, 2, "--port"},
       {{"--jpeg-quality", "0"}, 2, "--jpeg-quality"},
       {{"--seconds", "soon"}, 2, "--seconds"},
