@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "clients/report/figures/compensation_figures.h"
+#include "clients/report/figures/energy_figures.h"
 #include "clients/report/figures/html.h"
 #include "clients/report/figures/motion_figures.h"
 #include "clients/report/figures/timing_figures.h"
@@ -103,6 +104,24 @@ std::string motion_sections(const Session& session) {
                        stacked(timeline(session)));
 }
 
+std::string energy_sections(const Session& session, const Summary& summary) {
+  std::string out;
+  if (const std::vector<plot::Chart> ledgers = energy(session); !ledgers.empty())
+    out += section("Energy",
+                   "Two ledgers, counted from the beginning of each contact. The display's ledger is relative to the "
+                   "displayed skin: below zero, the effects give energy. The hand's ledger is relative to the newest "
+                   "measured skin: above zero, a display that moves or lags gave the hand more than that skin would "
+                   "have. docs/controller.md says what each of them cannot see.",
+                   stacked(ledgers));
+  if (const std::vector<plot::Chart> warm = heat(session); !warm.empty())
+    out += section("Heat",
+                   std::to_string(summary.heat_warnings) +
+                       " warnings. Warm motors cannot hold a large force: four seconds before, the force vibrates and "
+                       "the station warns. Then it falls slowly to what can be held.",
+                   stacked(warm));
+  return out;
+}
+
 std::string timing_sections(const Session& session, const Summary& summary) {
   std::string out;
   if (session.ticks.size() > 0)
@@ -119,6 +138,7 @@ std::string timing_sections(const Session& session, const Summary& summary) {
                    "Hand and surface are predicted to now by their own motion; a newer surface is displayed gradually. "
                    "Where the uncertainty is larger than the predicted motion, the hand feels a guess.",
                    stacked(done));
+  out += energy_sections(session, summary);
   if (summary.bill.empty()) return out;
   std::vector<std::vector<std::string>> rows;
   for (const msg::EffectCost& cost : summary.bill)

@@ -163,6 +163,11 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.begin_object("indentation_mm");
   json.add("max", summary.indentation_max_mm);
   json.end_object();
+  json.begin_object("energy_mJ");
+  json.add("display_least", summary.display_least_mJ);
+  json.add("hand_excess_most", summary.hand_excess_most_mJ);
+  json.end_object();
+  json.add("heat_warnings", summary.heat_warnings);
   json.add("non_finite", summary.non_finite);
   json.add("damaged_messages", summary.damaged_messages);
   add_idle_timer(json, summary);

@@ -69,6 +69,15 @@ void add_compensation(Summary& summary, const Session& session) {
   summary.object_slide_unseen_share = share([](const msg::ObjectPlacement& object) { return object.slide_unseen(); });
 }
 
+void add_energy(Summary& summary, const Session& session) {
+  using State = msg::StationState;
+  summary.display_least_mJ = -over(session.states, [](const State& s) { return -1e3 * s.passivity_j(); }).most;
+  summary.hand_excess_most_mJ = over(session.states, [](const State& s) { return 1e3 * s.hand_excess_j(); }).most;
+  summary.heat_warnings = static_cast<std::uint64_t>(
+      std::count_if(session.events.begin(), session.events.end(),
+                    [](const msg::StationEvent& event) { return event.kind() == msg::EVENT_KIND_HEAT; }));
+}
+
 std::size_t index_of(msg::Phase phase) { return static_cast<std::size_t>(&words_for(phase) - kPhases.data()); }
 
 /// Dwell times from the ticks. A gap in the recording adds no time.
@@ -228,6 +237,7 @@ Summary summarise(const Session& session) {
   summary.states_per_s = mean_rate(state_times);
   add_latencies(summary, session);
   add_compensation(summary, session);
+  add_energy(summary, session);
   add_stats(summary, session);
   add_senders(summary, session);
   summary.depth = depth_of(session);

@@ -69,7 +69,10 @@ struct Summary {
   double force_max_N = kUnknown;  ///< in any state; outside the body, force moves the free device
   double force_in_contact_max_N = kUnknown;
   double indentation_max_mm = kUnknown;
-  std::uint64_t non_finite = 0;  ///< forces, positions or depths that are not finite
+  double display_least_mJ = kUnknown;     ///< least balance of the display's ledger; below zero it gave energy
+  double hand_excess_most_mJ = kUnknown;  ///< most energy given to the hand in a contact beyond the measured skin's
+  std::uint64_t heat_warnings = 0;        ///< announcements that warm motors will lower the force
+  std::uint64_t non_finite = 0;           ///< forces, positions or depths that are not finite
   std::uint64_t damaged_messages = 0;
   std::vector<msg::EffectCost> bill;
 };

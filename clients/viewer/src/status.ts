@@ -20,6 +20,7 @@ export interface ViewerStatus {
   readonly force_N: number;
   readonly indentation_m: number;
   readonly phase: string;
+  readonly yields_s: number | undefined;
   readonly handPosition_m: readonly number[] | undefined;
   readonly depth: string | undefined;
   readonly pictureAge_ms: number | undefined;
@@ -49,6 +50,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       force_N: now.force_N ?? 0,
       indentation_m: (now.indentation_mm ?? 0) / 1000,
       phase: lookOf(now.phase).name,
+      yields_s: now.yields_s,
       handPosition_m: now.handPosition,
       depth: now.depth && inWords(now.depth),
       pictureAge_ms: now.picture_ms,

@@ -118,6 +118,7 @@ function touchOf(station: StationState | undefined) {
     force_N: station?.forceN && length(station.forceN),
     indentation_mm: station && 1000 * station.indentationM,
     limited: station?.limited ?? false,
+    yields_s: station && station.yieldsInS > 0 && Number.isFinite(station.yieldsInS) ? station.yieldsInS : undefined,
     handShown: station && shownHand(station) !== undefined,
     objectUnseen: station?.objectUnseen ?? false,
     objectSlideUnseen: station?.objectSlideUnseen ?? false,

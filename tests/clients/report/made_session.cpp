@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "codec/color.h"
@@ -118,6 +119,9 @@ msg::StationState state_at(double at_s) {
   wire::set_vector(*state.mutable_force_camera_n(), Eigen::Vector3d(0.0, 0.0, -now.force_N));
   state.set_indentation_m(now.indentation_m);
   state.set_in_body(now.indentation_m > 0.0);
+  state.set_passivity_j(2e-3 * now.indentation_m / 0.035);
+  state.set_hand_excess_j(-1e-3 * now.indentation_m / 0.035);
+  state.set_yields_in_s(at_s > 2.5 && at_s < 2.8 ? 2.9 - at_s : std::numeric_limits<double>::infinity());
   return state;
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -7,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "clients/report/figures/energy_figures.h"
 #include "clients/report/figures/html.h"
 #include "clients/report/figures/motion_figures.h"
 #include "clients/report/figures/report_html.h"
@@ -252,6 +254,29 @@ TEST(Summary, GivesHowFarPredictionCarriedHandAndSurfaceWithoutTheirSign) {
   EXPECT_NEAR(s.hand_carried_mm.p50, 1.0, 1e-9);
 }
 
+TEST(Summary, TellsBothLedgersAndTheWarningsOfHeat) {
+  Session session = session_of({.seconds = 4.0});
+  session.states[50].set_passivity_j(-0.003);
+  session.states[60].set_hand_excess_j(0.007);
+  session.events.emplace_back().set_kind(msg::EVENT_KIND_HEAT);
+  const Summary s = summarise(session);
+  EXPECT_NEAR(s.display_least_mJ, -3.0, 1e-9);
+  EXPECT_NEAR(s.hand_excess_most_mJ, 7.0, 1e-9);
+  EXPECT_EQ(s.heat_warnings, 1U);
+  EXPECT_NE(json_of(session).find("\"hand_excess_most\": 7"), std::string::npos);
+}
+
+TEST(EnergyFigures, DrawBothLedgersAndHeatOnlyWhereItWasNear) {
+  const Session warm = session_of({.seconds = 4.0});
+  ASSERT_EQ(energy(warm).size(), 1U);
+  EXPECT_EQ(energy(warm)[0].series.size(), 3U);
+  ASSERT_EQ(heat(warm).size(), 1U);
+  const auto told = std::ranges::count_if(heat(warm)[0].series[0].y, [](double s) { return std::isfinite(s); });
+  EXPECT_NEAR(static_cast<double>(told), 29.0, 2.0) << "0.3 s of states, the rest is a gap";
+  EXPECT_TRUE(heat(session_of({.seconds = 1.0})).empty());
+  EXPECT_TRUE(energy(session_of({.seconds = 1.0, .with_station = false})).empty());
+}
+
 TEST(Summary, AStageThatWasNotStampedIsUnknownRatherThanHuge) {
   Session session;
   msg::SurfaceReport surface;
@@ -279,9 +304,14 @@ TEST(Session, APayloadThatIsNoProtobufIsCountedAsDamaged) {
 TEST(ReportJson, HasEveryKeyThatOthersReadEvenOfASessionWithoutStation) {
   for (const bool with_station : {true, false}) {
     const std::string json = json_of(session_of({.seconds = 1.0, .with_station = with_station}));
-    for (const char* key :
-         {"ticks", "tick_us", "p50", "p99", "p999", "deadlines_missed", "frames", "sent", "received", "dropped",
-          "latency_ms", "capture_to_touchable", "states", "entries", "seconds", "contact_s", "force_N", "max"})
+    for (const char* key : {"ticks",        "tick_us",       "p50",
+                            "p99",          "p999",          "deadlines_missed",
+                            "frames",       "sent",          "received",
+                            "dropped",      "latency_ms",    "capture_to_touchable",
+                            "states",       "entries",       "seconds",
+                            "contact_s",    "force_N",       "max",
+                            "energy_mJ",    "display_least", "hand_excess_most",
+                            "heat_warnings"})
       EXPECT_NE(json.find('"' + std::string(key) + "\":"), std::string::npos) << key;
     for (const PhaseWords& words : kPhases)
       EXPECT_NE(json.find('"' + std::string(words.key) + "\": {"), std::string::npos) << words.key;

@@ -9,7 +9,7 @@ const {bannerFor} = await bundled('panel/banner.ts');
 const WELL = {
   connected: true, everConnected: true, retryIn_ms: undefined, capture: undefined, phase: 3, picture_ms: 60,
   account: {site: 10, network: 30, computer: 20}, apart_ms: -4, station_ms: 10, surfaceStale: false, surface_ms: 40,
-  handShown: true, holdsHand: false, untaken: false,
+  handShown: true, holdsHand: false, untaken: false, yields_s: undefined,
 };
 const banner = (changes) => bannerFor({...WELL, ...changes});
 
@@ -35,4 +35,12 @@ test('numbers that are much older than the picture are a warning', () => {
 
 test('a fault comes before a slow picture', () => {
   assert.equal(banner({phase: 9, account: {...WELL.account, computer: 5000}}).title, 'Station faulted');
+});
+
+test('warm motors are announced seconds before they lower the force', () => {
+  assert.match(banner({yields_s: 2.34}).text, /^In 2\.3 s /);
+  assert.equal(banner({yields_s: 2.34}).title, 'The device is warm');
+  assert.equal(banner({yields_s: 9}), undefined);
+  assert.equal(banner({yields_s: 2.34, station_ms: 2000}).title, 'Station silent', 'an old word is no warning');
+  assert.equal(banner({yields_s: 2.34, phase: 9}).title, 'Station faulted');
 });

@@ -7,6 +7,14 @@ export interface Vec3 {
   z: number;
 }
 
+/** A unit quaternion. */
+export interface Rotation {
+  x: number;
+  y: number;
+  z: number;
+  w: number;
+}
+
 /** telepalp.msg.Phase */
 export enum Phase {
   Unspecified,
@@ -71,6 +79,7 @@ export interface StationState {
   phase: Phase;
   forceN?: Vec3;
   displayedHandCamera?: Vec3;
+  handAttitudeCamera?: Rotation;  // of the hand's axes; absent: the tracker tells none
   proxyCamera?: Vec3;
   deviceCamera?: Vec3;
   forceCameraN?: Vec3;
@@ -81,6 +90,7 @@ export interface StationState {
   limited: boolean;
   objectUnseen: boolean;       // an object inside the body stays put: the skin above it is not seen
   objectSlideUnseen: boolean;  // an object does not follow the body along its skin
+  yieldsInS: number;  // until warm motors lower the force; infinite: they do not; 0 of a station that does not tell
 }
 
 export interface StationEvent {

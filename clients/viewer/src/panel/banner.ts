@@ -15,6 +15,7 @@ export interface Health extends TouchHealth {
   surfaceStale: boolean;
   surface_ms: number | undefined;
   phase: Phase;
+  yields_s: number | undefined;  // until warm motors lower the force in contact; undefined: they do not
 }
 
 export interface Banner {
@@ -25,6 +26,7 @@ export interface Banner {
 
 const STALE_MS = 1000;
 const APART_MS = 400;
+const WARM_S = 4;
 
 const seconds = (ms: number) => `${(ms / 1000).toFixed(1)} s`;
 
@@ -44,6 +46,12 @@ export function bannerFor(health: Health): Banner | undefined {
     return {level: 'wait', title: 'Waiting for the camera', text: health.capture?.detail || 'No depth image yet.'};
   if (health.capture?.state === CaptureState.Ended)
     return {level: 'wait', title: 'The recording has ended', text: 'The last picture stays.'};
+  if (health.yields_s !== undefined && health.yields_s < WARM_S && isRecent(health.station_ms))
+    return {
+      level: 'warn',
+      title: 'The device is warm',
+      text: `In ${health.yields_s.toFixed(1)} s it holds less force, and the hand sinks in. Press less, or let go.`,
+    };
   const age_ms = health.account === undefined ? health.picture_ms : total_ms(health.account);
   if (age_ms > STALE_MS) return {level: 'warn', title: 'Stale picture', text: whereTo(age_ms, health.account)};
   if (health.surfaceStale)
