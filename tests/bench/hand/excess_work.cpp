@@ -15,6 +15,12 @@ namespace {
 constexpr double kLasts_s = 14.0;
 constexpr double kStarts_s = 2.0;
 
+/// The energy that a contact gave to the hand beyond the true skin's work.
+struct Contact {
+  double excess_mJ = 0.0;
+  double seen_mJ = 0.0;  ///< of it, in the station's own ledger when the contact ends: against the measured skin
+};
+
 /// Sums the work of each contact. A contact begins with the first touch of the true or the displayed skin and ends 20
 /// ms after the last touch of either.
 class ContactWork {
@@ -26,20 +32,22 @@ class ContactWork {
     law_N_ = tick.law_N() * tick.normal;
     const bool touched = tick.displayed || tick.law_N() > 0.0;
     if (touched) last_touched_s_ = tick.time_s;
+    if (touched) seen_J_ = tick.control.hand_excess_J;
     const bool in_contact = tick.time_s - last_touched_s_ < 0.02;
     if (in_contact && !in_contact_) excess_J_ = 0.0;
-    if (!in_contact && in_contact_) contacts_mJ_.push_back(1e3 * excess_J_);
+    if (!in_contact && in_contact_) contacts_.push_back({1e3 * excess_J_, 1e3 * seen_J_});
     in_contact_ = in_contact;
   }
-  [[nodiscard]] const std::vector<double>& contacts_mJ() const noexcept { return contacts_mJ_; }
+  [[nodiscard]] const std::vector<Contact>& contacts() const noexcept { return contacts_; }
 
  private:
   Eigen::Vector3d force_N_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d law_N_ = Eigen::Vector3d::Zero();
   double excess_J_ = 0.0;
+  double seen_J_ = 0.0;
   double last_touched_s_ = -1.0;
   bool in_contact_ = false;
-  std::vector<double> contacts_mJ_;
+  std::vector<Contact> contacts_;
 };
 
 struct Bad {
@@ -67,7 +75,7 @@ struct Shifts {
   std::array<double, 3> at_s_{};
 };
 
-std::vector<double> play(const Bad& bad, int number) {
+std::vector<Contact> play(const Bad& bad, int number) {
   const auto seed = static_cast<std::uint64_t>(number) + 1;
   device::Random random(7000 + seed);
   const auto patient = torso(Sensor::Kinect, server::Motion::Irregular);
@@ -96,17 +104,22 @@ std::vector<double> play(const Bad& bad, int number) {
                        }));
   ContactWork work;
   run(feed, station, kLasts_s, [&](const Tick& tick) { work.add(tick); });
-  return work.contacts_mJ();
+  return work.contacts();
 }
 
 std::vector<Row> measure(const std::string& name, const Bad& bad, double worst_mJ, const Options& options) {
-  std::vector<std::vector<double>> all(static_cast<std::size_t>(options.seeds));
+  std::vector<std::vector<Contact>> all(static_cast<std::size_t>(options.seeds));
   for_each_parallel(options.seeds, options, [&](int i) { all[static_cast<std::size_t>(i)] = play(bad, i); });
   Distribution contacts_mJ;
+  Contact worst{-INFINITY, 0.0};
   for (const auto& one : all)
-    for (const double mJ : one) contacts_mJ.add(mJ);
-  const bool touched = contacts_mJ.count() >= all.size();  // at least one contact per seed, or the study is invalid
+    for (const Contact& contact : one) {
+      contacts_mJ.add(contact.excess_mJ);
+      if (contact.excess_mJ > worst.excess_mJ) worst = contact;
+    }
+  const bool touched = contacts_mJ.count() >= all.size();  // at least one contact a seed, or the study is invalid
   std::vector<Row> rows{at_most(name + ": a contact, worst", touched ? contacts_mJ.max() : NAN, "mJ", worst_mJ),
+                        measured(name + ": of the worst, seen by the station's own ledger", worst.seen_mJ, "mJ"),
                         measured(name + ": contacts", static_cast<double>(contacts_mJ.count()), "")};
   if (worst_mJ < 10.0) rows.push_back(at_most(name + ": a contact, median", contacts_mJ.p50(), "mJ", 0.5));
   return rows;
