@@ -143,7 +143,8 @@ ColorImage draw(const AugmentedView& view) {
   if (touch) {
     const HandAvatar avatar = hand_avatar();
     const Eigen::Vector3f at = touch->hand.m.cast<float>();
-    const Eigen::Matrix3f pose = scene_from_hand(surface_normal(body, target, 0.04F));
+    const Eigen::Matrix3f pose = touch->attitude ? touch->attitude->toRotationMatrix().cast<float>().eval()
+                                                 : scene_from_hand(surface_normal(body, target, 0.04F));
     skin = painted(moved(avatar.skin, pose, at), avatar_color(touch->indentation_m));
     sleeve = moved(avatar.sleeve, pose, at);
     shadow.add(skin);

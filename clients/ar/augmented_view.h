@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 
@@ -18,6 +18,7 @@ struct Touch {
   Force<DepthCamera> force;   ///< on the doctor's hand
   double indentation_m = 0.0;
   bool in_body = false;
+  std::optional<Eigen::Quaterniond> attitude = {};  ///< of the hand's axes (HandAvatar); nullopt: laid on the skin
 };
 
 struct AugmentedView {

@@ -16,19 +16,22 @@ void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcep
   if (!surface.snapshot) return;
   haptic_from_camera_ = surface.haptic_from_camera;
   camera_from_haptic_ = surface.haptic_from_camera.inverse();
+  camera_turn_ = Eigen::Quaterniond(camera_from_haptic_.iso.linear());
   touch_.adopt(*surface.snapshot, now);
   body_.adopt(*surface.snapshot, surface.haptic_from_camera);
   surface_captured_ = surface.snapshot->captured;
   has_surface_ = true;
 }
 
-void HapticLoop::hand_sampled(SessionTime at, const Point<HapticBase>& hand) noexcept {
+void HapticLoop::hand_sampled(SessionTime at, const Point<HapticBase>& hand,
+                              const std::optional<Eigen::Quaterniond>& attitude) noexcept {
   // A sample from the future is dropped. If it were used, all later samples would seem older than it.
   if (ticked_ && at > last_tick_ + kSameSession) return;
   const tracking::Taken taken = hand_.update(at, hand);
   if (taken == tracking::Taken::Used || taken == tracking::Taken::Restarted) {
     hand_sampled_ = at;
     newest_hand_ = hand;
+    if (attitude) (void)attitude_.update(at, *attitude);
   }
 }
 
@@ -51,6 +54,7 @@ void HapticLoop::begin_new_time_line() noexcept {
   touch_.release();
   body_.release();
   hand_.forget();
+  attitude_.forget();
   has_surface_ = false;
 }
 
@@ -116,6 +120,8 @@ TickSample HapticLoop::sample_of(const control::ControlInput& in, const control:
   sample.normal = packed(in.contact.normal.v);
   sample.force = packed_towards_zero(out.force.N);
   sample.displayed_hand_camera = packed((camera_from_haptic_ * out.displayed_hand).m);
+  if (const auto attitude = attitude_.predict(last_tick_))
+    sample.hand_attitude_camera = packed(camera_turn_ * *attitude);
   sample.proxy_camera = packed((camera_from_haptic_ * in.contact.proxy).m);
   sample.normal_camera = packed((camera_from_haptic_ * in.contact.normal).v);
   sample.device_camera = packed((camera_from_haptic_ * in.device).m);

@@ -9,6 +9,7 @@
 #include "haptic_station/loop/tick_sample.h"
 #include "haptic_station/ports/rig.h"
 #include "haptic_station/surface/touch/touch.h"
+#include "haptic_station/tracking/attitude_estimate.h"
 #include "haptic_station/tracking/hand_estimate.h"
 #include "proto/words/frames.h"
 #include "proto/words/time.h"
@@ -38,8 +39,9 @@ class HapticLoop {
   void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
 
   /// Takes a sample of the hand tracker, stamped with the time of the measurement. A sample stamped more than 50 ms
-  /// after the last tick is dropped.
-  void hand_sampled(SessionTime at, const Point<HapticBase>& hand) noexcept;
+  /// after the last tick is dropped. `attitude`: H from the hand's axes; nullopt: the tracker does not measure it.
+  void hand_sampled(SessionTime at, const Point<HapticBase>& hand,
+                    const std::optional<Eigen::Quaterniond>& attitude = std::nullopt) noexcept;
 
   /// An operator asks to re-arm. The next tick handles the request.
   void rearm() noexcept { rearm_ = true; }
@@ -74,9 +76,11 @@ class HapticLoop {
   surface::Touch touch_;
   BodyFrame body_;
   tracking::HandEstimate hand_;
+  tracking::AttitudeEstimate attitude_;
   control::EncounteredController controller_;
   Transform<HapticBase, DepthCamera> haptic_from_camera_;
   Transform<DepthCamera, HapticBase> camera_from_haptic_;
+  Eigen::Quaterniond camera_turn_ = Eigen::Quaterniond::Identity();  ///< of `camera_from_haptic_`
   surface::TouchSample last_touch_;
   tracking::HandPrediction last_hand_;
   control::ControlOutput last_out_;

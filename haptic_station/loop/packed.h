@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 
@@ -9,6 +9,11 @@ namespace telepalp::station {
 /// A vector as three floats, each rounded to nearest, which halves the size of the recorded tick.
 inline std::array<float, 3> packed(const Eigen::Vector3d& v) noexcept {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+/// A rotation as x, y, z, w.
+inline std::array<float, 4> packed(const Eigen::Quaterniond& q) noexcept {
+  return {static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z()), static_cast<float>(q.w())};
 }
 
 /// Rounded towards zero, so that a force on its limit is never recorded above it. NaN stays NaN.

@@ -16,7 +16,8 @@ ports::DeviceReading SimulatedRig::read() noexcept {
 std::optional<ports::HandSample> SimulatedRig::hand(SessionTime now) noexcept {
   const std::optional<Point<HapticBase>> sample = tracker_.sample(time_s_, pair_.true_hand());
   if (!sample) return std::nullopt;
-  return ports::HandSample{now, *sample};
+  const auto* recorded = std::get_if<tracking::RecordedIntention>(&person_);
+  return ports::HandSample{now, *sample, recorded != nullptr ? recorded->attitude(time_s_) : std::nullopt};
 }
 
 void SimulatedRig::apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept {

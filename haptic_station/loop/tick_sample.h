@@ -28,6 +28,7 @@ struct TickSample {
   std::array<float, 3> normal{};
   std::array<float, 3> force{};
   std::array<float, 3> displayed_hand_camera{};
+  std::array<float, 4> hand_attitude_camera{};  ///< x, y, z, w of the hand's axes in K; all zero: not known
   std::array<float, 3> proxy_camera{};
   std::array<float, 3> normal_camera{};
   std::array<float, 3> device_camera{};

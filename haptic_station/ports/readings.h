@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <optional>
+
 #include "proto/words/frames.h"
 #include "proto/words/time.h"
 
@@ -16,6 +19,8 @@ struct DeviceReading {
 struct HandSample {
   SessionTime at;
   Point<HapticBase> hand;
+  /// H from the hand's axes (tracking/hand_axes.h); nullopt: the tracker does not measure it.
+  std::optional<Eigen::Quaterniond> attitude = {};
 };
 
 }  // namespace telepalp::ports

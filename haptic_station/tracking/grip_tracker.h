@@ -15,7 +15,7 @@ class GripTracker final : public ports::Tracker {
     constexpr double kSilent_s = 0.05;
     if (now < next_ || !(device.age_s < kSilent_s)) return std::nullopt;
     next_ = now + std::chrono::milliseconds(10);
-    return ports::HandSample{now - from_seconds(device.age_s), device.at};
+    return ports::HandSample{now - from_seconds(device.age_s), device.at, std::nullopt};
   }
 
  private:

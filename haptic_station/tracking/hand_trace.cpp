@@ -8,6 +8,8 @@
 #include <optional>
 #include <sstream>
 
+#include "haptic_station/tracking/hand_axes.h"
+
 namespace telepalp::tracking {
 namespace {
 
@@ -31,9 +33,10 @@ std::string_view next_line(std::string_view& text) {
   return line;
 }
 
-enum Column { kTime, kX, kY, kZ, kVx, kVy, kVz, kHand, kColumns };
-constexpr std::array<std::string_view, kColumns> kNames = {"timestamp_us", "palm_x_mm",  "palm_y_mm",  "palm_z_mm",
-                                                           "vel_x_mm_s",   "vel_y_mm_s", "vel_z_mm_s", "hand_id"};
+enum Column { kTime, kX, kY, kZ, kVx, kVy, kVz, kHand, kQx, kQy, kQz, kQw, kNx, kNy, kNz, kDx, kDy, kDz, kColumns };
+constexpr std::array<std::string_view, kColumns> kNames = {
+    "timestamp_us", "palm_x_mm", "palm_y_mm", "palm_z_mm", "vel_x_mm_s", "vel_y_mm_s", "vel_z_mm_s", "hand_id", "qx",
+    "qy",           "qz",        "qw",        "nx",        "ny",         "nz",         "dx",         "dy",      "dz"};
 
 using Columns = std::array<std::optional<std::size_t>, kColumns>;
 
@@ -62,8 +65,23 @@ struct ParsedRow {
   TraceSample sample;
 };
 
+using Numbers = std::array<std::optional<double>, kColumns>;
+
+bool has_all(const Numbers& n, Column first, int count) {
+  return std::all_of(n.begin() + first, n.begin() + first + count, [](const auto& one) { return one.has_value(); });
+}
+
+std::optional<Eigen::Quaterniond> attitude_of(const Numbers& n) {
+  if (has_all(n, kQx, 4)) {
+    const Eigen::Quaterniond q(*n[kQw], *n[kQx], *n[kQy], *n[kQz]);
+    if (std::abs(q.norm() - 1.0) < 0.01) return q.normalized();
+  }
+  if (!has_all(n, kNx, 6)) return std::nullopt;
+  return hand_axes({*n[kDx], *n[kDy], *n[kDz]}, {*n[kNx], *n[kNy], *n[kNz]});
+}
+
 std::optional<ParsedRow> parse_row(const std::vector<std::string_view>& row, const Columns& columns) {
-  std::array<std::optional<double>, kColumns> n;
+  Numbers n;
   for (std::size_t c = 0; c < kColumns; ++c) n[c] = number(row, columns[c]);
   constexpr double kFurthest_mm = 10'000.0;
   for (const Column c : {kTime, kX, kY, kZ})
@@ -74,6 +92,7 @@ std::optional<ParsedRow> parse_row(const std::vector<std::string_view>& row, con
   ParsedRow parsed{.time_us = *n[kTime], .hand = n[kHand].value_or(0.0), .sample = {}};
   parsed.sample.palm.m = Eigen::Vector3d{*n[kX], *n[kY], *n[kZ]} * 1e-3;
   if (n[kVx] && n[kVy] && n[kVz]) parsed.sample.velocity.v = Eigen::Vector3d{*n[kVx], *n[kVy], *n[kVz]} * 1e-3;
+  parsed.sample.attitude = attitude_of(n);
   return parsed;
 }
 
@@ -132,7 +151,9 @@ RecordedIntention::RecordedIntention(const HandTrace& trace,
     path_m_.push_back((haptic_from_tracker * sample.palm).m);
     sum += path_m_.back();
     lowest_m = std::min(lowest_m, path_m_.back().y());
+    if (sample.attitude) attitudes_.push_back(Eigen::Quaterniond(haptic_from_tracker.iso.linear()) * *sample.attitude);
   }
+  if (attitudes_.size() != path_m_.size()) attitudes_.clear();
   const Eigen::Vector3d mean = sum / static_cast<double>(path_m_.size());
   const Eigen::Vector3d shift = skin.m - Eigen::Vector3d{mean.x(), lowest_m + depth_m, mean.z()};
   for (Eigen::Vector3d& point : path_m_) point += shift;
@@ -140,16 +161,27 @@ RecordedIntention::RecordedIntention(const HandTrace& trace,
 
 double RecordedIntention::duration_s() const noexcept { return times_s_.back(); }
 
-device::Intention RecordedIntention::at(double time_s) const noexcept {
+RecordedIntention::Place RecordedIntention::place(double time_s) const noexcept {
   const double there_and_back = std::fmod(std::max(time_s, 0.0), 2.0 * duration_s());
   const bool back = there_and_back > duration_s();
   const double t = back ? 2.0 * duration_s() - there_and_back : there_and_back;
   const auto after = std::upper_bound(times_s_.begin() + 1, times_s_.end() - 1, t);
-  const std::size_t i = static_cast<std::size_t>(after - times_s_.begin());
-  const double span_s = times_s_[i] - times_s_[i - 1];
-  const Eigen::Vector3d way = path_m_[i] - path_m_[i - 1];
-  const double share = std::clamp((t - times_s_[i - 1]) / span_s, 0.0, 1.0);
-  return {.at = {path_m_[i - 1] + way * share}, .velocity = {way * ((back ? -1.0 : 1.0) / span_s)}};
+  const auto before = static_cast<std::size_t>(after - times_s_.begin()) - 1;
+  const double share = (t - times_s_[before]) / (times_s_[before + 1] - times_s_[before]);
+  return {before, std::clamp(share, 0.0, 1.0), back};
+}
+
+device::Intention RecordedIntention::at(double time_s) const noexcept {
+  const Place now = place(time_s);
+  const double span_s = times_s_[now.before + 1] - times_s_[now.before];
+  const Eigen::Vector3d way = path_m_[now.before + 1] - path_m_[now.before];
+  return {.at = {path_m_[now.before] + way * now.share}, .velocity = {way * ((now.back ? -1.0 : 1.0) / span_s)}};
+}
+
+std::optional<Eigen::Quaterniond> RecordedIntention::attitude(double time_s) const noexcept {
+  if (attitudes_.empty()) return std::nullopt;
+  const Place now = place(time_s);
+  return attitudes_[now.before].slerp(now.share, attitudes_[now.before + 1]);
 }
 
 }  // namespace telepalp::tracking

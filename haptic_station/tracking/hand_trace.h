@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +18,7 @@ struct TraceSample {
   SessionTime at;  ///< time since the trace's first sample
   Point<HandTracker> palm;
   Vector<HandTracker> velocity;  ///< as the tracker measured it [m/s]; zero when the file has no velocity columns
+  std::optional<Eigen::Quaterniond> attitude = {};  ///< L from the hand's axes (hand_axes.h); nullopt: not in the file
 };
 
 /// A recorded hand, in time order, at least two samples.
@@ -25,7 +28,9 @@ struct HandTrace {
 };
 
 /// Reads a trace as CSV with a header row. Columns may be in any order; unknown ones are ignored. Required:
-/// timestamp_us, palm_x_mm, palm_y_mm, palm_z_mm. Optional: vel_x_mm_s, vel_y_mm_s, vel_z_mm_s, hand_id. Only the hand
+/// timestamp_us, palm_x_mm, palm_y_mm, palm_z_mm. Optional: vel_x_mm_s, vel_y_mm_s, vel_z_mm_s, hand_id, and
+/// the attitude, either as a quaternion qx, qy, qz, qw of the hand's axes, or as the directions nx, ny, nz out of the
+/// palm and dx, dy, dz along the fingers. Only the hand
 /// of the first row is read. Damaged rows, rows out of time order and rows of other hands are skipped and counted.
 /// Numbers have a decimal point in every locale. Error: a file over 64 MiB, or fewer than two valid rows.
 [[nodiscard]] Result<HandTrace> read_hand_trace(const std::filesystem::path& file);
@@ -41,11 +46,21 @@ class RecordedIntention {
 
   /// `time_s` since the start. No allocation.
   [[nodiscard]] device::Intention at(double time_s) const noexcept;
+  /// H from the hand's axes at that time; nullopt: the trace has no attitude. No allocation.
+  [[nodiscard]] std::optional<Eigen::Quaterniond> attitude(double time_s) const noexcept;
   [[nodiscard]] double duration_s() const noexcept;  ///< of one pass in one direction
 
  private:
+  struct Place {
+    std::size_t before;  ///< sample
+    double share;        ///< of the way from there to the next
+    bool back;           ///< the path is gone backwards
+  };
+  [[nodiscard]] Place place(double time_s) const noexcept;
+
   std::vector<double> times_s_;
   std::vector<Eigen::Vector3d> path_m_;
+  std::vector<Eigen::Quaterniond> attitudes_;  ///< as many, or none
 };
 
 }  // namespace telepalp::tracking

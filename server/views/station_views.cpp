@@ -89,6 +89,13 @@ void add_force(foxglove::SceneUpdate& scene, const msg::StationState& station) {
   set(*arrow.mutable_color(), kForce);
 }
 
+/// The hand's, as a unit quaternion; the camera's own axes when the station tells none or no rotation.
+Eigen::Quaterniond attitude(const msg::StationState& station) {
+  const msg::Rotation& told = station.hand_attitude_camera();
+  const Eigen::Quaterniond q(told.w(), told.x(), told.y(), told.z());
+  return std::abs(q.norm() - 1.0) < 0.01 ? q.normalized() : Eigen::Quaterniond::Identity();
+}
+
 }  // namespace
 
 foxglove::FrameTransforms transforms_view(const std::optional<msg::StationState>& station, SessionTime now) {
@@ -98,7 +105,7 @@ foxglove::FrameTransforms transforms_view(const std::optional<msg::StationState>
   add_transform(all, now, "patient_site", kDepthFrame, Eigen::Vector3d::Zero(), half_turn_about_x);
   if (!station) return all;
   if (station->has_displayed_hand_camera())
-    add_transform(all, now, kDepthFrame, "hand", wire::vector_of(station->displayed_hand_camera()), none);
+    add_transform(all, now, kDepthFrame, "hand", wire::vector_of(station->displayed_hand_camera()), attitude(*station));
   if (station->has_proxy_camera())
     add_transform(all, now, kDepthFrame, "proxy", wire::vector_of(station->proxy_camera()), none);
   if (station->has_device_camera())

@@ -62,6 +62,22 @@ msg::StationState touching() {
   return state;
 }
 
+TEST(TransformsView, TheHandHasItsAttitudeUnlessItIsNoRotation) {
+  msg::StationState state = touching();
+  const auto hand_turn = [&] {
+    const foxglove::FrameTransforms all = transforms_view(state, session_time(5));
+    for (const foxglove::FrameTransform& one : all.transforms())
+      if (one.child_frame_id() == "hand") return one.rotation();
+    return foxglove::Quaternion();
+  };
+  EXPECT_EQ(hand_turn().w(), 1.0);
+  state.mutable_hand_attitude_camera()->set_x(0.6);
+  state.mutable_hand_attitude_camera()->set_w(0.8);
+  EXPECT_NEAR(hand_turn().x(), 0.6, 1e-9);
+  state.mutable_hand_attitude_camera()->set_z(7.0);
+  EXPECT_EQ(hand_turn().w(), 1.0) << "a peer's numbers are not trusted";
+}
+
 TEST(SceneView, TheArrowPointsAlongTheForceAndIsAsLongAsItIsStrong) {
   const foxglove::SceneUpdate scene = scene_view(touching());
   for (const foxglove::SceneEntity& entity : scene.entities())

@@ -26,6 +26,14 @@ const msg::StationState* state_at(const Session& session, std::int64_t at_ns) {
   return best;
 }
 
+/// nullopt: the tracker tells no attitude, or what it tells is no rotation.
+std::optional<Eigen::Quaterniond> attitude_of(const msg::StationState& state) {
+  const msg::Rotation& told = state.hand_attitude_camera();
+  const Eigen::Quaterniond q(told.w(), told.x(), told.y(), told.z());
+  if (!(std::abs(q.norm() - 1.0) < 0.01)) return std::nullopt;
+  return q.normalized();
+}
+
 ar::Touch touch_of(const msg::StationState& state) {
   const Point<DepthCamera> device{wire::vector_of(state.device_camera())};
   // Outside the body there may be no proxy. Then hand and proxy are drawn at the device.
@@ -34,7 +42,13 @@ ar::Touch touch_of(const msg::StationState& state) {
   const Point<DepthCamera> hand = in_front_of_camera(state.displayed_hand_camera())
                                       ? Point<DepthCamera>{wire::vector_of(state.displayed_hand_camera())}
                                       : proxy;
-  return {hand, proxy, device, {wire::vector_of(state.force_camera_n())}, state.indentation_m(), state.in_body()};
+  return {hand,
+          proxy,
+          device,
+          {wire::vector_of(state.force_camera_n())},
+          state.indentation_m(),
+          state.in_body(),
+          attitude_of(state)};
 }
 
 std::vector<ar::PanelLine> figures_of(const Session& session, const msg::StationState& state) {

@@ -12,6 +12,15 @@ namespace {
 
 using Triple = std::array<float, 3>;
 
+void set_attitude(msg::StationState& state, const std::array<float, 4>& xyzw) {
+  if (std::ranges::all_of(xyzw, [](float part) { return part == 0.0F; })) return;  // no attitude is known
+  msg::Rotation& rotation = *state.mutable_hand_attitude_camera();
+  rotation.set_x(xyzw[0]);
+  rotation.set_y(xyzw[1]);
+  rotation.set_z(xyzw[2]);
+  rotation.set_w(xyzw[3]);
+}
+
 double norm(const Triple& v) noexcept { return std::hypot(double{v[0]}, double{v[1]}, double{v[2]}); }
 
 msg::Phase phase_of(const TickSample& sample) noexcept { return static_cast<msg::Phase>(sample.phase); }
@@ -47,6 +56,7 @@ msg::StationState state_message(const TickSample& sample) {
   wire::set_vector(*state.mutable_normal_camera(), sample.normal_camera);
   wire::set_vector(*state.mutable_device_camera(), sample.device_camera);
   wire::set_vector(*state.mutable_force_camera_n(), sample.force_camera);
+  set_attitude(state, sample.hand_attitude_camera);
   state.set_distance_m(sample.distance_m);
   state.set_indentation_m(sample.indentation_m);
   state.set_in_body(sample.in_body);

@@ -67,7 +67,7 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
   const double dt_s = kTick_s * static_cast<double>(1 + std::min(due.missed, kMostStepsToCatchUp));
 
   if (surfaces_.take()) loop_.adopt(surfaces_.current(), now);
-  if (const std::optional<ports::HandSample> sample = rig_.hand(now)) loop_.hand_sampled(sample->at, sample->hand);
+  if (const std::optional<ports::HandSample> sample = rig_.hand(now)) loop_.hand_sampled(sample->at, sample->hand, sample->attitude);
   if (rearm_.load(std::memory_order_relaxed) && rearm_.exchange(false, std::memory_order_relaxed)) loop_.rearm();
   const ports::DeviceReading reading = rig_.read();
   device_.put(reading.at);

@@ -10,8 +10,8 @@
 
 namespace telepalp::tracking {
 
-/// Hands the newest hand position from a protocol thread to the haptic thread and converts its time to session time.
-/// `Frame`: the frame of reference of the positions.
+/// Hands the newest hand position and attitude from a protocol thread to the haptic thread and converts its time to
+/// session time. `Frame`: the frame of reference of the positions.
 template <class Frame>
 class LatestHand {
  public:
@@ -19,14 +19,19 @@ class LatestHand {
   struct Seen {
     Clock::time_point at;
     Point<Frame> hand;
+    std::optional<Eigen::Quaterniond> attitude;  ///< Frame from the hand's axes; nullopt: the tracker told none
   };
   struct Timed {
     SessionTime at;
     Point<Frame> hand;
+    std::optional<Eigen::Quaterniond> attitude;
   };
 
   /// Protocol thread only.
-  void put(Clock::time_point at, const Point<Frame>& hand) { newest_.put({at, hand}); }
+  void put(Clock::time_point at, const Point<Frame>& hand,
+           const std::optional<Eigen::Quaterniond>& attitude = std::nullopt) {
+    newest_.put({at, hand, attitude});
+  }
 
   /// The newest position, if one has arrived since the last take(). Both take() functions: haptic thread only.
   [[nodiscard]] std::optional<Seen> take() noexcept {
@@ -36,7 +41,7 @@ class LatestHand {
     (void)session_clock_.map(now.time_since_epoch(), Clock::now().time_since_epoch());
     const std::optional<Seen> seen = take();
     if (!seen) return std::nullopt;
-    return Timed{SessionTime(seen->at.time_since_epoch() - session_clock_.difference()), seen->hand};
+    return Timed{SessionTime(seen->at.time_since_epoch() - session_clock_.difference()), seen->hand, seen->attitude};
   }
 
  private:

@@ -58,13 +58,15 @@ void LeapTracker::on_frame(const leap::Frame& frame) {
   const std::chrono::microseconds service_time(frame.timestamp_us);
   const auto at = service_clock_.map(service_time, Clock::now().time_since_epoch());
   if (const auto hand = followed_.choose(std::chrono::duration<double>(service_time).count(), frame.hands))
-    latest_hand_.put(Clock::time_point(at), hand->palm);
+    latest_hand_.put(Clock::time_point(at), hand->palm, hand->attitude);
 }
 
 std::optional<ports::HandSample> LeapTracker::sample(SessionTime now, const ports::DeviceReading&) noexcept {
   const auto seen = latest_hand_.take(now);
   if (!seen) return std::nullopt;
-  return ports::HandSample{seen->at, haptic_from_tracker_ * seen->hand};
+  ports::HandSample sample{seen->at, haptic_from_tracker_ * seen->hand, std::nullopt};
+  if (seen->attitude) sample.attitude = Eigen::Quaterniond(haptic_from_tracker_.iso.linear()) * *seen->attitude;
+  return sample;
 }
 
 std::optional<Point<HandTracker>> LeapTracker::palm() noexcept {

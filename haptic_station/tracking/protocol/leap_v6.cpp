@@ -2,6 +2,7 @@
 
 #include <google/protobuf/util/json_util.h>
 
+#include "haptic_station/tracking/hand_axes.h"
 #include "messages/leap_v6.pb.h"
 
 namespace telepalp::tracking::leap {
@@ -29,11 +30,19 @@ std::optional<Eigen::Vector3d> three(const Numbers& numbers, double most) {
   return v * kMetres;
 }
 
+std::optional<Eigen::Vector3d> direction(const Numbers& numbers) {
+  const auto unit = three(numbers, 1.001);
+  return unit ? std::optional<Eigen::Vector3d>(*unit / kMetres) : std::nullopt;
+}
+
 std::optional<Hand> hand_of(const leap_v6::Text::Hand& hand_text) {
   const auto palm = three(hand_text.palmposition(), kFurthest_mm);
   if (!palm) return std::nullopt;
-  Hand hand{.id = hand_text.id(), .palm = {*palm}, .velocity = {}};
+  Hand hand{.id = hand_text.id(), .palm = {*palm}, .velocity = {}, .attitude = {}};
   if (const auto velocity = three(hand_text.palmvelocity(), kFastest_mm_per_s)) hand.velocity.v = *velocity;
+  const auto fingers = direction(hand_text.direction());
+  const auto out_of_palm = direction(hand_text.palmnormal());
+  if (fingers && out_of_palm) hand.attitude = hand_axes(*fingers, *out_of_palm);
   return hand;
 }
 

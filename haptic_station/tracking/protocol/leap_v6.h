@@ -22,7 +22,8 @@ struct Hello {
 struct Hand {
   std::int64_t id = 0;
   Point<HandTracker> palm;
-  Vector<HandTracker> velocity;  ///< [m/s]; zero when the text has no velocity
+  Vector<HandTracker> velocity;                     ///< [m/s]; zero when the text has no velocity
+  std::optional<Eigen::Quaterniond> attitude = {};  ///< L from the hand's axes (hand_axes.h); nullopt: none in the text
 };
 
 /// One frame: the hands that the service sees; may be empty.

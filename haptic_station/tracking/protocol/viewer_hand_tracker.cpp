@@ -30,7 +30,7 @@ ViewerHandTracker::Taken ViewerHandTracker::hear(const msg::ViewerHand& hand, co
 
 std::optional<ports::HandSample> ViewerHandTracker::sample(SessionTime now, const ports::DeviceReading&) noexcept {
   const auto seen = latest_hand_.take(now);
-  return seen ? std::optional(ports::HandSample{seen->at, seen->hand}) : std::nullopt;
+  return seen ? std::optional(ports::HandSample{seen->at, seen->hand, std::nullopt}) : std::nullopt;
 }
 
 const char* in_words(ViewerHandTracker::Taken taken) noexcept {

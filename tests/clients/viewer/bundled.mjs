@@ -6,6 +6,9 @@ const [sources, work] = process.argv.slice(2);
 
 export async function bundled(module) {
   const {buildSync} = await import(pathToFileURL(join(work, 'node_modules/esbuild/lib/main.js')));
-  const built = buildSync({entryPoints: [join(sources, module)], bundle: true, format: 'esm', write: false});
+  const built = buildSync({
+    entryPoints: [join(sources, module)], nodePaths: [join(work, 'node_modules')], bundle: true, format: 'esm',
+    write: false,
+  });
   return import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].text).toString('base64')}`);
 }

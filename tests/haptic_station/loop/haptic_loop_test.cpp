@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptic_station/loop/plane_snapshot.h"
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/rigs/placement.h"
@@ -120,6 +121,29 @@ TEST(HapticLoop, ReportsEachCompensationOfDelayAndItsAmount) {
   EXPECT_LT(most.surface_carried_m, 0.002) << "a breath moves no faster than 25 mm/s";
   EXPECT_GT(most.surface_sigma_m, 0.0);
   EXPECT_GT(most.shown_offset_m, 0.005) << "the drawn hand stays on the skin, the tracked one is in it";
+}
+
+TEST(HapticLoop, TellsTheHandsAttitudePredictedToNowInTheCamerasFrame) {
+  HapticLoop loop({}, control::EncounteredController({}, {}));
+  const Eigen::Quaterniond camera_turn(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()));
+  PlaneSnapshot plane(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(), 1.0);
+  TouchableSurface surface{std::shared_ptr<const surface::SurfaceSnapshot>(&plane, [](const auto*) {}), {}};
+  surface.haptic_from_camera.iso.linear() = camera_turn.toRotationMatrix();
+  loop.adopt(surface, at_tick(0));
+  const auto turned = [](int tick) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(2.0 * tick * kTick_s, Eigen::Vector3d::UnitY()));
+  };
+  TickSample told;
+  for (int tick = 0; tick < 2010; ++tick) {
+    if (tick == 10) {
+      EXPECT_EQ(told.hand_attitude_camera, (std::array<float, 4>{})) << "no hand yet";
+    }
+    if (tick >= 10 && tick % 20 == 0) loop.hand_sampled(at_tick(tick), {{0.0, 0.02, 0.0}}, turned(tick));
+    told = loop.tick({.at = {{0.0, 0.03, 0.0}}, .velocity = {}}, at_tick(tick), kTick_s).sample;
+  }
+  const auto& q = told.hand_attitude_camera;
+  const Eigen::Quaterniond got(q[3], q[0], q[1], q[2]);
+  EXPECT_LT(got.angularDistance(camera_turn.conjugate() * turned(2009)), 0.002);
 }
 
 TEST(HapticLoop, WithoutASurfaceThereIsNoForce) {

@@ -32,6 +32,36 @@ TEST(HandTrace, SkipsAndCountsWhatCannotBeUsed) {
   EXPECT_EQ(trace->samples.back().at, SessionTime{std::chrono::microseconds(5000)});
 }
 
+TEST(HandTrace, ReadsTheAttitudeFromAQuaternionOrFromTwoDirections) {
+  const Result<HandTrace> shipped = read_hand_trace(TELEPALP_SOURCE_DIR "/deploy/demo_data/hand_grab.csv");
+  ASSERT_TRUE(shipped.ok()) << to_string(shipped.error());
+  ASSERT_TRUE(shipped->samples[0].attitude);
+  const Eigen::Vector3d palm(-0.131365, -0.683878, -0.717673);
+  EXPECT_LT((*shipped->samples[0].attitude * Eigen::Vector3d::UnitZ() + palm).norm(), 1e-3);
+  const Result<HandTrace> trace = parse_hand_trace(
+      "timestamp_us,palm_x_mm,palm_y_mm,palm_z_mm,qx,qy,qz,qw\n"
+      "1,0,0,0,0.6,0,0,0.8\n2,0,0,0,0,0,0,0\n3,0,0,0,nan,0,0,1\n",
+      "t.csv");
+  ASSERT_TRUE(trace.ok());
+  ASSERT_EQ(trace->samples.size(), 3U);
+  EXPECT_NEAR(trace->samples[0].attitude->x(), 0.6, 1e-12);
+  EXPECT_FALSE(trace->samples[1].attitude) << "no rotation";
+  EXPECT_FALSE(trace->samples[2].attitude) << "no number";
+}
+
+TEST(HandTrace, ARecordedPersonTurnsTheHandAsTheTraceDoes) {
+  const Result<HandTrace> trace = parse_hand_trace(
+      "timestamp_us,palm_x_mm,palm_y_mm,palm_z_mm,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1000000,10,0,0,0.6,0,0,0.8\n", "t.csv");
+  ASSERT_TRUE(trace.ok());
+  Transform<HapticBase, HandTracker> turned;
+  turned.iso.linear() = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const RecordedIntention person(*trace, turned, {}, 0.0);
+  const Eigen::Quaterniond end = Eigen::Quaterniond(turned.iso.linear()) * Eigen::Quaterniond(0.8, 0.6, 0.0, 0.0);
+  ASSERT_TRUE(person.attitude(1.0));
+  EXPECT_LT(person.attitude(1.0)->angularDistance(end), 1e-9);
+  EXPECT_NEAR(person.attitude(1.5)->angularDistance(end), 0.5 * person.attitude(0.0)->angularDistance(end), 1e-9);
+}
+
 TEST(HandTrace, NamesTheColumnThatIsMissing) {
   const Result<HandTrace> trace = parse_hand_trace("timestamp_us,palm_x_mm,palm_z_mm\n1,2,3\n", "t.csv");
   ASSERT_FALSE(trace.ok());

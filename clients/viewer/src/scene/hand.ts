@@ -1,4 +1,4 @@
-import {Color, Mesh, MeshStandardMaterial, type Vector3} from 'three';
+import {Color, Mesh, MeshStandardMaterial, Quaternion, type Vector3} from 'three';
 
 import {handGeometry} from './hand_shape';
 
@@ -6,11 +6,12 @@ const CALM = new Color('#e8c9b4');
 const DEEPEST = new Color('#d4142a');
 /** The indentation at which the hand is fully red: the depth for which S1 III.A states forces. */
 const ALL_RED_M = 0.06;
+const PALM_DOWN = new Quaternion();
 
 /**
  * S1 II.E: an avatar of the doctor's hand, at the displayed hand position, whose colour shifts gradually to red the
- * deeper the end-effector is inside the surface. Its rotation is constant, because the protocol does not carry the
- * tracked rotation.
+ * deeper the end-effector is inside the surface. It has the tracked attitude, or lies palm down with the fingers up the
+ * picture while the tracker tells none.
  */
 export class Hand {
   private readonly material = new MeshStandardMaterial(
@@ -25,8 +26,9 @@ export class Hand {
   }
 
   /** `at` undefined: the station has no hand, and none is drawn. */
-  show(at: Vector3 | undefined, indentation_m: number): void {
+  show(at: Vector3 | undefined, attitude: Quaternion | undefined, indentation_m: number): void {
     if (at !== undefined) this.mesh.position.copy(at);
+    this.mesh.quaternion.copy(attitude ?? PALM_DOWN);
     this.known = at !== undefined;
     this.mesh.visible = this.known && this.shown;
     const red = Math.min(1, Math.max(0, indentation_m / ALL_RED_M));

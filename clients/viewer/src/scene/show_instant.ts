@@ -3,7 +3,7 @@ import {shownHand} from '../panel/touch_advice';
 import type {Instant, Picture} from '../present/instant';
 import {length} from '../viewer_state';
 import {forceColor, FULL_SCALE_N} from './force_color';
-import {fromCamera} from './frames';
+import {fromCamera, rotationFromCamera} from './frames';
 import type {SceneView} from './scene_view';
 
 /** Puts picture, hand and force of one instant into the scene, to be drawn together. */
@@ -24,7 +24,8 @@ function showStation({hand, probe, surface}: SceneView, station: StationState): 
   const color = forceColor(force_N);
   const proxy = station.proxyCamera && fromCamera(station.proxyCamera);
   const at = shownHand(station);
-  hand.show(at && fromCamera(at), station.indentationM);
+  const attitude = station.handAttitudeCamera && rotationFromCamera(station.handAttitudeCamera);
+  hand.show(at && fromCamera(at), attitude, station.indentationM);
   probe.show(
       {
         device: station.deviceCamera && fromCamera(station.deviceCamera),

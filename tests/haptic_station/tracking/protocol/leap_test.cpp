@@ -42,6 +42,9 @@ TEST(LeapText, ReadsVersionFramesAndOtherTexts) {
   EXPECT_EQ(seen.hands[0].id, 12);
   EXPECT_LT((seen.hands[0].palm.m - Vector3d(0.070998, 0.185083, 0.0122664)).norm(), 1e-12);
   EXPECT_LT((seen.hands[0].velocity.v - Vector3d(0.0341, 0.0304, -0.0058)).norm(), 1e-12);
+  ASSERT_TRUE(seen.hands[0].attitude);
+  EXPECT_LT((*seen.hands[0].attitude * Vector3d::UnitZ() - Vector3d::UnitY()).norm(), 1e-12) << "the back is up";
+  EXPECT_LT((*seen.hands[0].attitude * Vector3d::UnitY() + Vector3d::UnitZ()).norm(), 1e-12) << "fingers ahead";
   const auto event = leap::parse_text(R"({"event":{"state":{"attached":true,"id":"x"},"type":"deviceEvent"}})");
   ASSERT_TRUE(event);
   EXPECT_TRUE(std::holds_alternative<leap::Other>(*event));
@@ -55,6 +58,17 @@ TEST(LeapText, LeavesOutHandsWhoseNumbersCannotBeRight) {
     ASSERT_EQ(frame.hands.size(), 1u) << x;
     EXPECT_EQ(frame.hands[0].id, 13) << x;
     EXPECT_EQ(frame.refused, 1u) << x;
+  }
+}
+
+TEST(LeapText, AHandWhoseDirectionsSayNothingHasNoAttitude) {
+  for (const char* told : {R"("direction":[0,0,-1])", R"("direction":[0,0,0],"palmNormal":[0,-1,0])",
+                           R"("direction":[0,0,-9],"palmNormal":[0,-1,0])", R"("direction":[0],"palmNormal":[0,-1,0])",
+                           R"("direction":[0,-1,0],"palmNormal":[0,-1,0])"}) {
+    const auto read = leap::parse_text(frame_text(1, R"({"id":1,"palmPosition":[1,2,3],)" + std::string(told) + "}"));
+    ASSERT_TRUE(read) << told;
+    ASSERT_EQ(std::get<leap::Frame>(*read).hands.size(), 1u) << told;
+    EXPECT_FALSE(std::get<leap::Frame>(*read).hands[0].attitude) << told;
   }
 }
 
@@ -154,6 +168,8 @@ TEST_F(LeapTrackerTest, GivesEachHandOnceInHAtTheTrackersTime) {
   const auto sample = next(tracker);
   ASSERT_TRUE(sample);
   EXPECT_LT((sample->hand.m - Vector3d(0.070, -0.185083, -0.0122664)).norm(), 1e-12);
+  ASSERT_TRUE(sample->attitude);
+  EXPECT_LT((*sample->attitude * Vector3d::UnitY() - Vector3d::UnitZ()).norm(), 1e-12) << "the fingers, in H";
   EXPECT_GE(sample->at, before - 1ms);
   EXPECT_LE(sample->at, session_now());
   EXPECT_FALSE(tracker.sample(session_now(), {})) << "given once";
