@@ -25,7 +25,7 @@ program::Usage usage() {
           .purpose = "records a server's messages to a session file; describes and repairs such files",
           .positional = {},
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
-                      {"key", "FILE", "your key, of telepalp-keys; needed for a server on another machine"},
+                      {"key", "FILE", "your key (telepalp-keys), for a server elsewhere"},
                       {"out", "FILE.mcap", "new session file; named FILE.mcap.partial until it is complete"},
                       {"topics", "LIST", "comma-separated; a name ending in * is a prefix", "*"},
                       {"seconds", "S", "stop after this time; 0: at Ctrl-C", "0"},

@@ -301,7 +301,7 @@ TEST_F(Recorder, WithoutAServerItGivesUpAndLeavesNothingBehind) {
 
 TEST_F(Recorder, AskedWronglyItExitsWithTwo) {
   EXPECT_EQ(run({}), 2);
-  EXPECT_EQ(run({"--out", session(), "--connect", "nowhere"}), 2);
+  EXPECT_EQ(run({"--out", session(), "--connect", "nowhere:none"}), 2);
   EXPECT_EQ(run({"--out", session(), "--seconds", "soon"}), 2);
   EXPECT_EQ(run({"--no-such-option"}), 2);
 }

@@ -63,7 +63,7 @@ error_code connecting_to(const std::string& path) {
 /// may be replaced: a crashed station left it.
 std::optional<std::string> in_the_way(const OwnFolder::Entry& entry, const std::string& path) {
   if (S_ISLNK(entry.mode)) return "the path is a symbolic link, which could lead anywhere";
-  if (!S_ISSOCK(entry.mode)) return "the path is a file or folder and no socket; it is left as it is";
+  if (!S_ISSOCK(entry.mode)) return "the path is a file or a folder, not a socket; it is left as it is";
   if (entry.owner != ::geteuid()) return "the path is a socket of another user";
   const error_code error = connecting_to(path);
   if (!error) return "another station listens there";

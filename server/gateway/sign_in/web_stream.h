@@ -1,9 +1,14 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <boost/asio/associated_executor.hpp>
+#include <boost/asio/error.hpp>
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/websocket/teardown.hpp>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "proto/wire/tls_stream.h"
@@ -50,11 +55,51 @@ class WebStream {
   std::unique_ptr<boost::beast::tcp_stream> plain_;
 };
 
+/// Reads and discards what a browser still sends after the server's close frame. A socket that is closed with unread
+/// bytes resets the connection, and the browser then loses the close frame. Ends when the browser closes, or after
+/// `kMostDiscarded`. Beast's own teardown ends after its first read.
+template <class Handler>
+class Discard {
+ public:
+  using executor_type = boost::asio::associated_executor_t<Handler, boost::asio::ip::tcp::socket::executor_type>;
+
+  Discard(boost::asio::ip::tcp::socket& socket, Handler handler)
+      : socket_(&socket), handler_(std::move(handler)), bytes_(std::make_unique<std::array<char, 4096>>()) {}
+
+  executor_type get_executor() const { return boost::asio::get_associated_executor(handler_, socket_->get_executor()); }
+
+  static void start(Discard self) {
+    auto& socket = *self.socket_;
+    const auto buffer = boost::asio::buffer(*self.bytes_);
+    socket.async_read_some(buffer, std::move(self));
+  }
+
+  void operator()(boost::system::error_code failed, std::size_t count) {
+    left_ -= std::min(count, left_);
+    if (!failed && left_ > 0) return start(std::move(*this));
+    boost::system::error_code ignored;
+    socket_->close(ignored);
+    if (failed == boost::asio::error::eof) failed = {};
+    std::move(handler_)(failed);
+  }
+
+ private:
+  static constexpr std::size_t kMostDiscarded = 4 << 20;  // of a peer that never stops
+
+  boost::asio::ip::tcp::socket* socket_;  // its owner outlives the teardown
+  Handler handler_;
+  std::unique_ptr<std::array<char, 4096>> bytes_;
+  std::size_t left_ = kMostDiscarded;
+};
+
 /// Beast calls these at the end of a WebSocket. The close frame has been exchanged inside the session, so that TLS's
 /// own close_notify would add nothing.
 template <class Handler>
-void async_teardown(boost::beast::role_type role, WebStream& stream, Handler&& handler) {
-  boost::beast::websocket::async_teardown(role, stream.socket(), std::forward<Handler>(handler));
+void async_teardown(boost::beast::role_type, WebStream& stream, Handler&& handler) {
+  boost::system::error_code ignored;  // of a peer that is gone: the read says so, too
+  stream.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+  using Op = Discard<std::decay_t<Handler>>;
+  Op::start(Op(stream.socket(), std::forward<Handler>(handler)));
 }
 inline void beast_close_socket(WebStream& stream) {
   boost::system::error_code ignored;

@@ -105,11 +105,12 @@ TEST(Organ, ForceIsTheGradientOfItsEnergyEverywhereInALiver) {
 }
 
 TEST(Organ, ReportsUpperLateralNearAndAway) {
+  Organ beside = ball_organ(0.03, 0.003);
+  (void)beside.step(at({0.025, 0.0, 0.0}), 0.0005);
+  EXPECT_EQ(beside.touch(), ObjectTouch::Lateral);
   Organ organ = ball_organ(0.03, 0.003);
   (void)organ.step(at({0.0, 0.025, 0.0}), 0.0005);
   EXPECT_EQ(organ.touch(), ObjectTouch::Upper);
-  (void)organ.step(at({0.025, 0.0, 0.0}), 0.0005);
-  EXPECT_EQ(organ.touch(), ObjectTouch::Lateral);
   EXPECT_EQ(organ.step(at({0.0, 0.036, 0.0}), 0.0005).N.norm(), 0.0);
   EXPECT_EQ(organ.touch(), ObjectTouch::Near);
   (void)organ.step(at({0.0, 0.045, 0.0}), 0.0005);
