@@ -24,7 +24,7 @@ struct RowPlan {
   uint32_t* context = nullptr;
   uint16_t* predicted = nullptr;
   uint16_t* symbol = nullptr;
-  uint16_t* before_class = nullptr;  // of frames with a reference frame
+  uint16_t* before_class = nullptr;  // class of the reference frame's pixel; dependent frames only
 };
 
 template <bool kDependent, class Coder>

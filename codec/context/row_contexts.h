@@ -24,7 +24,7 @@ inline RowVector row_vector_at(const uint16_t* at) {
   return stretch;
 }
 
-/// Computes bounded(a - b, most) + most.
+/// The difference a - b, clamped to [-most, most] and shifted by `most`: a number from 0 to 2 * most.
 inline RowVector bounded_difference(RowVector a, RowVector b, uint16_t most) {
   const RowVector higher = a > b ? a : b;
   const RowVector up = higher - b;

@@ -14,7 +14,8 @@ namespace telepalp::codec {
 /// after them is: byte = min(run, 31) * 8 + TokenKind. The kind of the previous token selects one of four streams, so
 /// that zstd's Huffman coder sees that context. Longer runs and larger steps continue in `extra` as varints. A pixel
 /// that is measured where a gap is predicted has its rank in `entries`, as the zigzag-coded difference from the
-/// previous entry. Why not from a neighbour: token layout then needs no ranks, so that many rows are predicted at once.
+/// previous entry. The reference is the previous entry and not a neighbouring pixel, so that the reader places tokens
+/// without knowing ranks and then predicts many rows at once.
 struct TokenStreams {
   std::array<std::string, 4> tokens;
   std::string extra;

@@ -17,19 +17,20 @@ struct HandOnProbe {
 
 struct ProbeCalibration {
   Eigen::Isometry3d haptic_from_tracker = Eigen::Isometry3d::Identity();
-  Residuals residuals;             ///< distance of each pose's translation from the mean, at the probe
-  std::vector<double> angles_rad;  ///< angle of each pose's rotation from the mean
+  /// By pose: the distance in H between the hand as the device gives it and the hand as the tracker gives it.
+  Residuals residuals;
+  std::vector<double> angles_rad;  ///< by pose: the angle between these two hands
 };
 
 struct ProbeSettings {
-  double furthest_m = 0.03;      ///< largest distance of a pose from the mean
-  double furthest_rad = 0.2618;  ///< largest angle of a pose from the mean: 15 degrees
+  double furthest_m = 0.03;      ///< largest residual that a pose may have
+  double furthest_rad = 0.2618;  ///< largest angle that a pose may have: 15 degrees
 };
 
 /// Finds the tracker's pose in the haptic base's frame from poses of a hand that lies on the probe in the known pose
 /// `probe_from_hand` (S2 II.C). The tracker may be worn on the head or fixed. One pose is enough; several are averaged:
 /// chordal mean of the rotations, mean of the hand's positions. Error: no pose, a number that is not finite, a matrix
-/// that is not a rotation (mirrored or scaled), or poses that differ from the mean by more than `settings` allow.
+/// that is not a rotation (mirrored or scaled), or a pose whose residual or angle exceeds `settings`.
 [[nodiscard]] Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> poses,
                                                                const Eigen::Isometry3d& probe_from_hand,
                                                                const ProbeSettings& settings = {});

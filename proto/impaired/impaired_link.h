@@ -26,7 +26,7 @@ struct LinkStatistics {
   std::uint64_t sent_bytes = 0;
   std::uint64_t delivered = 0;  ///< duplicates included
   std::uint64_t delivered_bytes = 0;
-  std::uint64_t lost = 0;     ///< by the loss model and in outages; for streams: delayed
+  std::uint64_t lost = 0;     ///< datagrams lost, and TCP segments delayed, by the loss model or an outage
   std::uint64_t dropped = 0;  ///< did not fit in the queue
   std::uint64_t reordered = 0;
   std::uint64_t duplicated = 0;

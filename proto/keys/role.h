@@ -7,14 +7,14 @@
 
 namespace telepalp::keys {
 
-/// What a person may be. A key or token carries one role. `Local` is a program on the server's own machine, when the
-/// server has no keys and listens on loopback alone; no key carries it.
+/// The role of a person, which decides the allowed operations. A key or token carries one role. `Local` is a program on
+/// the server's own machine, when the server has no keys and listens on loopback alone; no key carries it.
 enum class Role { Technician, Doctor, Viewer, Qa, Local };
 
-/// What a peer may ask of a server. Each is checked where it enters the server.
+/// An operation that a peer requests from a server. The server checks the peer's role when the request arrives.
 enum class Operation {
   Watch,    ///< subscribe to topics: see the patient, the hand and the statistics
-  Touch,    ///< publish /station/..., or hold the hand in the web viewer
+  Touch,    ///< publish /station/..., or move the hand in the web viewer
   Record,   ///< join as a recorder
   Metrics,  ///< read /metrics
 };

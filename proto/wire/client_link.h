@@ -44,8 +44,8 @@ class ClientLink : private ConnectionOwner {
   struct Options {
     std::string host = "127.0.0.1";
     std::uint16_t port = 0;
-    std::string name{};                          ///< of this program; appears in the server's statistics
-    std::string role = "viewer";                 ///< doctor, recorder, technician, qa, viewer: what place it is given
+    std::string name{};           ///< name of this program, for the server's statistics
+    std::string role = "viewer";  ///< doctor, recorder, technician, qa, viewer; the server limits the number of each
     std::shared_ptr<const keys::KeyFile> key{};  ///< null: plain TCP, to this machine alone
     std::vector<std::string> subscribes{};       ///< topic names; one ending in '*' is a prefix
     std::vector<Topic> publishes{};  ///< topics that publish() accepts; the server accepts only /station/…

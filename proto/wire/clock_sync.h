@@ -33,10 +33,12 @@ struct SlewedOffset {
 
 /// Estimates session time minus local steady time from probes. Pure: it reads no clock.
 ///
-/// Delivery only delays: the quickest request of the last minute bounds the offset from above, the quickest reply from
-/// below, and the estimate is the middle. Jitter that is alike in both directions cancels. The drift of the clocks is the
-/// change of the estimate over half a minute. Samples that contradict the one with the shortest round trip are left out. An upward correction applies at once. A downward correction is slewed, so
-/// that time never runs backwards; one of 1 s or more means a restarted session and applies at once.
+/// The network delay is never negative. So the quickest request of the last minute bounds the offset from above, the
+/// quickest reply bounds it from below, and the estimate is the middle. Jitter that is alike in both directions
+/// cancels. The drift of the clocks is the change of the estimate over half a minute. Samples that contradict the
+/// sample with the smallest error bound are left out. An upward correction applies at once. A downward correction is
+/// slewed, so that time never runs backwards; a downward correction of 1 s or more means a restarted session and
+/// applies at once.
 class ClockSync {
  public:
   /// Adds a sample. False: the sample is inconsistent (time ran backwards) and is dropped.
@@ -47,7 +49,8 @@ class ClockSync {
 
   /// The slewed estimate of session minus local time; nullopt before the first sample.
   [[nodiscard]] const std::optional<SlewedOffset>& offset() const noexcept { return given_; }
-  /// Bound on the estimate's error on any path, symmetric or not: the bounds, widened by the largest drift of oscillators.
+  /// Bound on the estimate's error on any path, symmetric or not: the bounds, widened by the largest drift of
+  /// oscillators.
   [[nodiscard]] Nanoseconds uncertainty() const noexcept;
   /// Number of corrections that were applied at once, without the first.
   [[nodiscard]] std::uint64_t steps() const noexcept { return steps_; }

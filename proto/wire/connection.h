@@ -63,11 +63,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::uint64_t run = 0;                             ///< random number of this run of the program; 0: none
     std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
     std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello
-    /// More is left in the kernel until its time comes, so that the peer is held up and nobody else; 0: no limit.
+    /// Limit on the rate of reading; 0: no limit. Bytes above it stay in the kernel's receive buffer until they are
+    /// due, so that TCP's flow control slows this peer alone.
     std::size_t max_read_bytes_per_s = 0;
   };
 
-  /// `owner` must live until on_closed() was called, or call abandon() first.
+  /// `owner` must live until on_closed() is called. An owner that is destroyed earlier calls abandon() before.
   Connection(std::unique_ptr<ByteStream> stream, Options options, ConnectionOwner& owner);
 
   void start();                                            ///< sends Hello, reads, and checks the deadlines
@@ -83,8 +84,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void abandon() noexcept;
 
   [[nodiscard]] bool ready() const noexcept { return phase_ == Phase::Open; }
-  /// Why each further attempt to connect would end the same way, if it would: the peer speaks another protocol version,
-  /// or refuses this end's key or role. `where` is empty.
+  /// The reason why another attempt to connect would fail too: the peer speaks another protocol version, or refuses
+  /// this end's key or role. nullopt: another attempt may succeed. Error::where is empty.
   [[nodiscard]] const std::optional<Error>& refusal() const noexcept { return refusal_; }
   [[nodiscard]] std::string peer() const { return stream_->peer(); }
   [[nodiscard]] bool is_sealed() const { return stream_->is_sealed(); }
@@ -127,10 +128,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   ConnectionOwner* owner_;  // null once closed or abandoned
   boost::asio::steady_timer deadline_;
   boost::asio::steady_timer read_again_;
-  std::chrono::steady_clock::time_point read_due_{};  // by max_read_bytes_per_s
+  std::chrono::steady_clock::time_point read_due_{};  // when max_read_bytes_per_s allows the next read
   Phase phase_ = Phase::Greeting;
   std::string leaving_because_;
-  bool refuses_ = false;  // the Goodbye is final
+  bool refuses_ = false;  // the Goodbye tells the peer not to try again: close() with `final`
   std::optional<Error> refusal_;
 
   std::array<std::byte, 64 << 10> incoming_{};

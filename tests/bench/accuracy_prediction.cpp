@@ -90,7 +90,7 @@ std::vector<TimeVariant> time_variants() {
   const double usual = SurfaceSettings{}.memory_frames;
   std::vector<TimeVariant> variants{
       {"none", "each frame alone", with(false, usual, false, false)},
-      {"hold", "average, shown as it was seen", with(true, usual, false, false)},
+      {"hold", "average, without prediction", with(true, usual, false, false)},
       {"velocity", "average, carried by its normal velocity", with(true, usual, true, false)},
       {"breathing (default)", "and by the breathing model; memory " + std::to_string(static_cast<int>(usual)),
        with(true, usual, true, true)}};

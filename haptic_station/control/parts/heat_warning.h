@@ -10,7 +10,7 @@ namespace telepalp::control {
 /// force. Owner: control thread.
 class HeatWarning {
  public:
-  /// The vibration to add to `force_N` for the next tick [N]; zero while the force can be held for long enough.
+  /// The vibration to add to `force_N` for the next tick [N]; it decays to zero while yields_in_s() is at least 4 s.
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& force_N, const ForceLimiter& limiter, double dt_s) noexcept;
 
   /// Time until the limiter would lower the force of the last step, if that force were held [s]; infinite: never.

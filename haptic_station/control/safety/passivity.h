@@ -9,7 +9,7 @@ struct PassivitySettings {
   double most_damping_N_s_per_m = 40.0;
   double tolerance_J = 1e-5;  ///< a smaller excess counts as rounding and quantisation
   double reaction_s = 0.004;  ///< the damping changes over about this time, so that the hand feels no jerk
-  double hand_most_damping_N_s_per_m = 25.0;  ///< largest damping against energy that the moving display gave the hand
+  double hand_most_damping_N_s_per_m = 25.0;  ///< largest damping for an excess in HandLedger
   double hand_tolerance_J = 1e-4;             ///< a smaller excess at the hand counts as noise of the measured surface
   double hand_reaction_s = 0.01;
   double slew_N_per_s = 120.0;  ///< largest rate of change of the damping force: 0.06 N a tick
@@ -32,8 +32,9 @@ struct Exchange {
 /// may store energy but must never return more than they took. This ledger detects the energy that sampling, stiffness
 /// and friction create. It cannot detect that the displayed surface itself moves wrongly.
 ///
-/// The ledger at the hand (HandLedger) compares with the newest measured surface and detects that. Its damping acts on
-/// the device's velocity in H, so that a resting hand feels none of it.
+/// The ledger at the hand (HandLedger) detects such wrong motion: it compares the work on the hand with the work that
+/// the newest measured surface would have done. Its damping acts on the device's velocity in H, so a resting hand feels
+/// none.
 ///
 /// The damping removes the excess and no more, and its force never steps. Owner: control thread.
 class PassivityController {

@@ -26,7 +26,7 @@ class TelemetryPublisher {
   void publish_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped, bool realtime,
                       const std::vector<msg::EffectCost>& bill);
 
-  /// Adds the measurement of the idle timer to the totals.
+  /// Adds to the totals how late this computer wakes a thread that only waits; see watch_idle_timer().
   void set_idle_timer(const msg::TimerCheck& check) { idle_timer_ = check; }
 
   /// Publishes an event.

@@ -11,9 +11,9 @@ struct StaticModelSettings {
   double unit_m = 1.0;      ///< metres for one unit of the file
   std::size_t samples = 0;  ///< number of points sampled from a mesh; 0: `spacing_m` decides
   double spacing_m = 0.0;   ///< distance of a mesh's samples; 0: area and smallest features decide
-  bool anyway = false;  ///< accept samples that are too coarse, a cloud that is too noisy, or normals without a side
+  bool anyway = false;  ///< accept too coarse samples, a too noisy cloud, or normals that contradict their neighbours
   std::uint64_t seed = 1;
-  int normal_neighbors = 16;                              ///< neighbours per estimated normal, at least
+  int normal_neighbors = 16;                              ///< smallest number of neighbours per estimated normal
   Eigen::Vector3d viewpoint_m = Eigen::Vector3d::Zero();  ///< estimated normals point towards this point
   double support_m = 0.0;     ///< radius of the weights; 0: three spacings, more where a cloud is noisy
   bool flip_normals = false;  ///< reverse all normals
@@ -29,9 +29,9 @@ struct StaticModel {
 /// Makes a touchable surface from a mesh or cloud, in the frame of the file. A mesh is resampled by Poisson-disk sample
 /// elimination, with vertex normals, or face normals if it has no vertex normals. Faces that are oriented against their
 /// neighbours are reversed. A closed mesh with inward normals is inverted; an open mesh is not. A cloud keeps its
-/// points, and its normals if they fit them; touched_cloud() says more. Error: no point has a normal, the coordinates
-/// cannot be metres, or `anyway` is not set and the samples are too coarse for the mesh, the cloud is too noisy, or its
-/// normals have no common side.
+/// points; it keeps its normals if they agree with the points, as touched_cloud() describes. Error: no point has a
+/// normal, the coordinates cannot be metres, or `anyway` is not set and the samples are too coarse for the mesh, the
+/// cloud is too noisy, or the normals of an open cloud contradict their neighbours.
 [[nodiscard]] Result<StaticModel> make_static_model(const models::PointModel& model,
                                                     const StaticModelSettings& settings);
 

@@ -36,9 +36,11 @@ struct GridLayout {
 /// sampled it.
 ///
 /// Each node's tangent plane is averaged with the mean plane: f = Σ w ½(n_i + n̄)·(x − p_i) / Σ w. On any quadric this
-/// is exact to third order, while the node planes or the mean plane alone are off by curvature × support² / 4 (for a
-/// sphere, the chord is perpendicular to the bisecting normal). f is C1: the weights fade smoothly in the image plane,
-/// whose coordinates are smooth functions of x.
+/// is exact to third order, while the node planes or the mean plane alone are off by curvature × support² / 4. Why: on
+/// a sphere, the line from p_i to a surface point x is perpendicular to the sum of the normals at p_i and x, and n̄
+/// approximates the normal at x. f is C1: the weights fade smoothly in the image plane, whose coordinates are smooth
+/// functions of x.
+///
 /// Does not own `nodes`; the derived class keeps them alive.
 class GridSurface : public SurfaceSnapshot {
  public:

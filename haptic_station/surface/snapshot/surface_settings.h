@@ -11,8 +11,8 @@ namespace telepalp::surface {
 /// Which implicit function represents the surface.
 enum class Method {
   Grid,   ///< smoothed nodes on the depth image's own lattice: the default
-  Paper,  ///< S1 §II.C to the letter: capped radius search, normals searched at each query
-  Cloud,  ///< points with given normals and a fading support: static models, unorganised clouds
+  Paper,  ///< exactly S1 §II.C: at most N neighbours within R, whose normals are estimated at each query
+  Cloud,  ///< points with given normals; weights fall to zero at the support: static models, unorganised clouds
 };
 
 /// The neighbour index of Paper and Cloud. Grid needs none.
@@ -36,7 +36,7 @@ struct SurfaceSettings {
 
   // over time
   bool temporal = true;          ///< average over frames where the patient is still, follow where they move
-  double memory_frames = 120.0;  ///< longest average of the detail that is finer than a motion cell: about one breath
+  double memory_frames = 120.0;  ///< most frames that a pixel's moving average weighs: about one breath
   bool predict = true;           ///< predict each snapshot forward by its velocity
   bool breathing = true;         ///< predict also by the breathing model once it has locked on
 

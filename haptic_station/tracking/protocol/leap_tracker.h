@@ -26,7 +26,7 @@ class LeapTracker final : public ports::Tracker {
   LeapTracker(device::WebSocketUrl url, const Transform<HapticBase, HandTracker>& haptic_from_tracker, Say say);
   ~LeapTracker() override;
 
-  /// Waits until the service announces protocol 6. Error: it did not within `limit`.
+  /// Waits until the service announces protocol 6. Error: no announcement within `limit`.
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
   [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,
