@@ -173,7 +173,7 @@ TEST_F(StationProgram, AValueInTheWrongUnitIsRefusedWithItsRange) {
 }
 
 TEST_F(StationProgram, AWrongCommandLineEndsWithTwo) {
-  EXPECT_EQ(run({"--connect", "nowhere"}), 2);
+  EXPECT_EQ(run({"--connect", "nowhere:none"}), 2);
   EXPECT_EQ(run({"--realtime", "perhaps"}), 2);
   EXPECT_EQ(run({"--seconds", "-3"}), 2);
 }
