@@ -57,9 +57,9 @@ struct Asked {
   bool loop = true;
   std::chrono::duration<double> seconds{0.0};
   std::filesystem::path ready_file;
-  std::optional<server::Access::Options> keys;  // none: this machine alone
+  std::optional<access::Access::Options> keys;  // none: this machine alone
   server::Server::Options server;
-  std::optional<server::GatewayOptions> gateway;  // nullopt: browsers are not served
+  std::optional<gateway::GatewayOptions> gateway;  // nullopt: browsers are not served
 };
 
 Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view option) {
@@ -69,18 +69,18 @@ Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view opt
       .what = "'" + text + "' is neither yes nor no", .where = "--" + std::string(option), .fix = "say yes or no"};
 }
 
-Result<std::optional<server::GatewayOptions>> gateway_options(const program::Arguments& arguments) {
-  if (!arguments.has("http-port")) return std::optional<server::GatewayOptions>{};
+Result<std::optional<gateway::GatewayOptions>> gateway_options(const program::Arguments& arguments) {
+  if (!arguments.has("http-port")) return std::optional<gateway::GatewayOptions>{};
   const Result<std::int64_t> port = arguments.whole("http-port", 0, 65535);
   if (!port) return port.error();
-  server::GatewayOptions options;
+  gateway::GatewayOptions options;
   options.address = arguments.text("bind");
   options.port = static_cast<std::uint16_t>(*port);
   options.server_name = arguments.text("name");
   options.log = [](const std::string& text) { program::log(kProgram, text); };
   options.policy.allowed_origins = arguments.all("allow-origin");
   for (const std::string& origin : options.policy.allowed_origins)
-    if (const Result<void> exact = server::check_origin(origin); !exact) return exact.error();
+    if (const Result<void> exact = gateway::check_origin(origin); !exact) return exact.error();
   options.viewer_files = arguments.text("viewer");
   if (!arguments.has("viewer")) {
     const auto index = program::shipped_file("viewer/index.html");
@@ -93,9 +93,9 @@ Result<std::optional<server::GatewayOptions>> gateway_options(const program::Arg
   return std::optional{std::move(options)};
 }
 
-Result<std::optional<server::Access::Options>> key_options(const program::Arguments& arguments) {
+Result<std::optional<access::Access::Options>> key_options(const program::Arguments& arguments) {
   if (arguments.has("key"))
-    return std::optional(server::Access::Options{.key = arguments.text("key"),
+    return std::optional(access::Access::Options{.key = arguments.text("key"),
                                                  .revoked = arguments.text("revoked"),
                                                  .audit = arguments.text("audit"),
                                                  .say = [](const std::string& text) { program::log(kProgram, text); }});
@@ -104,7 +104,7 @@ Result<std::optional<server::Access::Options>> key_options(const program::Argume
       return Error{.what = "this is of use with a key alone",
                    .where = "--" + std::string(option),
                    .fix = "add --key FILE, or leave it out"};
-  return std::optional<server::Access::Options>{};
+  return std::optional<access::Access::Options>{};
 }
 
 Result<Asked> read_asked(const program::Arguments& arguments) {
@@ -117,14 +117,13 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   const Result<std::int64_t> quality = arguments.whole("jpeg-quality", 1, 100);
   if (!quality) return quality.error();
   const Result<codec::DepthStreamSettings> depth =
-      server::read_depth_settings(arguments, {.mode = "depth-mode", .bound = "depth-bound"});
+      pipeline::read_depth_settings(arguments, {.mode = "depth-mode", .bound = "depth-bound"});
   if (!depth) return depth.error();
-  const Result<boost::asio::ip::address> address =
-      server::listening_address(arguments.text("bind"), arguments.has("key"));
+  const Result<boost::asio::ip::address> address = hub::listening_address(arguments.text("bind"), arguments.has("key"));
   if (!address) return address.error();
-  const Result<std::optional<server::GatewayOptions>> gateway = gateway_options(arguments);
+  const Result<std::optional<gateway::GatewayOptions>> gateway = gateway_options(arguments);
   if (!gateway) return gateway.error();
-  const Result<std::optional<server::Access::Options>> keys = key_options(arguments);
+  const Result<std::optional<access::Access::Options>> keys = key_options(arguments);
   if (!keys) return keys.error();
   const auto say = [](const std::string& text) { program::log(kProgram, text); };
   return Asked{.source = arguments.text("source"),
@@ -140,7 +139,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                .gateway = *gateway};
 }
 
-std::string ports_text(std::uint16_t port, const server::Gateway* gateway) {
+std::string ports_text(std::uint16_t port, const gateway::Gateway* gateway) {
   std::string text = "port=" + std::to_string(port) + "\n";
   if (gateway != nullptr) text += "http_port=" + std::to_string(gateway->port()) + "\n";
   return text;
@@ -149,21 +148,21 @@ std::string ports_text(std::uint16_t port, const server::Gateway* gateway) {
 int run(Asked asked) {
   boost::asio::io_context io;
   if (asked.keys) {
-    auto access = server::Access::with_key(*asked.keys);
+    auto access = access::Access::with_key(*asked.keys);
     if (!access) return program::fail(access.error());
     asked.server.access = std::move(access).value();
   }
   Result<std::unique_ptr<server::Server>> listening = server::Server::listen(io, asked.server);
   if (!listening) return program::fail(listening.error());
   server::Server& server = **listening;
-  Result<std::unique_ptr<server::CaptureSource>> source =
-      server::open_source(asked.source, {.clock = server.clock(), .loop = asked.loop, .paced = true});
+  Result<std::unique_ptr<capture::CaptureSource>> source =
+      capture::open_source(asked.source, {.clock = server.clock(), .loop = asked.loop, .paced = true});
   if (!source) return program::fail(source.error());
-  std::unique_ptr<server::Gateway> gateway;
+  std::unique_ptr<gateway::Gateway> gateway;
   if (asked.gateway) {
     asked.gateway->access = asked.server.access;
     asked.gateway->problem = [&server] { return server.problem(); };
-    auto opened = server::Gateway::open(
+    auto opened = gateway::Gateway::open(
         io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
     if (!opened) return program::fail(opened.error());
     gateway = std::move(opened).value();
@@ -193,12 +192,12 @@ int run(Asked asked) {
   server.start(std::move(source).value(), asked.source, [&] { stop("the source came to its end"); });
   program::log(kProgram, "listening on " + asked.server.bind + ":" + std::to_string(server.port()) +
                              (asked.keys ? ", TLS with keys" : ""));
-  asked.server.access->note(server::AuditEvent::Started, "port=" + std::to_string(server.port()));
+  asked.server.access->note(access::AuditEvent::Started, "port=" + std::to_string(server.port()));
   if (gateway) program::log(kProgram, "viewer at " + gateway->url());
   const Result<void> written = program::write_ready_file(asked.ready_file, ports_text(server.port(), gateway.get()));
   if (!written) return program::fail(written.error());
   io.run();
-  asked.server.access->note(server::AuditEvent::Stopped, {});
+  asked.server.access->note(access::AuditEvent::Stopped, {});
   program::log(kProgram, server.summary());
   return program::kDone;
 }

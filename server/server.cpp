@@ -42,15 +42,16 @@ std::string_view word_for(msg::CaptureState state) noexcept {
 
 Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Options options) {
   std::unique_ptr<Server> server(new Server(io, std::move(options)));
-  auto listener = PeerListener::listen(io, server->hub_, server->clock_,
-                                       {.address = server->options_.bind,
-                                        .port = server->options_.port,
-                                        .name = server->options_.name,
-                                        .access = server->options_.access,
-                                        .on_note = [raw = server.get()](const std::string& text) { raw->log(text); },
-                                        // The statistics are published before the hub forgets the totals of a leaving
-                                        // peer.
-                                        .on_leaving = [raw = server.get()] { raw->publish_clock_and_stats(); }});
+  auto listener =
+      hub::PeerListener::listen(io, server->hub_, server->clock_,
+                                {.address = server->options_.bind,
+                                 .port = server->options_.port,
+                                 .name = server->options_.name,
+                                 .access = server->options_.access,
+                                 .on_note = [raw = server.get()](const std::string& text) { raw->log(text); },
+                                 // The statistics are published before the hub forgets the totals of a leaving
+                                 // peer.
+                                 .on_leaving = [raw = server.get()] { raw->publish_clock_and_stats(); }});
   if (!listener) return listener.error();
   server->listener_ = std::move(listener).value();
   return server;
@@ -62,13 +63,13 @@ Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_
   });
 }
 
-void Server::start(std::unique_ptr<CaptureSource> source, const std::string& source_name,
+void Server::start(std::unique_ptr<capture::CaptureSource> source, const std::string& source_name,
                    std::function<void()> on_end) {
   started_ = std::chrono::steady_clock::now();
-  capture_ = std::make_unique<CaptureThread>(
+  capture_ = std::make_unique<pipeline::CaptureThread>(
       io_, std::move(source), source_name, options_.encode, clock_,
-      CaptureThread::Handlers{.on_message = [this](wire::Message message) { publish(std::move(message)); },
-                              .on_end = std::move(on_end)});
+      pipeline::CaptureThread::Handlers{.on_message = [this](wire::Message message) { publish(std::move(message)); },
+                                        .on_end = std::move(on_end)});
   publish_every_second();
 }
 
@@ -104,7 +105,7 @@ void Server::publish_every_second() {
 void Server::publish_clock_and_stats() {
   const SessionTime now = clock_.now();
   hub_.publish(wire::make_message(wire::kClock, now, clock_message(now)));
-  hub_.publish(wire::make_message(wire::kServerStats, now, server_stats(hub_, now)));
+  hub_.publish(wire::make_message(wire::kServerStats, now, hub::server_stats(hub_, now)));
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.
@@ -130,7 +131,7 @@ void Server::log(const std::string& text) const {
 std::string Server::summary() const {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   const auto found = hub_.topic_counts().find(wire::kCameraDepth.name);
-  const Hub::TopicCount depth = found == hub_.topic_counts().end() ? Hub::TopicCount{} : found->second;
+  const hub::Hub::TopicCount depth = found == hub_.topic_counts().end() ? hub::Hub::TopicCount{} : found->second;
   char line[200];
   std::snprintf(line, sizeof line,
                 "%.1f s, %llu frames captured; depth images: %llu published, %llu sent, %llu dropped", seconds,

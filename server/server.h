@@ -26,8 +26,8 @@ class Server {
     std::string name = "telepalp-server";
     std::string bind = "127.0.0.1";
     std::uint16_t port = 0;  ///< 0: any free port
-    std::shared_ptr<Access> access = Access::without_keys();
-    EncodeOptions encode{};
+    std::shared_ptr<access::Access> access = access::Access::without_keys();
+    pipeline::EncodeOptions encode{};
     std::function<void(const std::string&)> log{};  ///< log lines about peers and the camera's state
   };
 
@@ -35,14 +35,15 @@ class Server {
   [[nodiscard]] static Result<std::unique_ptr<Server>> listen(boost::asio::io_context& io, Options options);
 
   /// Starts to capture from `source`. `source_name` appears in messages. `on_end` is called once when the source ends.
-  void start(std::unique_ptr<CaptureSource> source, const std::string& source_name, std::function<void()> on_end);
+  void start(std::unique_ptr<capture::CaptureSource> source, const std::string& source_name,
+             std::function<void()> on_end);
 
   /// Stops capturing, sends queued messages and a Goodbye with `reason`. io.run() then returns within 1 s.
   void stop(const std::string& reason);
 
   [[nodiscard]] std::uint16_t port() const noexcept { return listener_->port(); }
   [[nodiscard]] const wire::SessionClock& clock() const noexcept { return clock_; }
-  [[nodiscard]] Hub& hub() noexcept { return hub_; }
+  [[nodiscard]] hub::Hub& hub() noexcept { return hub_; }
   /// What is wrong, for a health check; empty: nothing.
   [[nodiscard]] std::string problem() const;
   /// One line with the run's totals, for the end of the program.
@@ -60,15 +61,15 @@ class Server {
   boost::asio::io_context& io_;
   Options options_;
   wire::SessionClock clock_ = wire::SessionClock::anchored_to_wall_clock();
-  Hub hub_;
-  std::unique_ptr<PeerListener> listener_;
+  hub::Hub hub_;
+  std::unique_ptr<hub::PeerListener> listener_;
   boost::asio::steady_timer second_;
   bool stopped_ = false;  // checked by timer handlers: a timer that has expired cannot be cancelled
   std::chrono::steady_clock::time_point last_depth_{};
   std::string last_state_;              // last logged state
   std::size_t most_waiting_bytes_ = 0;  // peak of the hub's queues since memory was last released
   std::chrono::steady_clock::time_point started_{};
-  std::unique_ptr<CaptureThread> capture_;
+  std::unique_ptr<pipeline::CaptureThread> capture_;
 };
 
 }  // namespace telepalp::server

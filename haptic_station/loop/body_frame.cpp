@@ -4,7 +4,7 @@
 
 #include "haptic_station/loop/packed.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 using Eigen::Vector3d;
 
@@ -94,4 +94,4 @@ ObjectPlacements BodyFrame::objects() const noexcept {
   return objects;
 }
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

@@ -6,7 +6,7 @@
 #include "haptic_station/surface/touch/touch.h"
 #include "proto/words/frames.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 /// The marks to follow for the objects inside the body: for each object of `effects`, the skin straight above it
 /// (along y of the haptic base), in the depth camera's frame.
@@ -66,4 +66,4 @@ class BodyFrame {
   bool in_body_ = false;
 };
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

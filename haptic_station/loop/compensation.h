@@ -8,7 +8,7 @@
 #include "haptic_station/surface/touch/touch.h"
 #include "haptic_station/tracking/hand_estimate.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 /// How the station compensates delay at one tick: each quantity, its amount and its uncertainty. This is the complete
 /// list: no other delay is compensated. Published as msg.StationCompensation.
@@ -66,4 +66,4 @@ static_assert(std::is_trivially_copyable_v<Compensation>);
   return compensation;
 }
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

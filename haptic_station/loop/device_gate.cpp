@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace telepalp::station {
+namespace telepalp::loop {
 namespace {
 
 using Eigen::Vector3d;
@@ -93,4 +93,4 @@ GatedReading DeviceGate::step(const ports::DeviceReading& reading, double dt_s) 
   return answer(reading);
 }
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

@@ -4,7 +4,7 @@
 
 #include "haptic_station/ports/readings.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 /// Bounds of the end-effector's motion in a hand, and the handling of readings outside them.
 struct DeviceGateSettings {
@@ -56,4 +56,4 @@ class DeviceGate {
   std::uint64_t jumps_ = 0;
 };
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

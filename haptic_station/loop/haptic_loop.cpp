@@ -4,7 +4,7 @@
 
 #include "haptic_station/loop/packed.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 namespace {
 
 constexpr std::chrono::milliseconds kSameSession{
@@ -139,4 +139,4 @@ TickSample HapticLoop::sample_of(const control::ControlInput& in, const control:
   return sample;
 }
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

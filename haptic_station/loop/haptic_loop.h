@@ -14,7 +14,7 @@
 #include "proto/words/frames.h"
 #include "proto/words/time.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 /// A surface and its place relative to the haptic device. The surface thread hands it to the haptic thread.
 struct TouchableSurface {
@@ -93,4 +93,4 @@ class HapticLoop {
   bool rearm_ = false;
 };
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 /// A vector as three floats, each rounded to nearest, which halves the size of the recorded tick.
 inline std::array<float, 3> packed(const Eigen::Vector3d& v) noexcept {
@@ -26,4 +26,4 @@ inline std::array<float, 3> packed_towards_zero(const Eigen::Vector3d& v) noexce
   return floats;
 }
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

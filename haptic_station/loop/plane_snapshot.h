@@ -2,7 +2,7 @@
 
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 /// The tangent plane of a surface at one point, as a surface snapshot. A collision detection that is too slow for the 2
 /// kHz haptic thread runs on another thread and hands this plane over (S1 II.C and II.D find the proxy at 100 Hz and
@@ -41,4 +41,4 @@ class PlaneSnapshot final : public surface::SurfaceSnapshot {
   bool known_ = false;
 };
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 SimulatedRig::SimulatedRig(const Settings& settings, Person person) noexcept
     : pair_(settings.device, settings.hand), tracker_(settings.tracker, settings.seed), person_(std::move(person)) {
@@ -30,4 +30,4 @@ void SimulatedRig::apply(const Force<HapticBase>& force, const ports::SurfaceCon
   time_s_ += dt_s;
 }
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

@@ -8,7 +8,7 @@
 #include "haptic_station/ports/rig.h"
 #include "haptic_station/tracking/hand_trace.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 /// A simulated device held by a simulated hand that carries out a trial or repeats a recorded movement, observed by a
 /// simulated tracker. In the station it runs on the haptic thread; tests step it in virtual time.
@@ -38,4 +38,4 @@ class SimulatedRig final : public ports::Rig {
   double time_s_ = 0.0;
 };
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace telepalp::station {
+namespace telepalp::loop {
 
 /// The record of one tick of the 2 kHz loop. Positions [m] and forces [N] are in the haptic base's frame H; members
 /// whose names end in `camera` are in the depth camera's frame K. The haptic thread hands it to the network thread by
@@ -46,4 +46,4 @@ struct TickSample {
 };
 static_assert(std::is_trivially_copyable_v<TickSample>);
 
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

@@ -27,10 +27,10 @@ constexpr auto kSayStillWaiting = 5s;
 
 void say(const std::string& text) { program::log(kName, text); }
 
-HapticLoop make_loop(const scenes::Scene& scene) {
+loop::HapticLoop make_loop(const scenes::Scene& scene) {
   control::EncounteredController controller(scene.control, scene.effects);
   controller.book_costs_with(&cycles_now);
-  return HapticLoop({}, controller);
+  return loop::HapticLoop({}, controller);
 }
 
 wire::ClientLink::Options link_options(const StationOptions& options, bool takes_viewer_hand) {
@@ -69,7 +69,7 @@ Station::Station(boost::asio::io_context& io, const StationOptions& options, con
       viewer_hand_tracker_(rig.browser),
       telemetry_(
           ticks_, [this](wire::Message message) { publish(std::move(message)); },
-          [this](const TickSample& sample) { faults_.add(sample); }),
+          [this](const loop::TickSample& sample) { faults_.add(sample); }),
       faults_(io, telemetry_, options.control, options.state_folder, scene.name,
               {.now = [this] { return now(); }, .rearm = [this] { haptic_->rearm(); }}) {
   start_surface_thread(surface);

@@ -90,11 +90,11 @@ class Station {
   std::string depth_;  // depth mode that was logged last
 
   const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread
-  LatestValue<TouchableSurface> slow_surfaces_;                   // surface thread to collision thread, if it exists
-  LatestValue<TouchableSurface> surfaces_;                        // surface or collision thread to haptic thread
+  LatestValue<loop::TouchableSurface> slow_surfaces_;             // surface thread to collision thread, if it exists
+  LatestValue<loop::TouchableSurface> surfaces_;                  // surface or collision thread to haptic thread
   LatestValue<Point<HapticBase>> device_to_surface_;              // haptic thread to surface thread
   TickRing ticks_;                                                // haptic thread to network thread
-  HapticLoop loop_;                                               // owner: haptic thread, once it runs
+  loop::HapticLoop loop_;                                         // owner: haptic thread, once it runs
   std::unique_ptr<ports::Rig> rig_;                               // owner: haptic thread, once it runs
   std::optional<tracking::ViewerHandTracker::Taken> hand_taken_;  // last result that was logged for a viewer's hand
   tracking::ViewerHandTracker*

@@ -18,7 +18,7 @@ class CameraSkin final : public TrialSkin {
   explicit CameraSkin(const BellySettings& belly)
       : belly_(belly), builder_(surface::SurfaceSettings{}), sensor_({.seed = belly.seed}) {}
 
-  void show(double time_s, const Point<HapticBase>& device, station::HapticLoop& loop) override {
+  void show(double time_s, const Point<HapticBase>& device, loop::HapticLoop& loop) override {
     if (time_s * kFrame_hz + 1e-9 < static_cast<double>(frames_)) return;
     ++frames_;
     const SessionTime now{from_seconds(time_s)};

@@ -46,7 +46,7 @@ class LevelSkin final : public TrialSkin {
  public:
   LevelSkin(const device::BreathingPlane& plane, double begins_s) : plane_(plane), begins_s_(begins_s) {}
 
-  void show(double time_s, const Point<HapticBase>&, station::HapticLoop& loop) override {
+  void show(double time_s, const Point<HapticBase>&, loop::HapticLoop& loop) override {
     if (time_s * kFrame_hz + 1e-9 < static_cast<double>(frames_)) return;
     const Transform<HapticBase, DepthCamera> placed = trial_camera();
     shown_ = std::make_shared<const SinePlane>(plane_, time_s, begins_s_, ++frames_, placed.iso.translation().y());

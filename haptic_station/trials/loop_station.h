@@ -21,12 +21,12 @@ class LoopStation {
 
   /// Runs one tick. `device::Intention person(const device::TrialView&)` gives the hand's intended position.
   template <class Person>
-  station::HapticLoop::Act step(Person&& person) {
+  loop::HapticLoop::Act step(Person&& person) {
     const double now_s = time_s();
     const SessionTime now{from_seconds(now_s)};
     skin_.show(now_s, pair_.device(), loop_);
     if (const auto sample = tracker_.sample(now_s, pair_.true_hand())) loop_.hand_sampled(now, *sample);
-    const station::HapticLoop::Act act =
+    const loop::HapticLoop::Act act =
         loop_.tick({.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0}, now, settings_.tick_s);
     pair_.step(act.force, person(device::TrialView{now_s, act.contact, pair_.device()}), settings_.tick_s);
     ++tick_;
@@ -42,7 +42,7 @@ class LoopStation {
  private:
   VirtualStationSettings settings_;
   TrialSkin& skin_;
-  station::HapticLoop loop_;
+  loop::HapticLoop loop_;
   device::SimulatedPair pair_;
   device::SimulatedTracker tracker_;
   std::uint64_t tick_ = 0;

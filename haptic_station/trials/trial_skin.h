@@ -17,7 +17,7 @@ class TrialSkin {
   virtual ~TrialSkin() = default;
   /// Hands the loop the snapshot that a camera has made by `time_s`. `device`: centre of the region that the hand can
   /// reach.
-  virtual void show(double time_s, const Point<HapticBase>& device, station::HapticLoop& loop) = 0;
+  virtual void show(double time_s, const Point<HapticBase>& device, loop::HapticLoop& loop) = 0;
   /// Depth of `point` below the true skin [m]; negative outside.
   [[nodiscard]] virtual double true_depth_m(const Point<HapticBase>& point, double time_s) const = 0;
 };

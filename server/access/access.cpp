@@ -6,7 +6,7 @@
 
 #include "proto/keys/token.h"
 
-namespace telepalp::server {
+namespace telepalp::access {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,4 +148,4 @@ Access::Counts Access::counts() const {
   return counts;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::access

@@ -16,7 +16,7 @@
 #include "server/access/token_back_off.h"
 #include "server/access/touch_lease.h"
 
-namespace telepalp::server {
+namespace telepalp::access {
 
 /// Decides who may enter the server and do what, and writes it down. Without a key every peer is `local`, and the
 /// server listens on loopback alone. Owner: the server's network thread. Its listeners share it by shared_ptr, because
@@ -88,4 +88,4 @@ class Access : public std::enable_shared_from_this<Access> {
 /// "127.0.0.1:4711" -> "127.0.0.1"
 [[nodiscard]] std::string host_of(const std::string& peer);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::access

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace telepalp::server {
+namespace telepalp::access {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ void AuditLog::note(AuditEvent event, const std::string& text, keys::WallTime no
     say_("ALARM: the audit log " + file_.string() + " cannot be written. fix: free space on its disk");
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::access

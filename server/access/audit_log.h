@@ -12,7 +12,7 @@
 #include "proto/keys/identity.h"
 #include "proto/words/result.h"
 
-namespace telepalp::server {
+namespace telepalp::access {
 
 /// What the log tells of. The name is the word in the log.
 enum class AuditEvent { Started, Stopped, Joined, Left, Records, TookTouch, GaveTouch, Refused, SignedIn, SignedOut };
@@ -51,4 +51,4 @@ class AuditLog {
   std::uint64_t unsaid_ = 0;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::access

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace telepalp::server {
+namespace telepalp::access {
 
 /// A text of a peer as the value of one field of the audit log: in quotes, without quotes inside, at most 200 bytes. So
 /// a name cannot pass for another field.
@@ -14,4 +14,4 @@ namespace telepalp::server {
   return "\"" + safe + "\"";
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::access

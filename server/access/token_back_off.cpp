@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace telepalp::server {
+namespace telepalp::access {
 namespace {
 
 constexpr unsigned kFree = 5;
@@ -27,4 +27,4 @@ void TokenBackOff::failed(const std::string& address, TimePoint now) {
   failures.until = now + std::min<std::chrono::seconds>(wait, kLongest);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::access

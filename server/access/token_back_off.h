@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-namespace telepalp::server {
+namespace telepalp::access {
 
 /// Slows down guessing: after five wrong tokens from an address, none is looked at for a second, and the time doubles
 /// with each further one, up to a minute. A right token clears the address. Bounded memory; pure.
@@ -26,4 +26,4 @@ class TokenBackOff {
   std::map<std::string, Failures> addresses_;  // at most kMostAddresses: the oldest is forgotten
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::access

@@ -1,6 +1,6 @@
 #include "server/access/touch_lease.h"
 
-namespace telepalp::server {
+namespace telepalp::access {
 
 bool TouchLease::take(std::uint64_t peer, const std::string& serial, const std::string& name, TimePoint now) {
   const bool is_free = !held_ || now > held_->until;
@@ -28,4 +28,4 @@ std::optional<std::string> TouchLease::holder(TimePoint now) const {
   return held_->name;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::access

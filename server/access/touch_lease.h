@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace telepalp::server {
+namespace telepalp::access {
 
 /// Which doctor's station holds the touch: one at a time. It keeps the touch while it publishes; it gives the touch by
 /// leaving, and loses it after kLease without a message. Then the next station that asks takes it. After a lost
@@ -36,4 +36,4 @@ class TouchLease {
   std::optional<Held> held_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::access

@@ -9,7 +9,7 @@
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// State of a capture source, as shown to the technician. Equals msg.CaptureState.
 enum class CaptureState { Waiting, Live, Lost, Ended };
@@ -42,4 +42,4 @@ struct SourceOptions {
 /// Opens `spec`: openni2[:URI], oni:FILE, images:DIR, pcd:FILE, synthetic[:MODEL], session:FILE.mcap.
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_source(std::string_view spec, const SourceOptions& options);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -5,7 +5,7 @@
 #include "server/capture/source_kind.h"
 #include "server/capture/sources.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 Result<std::unique_ptr<CaptureSource>> open_by_kind(std::string_view spec, std::span<const SourceKind> kinds,
                                                     std::string_view forms, const SourceOptions& options) {
@@ -29,4 +29,4 @@ Result<std::unique_ptr<CaptureSource>> open_recording(std::string_view spec, con
   return open_by_kind(spec, kKinds, "give oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap", options);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

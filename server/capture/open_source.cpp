@@ -2,7 +2,7 @@
 #include "server/capture/source_kind.h"
 #include "server/capture/sources.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 Result<std::unique_ptr<CaptureSource>> open_source(std::string_view spec, const SourceOptions& options) {
   static constexpr SourceKind kKinds[] = {
@@ -14,4 +14,4 @@ Result<std::unique_ptr<CaptureSource>> open_source(std::string_view spec, const 
                       options);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -7,7 +7,7 @@
 
 #include "server/capture/capture_source.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// One kind of source: the word before the colon in `--source KIND:REST`, and the function that opens REST.
 struct SourceKind {
@@ -21,4 +21,4 @@ struct SourceKind {
                                                                   std::span<const SourceKind> kinds,
                                                                   std::string_view forms, const SourceOptions& options);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

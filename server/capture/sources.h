@@ -5,7 +5,7 @@
 
 #include "server/capture/capture_source.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Openers of the kinds of source for open_source(). The first argument is the text after the colon.
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_camera(const std::string& uri, const SourceOptions& options);
@@ -18,4 +18,4 @@ namespace telepalp::server {
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_session(const std::string& file,
                                                                   const SourceOptions& options);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

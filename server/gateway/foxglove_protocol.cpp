@@ -7,7 +7,7 @@
 #include "proto/words/demand.h"
 #include "server/views/view_topics.h"
 
-namespace telepalp::server::foxglove {
+namespace telepalp::gateway::foxglove {
 namespace {
 
 namespace json = google::protobuf::util;
@@ -58,8 +58,9 @@ std::optional<std::string_view> choose_subprotocol(std::string_view offered) {
 }
 
 std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept {
-  if (channel == 0 || channel > wire::kTopics.size() + kViewTopics.size()) return std::nullopt;
-  return channel <= wire::kTopics.size() ? wire::kTopics[channel - 1] : kViewTopics[channel - 1 - wire::kTopics.size()];
+  if (channel == 0 || channel > wire::kTopics.size() + views::kViewTopics.size()) return std::nullopt;
+  return channel <= wire::kTopics.size() ? wire::kTopics[channel - 1]
+                                         : views::kViewTopics[channel - 1 - wire::kTopics.size()];
 }
 
 std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer) {
@@ -77,7 +78,7 @@ std::string advertise_all_topics() {
   texts::Advertise advertise;
   advertise.set_op("advertise");
   for (const wire::Topic& topic : wire::kTopics) add_channel(advertise, topic, *wire::descriptor_of(topic));
-  for (const wire::Topic& topic : kViewTopics) add_channel(advertise, topic, *descriptor_of_view(topic));
+  for (const wire::Topic& topic : views::kViewTopics) add_channel(advertise, topic, *views::descriptor_of_view(topic));
   return to_json(advertise);
 }
 
@@ -128,4 +129,4 @@ Result<Request> read_request(const std::string& text) {
   return request;
 }
 
-}  // namespace telepalp::server::foxglove
+}  // namespace telepalp::gateway::foxglove

@@ -12,7 +12,7 @@
 #include "proto/words/result.h"
 #include "proto/words/time.h"
 
-namespace telepalp::server::foxglove {
+namespace telepalp::gateway::foxglove {
 
 /// The supported subprotocols. The parts that telepalp uses are equal in both.
 inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1", "foxglove.websocket.v1"};
@@ -61,4 +61,4 @@ struct ClientData {
 /// connection limits the size of `text`.
 [[nodiscard]] Result<Request> read_request(const std::string& text);
 
-}  // namespace telepalp::server::foxglove
+}  // namespace telepalp::gateway::foxglove

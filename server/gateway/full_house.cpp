@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 namespace asio = boost::asio;
@@ -66,4 +66,4 @@ void refuse_full_house(tcp::socket socket, const std::string& reason) {
   std::make_shared<Refusal>(std::move(socket), reason)->start();  // shared: owned by its pending operations
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

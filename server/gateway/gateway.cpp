@@ -6,7 +6,7 @@
 #include "server/gateway/full_house.h"
 #include "server/gateway/http_connection.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 namespace asio = boost::asio;
@@ -40,7 +40,7 @@ Connection::Connection(std::shared_ptr<GatewayContext> context) : context_(std::
 
 Connection::~Connection() { context_->connections.erase(this); }
 
-Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, Hub& hub, std::function<SessionTime()> now,
+Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, hub::Hub& hub, std::function<SessionTime()> now,
                                                GatewayOptions options) {
   StaticFiles files;
   if (!options.viewer_files.empty()) {
@@ -54,7 +54,7 @@ Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, Hub& hub, s
   const std::string session_id = std::to_string(to_nanoseconds(now()));
   auto context = std::make_shared<GatewayContext>(
       GatewayContext{hub, std::move(options), std::move(files), std::move(now), session_id, {}});
-  context->view_maker = std::make_unique<ViewMaker>(io, hub, context->views);
+  context->view_maker = std::make_unique<views::ViewMaker>(io, hub, context->views);
   return std::unique_ptr<Gateway>(new Gateway(std::move(acceptor).value(), std::move(context)));
 }
 
@@ -136,4 +136,4 @@ void Gateway::refuse(tcp::socket socket) {
                                            " places are taken. fix: close another viewer, then try again");
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -22,7 +22,7 @@
 #include "server/hub/hub.h"
 #include "server/views/view_maker.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 struct GatewayOptions {
   std::string address = "127.0.0.1";
@@ -30,9 +30,9 @@ struct GatewayOptions {
   std::filesystem::path viewer_files{};  ///< empty: no files, only the WebSocket
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
-  std::shared_ptr<Access> access = Access::without_keys();  ///< shared with the listener for stations
-  std::function<std::string()> problem{};                   ///< what is wrong with the server; empty: nothing
-  std::function<void(const std::string&)> log{};            ///< log lines for the technician about refused viewers
+  std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
+  std::function<std::string()> problem{};         ///< what is wrong with the server; empty: nothing
+  std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
   std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request's headers
   std::chrono::milliseconds idle_timeout{30'000};     ///< a viewer that does not answer pings is disconnected
@@ -42,7 +42,7 @@ class Connection;
 
 /// State that all connections of a gateway share. Owner: the server's network thread.
 struct GatewayContext {
-  Hub& hub;
+  hub::Hub& hub;
   GatewayOptions options;
   StaticFiles files;
   std::function<SessionTime()> now;
@@ -50,8 +50,8 @@ struct GatewayContext {
   std::unordered_set<Connection*> connections;  ///< open connections, at most options.max_connections
   HandHolder holder{};
   WebSessions sessions{};
-  Hub views{};                              ///< kViewTopics, for viewers alone
-  std::unique_ptr<ViewMaker> view_maker{};  ///< null once the gateway is gone
+  hub::Hub views{};                                ///< kViewTopics, for viewers alone
+  std::unique_ptr<views::ViewMaker> view_maker{};  ///< null once the gateway is gone
 };
 
 /// One accepted socket. Its pending reads and writes keep it alive.
@@ -83,7 +83,7 @@ class Gateway {
  public:
   /// Starts to listen. `now` reads the session clock. Error: the viewer's files cannot be read or the port cannot be
   /// opened.
-  [[nodiscard]] static Result<std::unique_ptr<Gateway>> open(boost::asio::io_context& io, Hub& hub,
+  [[nodiscard]] static Result<std::unique_ptr<Gateway>> open(boost::asio::io_context& io, hub::Hub& hub,
                                                              std::function<SessionTime()> now, GatewayOptions options);
   Gateway(const Gateway&) = delete;
   Gateway& operator=(const Gateway&) = delete;
@@ -110,4 +110,4 @@ class Gateway {
   std::chrono::steady_clock::time_point refusal_noted_{};
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

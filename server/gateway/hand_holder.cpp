@@ -1,6 +1,6 @@
 #include "server/gateway/hand_holder.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 constexpr std::chrono::seconds kStillAsking{3};
@@ -35,4 +35,4 @@ std::optional<msg::HandHolder> HandHolder::news(SessionTime now) {
   return holder;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

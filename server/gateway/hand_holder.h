@@ -7,7 +7,7 @@
 #include "messages/viewer.pb.h"
 #include "proto/words/time.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// Decides which viewer controls the hand. The first viewer that moves its hand gets control and keeps it, even without
 /// messages, until it lets go or disconnects. Other viewers request control by moving their hands. Pure; owner: the
@@ -29,4 +29,4 @@ class HandHolder {
   msg::HandHolder published_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -17,7 +17,7 @@
 #include "server/gateway/viewer_connection.h"
 #include "server/gateway/visit.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 namespace beast = boost::beast;
@@ -148,4 +148,4 @@ void start_http_connection(tcp::socket socket, std::shared_ptr<GatewayContext> c
   std::make_shared<HttpConnection>(std::move(socket), std::move(context))->start();
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

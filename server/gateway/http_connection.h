@@ -5,9 +5,9 @@
 
 #include "server/gateway/gateway.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// Serves HTTP requests on `socket` in order, until it closes or an upgrade turns it into a WebSocket.
 void start_http_connection(boost::asio::ip::tcp::socket socket, std::shared_ptr<GatewayContext> context);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -4,7 +4,7 @@
 
 #include "server/gateway/request/request_headers.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 namespace http = boost::beast::http;
@@ -85,4 +85,4 @@ HttpReply reply_to(const HttpRequest& request, const StaticFiles& files, const R
   return serve(request, *file);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -6,7 +6,7 @@
 #include "server/gateway/request_policy.h"
 #include "server/gateway/static_files.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 using HttpReply = boost::beast::http::response<boost::beast::http::string_body>;
@@ -22,4 +22,4 @@ inline constexpr std::string_view kClockTarget = "/session_clock";
 /// An error reply with one line of text as its body.
 [[nodiscard]] HttpReply refuse(const HttpRequest& request, boost::beast::http::status status, std::string_view reason);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

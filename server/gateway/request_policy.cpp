@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <boost/asio/ip/address.hpp>
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
@@ -58,4 +58,4 @@ Result<void> check_origin(std::string_view origin) {
                    "https://app.foxglove.dev or http://localhost:8080"};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

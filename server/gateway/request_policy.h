@@ -6,7 +6,7 @@
 
 #include "proto/words/result.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// Access rules of the gateway, applied to a request's headers.
 struct RequestPolicy {
@@ -30,4 +30,4 @@ struct RequestPolicy {
 [[nodiscard]] bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,
                                      bool peer_is_loopback);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

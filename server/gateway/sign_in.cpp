@@ -1,6 +1,6 @@
 #include "server/gateway/sign_in.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 namespace http = boost::beast::http;
@@ -90,4 +90,4 @@ std::string_view bearer_token(std::string_view authorization) noexcept {
   return authorization.starts_with(kScheme) ? authorization.substr(kScheme.size()) : std::string_view{};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

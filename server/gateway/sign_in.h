@@ -5,7 +5,7 @@
 
 #include "server/gateway/http_reply.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// `__Host-`: browsers send it back over HTTPS to this host alone.
 inline constexpr std::string_view kCookieName = "__Host-telepalp";
@@ -26,4 +26,4 @@ inline constexpr std::string_view kSignOutTarget = "/sign-out";
 /// The token of an Authorization header `Bearer TOKEN`; empty: there is none.
 [[nodiscard]] std::string_view bearer_token(std::string_view authorization) noexcept;
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -12,7 +12,7 @@
 
 #include "proto/words/demand.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ const StaticFile* StaticFiles::find(std::string_view target) const {
   return found == files_.end() ? nullptr : &found->second;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -8,7 +8,7 @@
 
 #include "proto/words/result.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// One file with its HTTP headers.
 struct StaticFile {
@@ -46,4 +46,4 @@ class StaticFiles {
 /// The Content-Type for a file name; empty for types that the viewer does not use.
 [[nodiscard]] std::string_view content_type_of(std::string_view file_name) noexcept;
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -2,7 +2,7 @@
 
 #include "proto/wire/viewer_hand.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 constexpr std::size_t kMaxChannels = 8;
@@ -46,4 +46,4 @@ Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes
   return std::optional(wire::make_message(wire::kViewerHand, now, *hand));
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -10,7 +10,7 @@
 #include "proto/words/time.h"
 #include "server/gateway/foxglove_protocol.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// Accepts the messages of one viewer. Only its hand position and letting go (/viewer/hand) are allowed. Pure; owner:
 /// the server's network thread.
@@ -33,4 +33,4 @@ class ViewerCommands {
   std::optional<SessionTime> last_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -11,7 +11,7 @@
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/viewer_commands.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 namespace asio = boost::asio;
@@ -77,7 +77,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void leave() {
     if (!subscriber_) return;
-    const SubscriberId viewer = *subscriber_;
+    const hub::SubscriberId viewer = *subscriber_;
     subscriber_.reset();
     context()->hub.leave(viewer);
     context()->views.leave(views_subscriber_);
@@ -133,7 +133,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     const bool may = visitor_ && context()->options.access->may(visitor_->who, keys::Operation::Touch).ok();
     if (!may && !std::exchange(denied_, true)) {
       const std::string who = visitor_ ? describe(visitor_->who) : "stranger";
-      context()->options.access->note(AuditEvent::Refused, "who=" + who + " program=browser why=may not touch");
+      context()->options.access->note(access::AuditEvent::Refused, "who=" + who + " program=browser why=may not touch");
       warn("the role of " + who + " does not allow to touch. fix: sign in with a doctor's token");
     }
     return may;
@@ -236,9 +236,9 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   websocket::stream<WebStream> stream_;
   std::optional<Visitor> visitor_;
   bool denied_ = false;
-  beast::flat_buffer incoming_;             // bounded by read_message_max
-  std::optional<SubscriberId> subscriber_;  // set from the handshake until the end
-  SubscriberId views_subscriber_ = 0;       // valid while subscriber_ is set
+  beast::flat_buffer incoming_;                  // bounded by read_message_max
+  std::optional<hub::SubscriberId> subscriber_;  // set from the handshake until the end
+  hub::SubscriberId views_subscriber_ = 0;       // valid while subscriber_ is set
   bool view_is_next_ = false;
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics or kViewTopics
   ViewerCommands commands_;
@@ -258,4 +258,4 @@ void start_viewer_connection(WebStream stream, const HttpRequest& upgrade, const
   std::make_shared<ViewerConnection>(std::move(stream), newcomer.visitor, std::move(context))->start(upgrade, newcomer);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -10,7 +10,7 @@
 #include "server/gateway/sign_in/web_stream.h"
 #include "server/gateway/visit.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// What the gateway knows of a viewer before its WebSocket opens.
 struct Newcomer {
@@ -23,4 +23,4 @@ struct Newcomer {
 void start_viewer_connection(WebStream stream, const HttpRequest& upgrade, const Newcomer& newcomer,
                              std::shared_ptr<GatewayContext> context);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -7,7 +7,7 @@
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 namespace http = boost::beast::http;
@@ -26,7 +26,7 @@ bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
 
 Visit::Visit(GatewayContext& context, const HttpRequest& request, std::string address)
     : context_(context), address_(std::move(address)) {
-  Access& access = *context_.options.access;
+  access::Access& access = *context_.options.access;
   const std::string_view token = bearer_token(view(request[http::field::authorization]));
   const std::string cookie(our_cookie(view(request[http::field::cookie])));
   if (!access.has_keys()) {
@@ -36,7 +36,7 @@ Visit::Visit(GatewayContext& context, const HttpRequest& request, std::string ad
     const Result<keys::Identity> bearer = access.bearer(token, address_);
     brought_token_ = bearer.ok();
     if (bearer) visitor_ = Visitor{.who = *bearer, .cookie = {}};
-    if (!bearer) note(AuditEvent::Refused, "who=stranger why=" + audit_text(bearer.error().what));
+    if (!bearer) note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(bearer.error().what));
   } else if (const auto who = context_.sessions.find(cookie, steady_now()); who && access.still_holds(*who)) {
     visitor_ = Visitor{.who = *who, .cookie = cookie};
   }
@@ -66,17 +66,18 @@ HttpReply Visit::sign_in(const HttpRequest& request) {
     return refuse(request, http::status::forbidden, "pages from that origin may not sign in here");
   const Result<keys::Identity> who = context_.options.access->bearer(token_in_form(request.body()), address_);
   if (!who) {
-    note(AuditEvent::Refused, "who=stranger why=" + audit_text(who.error().what));
+    note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(who.error().what));
     return sign_in_page(request, who.error().what + ". " + who.error().fix);
   }
-  note(AuditEvent::SignedIn, "who=" + describe(*who) + " key=" + who->serial);
+  note(access::AuditEvent::SignedIn, "who=" + describe(*who) + " key=" + who->serial);
   return go_to(request, "/", context_.sessions.begin(*who, steady_now()));
 }
 
 HttpReply Visit::sign_out(const HttpRequest& request) {
   if (!is_from_our_page(request, context_.options.policy))
     return refuse(request, http::status::forbidden, "pages from that origin may not sign out here");
-  if (const auto who = context_.sessions.end(visitor_->cookie)) note(AuditEvent::SignedOut, "who=" + describe(*who));
+  if (const auto who = context_.sessions.end(visitor_->cookie))
+    note(access::AuditEvent::SignedOut, "who=" + describe(*who));
   return go_to(request, "/", "");
 }
 
@@ -93,8 +94,8 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
   return reply;
 }
 
-void Visit::note(AuditEvent event, const std::string& text) const {
+void Visit::note(access::AuditEvent event, const std::string& text) const {
   context_.options.access->note(event, text + " program=browser from=" + address_);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -6,7 +6,7 @@
 #include "server/gateway/gateway.h"
 #include "server/gateway/http_reply.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// One who is signed in, at the web port.
 struct Visitor {
@@ -32,7 +32,7 @@ class Visit {
   [[nodiscard]] HttpReply sign_in(const HttpRequest& request);
   [[nodiscard]] HttpReply sign_out(const HttpRequest& request);
   [[nodiscard]] HttpReply metrics(const HttpRequest& request) const;
-  void note(AuditEvent event, const std::string& text) const;
+  void note(access::AuditEvent event, const std::string& text) const;
 
   GatewayContext& context_;
   std::string address_;
@@ -41,4 +41,4 @@ class Visit {
   std::string problem_;  // with the token that came
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace telepalp::server {
+namespace telepalp::hub {
 namespace {
 
 bool matches(std::string_view wanted, std::string_view topic) noexcept {
@@ -183,4 +183,4 @@ std::vector<Hub::SubscriberCount> Hub::subscriber_counts() const {
   return counts;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

@@ -14,7 +14,7 @@
 #include "proto/wire/message.h"
 #include "proto/wire/send_queue.h"
 
-namespace telepalp::server {
+namespace telepalp::hub {
 
 using SubscriberId = std::uint64_t;
 
@@ -108,4 +108,4 @@ class Hub {
   std::size_t waiting_bytes_ = 0;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

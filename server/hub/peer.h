@@ -12,7 +12,7 @@
 #include "server/hub/peer_listener.h"
 #include "server/hub/upstream.h"
 
-namespace telepalp::server {
+namespace telepalp::hub {
 
 /// One peer: connects its network connection with its subscription in the hub.
 class PeerListener::Peer : public wire::ConnectionOwner {
@@ -58,20 +58,20 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   }
 
  private:
-  Access& access() const { return *listener_.options_.access; }
+  access::Access& access() const { return *listener_.options_.access; }
 
   bool accepts(const wire::Topic& topic) override {
     const bool may = may_publish_upstream(topic) && who_ && access().may(*who_, keys::Operation::Touch) &&
                      (holds_touch_ || takes_touch_late());
     if (!may)
-      access().note(AuditEvent::Refused,
-                    in_audit() + " why=" + audit_text("may not publish " + std::string(topic.name)));
+      access().note(access::AuditEvent::Refused,
+                    in_audit() + " why=" + access::audit_text("may not publish " + std::string(topic.name)));
     advertised_ = advertised_ || may;
     return may;
   }
 
   [[nodiscard]] std::string in_audit() const {
-    return "who=" + (who_ ? describe(*who_) : std::string("stranger")) + " program=" + audit_text(name_) +
+    return "who=" + (who_ ? describe(*who_) : std::string("stranger")) + " program=" + access::audit_text(name_) +
            " from=" + connection_->peer() + (who_ && !who_->serial.empty() ? " key=" + who_->serial : "");
   }
 
@@ -84,7 +84,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   /// Refuses what no further attempt can change.
   void deny(const Error& why) {
     audited_ = true;
-    access().note(AuditEvent::Refused, in_audit() + " why=" + audit_text(why.what));
+    access().note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(why.what));
     listener_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + why.what);
     connection_->close(to_string(why), true);
   }
@@ -92,8 +92,8 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   void on_ready(const msg::Hello& peer) override {
     name_ = peer.name();
     useful_ = Clock::now();
-    const Result<keys::Identity> who =
-        access().who(connection_->is_sealed(), connection_->identity(), peer.token(), host_of(connection_->peer()));
+    const Result<keys::Identity> who = access().who(connection_->is_sealed(), connection_->identity(), peer.token(),
+                                                    access::host_of(connection_->peer()));
     if (!who) return deny(who.error());
     who_ = *who;
     const PlaceKind kind = place_for(peer.role());
@@ -107,9 +107,9 @@ class PeerListener::Peer : public wire::ConnectionOwner {
         name_, connection_->peer(), [this] { connection_->wake(); }, sender_);
     listener_.note(name_ + " (" + (access().has_keys() ? describe(*who_) : peer.role()) + ") joined from " +
                    connection_->peer());
-    access().note(AuditEvent::Joined, in_audit());
-    if (kind == PlaceKind::Recorder) access().note(AuditEvent::Records, in_audit());
-    if (holds_touch_) access().note(AuditEvent::TookTouch, in_audit());
+    access().note(access::AuditEvent::Joined, in_audit());
+    if (kind == PlaceKind::Recorder) access().note(access::AuditEvent::Records, in_audit());
+    if (holds_touch_) access().note(access::AuditEvent::TookTouch, in_audit());
   }
   /// With keys, one doctor holds the touch. Without, all programs are on this machine, and so is whoever started them.
   bool takes_touch() {
@@ -120,7 +120,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   /// The same for a peer that did not come as a station, and yet publishes like one.
   bool takes_touch_late() {
     const bool took = takes_touch();
-    if (holds_touch_) access().note(AuditEvent::TookTouch, in_audit());
+    if (holds_touch_) access().note(access::AuditEvent::TookTouch, in_audit());
     return took;
   }
   [[nodiscard]] std::string touch_is_held() const {
@@ -128,7 +128,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
            " holds the touch. fix: wait: it is yours when that station ends, or is silent for 10 s";
   }
   void refuse(const std::string& reason) {
-    access().note(AuditEvent::Refused, in_audit() + " why=" + audit_text(reason));
+    access().note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
     listener_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + reason);
     connection_->close(reason);
   }
@@ -162,10 +162,10 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   }
   void on_clock(const wire::ClockSample&) override {}  // the server's clock is the session clock: it sends no probes
   void on_closed(const std::string& reason) override {
-    if (place_) access().note(AuditEvent::Left, in_audit() + " why=" + audit_text(reason));
-    if (holds_touch_) access().note(AuditEvent::GaveTouch, in_audit());
+    if (place_) access().note(access::AuditEvent::Left, in_audit() + " why=" + access::audit_text(reason));
+    if (holds_touch_) access().note(access::AuditEvent::GaveTouch, in_audit());
     if (!who_ && !audited_ && access().has_keys())
-      access().note(AuditEvent::Refused, in_audit() + " why=" + audit_text(reason));
+      access().note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
     access().touch().leave(number_, reason.starts_with("peer left"), Clock::now());
     leave_hub();
     listener_.note((name_.empty() ? "a stranger" : name_) + " at " + connection_->peer() + " left: " + reason);
@@ -198,4 +198,4 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   std::shared_ptr<wire::Connection> connection_;  // shared with its pending operations
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

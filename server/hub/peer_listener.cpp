@@ -7,7 +7,7 @@
 
 #include "server/hub/peer.h"
 
-namespace telepalp::server {
+namespace telepalp::hub {
 namespace {
 
 namespace asio = boost::asio;
@@ -94,7 +94,7 @@ void PeerListener::accept() {
 }
 
 std::unique_ptr<wire::ByteStream> PeerListener::stream_over(tcp::socket socket) const {
-  const Access& access = *options_.access;
+  const access::Access& access = *options_.access;
   return access.has_keys() ? wire::tls_at_server(std::move(socket), access.tls()) : wire::plain_tcp(std::move(socket));
 }
 
@@ -169,4 +169,4 @@ void PeerListener::note(const std::string& text) const {
   if (options_.on_note) options_.on_note(text);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

@@ -18,7 +18,7 @@
 #include "server/hub/hub.h"
 #include "server/hub/places.h"
 
-namespace telepalp::server {
+namespace telepalp::hub {
 
 /// Parses an address to listen on. Error: not a loopback address, and `has_keys` is false: without TLS it would expose
 /// the patient to the network.
@@ -32,7 +32,7 @@ class PeerListener {
     std::string address = "127.0.0.1";
     std::uint16_t port = 0;  ///< 0: any free port
     std::string name = "telepalp-server";
-    std::shared_ptr<Access> access = Access::without_keys();  ///< shared with the gateway
+    std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the gateway
     PlaceLimits places{};
     IdleLimits idle{};
     std::function<void(const std::string&)> on_note{};  ///< log lines: connected, disconnected and why
@@ -89,4 +89,4 @@ class PeerListener {
   std::uint64_t refused_when_noted_ = 0;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace telepalp::server {
+namespace telepalp::hub {
 
 /// The server limits the number of connections of each role (its places), so that many viewers cannot keep a station
 /// out.
@@ -47,4 +47,4 @@ struct IdleLimits {
   std::chrono::milliseconds silent{60'000};         ///< for a peer that has advertised a topic and publishes nothing
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstddef>
 
-namespace telepalp::server {
+namespace telepalp::hub {
 
 /// Average rate and burst size of messages and bytes.
 struct Rate {
@@ -48,4 +48,4 @@ class RateLimiter {
   bool started_ = false;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

@@ -1,6 +1,6 @@
 #include "server/hub/server_stats.h"
 
-namespace telepalp::server {
+namespace telepalp::hub {
 namespace {
 
 void fill(msg::ServerStats::PerTopic& row, std::string_view topic, const Hub::TopicCount& count) {
@@ -29,4 +29,4 @@ msg::ServerStats server_stats(const Hub& hub, SessionTime now) {
   return stats;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

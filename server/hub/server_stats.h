@@ -4,9 +4,9 @@
 #include "proto/words/time.h"
 #include "server/hub/hub.h"
 
-namespace telepalp::server {
+namespace telepalp::hub {
 
 /// The message of /server/stats with the hub's counts.
 [[nodiscard]] msg::ServerStats server_stats(const Hub& hub, SessionTime now);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

@@ -6,7 +6,7 @@
 #include "messages/station.pb.h"
 #include "proto/words/demand.h"
 
-namespace telepalp::server {
+namespace telepalp::hub {
 namespace {
 
 struct Allowed {
@@ -70,4 +70,4 @@ wire::Message with_sender(wire::Message message, std::uint32_t sender) {
   return message;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

@@ -8,7 +8,7 @@
 #include "proto/wire/message.h"
 #include "server/hub/rate_limit.h"
 
-namespace telepalp::server {
+namespace telepalp::hub {
 
 /// Largest payload of a message from a peer: ten times the size of half a second of ticks.
 inline constexpr std::size_t kMaxUpstreamBytes = std::size_t{1} << 20;
@@ -40,4 +40,4 @@ class UpstreamRates {
 /// `message` with its field msg::Sender set to `sender`; a value that the peer wrote is replaced.
 [[nodiscard]] wire::Message with_sender(wire::Message message, std::uint32_t sender);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::hub

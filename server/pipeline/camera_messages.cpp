@@ -6,7 +6,7 @@
 
 #include "codec/color.h"
 
-namespace telepalp::server {
+namespace telepalp::pipeline {
 namespace {
 
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
@@ -81,18 +81,18 @@ foxglove::CameraCalibration color_calibration_message(const RgbdFrame& frame) {
   return pinhole_message(frame.camera.color, frame.captured, color_frame_id(frame));
 }
 
-msg::CaptureState to_message(CaptureState state) noexcept {
+msg::CaptureState to_message(capture::CaptureState state) noexcept {
   switch (state) {
-    case CaptureState::Waiting:
+    case capture::CaptureState::Waiting:
       return msg::CAPTURE_STATE_WAITING;
-    case CaptureState::Live:
+    case capture::CaptureState::Live:
       return msg::CAPTURE_STATE_LIVE;
-    case CaptureState::Lost:
+    case capture::CaptureState::Lost:
       return msg::CAPTURE_STATE_LOST;
-    case CaptureState::Ended:
+    case capture::CaptureState::Ended:
       return msg::CAPTURE_STATE_ENDED;
   }
   return msg::CAPTURE_STATE_UNSPECIFIED;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::pipeline

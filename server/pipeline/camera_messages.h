@@ -10,7 +10,7 @@
 #include "proto/words/rgbd_frame.h"
 #include "server/capture/capture_source.h"
 
-namespace telepalp::server {
+namespace telepalp::pipeline {
 
 /// Names of the frames of reference in messages: the depth camera (K), and the colour camera when it is not registered
 /// to depth.
@@ -30,6 +30,6 @@ inline constexpr std::string_view kColorFrameId = "camera_color";
 /// The colour camera's model, in the frame of reference that color_message() names.
 [[nodiscard]] foxglove::CameraCalibration color_calibration_message(const RgbdFrame& frame);
 
-[[nodiscard]] msg::CaptureState to_message(CaptureState state) noexcept;
+[[nodiscard]] msg::CaptureState to_message(capture::CaptureState state) noexcept;
 
-}  // namespace telepalp::server
+}  // namespace telepalp::pipeline

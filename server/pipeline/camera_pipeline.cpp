@@ -4,7 +4,7 @@
 
 #include "server/pipeline/camera_messages.h"
 
-namespace telepalp::server {
+namespace telepalp::pipeline {
 namespace {
 
 using namespace std::chrono_literals;
@@ -14,7 +14,7 @@ constexpr Nanoseconds kRepeat = 1s;
 
 }  // namespace
 
-CameraPipeline::CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options,
+CameraPipeline::CameraPipeline(capture::CaptureSource& source, std::string source_name, EncodeOptions options,
                                wire::SessionClock clock, Handlers handlers)
     : source_(source),
       source_name_(std::move(source_name)),
@@ -28,7 +28,7 @@ bool CameraPipeline::step() {
   const std::optional<RgbdFrame> frame = source_.next(kPatience);
   if (frame) publish_frame(*frame);
   publish_status_when_due();
-  return frame || source_.state() != CaptureState::Ended;
+  return frame || source_.state() != capture::CaptureState::Ended;
 }
 
 void CameraPipeline::publish_frame(const RgbdFrame& frame) {
@@ -70,7 +70,7 @@ void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {
 
 void CameraPipeline::publish_status_when_due() {
   const SessionTime now = clock_.now();
-  const CaptureState state = source_.state();
+  const capture::CaptureState state = source_.state();
   const std::string detail = refused_.empty() ? source_.detail() : refused_;
   measure_rate(now);
   if (state_ == state && detail_ == detail && now - status_at_ < kRepeat) return;
@@ -106,4 +106,4 @@ bool CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Pro
   return false;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::pipeline

@@ -12,7 +12,7 @@
 #include "proto/wire/session_clock.h"
 #include "server/capture/capture_source.h"
 
-namespace telepalp::server {
+namespace telepalp::pipeline {
 
 struct EncodeOptions {
   codec::DepthStreamSettings depth{.mode = codec::DepthMode::Fast, .key_every = 12};
@@ -27,8 +27,8 @@ class CameraPipeline {
     std::function<bool(wire::Message)> publish;    ///< hands a message over; false: it was dropped
     std::function<bool()> take_key_frame_request;  ///< true if a key frame was requested since the last call
   };
-  CameraPipeline(CaptureSource& source, std::string source_name, EncodeOptions options, wire::SessionClock clock,
-                 Handlers handlers);
+  CameraPipeline(capture::CaptureSource& source, std::string source_name, EncodeOptions options,
+                 wire::SessionClock clock, Handlers handlers);
 
   /// Waits at most 0.1 s for a frame and publishes it, and the source's state when it is due. False: the source has
   /// ended and its last state is published.
@@ -45,7 +45,7 @@ class CameraPipeline {
   template <class Proto>
   bool publish(const wire::Topic& topic, SessionTime at, const Proto& proto, bool key_frame = true);
 
-  CaptureSource& source_;
+  capture::CaptureSource& source_;
   std::string source_name_;
   EncodeOptions options_;
   wire::SessionClock clock_;
@@ -58,7 +58,7 @@ class CameraPipeline {
   bool color_registered_ = true;
   std::optional<CameraModel> calibration_;  // as last published
   SessionTime calibration_at_{};
-  std::optional<CaptureState> state_;  // last published one
+  std::optional<capture::CaptureState> state_;  // last published one
   std::string detail_;
   SessionTime status_at_{};
   double frames_per_s_ = 0.0;
@@ -66,4 +66,4 @@ class CameraPipeline {
   std::uint64_t frames_at_rate_ = 0;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::pipeline

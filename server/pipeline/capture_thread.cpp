@@ -4,7 +4,7 @@
 #include <boost/asio/post.hpp>
 #include <utility>
 
-namespace telepalp::server {
+namespace telepalp::pipeline {
 namespace {
 
 /// One second of depth and colour images. Normally the hub's queues drop messages; this bound limits memory only if the
@@ -13,7 +13,7 @@ constexpr int kMostOnTheWay = 64;
 
 }  // namespace
 
-CaptureThread::CaptureThread(boost::asio::io_context& network, std::unique_ptr<CaptureSource> source,
+CaptureThread::CaptureThread(boost::asio::io_context& network, std::unique_ptr<capture::CaptureSource> source,
                              std::string source_name, EncodeOptions options, wire::SessionClock clock,
                              Handlers handlers)
     : network_(network), source_(std::move(source)), handlers_(std::move(handlers)) {
@@ -53,4 +53,4 @@ bool CaptureThread::hand_over(wire::Message message) {
   return true;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::pipeline

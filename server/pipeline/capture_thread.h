@@ -11,7 +11,7 @@
 #include "server/capture/capture_source.h"
 #include "server/pipeline/camera_pipeline.h"
 
-namespace telepalp::server {
+namespace telepalp::pipeline {
 
 /// The thread that owns the source: waits for frames, encodes them, and posts the messages to the network thread.
 class CaptureThread {
@@ -21,8 +21,8 @@ class CaptureThread {
     std::function<void()> on_end;                   ///< on the network thread, once, when the source has ended
   };
 
-  CaptureThread(boost::asio::io_context& network, std::unique_ptr<CaptureSource> source, std::string source_name,
-                EncodeOptions options, wire::SessionClock clock, Handlers handlers);
+  CaptureThread(boost::asio::io_context& network, std::unique_ptr<capture::CaptureSource> source,
+                std::string source_name, EncodeOptions options, wire::SessionClock clock, Handlers handlers);
   /// Stops the thread; this takes at most as long as one wait for a frame.
   ~CaptureThread();
 
@@ -38,7 +38,7 @@ class CaptureThread {
   [[nodiscard]] bool hand_over(wire::Message message);
 
   boost::asio::io_context& network_;
-  std::unique_ptr<CaptureSource> source_;
+  std::unique_ptr<capture::CaptureSource> source_;
   Handlers handlers_;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> key_frame_requested_{false};
@@ -48,4 +48,4 @@ class CaptureThread {
   std::thread thread_;  // last member: the thread uses the others
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::pipeline

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <optional>
 
-namespace telepalp::server {
+namespace telepalp::pipeline {
 namespace {
 
 constexpr double kMostLeast_mm = 100.0;
@@ -62,4 +62,4 @@ Result<codec::DepthStreamSettings> read_depth_settings(const program::Arguments&
   return settings;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::pipeline

@@ -7,7 +7,7 @@
 #include "proto/words/result.h"
 #include "support/program/options.h"
 
-namespace telepalp::server {
+namespace telepalp::pipeline {
 
 /// Names of a program's options for depth compression. The third option is `--key-every` in every program.
 struct DepthOptionNames {
@@ -24,4 +24,4 @@ struct DepthOptionNames {
 [[nodiscard]] Result<codec::DepthStreamSettings> read_depth_settings(const program::Arguments& arguments,
                                                                      const DepthOptionNames& names);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::pipeline

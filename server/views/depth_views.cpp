@@ -5,7 +5,7 @@
 
 #include "server/views/stamp.h"
 
-namespace telepalp::server {
+namespace telepalp::views {
 namespace {
 
 constexpr double kMillimetresPerMetre = 1000.0;
@@ -77,4 +77,4 @@ foxglove::PointCloud cloud_view(const DepthImage& depth, const Intrinsics& camer
   return cloud;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::views

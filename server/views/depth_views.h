@@ -4,7 +4,7 @@
 #include "foxglove/RawImage.pb.h"
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::views {
 
 /// `depth` as a 16-bit image in millimetres (16UC1), 0 where depth is not measured or exceeds 65.535 m.
 [[nodiscard]] foxglove::RawImage depth_view(const DepthImage& depth, SessionTime captured);
@@ -13,4 +13,4 @@ namespace telepalp::server {
 /// 500 000 pixels is subsampled by rows and columns.
 [[nodiscard]] foxglove::PointCloud cloud_view(const DepthImage& depth, const Intrinsics& camera, SessionTime captured);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::views

@@ -4,7 +4,7 @@
 
 #include "proto/words/time.h"
 
-namespace telepalp::server {
+namespace telepalp::views {
 
 /// Name of the depth camera's frame of reference in /camera/info and /camera/depth.
 inline constexpr const char* kDepthFrame = "camera_depth";
@@ -16,4 +16,4 @@ inline void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
   timestamp.set_nanos(static_cast<std::int32_t>(nanoseconds % kNanosecondsPerSecond));
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::views

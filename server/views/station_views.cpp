@@ -6,7 +6,7 @@
 #include "proto/wire/vector_message.h"
 #include "server/views/stamp.h"
 
-namespace telepalp::server {
+namespace telepalp::views {
 namespace {
 
 struct Rgba {
@@ -123,4 +123,4 @@ foxglove::SceneUpdate scene_view(const msg::StationState& station) {
   return scene;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::views

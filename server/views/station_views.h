@@ -7,7 +7,7 @@
 #include "messages/station.pb.h"
 #include "proto/words/time.h"
 
-namespace telepalp::server {
+namespace telepalp::views {
 
 /// Transforms of the depth camera in the frame "patient_site", whose z axis points up when the camera looks down, and
 /// of the station's hand, proxy and device in the camera's frame. Without a `station`, only the camera.
@@ -18,4 +18,4 @@ namespace telepalp::server {
 /// value in `station` are deleted; all parts disappear 1 s after the station's last message.
 [[nodiscard]] foxglove::SceneUpdate scene_view(const msg::StationState& station);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::views

@@ -11,7 +11,7 @@
 #include "server/views/station_views.h"
 #include "server/views/view_topics.h"
 
-namespace telepalp::server {
+namespace telepalp::views {
 namespace {
 
 std::optional<Intrinsics> intrinsics_in(const std::string& payload) {
@@ -28,7 +28,8 @@ std::optional<Intrinsics> intrinsics_in(const std::string& payload) {
 
 }  // namespace
 
-ViewMaker::ViewMaker(boost::asio::io_context& io, Hub& source, Hub& views) : io_(io), source_(source), views_(views) {}
+ViewMaker::ViewMaker(boost::asio::io_context& io, hub::Hub& source, hub::Hub& views)
+    : io_(io), source_(source), views_(views) {}
 
 ViewMaker::~ViewMaker() {
   pool_.join();
@@ -124,4 +125,4 @@ void ViewMaker::on_made(const wire::Message& depth, Made made) {
   pull();
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::views

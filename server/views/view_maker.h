@@ -14,7 +14,7 @@
 #include "proto/words/rgbd_frame.h"
 #include "server/hub/hub.h"
 
-namespace telepalp::server {
+namespace telepalp::views {
 
 /// Makes the messages of kViewTopics from the messages of the hub `source` and publishes them at the hub `views`. It
 /// subscribes to `source` only while `views` has a subscriber of a view topic. A separate thread decodes depth, one
@@ -22,7 +22,7 @@ namespace telepalp::server {
 /// thread.
 class ViewMaker {
  public:
-  ViewMaker(boost::asio::io_context& io, Hub& source, Hub& views);
+  ViewMaker(boost::asio::io_context& io, hub::Hub& source, hub::Hub& views);
   ~ViewMaker();
   ViewMaker(const ViewMaker&) = delete;
   ViewMaker& operator=(const ViewMaker&) = delete;
@@ -52,9 +52,9 @@ class ViewMaker {
   [[nodiscard]] Made make(const wire::Message& message, const std::optional<Intrinsics>& camera, WantedViews wanted);
 
   boost::asio::io_context& io_;
-  Hub& source_;
-  Hub& views_;
-  SubscriberId subscriber_ = 0;  // 0: `views` has no subscriber of a view topic
+  hub::Hub& source_;
+  hub::Hub& views_;
+  hub::SubscriberId subscriber_ = 0;  // 0: `views` has no subscriber of a view topic
   std::vector<std::string> topics_;
   std::optional<Intrinsics> camera_;
   bool decoding_ = false;
@@ -64,4 +64,4 @@ class ViewMaker {
   boost::asio::thread_pool pool_{1};
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::views

@@ -6,7 +6,7 @@
 #include "foxglove/SceneUpdate.pb.h"
 #include "proto/words/demand.h"
 
-namespace telepalp::server {
+namespace telepalp::views {
 
 const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic) {
   for (const google::protobuf::Descriptor* type :
@@ -17,4 +17,4 @@ const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic)
   return nullptr;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::views

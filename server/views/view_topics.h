@@ -6,7 +6,7 @@
 
 #include "proto/wire/topics.h"
 
-namespace telepalp::server {
+namespace telepalp::views {
 
 // Topics in formats that tools such as Foxglove and Lichtblick display without extensions. Each is derived from
 // telepalp's topics while a client of the gateway subscribes to it. Recorders and stations cannot subscribe to them.
@@ -21,4 +21,4 @@ inline constexpr std::array kViewTopics{kDepthView, kCloudView, kTransformsView,
 /// The Protobuf type of one of kViewTopics.
 [[nodiscard]] const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::views

@@ -229,6 +229,47 @@ TEST(Architecture, NoFolderIsCrowded) {
   for (const auto& [folder, count] : files) EXPECT_LE(count, kMostFilesInAFolder) << folder;
 }
 
+/// Rooms whose namespace is not their folder's name.
+const std::map<std::string, std::string> kOtherNamespaces{
+    {"proto/words", "telepalp"},             // the vocabulary of all rooms
+    {"proto/wire/mcap", "telepalp::wire"},   // its parts are in telepalp::wire::mcap
+    {"tools/keys", "telepalp::keys_tool"}};  // proto/keys has the name
+
+/// The innermost room around a file; empty without one.
+std::string room_of(const std::string& file, const Rooms& rooms) {
+  std::string best;
+  for (const auto& [room, doors] : rooms.doors)
+    if (is_below(file, room) && room.size() > best.size()) best = room;
+  return best;
+}
+
+/// The namespaces of telepalp that a file opens.
+std::set<std::string> namespaces(const std::string& file) {
+  static const std::regex kNamespace(R"re(^namespace (telepalp[a-z_:]*) \{)re");
+  std::set<std::string> found;
+  std::ifstream stream(root() / file);
+  for (std::string line; std::getline(stream, line);)
+    if (std::smatch match; std::regex_search(line, match, kNamespace)) found.insert(match[1]);
+  return found;
+}
+
+TEST(Architecture, TheNamespaceOfARoomIsItsFoldersName) {
+  const Rooms rooms = read_rooms();
+  std::size_t checked = 0;
+  for (const std::string& file : all_sources()) {
+    const std::string room = room_of(file, rooms);
+    if (room.empty()) continue;
+    const auto other = kOtherNamespaces.find(room);
+    const std::string expected =
+        other != kOtherNamespaces.end() ? other->second : "telepalp::" + fs::path(room).filename().string();
+    for (const std::string& found : namespaces(file)) {
+      EXPECT_TRUE(found == expected || found.starts_with(expected + "::")) << file << " opens " << found;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, rooms.doors.size());
+}
+
 using Graph = std::map<std::string, std::set<std::string>>;
 
 /// For each folder, the other folders that its files include.

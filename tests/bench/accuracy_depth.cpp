@@ -32,8 +32,8 @@ Result<DepthSequence> recorded_room() {
   constexpr std::size_t kFrames = 12;
   const auto file = program::shipped_file("deploy/demo_data/oni/3dj_test.oni");
   if (!file) return Error{.what = "the recording is not shipped", .where = "oni", .fix = "run from the repository"};
-  auto source = server::open_source("oni:" + file->string(),
-                                    {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = false, .paced = false});
+  auto source = capture::open_source("oni:" + file->string(),
+                                     {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = false, .paced = false});
   if (!source) return source.error();
   DepthSequence room{.name = "recorded room", .camera = {}, .frames = {}, .farthest_m = 1.2};
   while (room.frames.size() < kFrames) {

@@ -18,7 +18,7 @@ constexpr double kMost_m = 0.02;  // error that counts for a point without a sur
 
 /// Adds the distance between the snapshot, predicted by `kAge_s`, and the true skin of that instant, at 25 points of
 /// the belly.
-void add_error(const surface::SurfaceSnapshot& snapshot, const server::TrueSurface& truth, const Intrinsics& camera,
+void add_error(const surface::SurfaceSnapshot& snapshot, const capture::TrueSurface& truth, const Intrinsics& camera,
                const hand::Spot& spot, RootMeanSquare& error_m) {
   const surface::MotionBasis basis = surface::motion_basis(snapshot.motion, kAge_s);
   for (int du = -20; du <= 20; du += 10)
@@ -29,7 +29,7 @@ void add_error(const surface::SurfaceSnapshot& snapshot, const server::TrueSurfa
     }
 }
 
-double error_on(const SurfaceVariant& variant, server::Motion motion) {
+double error_on(const SurfaceVariant& variant, capture::Motion motion) {
   const auto patient = hand::torso(hand::Sensor::Kinect, motion);
   const Intrinsics& camera = patient->settings().camera;
   const hand::Spot spot = hand::spots().front();
@@ -52,14 +52,14 @@ double error_on(const SurfaceVariant& variant, server::Motion motion) {
 Result<Section> patients_section() {
   Section section;
   PageTable table{.head = {"setting"}, .rows = {}};
-  for (const server::Motion motion : server::all_motions()) table.head.push_back(std::string(server::name(motion)));
+  for (const capture::Motion motion : capture::all_motions()) table.head.push_back(std::string(capture::name(motion)));
   for (const SurfaceVariant& variant : few_variants()) {
     table.rows.push_back({"`" + variant.name + "`"});
-    for (const server::Motion motion : server::all_motions()) {
+    for (const capture::Motion motion : capture::all_motions()) {
       const double error_mm = 1e3 * error_on(variant, motion);
       table.rows.back().push_back(cell(error_mm));
       section.rows.push_back(
-          measured(variant.name + ": patient, " + std::string(server::name(motion)), error_mm, "mm"));
+          measured(variant.name + ": patient, " + std::string(capture::name(motion)), error_mm, "mm"));
     }
   }
   section.parts = {{"patients", to_markdown(table)}};

@@ -103,7 +103,7 @@ std::vector<TimeVariant> time_variants() {
 }
 
 /// Adds f at points of the true surface: 25 points around the spot, at one instant.
-void add_error(const surface::SurfaceSnapshot& snapshot, const server::TrueSurface& truth, const testing::Spot& spot,
+void add_error(const surface::SurfaceSnapshot& snapshot, const capture::TrueSurface& truth, const testing::Spot& spot,
                double age_s, RootMeanSquare& error_m) {
   const surface::MotionBasis basis = surface::motion_basis(snapshot.motion, age_s);
   for (const double x : {-0.02, -0.01, 0.0, 0.01, 0.02})

@@ -131,7 +131,7 @@ std::vector<Vector3d> places_on(const testing::AnalyticSurface& shape) {
 }
 
 TouchError torso_error(const FilmedTorso& torso, const SurfaceSnapshot& snapshot) {
-  const server::TrueSurface truth = torso.patient.true_surface(snapshot.captured);
+  const capture::TrueSurface truth = torso.patient.true_surface(snapshot.captured);
   std::vector<Vector3d> places;
   for (double x = -0.045; x <= 0.046; x += 0.015)
     for (double y = -0.045; y <= 0.046; y += 0.015)
@@ -144,7 +144,7 @@ TouchError torso_error(const FilmedTorso& torso, const SurfaceSnapshot& snapshot
   });
 }
 
-Result<FilmedTorso> film(Result<server::SyntheticPatient> patient) {
+Result<FilmedTorso> film(Result<capture::SyntheticPatient> patient) {
   constexpr int kFrames = 30;
   if (!patient) return patient.error();
   FilmedTorso torso{std::move(patient).value(), {}, {}};
@@ -205,9 +205,9 @@ Result<FilmedTorso> filmed_torso(double sigma_m) { return film(testing::torso({.
 Result<FilmedTorso> kinect_torso(double above_m) {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
   if (!file) return Error{.what = "the torso is not shipped", .where = "torso", .fix = "run from the repository"};
-  const Result<server::TriangleMesh> mesh = server::read_mesh(*file);
+  const Result<capture::TriangleMesh> mesh = capture::read_mesh(*file);
   if (!mesh) return mesh.error();
-  return film(server::SyntheticPatient::make(*mesh, {.camera_above_body_m = above_m, .amplitude_m = 0.0}));
+  return film(capture::SyntheticPatient::make(*mesh, {.camera_above_body_m = above_m, .amplitude_m = 0.0}));
 }
 
 TouchError shape_touch_error(const RenderedShape& shape, const SurfaceVariant& variant) {

@@ -81,7 +81,7 @@ struct RenderedShape {
 
 /// A torso and its frames at 30 Hz, rendered once for all variants.
 struct FilmedTorso {
-  server::SyntheticPatient patient;
+  capture::SyntheticPatient patient;
   testing::Spot spot;
   std::vector<RgbdFrame> frames;
 };

@@ -48,9 +48,9 @@ void measure_tick(double seconds, Report& report) {
   std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
   effects::EffectBank bank;
   (void)bank.add(effects::Skin{});
-  station::HapticLoop loop({}, control::EncounteredController({}, bank));
-  station::SimulatedRig rig({.device = {}, .hand = {}, .tracker = {}, .rest = {{0.0, 0.05, 0.0}}},
-                            device::ScriptedIntention(device::waypoints(device::Trial::IndentSeveralPoints), {}));
+  loop::HapticLoop loop({}, control::EncounteredController({}, bank));
+  loop::SimulatedRig rig({.device = {}, .hand = {}, .tracker = {}, .rest = {{0.0, 0.05, 0.0}}},
+                         device::ScriptedIntention(device::waypoints(device::Trial::IndentSeveralPoints), {}));
   Transform<HapticBase, DepthCamera> haptic_from_camera;
   haptic_from_camera.iso = Eigen::Translation3d(0.0, 0.8, 0.0) * Eigen::AngleAxisd(1.5707963, Eigen::Vector3d::UnitX());
   Distribution tick_us;

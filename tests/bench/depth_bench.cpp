@@ -40,18 +40,19 @@ Result<Frames> frames_of(const std::string& input) {
   Frames frames;
   std::size_t bytes = 0;
   if (!input.empty()) {
-    const Result<void> read = server::for_each_depth(input, 0.001, [&](server::NamedDepth named) -> Result<void> {
-      bytes += 2 * named.depth.samples.size();
-      if (bytes <= kMostBytes)
-        frames.images.push_back(std::move(named.depth));
-      else
-        ++frames.left_out;
-      return {};
-    });
+    const Result<void> read =
+        codec_tool::for_each_depth(input, 0.001, [&](codec_tool::NamedDepth named) -> Result<void> {
+          bytes += 2 * named.depth.samples.size();
+          if (bytes <= kMostBytes)
+            frames.images.push_back(std::move(named.depth));
+          else
+            ++frames.left_out;
+          return {};
+        });
     if (!read) return read.error();
   } else {
     auto source =
-        server::open_source("synthetic", {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = true, .paced = false});
+        capture::open_source("synthetic", {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = true, .paced = false});
     if (!source) return source.error();
     while (frames.images.size() < kSyntheticFrames)
       if (auto frame = (*source)->next(std::chrono::milliseconds{100}))

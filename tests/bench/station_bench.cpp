@@ -73,20 +73,20 @@ class Station {
     return bank;
   }
   void publish_surface() {
-    const auto plane = std::make_shared<station::PlaneSnapshot>(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), 1.0);
+    const auto plane = std::make_shared<loop::PlaneSnapshot>(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), 1.0);
     plane->captured = SessionTime(Clock::now().time_since_epoch());
     surfaces_.put({plane, {}});
   }
   void drain(Jitter& jitter) {
-    for (station::TickSample tick; ticks_->try_pop(tick);) {
+    for (loop::TickSample tick; ticks_->try_pop(tick);) {
       jitter.late_us.add(tick.late_ns * 1e-3);
       jitter.work_us.add(static_cast<double>(tick.work_us));
     }
   }
 
-  station::HapticLoop loop_;
-  station::SimulatedRig rig_;
-  LatestValue<station::TouchableSurface> surfaces_;
+  loop::HapticLoop loop_;
+  loop::SimulatedRig rig_;
+  LatestValue<loop::TouchableSurface> surfaces_;
   LatestValue<Point<HapticBase>> device_to_surface_;
   std::unique_ptr<station::TickRing> ticks_ = std::make_unique<station::TickRing>();
 };

@@ -77,7 +77,7 @@ Distribution step_times_us(const std::vector<Captured>& snapshots, const testing
   return times;
 }
 
-void add_costs(Report& report, const server::SyntheticPatient& patient, const testing::Spot& spot) {
+void add_costs(Report& report, const capture::SyntheticPatient& patient, const testing::Spot& spot) {
   std::vector<RgbdFrame> frames;
   for (int n = 0; n < 15; ++n) frames.push_back(patient.frame_at(scene_time(n * kFrame_s), 0));
   const Distribution still = build_times_ms(frames, spot, 0.0);
@@ -134,7 +134,7 @@ double worst_jump_um(const SurfaceSnapshot& snapshot, const testing::Spot& spot)
   return 1e6 * worst;
 }
 
-void add_still(Report& report, const server::SyntheticPatient& patient, const testing::Spot& spot) {
+void add_still(Report& report, const capture::SyntheticPatient& patient, const testing::Spot& spot) {
   const Reach reach{{spot.at}, kReach_m};
   const std::vector<Captured> second = testing::watch(patient, SurfaceSettings{}, reach, 4.0, 0.95);
   const testing::ShapeError error = testing::torso_error(patient, *second.front().snapshot, spot);
@@ -155,9 +155,9 @@ void add_still(Report& report, const server::SyntheticPatient& patient, const te
 }
 
 /// Places on the belly within 30 mm of `spot`, each 10 mm under the skin at exhale.
-std::vector<Vector3d> presses(const server::SyntheticPatient& patient, const testing::Spot& spot) {
+std::vector<Vector3d> presses(const capture::SyntheticPatient& patient, const testing::Spot& spot) {
   std::vector<Vector3d> inside;
-  const server::TrueSurface skin = patient.true_surface(scene_time(0.0));
+  const capture::TrueSurface skin = patient.true_surface(scene_time(0.0));
   for (const auto& [x, y] : {std::pair(0.0, 0.0), {-0.03, -0.03}, {-0.03, 0.03}, {0.03, -0.03}, {0.03, 0.03}}) {
     const auto point = skin.on_ray_through({spot.at + Vector3d(x, y, 0.0)});
     inside.emplace_back(point.at.m - 0.01 * point.normal.v);
@@ -166,7 +166,7 @@ std::vector<Vector3d> presses(const server::SyntheticPatient& patient, const tes
 }
 
 /// Root of the mean over places of the squared force error.
-double force_rmse_N(const server::SyntheticPatient& patient, const std::vector<Captured>& snapshots,
+double force_rmse_N(const capture::SyntheticPatient& patient, const std::vector<Captured>& snapshots,
                     const std::vector<Vector3d>& places, double from_s, double until_s, double delay_s) {
   double square = 0.0;
   for (const Vector3d& at : places) {

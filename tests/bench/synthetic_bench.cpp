@@ -24,17 +24,17 @@ double cpu_s() {
 SessionTime instant(int frame) { return SessionTime{from_seconds(frame / kFramesPerSecond)}; }
 
 /// The largest distance between noise-free depth and the true surface, over a breath [mm].
-Result<double> worst_error_mm(const server::TriangleMesh& torso) {
-  server::SyntheticSettings exact;
-  exact.noise = server::DepthNoise::None;
+Result<double> worst_error_mm(const capture::TriangleMesh& torso) {
+  capture::SyntheticSettings exact;
+  exact.noise = capture::DepthNoise::None;
   exact.disparity_steps = false;
   exact.depth_unit_m = 0.0001;
-  const Result<server::SyntheticPatient> patient = server::SyntheticPatient::make(torso, exact);
+  const Result<capture::SyntheticPatient> patient = capture::SyntheticPatient::make(torso, exact);
   if (!patient) return patient.error();
   double worst_m = 0.0;
   for (int frame = 0; frame < 120; frame += 20) {
     const RgbdFrame seen = patient->frame_at(instant(frame), 0);
-    const server::TrueSurface truth = patient->true_surface(instant(frame));
+    const capture::TrueSurface truth = patient->true_surface(instant(frame));
     for (int v = 0; v < seen.depth.height; v += 2)
       for (int u = 0; u < seen.depth.width; u += 2)
         if (const std::uint16_t sample = seen.depth.at(u, v); sample != 0)
@@ -48,10 +48,10 @@ Result<double> worst_error_mm(const server::TriangleMesh& torso) {
 Result<Report> run_synthetic(const program::Arguments& /*arguments*/) {
   const std::optional<std::filesystem::path> file = program::shipped_file(kTorso);
   if (!file) return Error{.what = "is not there", .where = kTorso, .fix = "run from the source tree"};
-  const Result<server::TriangleMesh> torso = server::read_mesh(*file);
+  const Result<capture::TriangleMesh> torso = capture::read_mesh(*file);
   if (!torso) return torso.error();
   const double before_s = cpu_s();
-  const Result<server::SyntheticPatient> patient = server::SyntheticPatient::make(*torso, {});
+  const Result<capture::SyntheticPatient> patient = capture::SyntheticPatient::make(*torso, {});
   if (!patient) return patient.error();
   const double making_ms = 1000.0 * (cpu_s() - before_s);
 

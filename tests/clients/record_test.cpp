@@ -35,7 +35,7 @@ const std::filesystem::path kRecorder = TELEPALP_BINARY_DIR "/bin/telepalp-recor
 class Server {
  public:
   explicit Server(std::uint16_t port = 0) {
-    auto made = server::PeerListener::listen(io_, hub_, clock_, {.port = port});
+    auto made = hub::PeerListener::listen(io_, hub_, clock_, {.port = port});
     EXPECT_TRUE(made) << to_string(made.error());
     listener_ = std::move(made).value();
     port_ = listener_->port();
@@ -53,9 +53,9 @@ class Server {
 
  private:
   boost::asio::io_context io_;
-  server::Hub hub_;
+  hub::Hub hub_;
   wire::SessionClock clock_ = wire::SessionClock::anchored_to_wall_clock();
-  std::unique_ptr<server::PeerListener> listener_;
+  std::unique_ptr<hub::PeerListener> listener_;
   std::uint16_t port_ = 0;
   std::thread thread_;
 };

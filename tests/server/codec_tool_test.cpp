@@ -16,18 +16,20 @@ namespace {
 const images::GrayImage16 kImage{.width = 3, .height = 2, .samples = {0, 1, 255, 256, 700, 65535}};
 
 TEST(Pgm, RoundTripKeepsEverySample) {
-  const Result<images::GrayImage16> back = decode_pgm(encode_pgm(kImage), "a.pgm");
+  const Result<images::GrayImage16> back = codec_tool::decode_pgm(codec_tool::encode_pgm(kImage), "a.pgm");
   ASSERT_TRUE(back.ok()) << to_string(back.error());
   EXPECT_EQ(back->samples, kImage.samples);
   EXPECT_EQ(back->width, 3);
 }
 
 TEST(Pgm, ReadsCommentsAndRefusesWhatIsCutOffOrTooLarge) {
-  const std::string pgm = encode_pgm(kImage);
-  EXPECT_TRUE(decode_pgm("P5\n# by hand\n3 2\n# 16 bits\n65535\n" + pgm.substr(pgm.size() - 12), "a.pgm").ok());
-  for (std::size_t size = 0; size < pgm.size(); ++size) EXPECT_FALSE(decode_pgm(pgm.substr(0, size), "a.pgm").ok());
-  EXPECT_FALSE(decode_pgm("P5\n99999 99999\n65535\n", "a.pgm").ok());
-  EXPECT_FALSE(decode_pgm("P5\n3 2\n255\n123456", "a.pgm").ok());
+  const std::string pgm = codec_tool::encode_pgm(kImage);
+  EXPECT_TRUE(
+      codec_tool::decode_pgm("P5\n# by hand\n3 2\n# 16 bits\n65535\n" + pgm.substr(pgm.size() - 12), "a.pgm").ok());
+  for (std::size_t size = 0; size < pgm.size(); ++size)
+    EXPECT_FALSE(codec_tool::decode_pgm(pgm.substr(0, size), "a.pgm").ok());
+  EXPECT_FALSE(codec_tool::decode_pgm("P5\n99999 99999\n65535\n", "a.pgm").ok());
+  EXPECT_FALSE(codec_tool::decode_pgm("P5\n3 2\n255\n123456", "a.pgm").ok());
 }
 
 TEST(DepthFiles, GiveTheImagesOfADirectoryInOrderAndPassOverColour) {
@@ -46,14 +48,17 @@ TEST(DepthFiles, GiveTheImagesOfADirectoryInOrderAndPassOverColour) {
                                         program::Readers::Group)
                   .ok());
   std::vector<std::uint16_t> first_samples;
-  const Result<void> done = for_each_depth(folder, 0.000125, [&](NamedDepth named) -> Result<void> {
-    EXPECT_EQ(named.depth.unit_m, 0.000125);
-    first_samples.push_back(named.depth.samples.front());
-    return {};
-  });
+  const Result<void> done =
+      codec_tool::for_each_depth(folder, 0.000125, [&](codec_tool::NamedDepth named) -> Result<void> {
+        EXPECT_EQ(named.depth.unit_m, 0.000125);
+        first_samples.push_back(named.depth.samples.front());
+        return {};
+      });
   EXPECT_TRUE(done.ok());
   EXPECT_EQ(first_samples, (std::vector<std::uint16_t>{1, 2}));
-  EXPECT_FALSE(for_each_depth(folder / "none.png", 0.001, [](NamedDepth) -> Result<void> { return {}; }).ok());
+  EXPECT_FALSE(codec_tool::for_each_depth(folder / "none.png", 0.001, [](codec_tool::NamedDepth) -> Result<void> {
+                 return {};
+               }).ok());
   std::filesystem::remove_all(folder);
 }
 
@@ -71,14 +76,14 @@ TEST(DepthFiles, OfARecordingThatLacksAFrameAllThatCanBeReadIsGiven) {
   }
   ASSERT_TRUE(writer->close().ok());
   std::vector<std::vector<std::uint16_t>> read;
-  const auto visit = [&](NamedDepth named) -> Result<void> {
+  const auto visit = [&](codec_tool::NamedDepth named) -> Result<void> {
     read.push_back(std::move(named.depth.samples));
     return {};
   };
-  EXPECT_FALSE(for_each_depth(file, 0.001, visit).ok());
+  EXPECT_FALSE(codec_tool::for_each_depth(file, 0.001, visit).ok());
   read.clear();
   int unreadable = 0;
-  EXPECT_TRUE(for_each_depth(file, 0.001, visit, [&](const Error&) { ++unreadable; }).ok());
+  EXPECT_TRUE(codec_tool::for_each_depth(file, 0.001, visit, [&](const Error&) { ++unreadable; }).ok());
   EXPECT_EQ(unreadable, 2);
   ASSERT_EQ(read.size(), 5u);
   EXPECT_EQ(read[0], codec::kinect_like(32, 24, 0).samples);

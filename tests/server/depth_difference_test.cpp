@@ -13,19 +13,19 @@ const DepthErrorBound kBound{.least_m = 0.001, .per_m = 0.003};  // 3 mm at 1 m,
 
 TEST(DepthDifference, AllowsEachPixelWhatItsOriginalDepthAllowsAndNoMore) {
   const DepthImage original = row({400, 1000, 2000});
-  DepthDifference held(kBound);
+  codec_tool::DepthDifference held(kBound);
   held.add(original, row({401, 997, 2012}));
   EXPECT_EQ(held.beyond(), 0u) << held.first_beyond();
   EXPECT_EQ(held.worst_mm(), 12.0);
   for (const DepthImage& beyond : {row({402, 1000, 2000}), row({400, 1004, 2000}), row({400, 1000, 1987})}) {
-    DepthDifference difference(kBound);
+    codec_tool::DepthDifference difference(kBound);
     difference.add(original, beyond);
     EXPECT_EQ(difference.beyond(), 1u);
   }
 }
 
 TEST(DepthDifference, NamesTheFirstPixelBeyondTheBound) {
-  DepthDifference difference(kBound);
+  codec_tool::DepthDifference difference(kBound);
   const DepthImage original{.width = 2, .height = 2, .unit_m = 0.001, .samples = {0, 0, 0, 1000}};
   DepthImage other = original;
   difference.add(original, other);
@@ -37,7 +37,7 @@ TEST(DepthDifference, NamesTheFirstPixelBeyondTheBound) {
 }
 
 TEST(DepthDifference, APixelThatOnlyOneMeasuredIsBeyondAnyBound) {
-  DepthDifference difference(DepthErrorBound{.least_m = 100.0, .per_m = 100.0});
+  codec_tool::DepthDifference difference(DepthErrorBound{.least_m = 100.0, .per_m = 100.0});
   difference.add(row({0, 700, 0}), row({700, 0, 0}));
   EXPECT_EQ(difference.flips(), 2u);
   EXPECT_EQ(difference.beyond(), 2u);
@@ -47,14 +47,14 @@ TEST(DepthDifference, APixelThatOnlyOneMeasuredIsBeyondAnyBound) {
 }
 
 TEST(DepthDifference, ComparesMillimetresWhateverTheUnits) {
-  DepthDifference difference(DepthErrorBound{.least_m = 0.0, .per_m = 0.0});
+  codec_tool::DepthDifference difference(DepthErrorBound{.least_m = 0.0, .per_m = 0.0});
   difference.add(row({1000, 500}), row({8000, 4000}, 0.000125));
   EXPECT_EQ(difference.beyond(), 0u) << difference.first_beyond();
   EXPECT_EQ(difference.measured(), 2u);
 }
 
 TEST(DepthDifference, WithoutABoundNothingIsBeyondIt) {
-  DepthDifference difference;
+  codec_tool::DepthDifference difference;
   difference.add(row({1000, 1}), row({3000, 0}));
   EXPECT_EQ(difference.beyond(), 0u);
   EXPECT_EQ(difference.worst_mm(), 2000.0);

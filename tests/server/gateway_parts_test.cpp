@@ -37,15 +37,15 @@ class Folder {
   fs::path path_;
 };
 
-HttpRequest get(std::string_view target, std::string_view host = "127.0.0.1:8080") {
-  HttpRequest request{http::verb::get, boost::beast::string_view(target.data(), target.size()), 11};
+gateway::HttpRequest get(std::string_view target, std::string_view host = "127.0.0.1:8080") {
+  gateway::HttpRequest request{http::verb::get, boost::beast::string_view(target.data(), target.size()), 11};
   request.set(http::field::host, boost::beast::string_view(host.data(), host.size()));
   return request;
 }
 
 TEST(StaticFiles, OnlyAViewersOwnFilesAreServed) {
   const Folder folder;
-  const auto files = StaticFiles::read(folder.viewer());
+  const auto files = gateway::StaticFiles::read(folder.viewer());
   ASSERT_TRUE(files);
   EXPECT_EQ(files->find("/")->bytes, "<p>hello</p>");
   EXPECT_EQ(files->find("/viewer.js?v=2")->content_type, "text/javascript; charset=utf-8");
@@ -57,17 +57,17 @@ TEST(StaticFiles, OnlyAViewersOwnFilesAreServed) {
 
 TEST(StaticFiles, AFolderWithoutAViewerIsRefusedWithItsName) {
   const Folder folder;
-  const auto none = StaticFiles::read(folder.root());
+  const auto none = gateway::StaticFiles::read(folder.root());
   ASSERT_FALSE(none);
   EXPECT_NE(to_string(none.error()).find(folder.root().string()), std::string::npos);
-  EXPECT_FALSE(StaticFiles::read(folder.root() / "absent"));
+  EXPECT_FALSE(gateway::StaticFiles::read(folder.root() / "absent"));
 }
 
 TEST(HttpReply, FilesComeWithTheirTypeAndNothingFromElsewhereMayRun) {
   const Folder folder;
-  const auto files = StaticFiles::read(folder.viewer());
+  const auto files = gateway::StaticFiles::read(folder.viewer());
   ASSERT_TRUE(files);
-  const HttpReply reply = reply_to(get("/viewer.js"), *files, {}, {});
+  const gateway::HttpReply reply = gateway::reply_to(get("/viewer.js"), *files, {}, {});
   EXPECT_EQ(reply.result_int(), 200u);
   EXPECT_EQ(reply[http::field::cache_control], "no-cache");
   EXPECT_EQ(reply["X-Content-Type-Options"], "nosniff");
@@ -75,9 +75,9 @@ TEST(HttpReply, FilesComeWithTheirTypeAndNothingFromElsewhereMayRun) {
   EXPECT_NE(policy.find("default-src 'none'"), std::string::npos);
   EXPECT_EQ(policy.find("'unsafe-eval'"), std::string::npos);
   EXPECT_EQ(policy.find("'unsafe-inline'"), std::string::npos);
-  HttpRequest again = get("/viewer.js");
+  gateway::HttpRequest again = get("/viewer.js");
   again.set(http::field::if_none_match, reply[http::field::etag]);
-  EXPECT_EQ(reply_to(again, *files, {}, {}).result_int(), 304u);
+  EXPECT_EQ(gateway::reply_to(again, *files, {}, {}).result_int(), 304u);
 }
 
 /// The decompressed body, as in a browser.
@@ -95,18 +95,19 @@ std::string unzipped(const std::string& bytes) {
   return out;
 }
 
-HttpReply page_for(const StaticFiles& files, const char* accept_encoding, boost::beast::string_view known = "") {
-  HttpRequest request = get("/page.css");
+gateway::HttpReply page_for(const gateway::StaticFiles& files, const char* accept_encoding,
+                            boost::beast::string_view known = "") {
+  gateway::HttpRequest request = get("/page.css");
   if (accept_encoding != nullptr) request.set(http::field::accept_encoding, accept_encoding);
   if (!known.empty()) request.set(http::field::if_none_match, known);
-  return reply_to(request, files, {}, {});
+  return gateway::reply_to(request, files, {}, {});
 }
 
 TEST(HttpReply, AFileIsCompressedForABrowserThatTakesGzipAndForNoOther) {
   const Folder folder;
-  const auto files = StaticFiles::read(folder.viewer());
+  const auto files = gateway::StaticFiles::read(folder.viewer());
   ASSERT_TRUE(files);
-  const HttpReply small = page_for(*files, "br, GZIP;q=0.8, deflate");
+  const gateway::HttpReply small = page_for(*files, "br, GZIP;q=0.8, deflate");
   EXPECT_EQ(small[http::field::content_encoding], "gzip");
   EXPECT_LT(small.body().size(), 1000u);
   EXPECT_EQ(unzipped(small.body()), std::string(100'000, 'p'));
@@ -114,7 +115,7 @@ TEST(HttpReply, AFileIsCompressedForABrowserThatTakesGzipAndForNoOther) {
     EXPECT_EQ(page_for(*files, accepted)[http::field::content_encoding], "gzip") << accepted;
   for (const char* refused :
        {static_cast<const char*>(nullptr), "", "br", "gzip;q=0", "gzip; q=0.000", "*;q=0", "gzip;q=0, *", "xgzip"}) {
-    const HttpReply plain = page_for(*files, refused);
+    const gateway::HttpReply plain = page_for(*files, refused);
     EXPECT_EQ(plain.count(http::field::content_encoding), 0u) << (refused ? refused : "no header");
     EXPECT_EQ(plain.body().size(), 100'000u);
     EXPECT_EQ(plain[http::field::vary], "Accept-Encoding") << "a cache between must keep the two forms apart";
@@ -123,7 +124,7 @@ TEST(HttpReply, AFileIsCompressedForABrowserThatTakesGzipAndForNoOther) {
 
 TEST(HttpReply, TheTwoFormsOfAFileHaveTagsOfTheirOwnAndAListOfTagsIsRead) {
   const Folder folder;
-  const auto files = StaticFiles::read(folder.viewer());
+  const auto files = gateway::StaticFiles::read(folder.viewer());
   ASSERT_TRUE(files);
   const std::string small(page_for(*files, "gzip")[http::field::etag]);
   const std::string plain(page_for(*files, nullptr)[http::field::etag]);
@@ -138,16 +139,17 @@ TEST(HttpReply, TheTwoFormsOfAFileHaveTagsOfTheirOwnAndAListOfTagsIsRead) {
 }
 
 TEST(HttpReply, OtherMethodsAndOtherNamesAreRefused) {
-  HttpRequest post = get("/");
+  gateway::HttpRequest post = get("/");
   post.method(http::verb::post);
-  EXPECT_EQ(reply_to(post, {}, {}, {}).result_int(), 405u);
-  EXPECT_EQ(reply_to(get("/"), {}, {}, {}).result_int(), 404u);
-  EXPECT_EQ(reply_to(get("/", "evil.example:8080"), {}, {}, {}).result_int(), 421u);
-  EXPECT_EQ(reply_to(get("/", ""), {}, {}, {}).result_int(), 421u);
+  EXPECT_EQ(gateway::reply_to(post, {}, {}, {}).result_int(), 405u);
+  EXPECT_EQ(gateway::reply_to(get("/"), {}, {}, {}).result_int(), 404u);
+  EXPECT_EQ(gateway::reply_to(get("/", "evil.example:8080"), {}, {}, {}).result_int(), 421u);
+  EXPECT_EQ(gateway::reply_to(get("/", ""), {}, {}, {}).result_int(), 421u);
 }
 
 TEST(HttpReply, GivesTheSessionClock) {
-  const HttpReply reply = reply_to(get("/session_clock"), {}, {}, session_time(1'700'000'000'123'456'789));
+  const gateway::HttpReply reply =
+      gateway::reply_to(get("/session_clock"), {}, {}, session_time(1'700'000'000'123'456'789));
   EXPECT_EQ(reply.body(), "1700000000123456789");
   EXPECT_EQ(reply[http::field::cache_control], "no-store");
 }
@@ -177,53 +179,53 @@ const OriginCase kOrigins[] = {
 TEST(RequestPolicy, AnAllowedOriginIsExact) {
   for (const char* good :
        {"https://app.foxglove.dev", "http://localhost:8080", "http://[::1]:8080", "app://lichtblick"})
-    EXPECT_TRUE(check_origin(good)) << good;
+    EXPECT_TRUE(gateway::check_origin(good)) << good;
   for (const char* bad : {"*", "null", "", "https://", "https://*.example", "https://a.example/", "a.example",
                           "https://A.example", "https://a.example, https://b.example", "://a.example"})
-    EXPECT_FALSE(check_origin(bad)) << bad;
+    EXPECT_FALSE(gateway::check_origin(bad)) << bad;
 }
 
 TEST(RequestPolicy, OnlyOurOwnPagesAndToolsOnThisMachineMayOpenTheStream) {
-  const RequestPolicy policy{.allowed_hosts = {}, .allowed_origins = {"https://viewer.example"}};
+  const gateway::RequestPolicy policy{.allowed_hosts = {}, .allowed_origins = {"https://viewer.example"}};
   for (const OriginCase& one : kOrigins)
-    EXPECT_EQ(origin_is_allowed(policy, one.origin, one.host, one.loopback), one.allowed) << one.behaviour;
+    EXPECT_EQ(gateway::origin_is_allowed(policy, one.origin, one.host, one.loopback), one.allowed) << one.behaviour;
 }
 
 TEST(RequestPolicy, AHostNameMustBeAllowedByName) {
-  const RequestPolicy policy{.allowed_hosts = {"theatre-3.hospital"}, .allowed_origins = {}};
-  EXPECT_TRUE(host_is_ours(policy, "theatre-3.hospital:8080"));
-  EXPECT_FALSE(host_is_ours(policy, "theatre-4.hospital:8080"));
-  EXPECT_TRUE(host_is_ours(policy, "192.168.1.7"));
-  EXPECT_FALSE(host_is_ours(policy, "[::1"));
-  EXPECT_FALSE(host_is_ours(policy, "[]"));
+  const gateway::RequestPolicy policy{.allowed_hosts = {"theatre-3.hospital"}, .allowed_origins = {}};
+  EXPECT_TRUE(gateway::host_is_ours(policy, "theatre-3.hospital:8080"));
+  EXPECT_FALSE(gateway::host_is_ours(policy, "theatre-4.hospital:8080"));
+  EXPECT_TRUE(gateway::host_is_ours(policy, "192.168.1.7"));
+  EXPECT_FALSE(gateway::host_is_ours(policy, "[::1"));
+  EXPECT_FALSE(gateway::host_is_ours(policy, "[]"));
 }
 
 TEST(FoxgloveProtocol, ASubprotocolThatBothSpeakIsChosenInTheClientsOrder) {
-  EXPECT_EQ(foxglove::choose_subprotocol("foxglove.websocket.v1"), "foxglove.websocket.v1");
-  EXPECT_EQ(foxglove::choose_subprotocol("x , foxglove.sdk.v1,foxglove.websocket.v1"), "foxglove.sdk.v1");
-  EXPECT_FALSE(foxglove::choose_subprotocol(""));
-  EXPECT_FALSE(foxglove::choose_subprotocol("mqtt, foxglove.websocket.v2"));
+  EXPECT_EQ(gateway::foxglove::choose_subprotocol("foxglove.websocket.v1"), "foxglove.websocket.v1");
+  EXPECT_EQ(gateway::foxglove::choose_subprotocol("x , foxglove.sdk.v1,foxglove.websocket.v1"), "foxglove.sdk.v1");
+  EXPECT_FALSE(gateway::foxglove::choose_subprotocol(""));
+  EXPECT_FALSE(gateway::foxglove::choose_subprotocol("mqtt, foxglove.websocket.v2"));
 }
 
 TEST(FoxgloveProtocol, AMessagesHeaderIsThirteenLittleEndianBytes) {
-  const auto header = foxglove::message_header(0x04030201, session_time(0x0807060504030201));
+  const auto header = gateway::foxglove::message_header(0x04030201, session_time(0x0807060504030201));
   const std::array<std::uint8_t, 13> expected{1, 1, 2, 3, 4, 1, 2, 3, 4, 5, 6, 7, 8};
   EXPECT_EQ(header, expected);
 }
 
 TEST(FoxgloveProtocol, RequestsAreReadAndOtherOperationsAreNamedInTheRefusal) {
-  const auto subscribe = foxglove::read_request(
+  const auto subscribe = gateway::foxglove::read_request(
       R"({"op":"subscribe","subscriptions":[{"id":7,"channelId":2,"later":[1]}],"unknown":{"x":1}})");
   ASSERT_TRUE(subscribe);
   ASSERT_EQ(subscribe->subscribe.size(), 1u);
   EXPECT_EQ(subscribe->subscribe[0].id, 7u);
   EXPECT_EQ(subscribe->subscribe[0].channel, 2u);
-  const auto advertise = foxglove::read_request(
+  const auto advertise = gateway::foxglove::read_request(
       R"({"op":"advertise","channels":[{"id":9,"topic":"/viewer/hand","encoding":"protobuf","schemaName":"x"}]})");
   ASSERT_TRUE(advertise);
   ASSERT_EQ(advertise->advertise.size(), 1u);
   EXPECT_EQ(advertise->advertise[0].topic, "/viewer/hand");
-  const auto other = foxglove::read_request(R"({"op":"setParameters","parameters":[]})");
+  const auto other = gateway::foxglove::read_request(R"({"op":"setParameters","parameters":[]})");
   ASSERT_FALSE(other);
   EXPECT_NE(to_string(other.error()).find("'setParameters'"), std::string::npos);
 }
@@ -237,7 +239,7 @@ TEST(FoxgloveProtocol, InvalidTextIsOnlyAnError) {
         nested, std::string(R"({"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]})"),
         std::string(R"({"op":"subscribe","subscriptions":[{"id":4294967296,"channelId":1}]})"),
         std::string(R"({"op":"subscribe","subscriptions":7})"), std::string(R"({"op":["subscribe"]})")})
-    EXPECT_FALSE(foxglove::read_request(text)) << text.substr(0, 60);
+    EXPECT_FALSE(gateway::foxglove::read_request(text)) << text.substr(0, 60);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ Picture picture(double t_s) {
 
 class Stage {
  public:
-  Stage(asio::io_context& io, server::Hub& hub, wire::SessionClock clock)
+  Stage(asio::io_context& io, hub::Hub& hub, wire::SessionClock clock)
       : hub_(hub), clock_(clock), frame_timer_(io), state_timer_(io), stdin_(io, ::dup(0)) {
     camera();
     state();
@@ -206,7 +206,7 @@ class Stage {
     static_cast<asio::io_context&>(stdin_.get_executor().context()).stop();
   }
 
-  server::Hub& hub_;
+  hub::Hub& hub_;
   wire::SessionClock clock_;
   asio::steady_timer frame_timer_;
   asio::steady_timer state_timer_;
@@ -225,14 +225,14 @@ class Stage {
 
 int run(const program::Arguments& arguments) {
   asio::io_context io;
-  server::Hub hub;
+  hub::Hub hub;
   const auto clock = wire::SessionClock::anchored_to_wall_clock();
-  server::GatewayOptions options;
+  gateway::GatewayOptions options;
   const auto port = arguments.whole("http-port", 0, 65535);
   if (!port) return program::fail(port.error(), program::kAskedWrongly);
   options.port = static_cast<std::uint16_t>(*port);
   options.viewer_files = arguments.text("viewer");
-  const auto gateway = server::Gateway::open(
+  const auto gateway = gateway::Gateway::open(
       io, hub, [clock] { return clock.now(); }, options);
   if (!gateway) return program::fail(gateway.error());
   std::printf("%s\n", (*gateway)->url().c_str());

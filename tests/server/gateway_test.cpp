@@ -38,9 +38,9 @@ class Running {
     return done.get();
   }
 
-  explicit Running(GatewayOptions options = {}) {
+  explicit Running(gateway::GatewayOptions options = {}) {
     options.port = 0;
-    auto opened = Gateway::open(
+    auto opened = gateway::Gateway::open(
         io_, hub_, [] { return session_time(42); }, options);
     demand(opened.ok(), "the gateway opens");
     gateway_ = std::move(opened).value();
@@ -72,8 +72,8 @@ class Running {
  private:
   asio::io_context io_;
   asio::executor_work_guard<asio::io_context::executor_type> work_ = asio::make_work_guard(io_);
-  Hub hub_;
-  std::unique_ptr<Gateway> gateway_;
+  hub::Hub hub_;
+  std::unique_ptr<gateway::Gateway> gateway_;
   std::thread thread_;
 };
 
@@ -318,8 +318,8 @@ TEST(Gateway, InvalidHttpIsRefusedWithinBounds) {
 TEST(Gateway, APortInUseIsAnErrorThatNamesIt) {
   Running server;
   asio::io_context io;
-  Hub hub;
-  const auto second = Gateway::open(io, hub, [] { return SessionTime{}; }, {.port = server.port()});
+  hub::Hub hub;
+  const auto second = gateway::Gateway::open(io, hub, [] { return SessionTime{}; }, {.port = server.port()});
   ASSERT_FALSE(second);
   EXPECT_NE(to_string(second.error()).find(std::to_string(server.port())), std::string::npos);
 }

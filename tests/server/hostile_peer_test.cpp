@@ -103,8 +103,9 @@ TEST(HostilePeer, ALengthOfFourGibibytesIsRefused) {
 
 TEST(HostilePeer, APayloadBeyondWhatAStationMaySendIsRefused) {
   expect_says(
-      answer_to(control_frame(hello()) +
-                frame_bytes({.payload_bytes = kMaxUpstreamBytes + 1, .kind = wire::FrameKind::Data, .channel = 1}, "")),
+      answer_to(
+          control_frame(hello()) +
+          frame_bytes({.payload_bytes = hub::kMaxUpstreamBytes + 1, .kind = wire::FrameKind::Data, .channel = 1}, "")),
       "declares 1048577 B, at most 1048576 B are taken");
 }
 
@@ -292,8 +293,8 @@ TEST(HostilePeer, ASubscriberThatStallsLosesItsOwnImagesAndNobodyElses) {
     site.hub.publish(message(wire::kStationEvents, "e"));
     ASSERT_TRUE(site.run_until([&] { return quick.messages.size() == 2 * i; }));
   }
-  for (const Hub::SubscriberCount& count : site.hub.subscriber_counts()) {
-    const Hub::TopicCount& depth = count.topics.at(wire::kCameraDepth.name);
+  for (const hub::Hub::SubscriberCount& count : site.hub.subscriber_counts()) {
+    const hub::Hub::TopicCount& depth = count.topics.at(wire::kCameraDepth.name);
     EXPECT_EQ(depth.published, kImages) << count.name;
     if (count.name == "quick") {
       EXPECT_EQ(depth.sent, kImages);

@@ -16,7 +16,7 @@ wire::Message frame(int number, bool is_key) {
 
 /// A hub whose camera makes a key frame when asked, and subscribers that can be slow.
 struct Stage {
-  Hub hub;
+  hub::Hub hub;
   int asked = 0;
   int published = 0;
 
@@ -26,14 +26,14 @@ struct Stage {
       ++asked;
     });
   }
-  SubscriberId join() {
-    const SubscriberId id = hub.join("s", "", [] {});
+  hub::SubscriberId join() {
+    const hub::SubscriberId id = hub.join("s", "", [] {});
     hub.subscribe(id, {"/camera/depth"});
     return id;
   }
   void key() { hub.publish(frame(++published, true)); }
   void dependent() { hub.publish(frame(++published, false)); }
-  std::string taken(SubscriberId id) {
+  std::string taken(hub::SubscriberId id) {
     std::string numbers;
     while (const auto next = hub.next(id)) numbers += (numbers.empty() ? "" : " ") + *next->payload;
     return numbers;
@@ -44,7 +44,7 @@ TEST(HubGroups, ANewSubscriberGetsNothingUntilAKeyFrameWhichIsRequestedAtOnce) {
   Stage stage;
   stage.key();
   stage.dependent();
-  const SubscriberId late = stage.join();
+  const hub::SubscriberId late = stage.join();
   EXPECT_EQ(stage.asked, 1);
   stage.dependent();
   EXPECT_EQ(stage.taken(late), "");
@@ -58,9 +58,9 @@ TEST(HubGroups, TwoWhoJoinTogetherAskOnceAndFollowFromTheSameKeyFrame) {
   Stage stage;
   stage.key();
   stage.dependent();
-  const SubscriberId first = stage.join();
+  const hub::SubscriberId first = stage.join();
   stage.dependent();
-  const SubscriberId second = stage.join();
+  const hub::SubscriberId second = stage.join();
   stage.dependent();
   EXPECT_EQ(stage.asked, 1);
   stage.key();
@@ -71,7 +71,7 @@ TEST(HubGroups, TwoWhoJoinTogetherAskOnceAndFollowFromTheSameKeyFrame) {
 
 TEST(HubGroups, ASlowSubscriberNeverGetsAFrameWithoutItsReference) {
   Stage stage;
-  const SubscriberId slow = stage.join();
+  const hub::SubscriberId slow = stage.join();
   stage.key();
   stage.dependent();
   stage.dependent();  // no room: this frame and those predicted from it are dropped
@@ -84,7 +84,7 @@ TEST(HubGroups, ASlowSubscriberNeverGetsAFrameWithoutItsReference) {
   stage.key();
   stage.dependent();
   EXPECT_EQ(stage.taken(slow), "6 7");
-  const Hub::TopicCount count = stage.hub.topic_counts().at(wire::kCameraDepth.name);
+  const hub::Hub::TopicCount count = stage.hub.topic_counts().at(wire::kCameraDepth.name);
   EXPECT_EQ(count.dropped, 3u);
   EXPECT_EQ(count.sent + count.dropped, count.published);
 }
@@ -101,7 +101,7 @@ TEST(HubGroups, ASubscriberThatReadsNothingCausesNoKeyFrames) {
 
 TEST(HubGroups, AKeyFrameOvertakesTheKeyFrameThatWaitsWithAllThatDependsOnIt) {
   Stage stage;
-  const SubscriberId stalled = stage.join();
+  const hub::SubscriberId stalled = stage.join();
   stage.key();
   stage.dependent();
   stage.key();
@@ -112,7 +112,7 @@ TEST(HubGroups, AKeyFrameOvertakesTheKeyFrameThatWaitsWithAllThatDependsOnIt) {
 TEST(HubGroups, ASlowSubscriberDoesNotAffectOthers) {
   Stage stage;
   (void)stage.join();
-  const SubscriberId quick = stage.join();
+  const hub::SubscriberId quick = stage.join();
   stage.key();
   std::string all = stage.taken(quick);
   for (int i = 0; i < 6; ++i) {
@@ -124,7 +124,7 @@ TEST(HubGroups, ASlowSubscriberDoesNotAffectOthers) {
 
 TEST(HubGroups, ASubscriberWithoutReferenceGetsAKeyFrameNext) {
   Stage stage;
-  const SubscriberId id = stage.join();
+  const hub::SubscriberId id = stage.join();
   stage.key();
   stage.dependent();
   EXPECT_EQ(stage.taken(id), "1 2");
@@ -138,21 +138,21 @@ TEST(HubGroups, ASubscriberWithoutReferenceGetsAKeyFrameNext) {
 
 TEST(HubGroups, MessagesAreDroppedForASubscriberThatLostItsReference) {
   Stage stage;
-  const SubscriberId id = stage.join();
+  const hub::SubscriberId id = stage.join();
   stage.key();
   EXPECT_EQ(stage.taken(id), "1");
   stage.dependent();
   stage.dependent();
   stage.hub.request_key_frame(id, wire::kCameraDepth, session_time(2));
   EXPECT_EQ(stage.taken(id), "");
-  const Hub::TopicCount count = stage.hub.topic_counts().at(wire::kCameraDepth.name);
+  const hub::Hub::TopicCount count = stage.hub.topic_counts().at(wire::kCameraDepth.name);
   EXPECT_EQ(count.dropped, 2u);
   EXPECT_EQ(count.sent + count.dropped, count.published);
 }
 
 TEST(HubGroups, ASecondRequestBeforeTheKeyFrameHasNoEffect) {
   Stage stage;
-  const SubscriberId id = stage.join();
+  const hub::SubscriberId id = stage.join();
   stage.key();
   stage.dependent();
   for (int i = 0; i < 1000; ++i) stage.hub.request_key_frame(id, wire::kCameraDepth, session_time(2));
@@ -164,8 +164,8 @@ TEST(HubGroups, ASecondRequestBeforeTheKeyFrameHasNoEffect) {
 
 TEST(HubGroups, AKeyFrameRequestNeedsASubscriptionToATopicWithPredictedFrames) {
   Stage stage;
-  const SubscriberId other = stage.hub.join("other", "", [] {});
-  const SubscriberId id = stage.join();
+  const hub::SubscriberId other = stage.hub.join("other", "", [] {});
+  const hub::SubscriberId id = stage.join();
   stage.key();
   stage.hub.request_key_frame(id, wire::kCameraDepth, session_time(9));
   stage.dependent();
@@ -176,7 +176,7 @@ TEST(HubGroups, AKeyFrameRequestNeedsASubscriptionToATopicWithPredictedFrames) {
 
 TEST(HubGroups, ARepeatedSubscriptionBeginsWithAKeyFrame) {
   Stage stage;
-  const SubscriberId id = stage.join();
+  const hub::SubscriberId id = stage.join();
   stage.key();
   stage.dependent();
   stage.hub.subscribe(id, {});

@@ -10,9 +10,9 @@ wire::Message message(const wire::Topic& topic, int number) {
 }
 
 TEST(Hub, AllSubscribersShareOnePayload) {
-  Hub hub;
-  const SubscriberId a = hub.join("a", "", [] {});
-  const SubscriberId b = hub.join("b", "", [] {});
+  hub::Hub hub;
+  const hub::SubscriberId a = hub.join("a", "", [] {});
+  const hub::SubscriberId b = hub.join("b", "", [] {});
   hub.subscribe(a, {"/camera/*"});
   hub.subscribe(b, {"/camera/depth"});
   hub.publish(message(wire::kCameraDepth, 1));
@@ -23,9 +23,9 @@ TEST(Hub, AllSubscribersShareOnePayload) {
 }
 
 TEST(Hub, AStalledSubscriberLosesOnlyItsOwnOldImagesAndTheyAreCountedByTopic) {
-  Hub hub;
-  const SubscriberId stalled = hub.join("stalled", "", [] {});
-  const SubscriberId quick = hub.join("quick", "", [] {});
+  hub::Hub hub;
+  const hub::SubscriberId stalled = hub.join("stalled", "", [] {});
+  const hub::SubscriberId quick = hub.join("quick", "", [] {});
   hub.subscribe(stalled, {"*"});
   hub.subscribe(quick, {"*"});
   for (int number = 0; number < 10; ++number) {
@@ -47,9 +47,9 @@ TEST(Hub, AStalledSubscriberLosesOnlyItsOwnOldImagesAndTheyAreCountedByTopic) {
 }
 
 TEST(Hub, AnEmptyQueueThatFillsWakesItsSubscriberOnce) {
-  Hub hub;
+  hub::Hub hub;
   int wakes = 0;
-  const SubscriberId id = hub.join("a", "", [&] { ++wakes; });
+  const hub::SubscriberId id = hub.join("a", "", [&] { ++wakes; });
   hub.subscribe(id, {"/clock"});
   hub.publish(message(wire::kClock, 1));
   hub.publish(message(wire::kClock, 2));
@@ -57,11 +57,11 @@ TEST(Hub, AnEmptyQueueThatFillsWakesItsSubscriberOnce) {
 }
 
 TEST(Hub, AStationTakesAHandAndNeitherARecorderNorAnotherViewerDoes) {
-  Hub hub;
+  hub::Hub hub;
   hub.subscribe(hub.join("recorder", "", [] {}), {"*"});
   hub.subscribe(hub.join("viewer", "", [] {}), {"/viewer/hand"});
   EXPECT_FALSE(hub.is_taken("/viewer/hand", "viewer"));
-  const SubscriberId station = hub.join("station", "", [] {});
+  const hub::SubscriberId station = hub.join("station", "", [] {});
   hub.subscribe(station, {"/camera/depth", "/viewer/hand"});
   EXPECT_TRUE(hub.is_taken("/viewer/hand", "viewer"));
   hub.leave(station);
@@ -69,9 +69,9 @@ TEST(Hub, AStationTakesAHandAndNeitherARecorderNorAnotherViewerDoes) {
 }
 
 TEST(Hub, ALateSubscriberIsGivenTheCameraModel) {
-  Hub hub;
+  hub::Hub hub;
   hub.publish(message(wire::kCameraInfo, 7));
-  const SubscriberId late = hub.join("late", "", [] {});
+  const hub::SubscriberId late = hub.join("late", "", [] {});
   hub.subscribe(late, {"/camera/*"});
   const auto next = hub.next(late);
   ASSERT_TRUE(next);
@@ -79,8 +79,8 @@ TEST(Hub, ALateSubscriberIsGivenTheCameraModel) {
 }
 
 TEST(Hub, ASubscriberThatLeftGetsNothing) {
-  Hub hub;
-  const SubscriberId id = hub.join("a", "", [] { FAIL(); });
+  hub::Hub hub;
+  const hub::SubscriberId id = hub.join("a", "", [] { FAIL(); });
   hub.subscribe(id, {"*"});
   hub.leave(id);
   hub.publish(message(wire::kClock, 1));
@@ -94,8 +94,8 @@ wire::Message weighing(const wire::Topic& topic, std::size_t bytes) {
 constexpr std::size_t kMiB = std::size_t{1} << 20;
 
 TEST(Hub, OneStalledSubscriberHoldsAMebibyteOfEachSmallTopicAndItsNewestMessageWhateverThatWeighs) {
-  Hub hub;
-  const SubscriberId stalled = hub.join("stalled", "", [] {});
+  hub::Hub hub;
+  const hub::SubscriberId stalled = hub.join("stalled", "", [] {});
   hub.subscribe(stalled, {"*"});
   for (int round = 0; round < 256; ++round) {
     hub.publish(weighing(wire::kStationEvents, kMiB / 4));
@@ -107,25 +107,25 @@ TEST(Hub, OneStalledSubscriberHoldsAMebibyteOfEachSmallTopicAndItsNewestMessageW
 }
 
 TEST(Hub, AllSubscribersTogetherAreBoundedAndTheFullestGivesUpItsOldest) {
-  Hub hub;
-  const SubscriberId modest = hub.join("modest", "", [] {});
+  hub::Hub hub;
+  const hub::SubscriberId modest = hub.join("modest", "", [] {});
   hub.subscribe(modest, {"/station/state"});
   for (int number = 0; number < 100; ++number) {
-    const SubscriberId greedy = hub.join("greedy", "", [] {});
+    const hub::SubscriberId greedy = hub.join("greedy", "", [] {});
     hub.subscribe(greedy, {"/station/*"});
   }
   hub.publish(message(wire::kStationState, 1));
   for (int round = 0; round < 20; ++round)
     for (const wire::Topic& topic : {wire::kStationEvents, wire::kStationTicks, wire::kStationSurface}) {
       hub.publish(weighing(topic, kMiB / 8));
-      ASSERT_LE(hub.waiting_bytes(), Hub::kMaxWaitingBytes);
+      ASSERT_LE(hub.waiting_bytes(), hub::Hub::kMaxWaitingBytes);
     }
   EXPECT_EQ(*hub.next(modest)->payload, "1");
 }
 
 TEST(Hub, TheCameraGoesFirstAndTheOthersGetAQuarterOfItsBytes) {
-  Hub hub;
-  const SubscriberId id = hub.join("doctor", "", [] {});
+  hub::Hub hub;
+  const hub::SubscriberId id = hub.join("doctor", "", [] {});
   hub.subscribe(id, {"*"});
   std::size_t camera_bytes = 0;
   std::size_t other_bytes = 0;

@@ -108,7 +108,7 @@ TEST(KeyedLink, AKeyIsNotDroppedForAServerWithoutTls) {
 
 TEST(KeyedLink, AServerThatAnswersUnderAnotherNameIsRefused) {
   KeyedSite site;
-  auto made = PeerListener::listen(site.io, site.hub, site.clock, {.address = "127.0.0.2", .access = site.access});
+  auto made = hub::PeerListener::listen(site.io, site.hub, site.clock, {.address = "127.0.0.2", .access = site.access});
   ASSERT_TRUE(made.ok());
   site.listener = std::move(made).value();
   KeyedClient client(site, site.ring.key("anna", Role::Doctor), "doctor", {}, "127.0.0.2");
@@ -117,7 +117,7 @@ TEST(KeyedLink, AServerThatAnswersUnderAnotherNameIsRefused) {
 
 TEST(BadInput35, AServersExpiredKeyIsRefusedByTheServerItself) {
   const KeyRing ring;
-  const auto opened = Access::with_key(
+  const auto opened = access::Access::with_key(
       {.key = ring.server_key(ring.now - std::chrono::days(3)), .revoked = {}, .audit = {}, .say = {}});
   ASSERT_FALSE(opened.ok());
   EXPECT_NE(opened.error().what.find("expired"), std::string::npos);
@@ -128,17 +128,17 @@ TEST(KeyedLink, AKeyThatAnybodyMayReadIsRefused) {
   const KeyRing ring;
   const std::filesystem::path file = ring.server_key(ring.now);
   std::filesystem::permissions(file, std::filesystem::perms::others_read, std::filesystem::perm_options::add);
-  const auto opened = Access::with_key({.key = file, .revoked = {}, .audit = {}, .say = {}});
+  const auto opened = access::Access::with_key({.key = file, .revoked = {}, .audit = {}, .say = {}});
   ASSERT_FALSE(opened.ok());
   EXPECT_EQ(opened.error().fix, "chmod 600 " + file.string());
 }
 
 TEST(KeyedLink, OffThisMachineAServerNeedsAKey) {
-  const auto without = listening_address("0.0.0.0", false);
+  const auto without = hub::listening_address("0.0.0.0", false);
   ASSERT_FALSE(without.ok());
   EXPECT_NE(without.error().fix.find("telepalp-keys authority && telepalp-keys server --host"), std::string::npos);
-  EXPECT_TRUE(listening_address("0.0.0.0", true).ok());
-  EXPECT_TRUE(listening_address("127.0.0.1", false).ok());
+  EXPECT_TRUE(hub::listening_address("0.0.0.0", true).ok());
+  EXPECT_TRUE(hub::listening_address("127.0.0.1", false).ok());
 }
 
 TEST(KeyedLink, OneDoctorHoldsTheTouchAndTheNextOneWaitsUntilItIsGiven) {
@@ -159,7 +159,7 @@ TEST(KeyedLink, OneDoctorHoldsTheTouchAndTheNextOneWaitsUntilItIsGiven) {
 
 TEST(TouchLease, IsLostBySilenceAndKeptForTheSameDoctorOverALostConnection) {
   const auto start = std::chrono::steady_clock::now();
-  TouchLease lease;
+  access::TouchLease lease;
   EXPECT_TRUE(lease.take(1, "a", "anna", start));
   EXPECT_FALSE(lease.take(2, "b", "bert", start + 5s));
   EXPECT_TRUE(lease.renew(1, start + 9s));
@@ -175,7 +175,7 @@ TEST(TouchLease, IsLostBySilenceAndKeptForTheSameDoctorOverALostConnection) {
 
 TEST(TokenBackOff, GuessingIsSlowedDownAndItsMemoryIsBounded) {
   const auto start = std::chrono::steady_clock::now();
-  TokenBackOff back_off;
+  access::TokenBackOff back_off;
   int tried = 0;
   for (int ms = 0; ms < 600'000; ms += 10)
     if (back_off.may_try("10.0.0.9", start + std::chrono::milliseconds(ms))) {
@@ -196,7 +196,7 @@ TEST(KeyedLink, AServerThatComesBackIsFoundAgainByItself) {
   site.listener->close("the server is restarted");
   ASSERT_TRUE(site.run_until([&] { return !anna.connected(); }));
   site.run_until([] { return false; }, 1200ms);
-  auto made = PeerListener::listen(site.io, site.hub, site.clock, {.port = port, .access = site.access});
+  auto made = hub::PeerListener::listen(site.io, site.hub, site.clock, {.port = port, .access = site.access});
   ASSERT_TRUE(made.ok());
   site.listener = std::move(made).value();
   EXPECT_TRUE(site.run_until([&] { return anna.connected(); })) << "the same key takes the touch again";
@@ -371,9 +371,9 @@ TEST(BadInput, DamagedTlsRecordsEndTheirConnectionAndAreAudited) {
 
 TEST(BadInput34, ANameWithNewlinesIsEscapedInTheAuditLog) {
   const KeyRing ring;
-  const auto log = AuditLog::open(ring.folder.path() / "audit.log", [](const std::string&) {});
+  const auto log = access::AuditLog::open(ring.folder.path() / "audit.log", [](const std::string&) {});
   ASSERT_TRUE(log.ok());
-  (*log)->note(AuditEvent::Joined, "program=x\nevent=took-touch\x1b[2J", ring.now);
+  (*log)->note(access::AuditEvent::Joined, "program=x\nevent=took-touch\x1b[2J", ring.now);
   EXPECT_NE(ring.audit().find("program=x\\x0aevent=took-touch\\x1b[2J"), std::string::npos) << ring.audit();
 }
 
@@ -397,12 +397,12 @@ TEST(BadInput30, AFullDiskIsAnAlarmAndNeverAnEnd) {
   std::vector<std::string> said;
   const KeyRing ring;
   const auto log =
-      AuditLog::open(ring.folder.path() / "audit.log", [&](const std::string& text) { said.push_back(text); });
+      access::AuditLog::open(ring.folder.path() / "audit.log", [&](const std::string& text) { said.push_back(text); });
   ASSERT_TRUE(log.ok());
   const FullDisk full;
-  for (int i = 0; i < 10; ++i) (*log)->note(AuditEvent::Joined, "program=x", std::chrono::system_clock::now());
+  for (int i = 0; i < 10; ++i) (*log)->note(access::AuditEvent::Joined, "program=x", std::chrono::system_clock::now());
   EXPECT_EQ((*log)->not_written(), 10u);
-  EXPECT_FALSE(AuditLog::open("/dev/full", [](const std::string&) {}).ok()) << "a device is no log";
+  EXPECT_FALSE(access::AuditLog::open("/dev/full", [](const std::string&) {}).ok()) << "a device is no log";
   ASSERT_EQ(said.size(), 1u);
   EXPECT_NE(said.front().find("ALARM"), std::string::npos);
 }
@@ -411,8 +411,10 @@ TEST(AuditLog, GoesOnWhereItEndedAndPutsAnAlteredOneAside) {
   const KeyRing ring;
   const std::filesystem::path file = ring.folder.path() / "audit.log";
   std::vector<std::string> said;
-  const auto open = [&] { return AuditLog::open(file, [&](const std::string& text) { said.push_back(text); }); };
-  for (int run = 0; run < 3; ++run) (*open())->note(AuditEvent::Started, "", ring.now);
+  const auto open = [&] {
+    return access::AuditLog::open(file, [&](const std::string& text) { said.push_back(text); });
+  };
+  for (int run = 0; run < 3; ++run) (*open())->note(access::AuditEvent::Started, "", ring.now);
   EXPECT_EQ((*open())->lines(), 3u);
   std::string text = ring.audit();
   text[text.size() / 2] ^= 1;
@@ -424,9 +426,9 @@ TEST(AuditLog, GoesOnWhereItEndedAndPutsAnAlteredOneAside) {
 
 TEST(AuditLog, StrangersCannotFillTheDisk) {
   const KeyRing ring;
-  const auto log = AuditLog::open(ring.folder.path() / "audit.log", [](const std::string&) {});
-  for (int i = 0; i < 10'000; ++i) (*log)->note(AuditEvent::Refused, "who=stranger", ring.now);
-  (*log)->note(AuditEvent::Joined, "who=anna", ring.now);
+  const auto log = access::AuditLog::open(ring.folder.path() / "audit.log", [](const std::string&) {});
+  for (int i = 0; i < 10'000; ++i) (*log)->note(access::AuditEvent::Refused, "who=stranger", ring.now);
+  (*log)->note(access::AuditEvent::Joined, "who=anna", ring.now);
   EXPECT_EQ((*log)->lines(), 21u);
   EXPECT_NE(ring.audit().find("also-refused=9980"), std::string::npos) << ring.audit();
 }

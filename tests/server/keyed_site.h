@@ -55,17 +55,17 @@ struct KeyRing {
 /// A server with keys and its clients, on one io_context.
 struct KeyedSite : Site {
   KeyRing ring;
-  std::shared_ptr<Access> access = open();
+  std::shared_ptr<access::Access> access = open();
 
   KeyedSite() {
-    auto made = PeerListener::listen(
+    auto made = hub::PeerListener::listen(
         io, hub, clock,
         {.port = 0, .access = access, .on_note = [this](const std::string& note) { notes.push_back(note); }});
     EXPECT_TRUE(made.ok());
     listener = std::move(made).value();
   }
-  std::shared_ptr<Access> open() {
-    auto opened = Access::with_key({.key = ring.server_key(ring.now), .revoked = {}, .audit = {}, .say = {}});
+  std::shared_ptr<access::Access> open() {
+    auto opened = access::Access::with_key({.key = ring.server_key(ring.now), .revoked = {}, .audit = {}, .say = {}});
     EXPECT_TRUE(opened.ok()) << (opened ? "" : to_string(opened.error()));
     return std::move(opened).value();
   }

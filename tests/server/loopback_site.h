@@ -19,13 +19,14 @@ using namespace std::chrono_literals;
 /// A server and its clients on one io_context, all on this thread, over real sockets on loopback.
 struct Site {
   boost::asio::io_context io;
-  Hub hub;
+  hub::Hub hub;
   wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
   std::vector<std::string> notes;  // the server's log lines
-  std::unique_ptr<PeerListener> listener = listen(0);
+  std::unique_ptr<hub::PeerListener> listener = listen(0);
 
-  std::unique_ptr<PeerListener> listen(std::uint16_t port, PlaceLimits places = {}, IdleLimits idle = {}) {
-    auto made = PeerListener::listen(
+  std::unique_ptr<hub::PeerListener> listen(std::uint16_t port, hub::PlaceLimits places = {},
+                                            hub::IdleLimits idle = {}) {
+    auto made = hub::PeerListener::listen(
         io, hub, clock, {.port = port, .places = places, .idle = idle, .on_note = [this](const std::string& note) {
                            notes.push_back(note);
                          }});

@@ -23,7 +23,7 @@ inline RgbdFrame small_frame(std::uint64_t sequence, SessionTime captured) {
 }
 
 /// Gives `frames` small frames, one each `period`, then ends.
-class StillSource : public CaptureSource {
+class StillSource : public capture::CaptureSource {
  public:
   StillSource(std::uint64_t frames, Nanoseconds period, wire::SessionClock clock)
       : frames_(frames), period_(period), clock_(clock) {}
@@ -34,7 +34,9 @@ class StillSource : public CaptureSource {
     ++given_;
     return small_frame(given_, clock_.now());
   }
-  CaptureState state() const override { return given_ == frames_ ? CaptureState::Ended : CaptureState::Live; }
+  capture::CaptureState state() const override {
+    return given_ == frames_ ? capture::CaptureState::Ended : capture::CaptureState::Live;
+  }
   std::string detail() const override { return "a still picture"; }
 
  private:

@@ -28,14 +28,14 @@ std::string data(const std::string& payload, std::string header = std::string("\
 }
 
 /// A viewer that has advertised its hand as channel 5.
-ViewerCommands voice() {
-  ViewerCommands made;
+gateway::ViewerCommands voice() {
+  gateway::ViewerCommands made;
   EXPECT_TRUE(made.advertise({5, "/viewer/hand", "protobuf"}));
   return made;
 }
 
 TEST(ViewerCommands, AHandIsPublishedStampedAndSignedByTheServer) {
-  ViewerCommands viewer = voice();
+  gateway::ViewerCommands viewer = voice();
   const auto heard = viewer.hear(data(hand_at(0.1, -0.2, 0.8)), 3, session_time(1'000));
   ASSERT_TRUE(heard);
   ASSERT_TRUE(heard->has_value());
@@ -48,11 +48,11 @@ TEST(ViewerCommands, AHandIsPublishedStampedAndSignedByTheServer) {
 }
 
 TEST(ViewerCommands, NoOtherMessageIsAllowed) {
-  ViewerCommands viewer;
+  gateway::ViewerCommands viewer;
   for (const auto& channel :
-       {foxglove::Request::Channel{1, "/station/events", "protobuf"},
-        foxglove::Request::Channel{1, "/camera/depth", "protobuf"},
-        foxglove::Request::Channel{1, "/viewer/hand", "json"}, foxglove::Request::Channel{1, "", ""}})
+       {gateway::foxglove::Request::Channel{1, "/station/events", "protobuf"},
+        gateway::foxglove::Request::Channel{1, "/camera/depth", "protobuf"},
+        gateway::foxglove::Request::Channel{1, "/viewer/hand", "json"}, gateway::foxglove::Request::Channel{1, "", ""}})
     EXPECT_FALSE(viewer.advertise(channel)) << channel.topic;
   EXPECT_FALSE(viewer.hear(std::string("\x01\x01\0\0\0", 5) + hand_at(0, 0, 1), 1, {})) << "not advertised";
   for (std::uint32_t id = 0; id < 8; ++id) EXPECT_TRUE(viewer.advertise({id, "/viewer/hand", "protobuf"}));
@@ -62,7 +62,7 @@ TEST(ViewerCommands, NoOtherMessageIsAllowed) {
 TEST(ViewerCommands, ImpossibleHandPositionsAreRefused) {
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
-  ViewerCommands viewer = voice();
+  gateway::ViewerCommands viewer = voice();
   std::int64_t at = 0;
   for (const std::string& bytes :
        {std::string(), std::string("\x01"), std::string("\x02\x05\0\0\0", 5), data(""), data("\xff\xff\xff"),
@@ -72,7 +72,7 @@ TEST(ViewerCommands, ImpossibleHandPositionsAreRefused) {
 }
 
 TEST(ViewerCommands, AFloodIsThinnedToFiveHundredASecond) {
-  ViewerCommands viewer = voice();
+  gateway::ViewerCommands viewer = voice();
   int published = 0;
   for (int i = 0; i < 100'000; ++i) {
     const auto heard = viewer.hear(data(hand_at(0, 0, 1)), 1, session_time(i * 10'000));
@@ -85,7 +85,7 @@ TEST(ViewerCommands, AFloodIsThinnedToFiveHundredASecond) {
 }
 
 TEST(ViewerCommands, LettingGoIsHeardOnItsOwnChannelOnly) {
-  const ViewerCommands viewer = voice();
+  const gateway::ViewerCommands viewer = voice();
   msg::ViewerHand hand;
   hand.set_let_go(true);
   EXPECT_TRUE(viewer.lets_go(data(hand.SerializeAsString())));
@@ -97,7 +97,7 @@ TEST(ViewerCommands, LettingGoIsHeardOnItsOwnChannelOnly) {
 using namespace std::chrono_literals;
 
 TEST(HandHolder, AHandIsHeldThroughAnySilenceUntilItsViewerLetsGo) {
-  HandHolder holder;
+  gateway::HandHolder holder;
   const SessionTime began = session_time(1'000);
   EXPECT_TRUE(holder.moves(1, began));
   EXPECT_FALSE(holder.moves(2, began + 1h));
@@ -109,7 +109,7 @@ TEST(HandHolder, AHandIsHeldThroughAnySilenceUntilItsViewerLetsGo) {
 }
 
 TEST(HandHolder, ARequestIsPublishedOnceAndForgottenAfterThreeSeconds) {
-  HandHolder holder;
+  gateway::HandHolder holder;
   const SessionTime began = session_time(1'000);
   EXPECT_FALSE(holder.news(began)) << "nobody holds it, nobody asks";
   EXPECT_TRUE(holder.moves(7, began));

@@ -29,14 +29,14 @@ std::vector<int> millimetres(const foxglove::RawImage& image) {
 }
 
 TEST(DepthView, IsInMillimetresWhateverTheSensorsUnitAndZeroWhereSixteenBitsDoNotReach) {
-  EXPECT_EQ(millimetres(depth_view(four_pixels(0.001), {})), (std::vector{1000, 0, 65535, 2000}));
-  EXPECT_EQ(millimetres(depth_view(four_pixels(0.0001), {})), (std::vector{100, 0, 6554, 200}));
-  EXPECT_EQ(millimetres(depth_view(four_pixels(0.002), {})), (std::vector{2000, 0, 0, 4000}));
+  EXPECT_EQ(millimetres(views::depth_view(four_pixels(0.001), {})), (std::vector{1000, 0, 65535, 2000}));
+  EXPECT_EQ(millimetres(views::depth_view(four_pixels(0.0001), {})), (std::vector{100, 0, 6554, 200}));
+  EXPECT_EQ(millimetres(views::depth_view(four_pixels(0.002), {})), (std::vector{2000, 0, 0, 4000}));
 }
 
 TEST(CloudView, HoldsTheMeasuredPixelsWhereThePinholePutsThem) {
   const Intrinsics camera{.width = 2, .height = 2, .fx = 2.0, .fy = 4.0, .cx = 0.0, .cy = 1.0};
-  const foxglove::PointCloud cloud = cloud_view(four_pixels(0.001), camera, session_time(1'500'000'000));
+  const foxglove::PointCloud cloud = views::cloud_view(four_pixels(0.001), camera, session_time(1'500'000'000));
   ASSERT_EQ(cloud.data().size(), 3 * cloud.point_stride());
   float last[3];
   std::memcpy(last, cloud.data().data() + 2 * cloud.point_stride(), sizeof last);
@@ -50,7 +50,7 @@ TEST(CloudView, HoldsTheMeasuredPixelsWhereThePinholePutsThem) {
 TEST(CloudView, AnImageOfSixteenMegapixelsIsSubsampled) {
   DepthImage depth{.width = 4096, .height = 4096, .samples = std::vector<std::uint16_t>(4096 * 4096, 1000)};
   const Intrinsics camera{.width = 4096, .height = 4096, .fx = 1, .fy = 1, .cx = 0, .cy = 0};
-  EXPECT_LE(cloud_view(depth, camera, {}).data().size(), wire::kMaxPayloadBytes);
+  EXPECT_LE(views::cloud_view(depth, camera, {}).data().size(), wire::kMaxPayloadBytes);
 }
 
 msg::StationState touching() {
@@ -65,7 +65,7 @@ msg::StationState touching() {
 TEST(TransformsView, TheHandHasItsAttitudeUnlessItIsNoRotation) {
   msg::StationState state = touching();
   const auto hand_turn = [&] {
-    const foxglove::FrameTransforms all = transforms_view(state, session_time(5));
+    const foxglove::FrameTransforms all = views::transforms_view(state, session_time(5));
     for (const foxglove::FrameTransform& one : all.transforms())
       if (one.child_frame_id() == "hand") return one.rotation();
     return foxglove::Quaternion();
@@ -79,7 +79,7 @@ TEST(TransformsView, TheHandHasItsAttitudeUnlessItIsNoRotation) {
 }
 
 TEST(SceneView, TheArrowPointsAlongTheForceAndIsAsLongAsItIsStrong) {
-  const foxglove::SceneUpdate scene = scene_view(touching());
+  const foxglove::SceneUpdate scene = views::scene_view(touching());
   for (const foxglove::SceneEntity& entity : scene.entities())
     if (entity.id() == "force") {
       const foxglove::ArrowPrimitive& arrow = entity.arrows(0);
@@ -93,7 +93,7 @@ TEST(SceneView, TheArrowPointsAlongTheForceAndIsAsLongAsItIsStrong) {
 }
 
 TEST(SceneView, RemovesWhatTheStationDoesNotReport) {
-  const foxglove::SceneUpdate scene = scene_view(msg::StationState());
+  const foxglove::SceneUpdate scene = views::scene_view(msg::StationState());
   EXPECT_EQ(scene.entities_size(), 0);
   EXPECT_EQ(scene.deletions_size(), 4);
 }
@@ -101,9 +101,9 @@ TEST(SceneView, RemovesWhatTheStationDoesNotReport) {
 TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {
   boost::asio::io_context io;
   const auto stay = boost::asio::make_work_guard(io);
-  Hub source;
-  Hub views;
-  ViewMaker maker(io, source, views);
+  hub::Hub source;
+  hub::Hub views;
+  views::ViewMaker maker(io, source, views);
   codec::DepthEncoder encoder({});
   const auto publish = [&] {
     msg::DepthImage image;
@@ -111,13 +111,13 @@ TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {
     source.publish(wire::make_message(wire::kCameraDepth, session_time(1), image));
     for (int tries = 0; tries < 20; ++tries) io.run_one_for(5ms);
   };
-  const SubscriberId viewer = views.join("viewer", "", [] {});
+  const hub::SubscriberId viewer = views.join("viewer", "", [] {});
   maker.subscriptions_changed();
   publish();
   EXPECT_EQ(maker.decoded(), 0u);
   EXPECT_TRUE(source.subscriber_counts().empty());
 
-  views.subscribe(viewer, {std::string(kDepthView.name)});
+  views.subscribe(viewer, {std::string(views::kDepthView.name)});
   maker.subscriptions_changed();
   publish();
   EXPECT_EQ(maker.decoded(), 1u);
@@ -134,13 +134,13 @@ TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {
 TEST(ViewMaker, DepthThatCannotBeReadMakesNothingAndAsksForAKeyFrame) {
   boost::asio::io_context io;
   const auto stay = boost::asio::make_work_guard(io);
-  Hub source;
-  Hub views;
+  hub::Hub source;
+  hub::Hub views;
   int asked = 0;
   source.on_key_frame_request([&](std::string_view) { ++asked; });
-  ViewMaker maker(io, source, views);
-  const SubscriberId viewer = views.join("viewer", "", [] {});
-  views.subscribe(viewer, {std::string(kDepthView.name)});
+  views::ViewMaker maker(io, source, views);
+  const hub::SubscriberId viewer = views.join("viewer", "", [] {});
+  views.subscribe(viewer, {std::string(views::kDepthView.name)});
   maker.subscriptions_changed();
   wire::Message damaged{wire::kCameraDepth, session_time(2), std::make_shared<const std::string>("\xff\xff")};
   source.publish(damaged);

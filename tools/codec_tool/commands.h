@@ -7,7 +7,7 @@
 #include "codec/depth_stream.h"
 #include "proto/words/result.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 
 // The commands of telepalp-codec. Each prints its results to stdout and its progress to stderr if that is a terminal.
 
@@ -28,4 +28,4 @@ namespace telepalp::server {
 [[nodiscard]] Result<void> compare_recordings(const std::filesystem::path& first, const std::filesystem::path& second,
                                               double unit_m, const std::optional<DepthErrorBound>& bound = {});
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

@@ -5,7 +5,7 @@
 #include "tools/codec_tool/depth_difference.h"
 #include "tools/codec_tool/depth_files.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 Result<void> compare_recordings(const std::filesystem::path& first, const std::filesystem::path& second, double unit_m,
                                 const std::optional<DepthErrorBound>& bound) {
   std::vector<std::string> frames;  // compressed, because ten minutes of raw images do not fit into memory
@@ -44,4 +44,4 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
   return {};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

@@ -7,7 +7,7 @@
 #include "tools/codec_tool/pgm.h"
 #include "tools/codec_tool/progress.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 namespace {
 
 std::string file_name(std::size_t number, const std::string& kind) {
@@ -44,4 +44,4 @@ Result<void> decode_recording(const std::filesystem::path& input, const std::fil
                .fix = "all others are written; where a recording lacks a frame, those that depend on it are lost too"};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 namespace {
 
 double depth_mm(const DepthImage& depth, std::size_t pixel) {
@@ -60,4 +60,4 @@ double DepthDifference::rms_mm() const {
   return measured_ == 0 ? 0.0 : std::sqrt(squares_mm2_ / static_cast<double>(measured_));
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

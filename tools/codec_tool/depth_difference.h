@@ -7,7 +7,7 @@
 #include "codec/depth.h"
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 
 /// Accumulates the differences between depth images and their originals over all pixels.
 class DepthDifference {
@@ -42,4 +42,4 @@ class DepthDifference {
   std::string first_beyond_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

@@ -15,7 +15,7 @@
 #include "support/images/image_file.h"
 #include "tools/codec_tool/pgm.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,22 +88,22 @@ Result<void> visit_session(const fs::path& file, const Visit& visit, const PassO
 }
 
 Result<void> visit_source(const std::string& spec, const Visit& visit, const PassOver& pass_over) {
-  Result<std::unique_ptr<CaptureSource>> source =
-      open_recording(spec, {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = false, .paced = false});
+  Result<std::unique_ptr<capture::CaptureSource>> source =
+      capture::open_recording(spec, {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = false, .paced = false});
   if (!source) return source.error();
   for (std::size_t number = 0;;) {
     std::optional<RgbdFrame> frame = (*source)->next(std::chrono::milliseconds{100});
     if (frame) {
       if (Result<void> done = visit({std::to_string(number++), frame->captured, std::move(frame->depth)}); !done)
         return done;
-    } else if ((*source)->state() == CaptureState::Ended) {
+    } else if ((*source)->state() == capture::CaptureState::Ended) {
       const std::string complaint = (*source)->complaint();
       if (complaint.empty()) return {};
       const Error damage{.what = complaint, .where = spec, .fix = "copy the recording again, whole"};
       if (!pass_over || number == 0) return damage;
       pass_over(damage);
       return {};
-    } else if ((*source)->state() == CaptureState::Lost) {
+    } else if ((*source)->state() == capture::CaptureState::Lost) {
       return Error{.what = (*source)->detail(), .where = spec, .fix = "check the file"};
     }
   }
@@ -134,4 +134,4 @@ std::size_t count_depth_files(const fs::path& input) {
   return fs::is_directory(input, code) ? image_files(input).size() : 0;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

@@ -9,7 +9,7 @@
 #include "proto/words/rgbd_frame.h"
 #include "proto/words/time.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 
 /// One depth image of an input, with its name.
 struct NamedDepth {
@@ -32,4 +32,4 @@ struct NamedDepth {
 /// Number of images that for_each_depth() will find; 0 if it is unknown before reading.
 [[nodiscard]] std::size_t count_depth_files(const std::filesystem::path& input);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

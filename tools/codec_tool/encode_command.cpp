@@ -8,7 +8,7 @@
 #include "tools/codec_tool/progress.h"
 #include "tools/codec_tool/totals.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 namespace {
 
 constexpr Nanoseconds kAssumedPeriod{33'333'333};  // frame period assumed for images without a capture time
@@ -56,7 +56,7 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
                               .depth = std::move(named.depth),
                               .color = {},
                               .loss = named.loss};
-        const msg::DepthImage image = depth_message(frame, std::move(encoded));
+        const msg::DepthImage image = pipeline::depth_message(frame, std::move(encoded));
         totals.add(static_cast<double>(frame.depth.samples.size()), image.data().size());
         progress.step();
         return writer->write(wire::make_message(wire::kCameraDepth, captured, image));
@@ -73,4 +73,4 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
   return done;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

@@ -6,7 +6,7 @@
 #include "tools/codec_tool/commands.h"
 #include "tools/codec_tool/totals.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 namespace {
 
 void print_line(std::size_t number, const codec::DepthPacketInfo& packet, std::size_t bytes,
@@ -93,4 +93,4 @@ Result<void> describe_recording(const std::filesystem::path& input, bool json) {
   return json ? describe_in_json(input) : describe_in_words(input);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

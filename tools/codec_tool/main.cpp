@@ -55,12 +55,12 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                  .where = std::string(kProgram),
                  .fix = "telepalp-codec --help"};
   if (command == "compare" && arguments.has("bound")) {
-    const Result<DepthErrorBound> bound = server::read_depth_bound(arguments.text("bound"), "bound");
+    const Result<DepthErrorBound> bound = pipeline::read_depth_bound(arguments.text("bound"), "bound");
     if (!bound) return bound.error();
     asked.bound_to_keep = *bound;
   } else {
     const Result<codec::DepthStreamSettings> settings =
-        server::read_depth_settings(arguments, {.mode = "mode", .bound = "bound"});
+        pipeline::read_depth_settings(arguments, {.mode = "mode", .bound = "bound"});
     if (!settings) return settings.error();
     asked.settings = *settings;
   }
@@ -74,11 +74,11 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
 
 Result<void> run(const Asked& asked) {
   const std::string& command = asked.words[0];
-  if (command == "info") return server::describe_recording(asked.words[1], asked.json);
-  if (command == "decode") return server::decode_recording(asked.words[1], asked.words[2], asked.to);
+  if (command == "info") return codec_tool::describe_recording(asked.words[1], asked.json);
+  if (command == "decode") return codec_tool::decode_recording(asked.words[1], asked.words[2], asked.to);
   if (command == "compare")
-    return server::compare_recordings(asked.words[1], asked.words[2], asked.unit_m, asked.bound_to_keep);
-  return server::encode_recording(asked.words[1], asked.words[2], asked.settings, asked.unit_m);
+    return codec_tool::compare_recordings(asked.words[1], asked.words[2], asked.unit_m, asked.bound_to_keep);
+  return codec_tool::encode_recording(asked.words[1], asked.words[2], asked.settings, asked.unit_m);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 namespace {
 
 bool is_space(char letter) noexcept { return letter == ' ' || (letter >= '\t' && letter <= '\r'); }
@@ -52,4 +52,4 @@ std::string encode_pgm(const images::GrayImage16& image) {
   return bytes;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

@@ -7,7 +7,7 @@
 
 #include "support/program/terminal.h"
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 
 /// A progress bar on stderr; prints nothing if stderr is not a terminal.
 class Progress {
@@ -36,4 +36,4 @@ class Progress {
   bool shown_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdio>
 
-namespace telepalp::server {
+namespace telepalp::codec_tool {
 
 /// Total size of compressed images.
 struct Totals {
@@ -22,4 +22,4 @@ struct Totals {
   }
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::codec_tool

@@ -36,14 +36,14 @@ Result<void> FaultMonitor::listen() {
   return listening;
 }
 
-void FaultMonitor::add(const TickSample& sample) noexcept {
+void FaultMonitor::add(const loop::TickSample& sample) noexcept {
   watch_.add(sample);
   last_ = sample;
   has_ticked_ = true;
 }
 
 void FaultMonitor::look(bool ending) {
-  if (const std::optional<TickSample> fault = watch_.begun()) {
+  if (const std::optional<loop::TickSample> fault = watch_.begun()) {
     const std::string cause = control::name(static_cast<control::FaultCause>(fault->fault));
     say("fault: " + cause + ": no force until an operator re-arms. fix: remove the cause, then " + how_to_rearm());
     telemetry_.publish_event(handlers_.now(), msg::EVENT_KIND_FAULT, cause);

@@ -32,7 +32,7 @@ class FaultMonitor {
   [[nodiscard]] Result<void> listen();
 
   /// Takes every tick, in order.
-  void add(const TickSample& sample) noexcept;
+  void add(const loop::TickSample& sample) noexcept;
 
   /// Announces a new fault. Writes the flight recorder to disk once the release has been recorded, or when `ending`.
   void look(bool ending);
@@ -51,7 +51,7 @@ class FaultMonitor {
   std::string scene_;
   Handlers handlers_;
   FaultWatch watch_;
-  TickSample last_;
+  loop::TickSample last_;
   bool has_ticked_ = false;
   ControlSocket socket_;
   boost::asio::steady_timer rearm_timer_;

@@ -30,7 +30,7 @@ std::string name_of_now() {
   return text;
 }
 
-msg::StationEvent fault_event(const TickSample& at, const std::string& fault) {
+msg::StationEvent fault_event(const loop::TickSample& at, const std::string& fault) {
   msg::StationEvent event;
   event.set_stamp_ns(static_cast<std::uint64_t>(at.stamp_ns));
   event.set_surface_captured_ns(static_cast<std::uint64_t>(at.surface_captured_ns));
@@ -40,14 +40,14 @@ msg::StationEvent fault_event(const TickSample& at, const std::string& fault) {
 }
 
 /// Writes one tenth of a second: its ticks, states and events. `phase` carries the last phase from batch to batch.
-Result<void> write_batch(wire::McapWriter& file, const std::vector<TickSample>& batch, std::uint8_t& phase,
+Result<void> write_batch(wire::McapWriter& file, const std::vector<loop::TickSample>& batch, std::uint8_t& phase,
                          const std::string& fault) {
-  const auto put = [&](const wire::Topic& topic, const TickSample& at, const auto& message) {
+  const auto put = [&](const wire::Topic& topic, const loop::TickSample& at, const auto& message) {
     return file.write(wire::make_message(topic, session_time(at.stamp_ns), message));
   };
   if (auto done = put(wire::kStationTicks, batch.front(), ticks_message(batch, kPeriod_ns)); !done) return done;
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    const TickSample& sample = batch[i];
+    const loop::TickSample& sample = batch[i];
     if (i % kTicksPerState == 0)
       if (auto done = put(wire::kStationState, sample, state_message(sample)); !done) return done;
     if (sample.phase == phase) continue;
@@ -61,14 +61,14 @@ Result<void> write_batch(wire::McapWriter& file, const std::vector<TickSample>& 
 
 }  // namespace
 
-void FlightRecorder::add(const TickSample& sample) noexcept {
+void FlightRecorder::add(const loop::TickSample& sample) noexcept {
   ticks_[next_] = sample;
   next_ = (next_ + 1) % ticks_.size();
   if (next_ == 0) full_ = true;
 }
 
-std::vector<TickSample> FlightRecorder::ticks() const {
-  std::vector<TickSample> out;
+std::vector<loop::TickSample> FlightRecorder::ticks() const {
+  std::vector<loop::TickSample> out;
   out.reserve(full_ ? ticks_.size() : next_);
   const auto middle = ticks_.begin() + static_cast<std::ptrdiff_t>(next_);
   if (full_) out.insert(out.end(), middle, ticks_.end());
@@ -76,7 +76,7 @@ std::vector<TickSample> FlightRecorder::ticks() const {
   return out;
 }
 
-void FaultWatch::add(const TickSample& sample) noexcept {
+void FaultWatch::add(const loop::TickSample& sample) noexcept {
   flight_recorder_.add(sample);
   newest_tick_ = sample.tick;
   const bool faulted = sample.phase == msg::PHASE_FAULTED;
@@ -87,13 +87,13 @@ void FaultWatch::add(const TickSample& sample) noexcept {
   faulted_ = faulted;
 }
 
-std::optional<std::vector<TickSample>> FaultWatch::due(bool ending) {
+std::optional<std::vector<loop::TickSample>> FaultWatch::due(bool ending) {
   if (!fault_tick_ || (!ending && newest_tick_ < *fault_tick_ + kTicksAfter)) return std::nullopt;
   fault_tick_.reset();
   return flight_recorder_.ticks();
 }
 
-Result<fs::path> write_flight_record(const fs::path& folder, const std::vector<TickSample>& samples,
+Result<fs::path> write_flight_record(const fs::path& folder, const std::vector<loop::TickSample>& samples,
                                      const std::string& fault, const std::string& scene) {
   demand(!samples.empty(), "a flight recording holds at least one tick");
   if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made)

@@ -18,12 +18,12 @@ class FlightRecorder {
  public:
   explicit FlightRecorder(std::size_t ticks = 20'000) : ticks_(ticks) {}
 
-  void add(const TickSample& sample) noexcept;
+  void add(const loop::TickSample& sample) noexcept;
   /// The recorded ticks, oldest first.
-  [[nodiscard]] std::vector<TickSample> ticks() const;
+  [[nodiscard]] std::vector<loop::TickSample> ticks() const;
 
  private:
-  std::vector<TickSample> ticks_;
+  std::vector<loop::TickSample> ticks_;
   std::size_t next_ = 0;
   bool full_ = false;
 };
@@ -31,17 +31,17 @@ class FlightRecorder {
 /// Detects faults among the ticks and keeps the ticks around them. Pure; owner: network thread.
 class FaultWatch {
  public:
-  void add(const TickSample& sample) noexcept;
+  void add(const loop::TickSample& sample) noexcept;
   /// The first tick of a new fault; each fault is returned once.
-  [[nodiscard]] std::optional<TickSample> begun() noexcept { return std::exchange(begun_, std::nullopt); }
+  [[nodiscard]] std::optional<loop::TickSample> begun() noexcept { return std::exchange(begun_, std::nullopt); }
   /// The ticks around a fault. They are returned 0.5 s after the fault, so that they include the release of the force,
   /// or immediately when `ending` (the station ends). Each fault is returned once.
-  [[nodiscard]] std::optional<std::vector<TickSample>> due(bool ending);
+  [[nodiscard]] std::optional<std::vector<loop::TickSample>> due(bool ending);
 
  private:
   static constexpr std::uint64_t kTicksAfter = 1000;
   FlightRecorder flight_recorder_;
-  std::optional<TickSample> begun_;
+  std::optional<loop::TickSample> begun_;
   std::optional<std::uint64_t> fault_tick_;
   std::uint64_t newest_tick_ = 0;
   bool faulted_ = false;
@@ -50,7 +50,7 @@ class FaultWatch {
 /// Writes the ticks around a fault to a session file: every tick, the states at 100 Hz, the phase changes and the
 /// fault. `samples` is not empty. Returns the file's path. Blocks on the disk.
 [[nodiscard]] Result<std::filesystem::path> write_flight_record(const std::filesystem::path& folder,
-                                                                const std::vector<TickSample>& samples,
+                                                                const std::vector<loop::TickSample>& samples,
                                                                 const std::string& fault, const std::string& scene);
 
 /// Default folder for files that outlive the station: the user's XDG state folder.

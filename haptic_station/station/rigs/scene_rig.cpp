@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kRestHeight_m = 0.10;  // height of the hand above the skin at the start
 
-SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
+loop::SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
   const Point<HapticBase> skin;  // origin of H: the skin at the image centre, or as the scene defines it
   if (trace) return tracking::RecordedIntention(*trace, scene.haptic_from_tracker, skin, scene.trace_deepest_m);
   return device::ScriptedIntention(device::waypoints(scene.trial), skin);
@@ -16,11 +16,11 @@ SimulatedRig::Person person_of(const scenes::Scene& scene, const std::optional<t
 }  // namespace
 
 std::unique_ptr<ports::Rig> rig_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
-  return std::make_unique<SimulatedRig>(SimulatedRig::Settings{.device = scene.simulated_device,
-                                                               .hand = scene.simulated_hand,
-                                                               .tracker = {},
-                                                               .rest = {{0.0, kRestHeight_m, 0.0}}},
-                                        person_of(scene, trace));
+  return std::make_unique<loop::SimulatedRig>(loop::SimulatedRig::Settings{.device = scene.simulated_device,
+                                                                           .hand = scene.simulated_hand,
+                                                                           .tracker = {},
+                                                                           .rest = {{0.0, kRestHeight_m, 0.0}}},
+                                              person_of(scene, trace));
 }
 
 }  // namespace telepalp::station

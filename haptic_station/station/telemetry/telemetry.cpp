@@ -23,7 +23,7 @@ void set_attitude(msg::StationState& state, const std::array<float, 4>& xyzw) {
 
 double norm(const Triple& v) noexcept { return std::hypot(double{v[0]}, double{v[1]}, double{v[2]}); }
 
-msg::Phase phase_of(const TickSample& sample) noexcept { return static_cast<msg::Phase>(sample.phase); }
+msg::Phase phase_of(const loop::TickSample& sample) noexcept { return static_cast<msg::Phase>(sample.phase); }
 
 /// True in the states in which the skin or an object below it gives force (S1's contact).
 bool is_contact(std::uint8_t phase) noexcept {
@@ -40,7 +40,7 @@ bool is_contact(std::uint8_t phase) noexcept {
 
 }  // namespace
 
-msg::StationState state_message(const TickSample& sample) {
+msg::StationState state_message(const loop::TickSample& sample) {
   msg::StationState state;
   state.set_stamp_ns(static_cast<std::uint64_t>(sample.stamp_ns));
   state.set_surface_captured_ns(static_cast<std::uint64_t>(sample.surface_captured_ns));
@@ -70,7 +70,7 @@ msg::StationState state_message(const TickSample& sample) {
   return state;
 }
 
-msg::StationCompensation compensation_message(const Compensation& compensation) {
+msg::StationCompensation compensation_message(const loop::Compensation& compensation) {
   msg::StationCompensation out;
   out.set_stamp_ns(static_cast<std::uint64_t>(compensation.stamp_ns));
   out.set_surface_captured_ns(static_cast<std::uint64_t>(compensation.surface_captured_ns));
@@ -89,7 +89,7 @@ msg::StationCompensation compensation_message(const Compensation& compensation) 
   out.set_device_jumps(compensation.device_jumps);
   out.set_hand_jumps(compensation.hand_jumps);
   for (std::size_t i = 0; i < compensation.objects.size(); ++i) {
-    const ObjectPlacement& placed = compensation.objects[i];
+    const loop::ObjectPlacement& placed = compensation.objects[i];
     if (!placed.watched) continue;
     msg::ObjectPlacement& object = *out.add_objects();
     object.set_name(placed.name);
@@ -103,7 +103,7 @@ msg::StationCompensation compensation_message(const Compensation& compensation) 
   return out;
 }
 
-msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from) {
+msg::StationEvent phase_event(const loop::TickSample& sample, std::uint8_t from) {
   const char* before = from == 0 ? "start" : control::name(static_cast<control::Phase>(from));
   msg::StationEvent event;
   event.set_stamp_ns(static_cast<std::uint64_t>(sample.stamp_ns));
@@ -115,14 +115,14 @@ msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from) {
   return event;
 }
 
-msg::StationTicks ticks_message(const std::vector<TickSample>& samples, std::uint32_t period_ns) {
+msg::StationTicks ticks_message(const std::vector<loop::TickSample>& samples, std::uint32_t period_ns) {
   demand(!samples.empty(), "a batch holds at least one tick");
   msg::StationTicks ticks;
   ticks.set_first_tick_ns(static_cast<std::uint64_t>(samples.front().stamp_ns));
   ticks.set_first_tick(samples.front().tick);
   ticks.set_period_ns(period_ns);
   ticks.set_surface_captured_ns(static_cast<std::uint64_t>(samples.front().surface_captured_ns));
-  for (const TickSample& sample : samples) {
+  for (const loop::TickSample& sample : samples) {
     ticks.add_late_ns(sample.late_ns);
     ticks.add_work_us(sample.work_us);
     ticks.add_phase(phase_of(sample));
@@ -147,7 +147,7 @@ msg::StationTicks ticks_message(const std::vector<TickSample>& samples, std::uin
   return ticks;
 }
 
-RunTotals::Change RunTotals::add(const TickSample& sample) {
+RunTotals::Change RunTotals::add(const loop::TickSample& sample) {
   const Change change{.phase_changed = ticks_ == 0 || sample.phase != phase_, .from = phase_};
   phase_ = sample.phase;
   Dwell& dwell = dwell_[sample.phase];

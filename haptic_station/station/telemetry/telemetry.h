@@ -12,17 +12,17 @@
 namespace telepalp::station {
 
 /// The message of the topic /station/state for one tick.
-[[nodiscard]] msg::StationState state_message(const TickSample& sample);
+[[nodiscard]] msg::StationState state_message(const loop::TickSample& sample);
 
 /// The message of the topic /station/compensation.
-[[nodiscard]] msg::StationCompensation compensation_message(const Compensation& compensation);
+[[nodiscard]] msg::StationCompensation compensation_message(const loop::Compensation& compensation);
 
 /// The message of the topic /station/events for a phase change at this tick. `from`: the phase before; 0 at the first
 /// tick.
-[[nodiscard]] msg::StationEvent phase_event(const TickSample& sample, std::uint8_t from);
+[[nodiscard]] msg::StationEvent phase_event(const loop::TickSample& sample, std::uint8_t from);
 
 /// One message of the topic /station/ticks with consecutive ticks. `samples` is not empty.
-[[nodiscard]] msg::StationTicks ticks_message(const std::vector<TickSample>& samples, std::uint32_t period_ns);
+[[nodiscard]] msg::StationTicks ticks_message(const std::vector<loop::TickSample>& samples, std::uint32_t period_ns);
 
 /// Accumulates the totals of a run, tick by tick. Pure; owner: network thread.
 class RunTotals {
@@ -34,7 +34,7 @@ class RunTotals {
     bool phase_changed = false;
     std::uint8_t from = 0;
   };
-  Change add(const TickSample& sample);
+  Change add(const loop::TickSample& sample);
   void set_missed(std::uint64_t deadlines) noexcept { missed_ = deadlines; }
   void frame_received() noexcept { ++frames_received_; }
   void set_frames_dropped(std::uint64_t frames) noexcept { frames_dropped_ = frames; }

@@ -21,7 +21,7 @@ TelemetryPublisher::TelemetryPublisher(TickRing& ticks, Publish publish, OnTick 
 void TelemetryPublisher::drain(SessionTime now) {
   for (bool more = true; more;) {
     batch_.clear();
-    TickSample sample;
+    loop::TickSample sample;
     while (batch_.size() < kMostInBatch && (more = ticks_.try_pop(sample))) {
       const RunTotals::Change change = totals_.add(sample);
       on_tick_(sample);

@@ -15,7 +15,7 @@ namespace telepalp::station {
 class TelemetryPublisher {
  public:
   using Publish = std::function<void(wire::Message)>;
-  using OnTick = std::function<void(const TickSample&)>;  ///< called with every tick, in order
+  using OnTick = std::function<void(const loop::TickSample&)>;  ///< called with every tick, in order
 
   TelemetryPublisher(TickRing& ticks, Publish publish, OnTick on_tick);
 
@@ -36,7 +36,7 @@ class TelemetryPublisher {
   void watch_heat(SessionTime now);
 
   void frame_received() noexcept { totals_.frame_received(); }
-  [[nodiscard]] const TickSample& last() const noexcept { return last_; }
+  [[nodiscard]] const loop::TickSample& last() const noexcept { return last_; }
   [[nodiscard]] bool has_ticked() const noexcept { return has_ticked_; }
 
  private:
@@ -44,8 +44,8 @@ class TelemetryPublisher {
   Publish publish_;
   OnTick on_tick_;
   RunTotals totals_;
-  std::vector<TickSample> batch_;
-  TickSample last_;
+  std::vector<loop::TickSample> batch_;
+  loop::TickSample last_;
   std::optional<msg::TimerCheck> idle_timer_;
   bool has_ticked_ = false;
   bool heat_warned_ = false;

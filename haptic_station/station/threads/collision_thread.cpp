@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kPeriod{10};  // S1 II.C: 100 Hz
 
-std::shared_ptr<PlaneSnapshot> plane_of(const surface::TouchSample& touch, const surface::SurfaceSnapshot& seen) {
-  auto plane = touch.valid ? std::make_shared<PlaneSnapshot>(touch.foot.m, touch.normal, touch.support)
-                           : std::make_shared<PlaneSnapshot>();
+std::shared_ptr<loop::PlaneSnapshot> plane_of(const surface::TouchSample& touch, const surface::SurfaceSnapshot& seen) {
+  auto plane = touch.valid ? std::make_shared<loop::PlaneSnapshot>(touch.foot.m, touch.normal, touch.support)
+                           : std::make_shared<loop::PlaneSnapshot>();
   plane->captured = seen.captured;
   plane->sequence = seen.sequence;
   plane->points = seen.points;
@@ -25,8 +25,9 @@ std::shared_ptr<PlaneSnapshot> plane_of(const surface::TouchSample& touch, const
 
 }  // namespace
 
-CollisionThread::CollisionThread(LatestValue<TouchableSurface>& from_surface, LatestValue<Point<HapticBase>>& device,
-                                 LatestValue<TouchableSurface>& to_haptic, std::function<SessionTime()> now)
+CollisionThread::CollisionThread(LatestValue<loop::TouchableSurface>& from_surface,
+                                 LatestValue<Point<HapticBase>>& device, LatestValue<loop::TouchableSurface>& to_haptic,
+                                 std::function<SessionTime()> now)
     : from_surface_(from_surface), device_(device), to_haptic_(to_haptic), now_(std::move(now)), thread_([this] {
         run();
       }) {}
@@ -48,7 +49,7 @@ void CollisionThread::detect() {
   const SessionTime now = now_();
   if (from_surface_.take()) touch_.adopt(*from_surface_.current().snapshot, now);
   (void)device_.take();
-  const TouchableSurface& seen = from_surface_.current();
+  const loop::TouchableSurface& seen = from_surface_.current();
   if (!seen.snapshot) return;
   const Point<DepthCamera> device = seen.haptic_from_camera.inverse() * device_.current();
   const surface::TouchSample touch = touch_.step(device, now, std::chrono::duration<double>(kPeriod).count());

@@ -15,8 +15,8 @@ namespace telepalp::station {
 /// surface settings that need it.
 class CollisionThread {
  public:
-  CollisionThread(LatestValue<TouchableSurface>& from_surface, LatestValue<Point<HapticBase>>& device,
-                  LatestValue<TouchableSurface>& to_haptic, std::function<SessionTime()> now);
+  CollisionThread(LatestValue<loop::TouchableSurface>& from_surface, LatestValue<Point<HapticBase>>& device,
+                  LatestValue<loop::TouchableSurface>& to_haptic, std::function<SessionTime()> now);
   ~CollisionThread();
   CollisionThread(const CollisionThread&) = delete;
   CollisionThread& operator=(const CollisionThread&) = delete;
@@ -25,9 +25,9 @@ class CollisionThread {
   void run();
   void detect();
 
-  LatestValue<TouchableSurface>& from_surface_;  // written by: surface thread
-  LatestValue<Point<HapticBase>>& device_;       // written by: haptic thread
-  LatestValue<TouchableSurface>& to_haptic_;     // read by: haptic thread
+  LatestValue<loop::TouchableSurface>& from_surface_;  // written by: surface thread
+  LatestValue<Point<HapticBase>>& device_;             // written by: haptic thread
+  LatestValue<loop::TouchableSurface>& to_haptic_;     // read by: haptic thread
   std::function<SessionTime()> now_;
   surface::Touch touch_;
   std::atomic<bool> running_{true};

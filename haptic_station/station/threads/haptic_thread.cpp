@@ -67,12 +67,13 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
   const double dt_s = kTick_s * static_cast<double>(1 + std::min(due.missed, kMostStepsToCatchUp));
 
   if (surfaces_.take()) loop_.adopt(surfaces_.current(), now);
-  if (const std::optional<ports::HandSample> sample = rig_.hand(now)) loop_.hand_sampled(sample->at, sample->hand, sample->attitude);
+  if (const std::optional<ports::HandSample> sample = rig_.hand(now))
+    loop_.hand_sampled(sample->at, sample->hand, sample->attitude);
   if (rearm_.load(std::memory_order_relaxed) && rearm_.exchange(false, std::memory_order_relaxed)) loop_.rearm();
   const ports::DeviceReading reading = rig_.read();
   device_.put(reading.at);
   device_to_surface_.put(reading.at);
-  HapticLoop::Act act = loop_.tick(reading, now, dt_s);
+  loop::HapticLoop::Act act = loop_.tick(reading, now, dt_s);
   const Clock::time_point decided = Clock::now();
   rig_.apply(act.force, act.contact, dt_s);
 
@@ -81,7 +82,7 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
   act.sample.late_ns = static_cast<std::uint32_t>(due.late.count());
   act.sample.work_us = std::chrono::duration<float, std::micro>(decided - began).count();
   if (tick_ % kTicksPerCompensation == 0) {
-    Compensation compensation = loop_.compensation();
+    loop::Compensation compensation = loop_.compensation();
     compensation.stamp_ns = act.sample.stamp_ns;
     compensation_.put(compensation);
   }

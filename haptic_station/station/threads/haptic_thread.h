@@ -15,7 +15,7 @@
 namespace telepalp::station {
 
 /// Ring of ticks from the haptic thread to the network thread; it holds 2 s.
-using TickRing = SpscRing<TickSample, 4096>;
+using TickRing = SpscRing<loop::TickSample, 4096>;
 
 inline constexpr std::chrono::microseconds kTickPeriod{500};  // 2 kHz, S1 II.D
 
@@ -30,7 +30,7 @@ struct HapticCounts {
 class HapticThread {
  public:
   /// `device_to_surface`: gets the device's position at every tick, for the surface thread.
-  HapticThread(HapticLoop& loop, ports::Rig& rig, LatestValue<TouchableSurface>& surfaces, TickRing& ticks,
+  HapticThread(loop::HapticLoop& loop, ports::Rig& rig, LatestValue<loop::TouchableSurface>& surfaces, TickRing& ticks,
                LatestValue<Point<HapticBase>>& device_to_surface)
       : loop_(loop), rig_(rig), surfaces_(surfaces), ticks_(ticks), device_to_surface_(device_to_surface) {}
   ~HapticThread() { stop(); }
@@ -47,7 +47,7 @@ class HapticThread {
   /// Costs of the effects, about once a second. Read by the network thread.
   [[nodiscard]] LatestValue<Bill>& bill() noexcept { return bill_; }
   /// The delay compensation, 100 times a second. Read by the network thread.
-  [[nodiscard]] LatestValue<Compensation>& compensation() noexcept { return compensation_; }
+  [[nodiscard]] LatestValue<loop::Compensation>& compensation() noexcept { return compensation_; }
   /// The device's position, at every tick. Read by the collision thread, if it exists.
   [[nodiscard]] LatestValue<Point<HapticBase>>& device() noexcept { return device_; }
 
@@ -61,15 +61,15 @@ class HapticThread {
   void greet_device(TickTimer& timer) noexcept;
   void tick(const TickTimer::Tick& due) noexcept;
 
-  HapticLoop& loop_;                                   // owner: haptic thread
+  loop::HapticLoop& loop_;                             // owner: haptic thread
   ports::Rig& rig_;                                    // owner: haptic thread
-  LatestValue<TouchableSurface>& surfaces_;            // written by: surface thread
+  LatestValue<loop::TouchableSurface>& surfaces_;      // written by: surface thread
   TickRing& ticks_;                                    // read by: network thread
   LatestValue<Point<HapticBase>>& device_to_surface_;  // read by: surface thread
   HapticCounts counts_;
-  LatestValue<Point<HapticBase>> device_;   // read by: collision thread
-  LatestValue<Compensation> compensation_;  // read by: network thread
-  LatestValue<Bill> bill_;                  // read by: network thread
+  LatestValue<Point<HapticBase>> device_;         // read by: collision thread
+  LatestValue<loop::Compensation> compensation_;  // read by: network thread
+  LatestValue<Bill> bill_;                        // read by: network thread
   std::atomic<std::int64_t> clock_offset_ns_{0};
   std::atomic<bool> running_{false};
   std::atomic<bool> rearm_{false};

@@ -23,7 +23,7 @@ Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
 }  // namespace
 
 SurfaceWorker::SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
-                             LatestValue<TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device,
+                             LatestValue<loop::TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device,
                              const effects::EffectBank& effects)
     : choice_(settings),
       builder_(settings),
@@ -93,7 +93,7 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   if (depth.width != work.camera.width || depth.height != work.camera.height) return other_camera(depth, work.camera);
   const SessionTime decoded = handlers_.now();
   if (!haptic_from_camera_ && (haptic_from_camera_ = placement_(depth, work.camera)))
-    builder_.watch(mark_lines(effects_, haptic_from_camera_->inverse()));
+    builder_.watch(loop::mark_lines(effects_, haptic_from_camera_->inverse()));
   if (!haptic_from_camera_)
     return Error{.what = "nothing is measured around the image's centre, where the patient should be",
                  .where = "/camera/depth " + std::to_string(message.sequence()),

@@ -41,7 +41,7 @@ class SurfaceWorker {
 
   /// `effects`: of the scene; the skin above its objects inside the body is followed.
   SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
-                LatestValue<TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device,
+                LatestValue<loop::TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device,
                 const effects::EffectBank& effects = {});
   ~SurfaceWorker();
   SurfaceWorker(const SurfaceWorker&) = delete;
@@ -73,7 +73,7 @@ class SurfaceWorker {
   Placement placement_;
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
   Handlers handlers_;
-  LatestValue<TouchableSurface>& to_haptic_;
+  LatestValue<loop::TouchableSurface>& to_haptic_;
   LatestValue<Point<HapticBase>>& device_;  // written by: haptic thread
   const effects::EffectBank effects_;       // owner: surface thread
   bool device_known_ = false;               // owner: surface thread

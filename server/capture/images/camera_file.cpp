@@ -6,7 +6,7 @@
 #include "messages/camera.pb.h"
 #include "support/program/text_format.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr double kAssumedFocalAt640 = 525.0;
@@ -87,4 +87,4 @@ RecordedCamera assumed_camera(const std::filesystem::path& file, int width, int 
   return camera;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -6,7 +6,7 @@
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Camera parameters that the playback of image files needs.
 struct RecordedCamera {
@@ -26,4 +26,4 @@ struct RecordedCamera {
 /// file at `file` should have.
 [[nodiscard]] RecordedCamera assumed_camera(const std::filesystem::path& file, int width, int height);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -7,7 +7,7 @@
 #include <regex>
 #include <string_view>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ Result<std::vector<ImagePair>> order_images(const std::vector<fs::path>& files, 
   return pairs;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -7,7 +7,7 @@
 
 #include "proto/words/result.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// The depth and colour file of one frame, relative to the directory.
 struct ImagePair {
@@ -25,4 +25,4 @@ struct ImagePair {
 [[nodiscard]] Result<std::vector<ImagePair>> order_images(const std::vector<std::filesystem::path>& files,
                                                           const std::string& where);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -8,7 +8,7 @@
 #include "server/capture/sources.h"
 #include "support/images/image_file.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,4 +136,4 @@ Result<std::unique_ptr<CaptureSource>> open_images(const std::string& folder, co
               options);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

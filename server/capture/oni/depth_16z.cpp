@@ -1,6 +1,6 @@
 #include "server/capture/oni/depth_16z.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr unsigned kFirstRun = 0xE0;      // 0xE0 + n: 2n samples equal to the last one
@@ -104,4 +104,4 @@ std::optional<std::vector<std::uint16_t>> decode_16z_table(std::span<const std::
   return decode(bytes, table, count);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

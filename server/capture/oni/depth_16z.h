@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Decodes `count` samples of OpenNI's depth codec "16z": differences between consecutive samples in four or eight
 /// bits, or absolute values. nullopt when `packet` does not contain exactly `count` samples.
@@ -18,4 +18,4 @@ namespace telepalp::server {
 [[nodiscard]] std::optional<std::vector<std::uint16_t>> decode_16z_table(std::span<const std::byte> packet,
                                                                          std::size_t count);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 static_assert(std::endian::native == std::endian::little, "an .oni file is little-endian, and is read as it stands");
 
@@ -16,4 +16,4 @@ template <class Number>
   return number;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -8,7 +8,7 @@
 #include "codec/color.h"
 #include "server/capture/oni/record_walk.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr std::chrono::microseconds kStaleColor{200'000};
@@ -139,4 +139,4 @@ std::string OniFrames::describe() const {
          (recording_.color.images.empty() ? " depth" : " depth and colour, not registered");
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

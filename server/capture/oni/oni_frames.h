@@ -7,7 +7,7 @@
 #include "server/capture/oni/recording.h"
 #include "server/capture/pacing/recorded_frames.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// The frames of an .oni recording: each depth image with the colour image nearest in time.
 class OniFrames final : public RecordedFrames {
@@ -36,4 +36,4 @@ class OniFrames final : public RecordedFrames {
   std::string first_damage_;  // first image that could not be decoded
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

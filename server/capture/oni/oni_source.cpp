@@ -4,7 +4,7 @@
 #include "server/capture/pacing/recorded_source.h"
 #include "server/capture/sources.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 Result<std::unique_ptr<CaptureSource>> open_oni(const std::string& file, const SourceOptions& options) {
   Result<std::unique_ptr<OniFrames>> frames = OniFrames::open(file);
@@ -13,4 +13,4 @@ Result<std::unique_ptr<CaptureSource>> open_oni(const std::string& file, const S
   return play_recorded(std::move(*frames), std::move(description), options);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

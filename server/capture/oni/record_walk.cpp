@@ -6,7 +6,7 @@
 
 #include "server/capture/oni/little_endian.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr std::string_view kFileMark = "NI10";
@@ -108,4 +108,4 @@ std::optional<OniRecord> OniRecordWalk::next() {
   return std::nullopt;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -7,7 +7,7 @@
 
 #include "proto/words/result.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Record types of an .oni file, with the numbers of OpenNI's recorder.
 enum class OniRecordKind : std::uint32_t {
@@ -69,4 +69,4 @@ class OniRecordWalk {
 /// Reads `count` bytes at offset `at`; nullopt when the file is too short, for example truncated meanwhile.
 [[nodiscard]] std::optional<std::string> read_at(std::istream& file, std::uint64_t at, std::uint32_t count);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -10,7 +10,7 @@
 #include "server/capture/oni/record_walk.h"
 #include "server/capture/oni/stream_property.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr std::uint32_t kDepthNode = 2;
@@ -215,4 +215,4 @@ Result<DepthImage> read_oni_depth(std::istream& file, const OniStream& depth, co
   return DepthImage{depth.width, depth.height, depth.depth_unit_m, std::move(*samples)};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

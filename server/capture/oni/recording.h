@@ -9,7 +9,7 @@
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Position of one compressed image in the file.
 struct OniImage {
@@ -48,4 +48,4 @@ struct OniRecording {
 [[nodiscard]] Result<DepthImage> read_oni_depth(std::istream& file, const OniStream& depth, const OniImage& image,
                                                 const std::string& name);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -2,7 +2,7 @@
 
 #include "server/capture/oni/little_endian.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 /// Reads fields in order; after a missing field, all later ones count as missing.
@@ -54,4 +54,4 @@ std::optional<OniNode> node_in(const OniRecord& record) {
   return node;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

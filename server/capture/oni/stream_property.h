@@ -6,7 +6,7 @@
 
 #include "server/capture/oni/record_walk.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Name and value of a property record. `value` is the undecoded bytes.
 struct OniProperty {
@@ -26,4 +26,4 @@ struct OniNode {
 
 [[nodiscard]] std::optional<OniNode> node_in(const OniRecord& record);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

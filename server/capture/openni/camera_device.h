@@ -7,7 +7,7 @@
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// A camera that may be unplugged and plugged in again. ReconnectingSource uses it: OpenNI2 in the server, a scripted
 /// device in tests.
@@ -37,4 +37,4 @@ class CameraDevice {
   [[nodiscard]] virtual std::string describe() const = 0;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

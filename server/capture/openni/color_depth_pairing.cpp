@@ -1,6 +1,6 @@
 #include "server/capture/openni/color_depth_pairing.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 void ColorDepthPairing::add_color(std::chrono::microseconds driver_time, ColorImage color) {
   color_.emplace(driver_time, std::move(color));
@@ -23,4 +23,4 @@ std::optional<ColorDepthPairing::Pair> ColorDepthPairing::take(SessionTime now) 
   return pair;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

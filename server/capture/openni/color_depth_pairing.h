@@ -6,7 +6,7 @@
 
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Pairs the separate depth and colour streams of a camera by driver time stamps. Depth is never dropped: it waits at
 /// most kWaitForColor for its colour image.
@@ -39,4 +39,4 @@ class ColorDepthPairing {
   std::optional<Pair> depth_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

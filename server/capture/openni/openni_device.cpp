@@ -12,7 +12,7 @@
 #include "server/capture/openni/color_depth_pairing.h"
 #include "server/capture/openni/openni_frames.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr std::chrono::milliseconds kTwoPeriods{70};
@@ -212,4 +212,4 @@ std::unique_ptr<CameraDevice> make_openni_device(std::string uri, wire::SessionC
   return std::make_unique<OpenNiDevice>(std::move(uri), clock);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -6,10 +6,10 @@
 #include "proto/wire/session_clock.h"
 #include "server/capture/openni/camera_device.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// A live camera through OpenNI2: depth, and colour if the camera has it, registered to depth if the driver supports
 /// it. `uri` empty: any connected camera.
 [[nodiscard]] std::unique_ptr<CameraDevice> make_openni_device(std::string uri, wire::SessionClock clock);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr int kWidth = 640;
@@ -92,4 +92,4 @@ void choose_mode(openni::VideoStream& stream, openni::PixelFormat format) {
   if (best != nullptr) (void)stream.setVideoMode(*best);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

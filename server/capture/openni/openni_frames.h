@@ -6,7 +6,7 @@
 
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Converts a driver's frame; nullopt when its size, stride or format is not supported.
 [[nodiscard]] std::optional<DepthImage> depth_image(const openni::VideoFrameRef& frame);
@@ -19,4 +19,4 @@ namespace telepalp::server {
 /// Sets the video mode with `format` that is nearest to 640 × 480 at 30 Hz; does nothing if no mode has this format.
 void choose_mode(openni::VideoStream& stream, openni::PixelFormat format);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

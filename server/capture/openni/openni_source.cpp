@@ -5,7 +5,7 @@
 #include "server/capture/openni/reconnecting_source.h"
 #include "server/capture/sources.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 Result<std::unique_ptr<CaptureSource>> open_camera(const std::string& uri, const SourceOptions& options) {
   // A file is not passed to OpenNI2, because a damaged file crashes OpenNI2's player.
@@ -20,4 +20,4 @@ Result<std::unique_ptr<CaptureSource>> open_camera(const std::string& uri, const
                                     .sleep = [](Nanoseconds span) { std::this_thread::sleep_for(span); }})};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

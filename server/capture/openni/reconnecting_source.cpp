@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 ReconnectingSource::ReconnectingSource(std::unique_ptr<CameraDevice> device, SourceTime time)
     : device_(std::move(device)), time_(std::move(time)), last_sign_(time_.now()) {}
@@ -20,7 +20,7 @@ std::optional<RgbdFrame> ReconnectingSource::next(Nanoseconds patience) {
   if (const auto* gone = std::get_if<CameraDevice::Gone>(&read)) {
     lose(CameraEvent::WentAway, gone->why);
   } else if (std::holds_alternative<CameraDevice::Ended>(read)) {
-    phase_ = server::next(phase_, CameraEvent::RecordingEnded);
+    phase_ = capture::next(phase_, CameraEvent::RecordingEnded);
     device_->close();
   } else if (time_.now() - last_sign_ > kSilence) {
     lose(CameraEvent::FellSilent, "no frame for 2 s");
@@ -29,7 +29,7 @@ std::optional<RgbdFrame> ReconnectingSource::next(Nanoseconds patience) {
 }
 
 RgbdFrame ReconnectingSource::stamped(CameraDevice::Frame frame) {
-  phase_ = server::next(phase_, CameraEvent::FrameCame);
+  phase_ = capture::next(phase_, CameraEvent::FrameCame);
   last_sign_ = frame.arrival;
   frame.frame.captured = timestamps_.map(frame.driver_time, frame.arrival);
   frame.frame.sequence = sequence_++;
@@ -37,7 +37,7 @@ RgbdFrame ReconnectingSource::stamped(CameraDevice::Frame frame) {
 }
 
 void ReconnectingSource::lose(CameraEvent event, const std::string& why) {
-  phase_ = server::next(phase_, event);
+  phase_ = capture::next(phase_, event);
   why_lost_ = why;
   last_try_ = time_.now();
   ++times_lost_;
@@ -52,7 +52,7 @@ void ReconnectingSource::try_again(Nanoseconds patience) {
   const Result<void> opened = device_->open();
   if (!opened) return;
   last_sign_ = time_.now();
-  phase_ = server::next(phase_, CameraEvent::CameBack);
+  phase_ = capture::next(phase_, CameraEvent::CameBack);
 }
 
 CaptureState ReconnectingSource::state() const {
@@ -76,4 +76,4 @@ std::string ReconnectingSource::detail() const {
   return device_->describe() + lost;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

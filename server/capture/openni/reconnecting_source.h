@@ -9,7 +9,7 @@
 #include "server/capture/openni/camera_device.h"
 #include "server/capture/openni/timestamp_map.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// States and events of a camera that may be unplugged.
 enum class CameraPhase : std::uint8_t { Waiting, Live, Lost, Ended };
@@ -75,4 +75,4 @@ class ReconnectingSource final : public CaptureSource {
   std::uint64_t times_lost_ = 0;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

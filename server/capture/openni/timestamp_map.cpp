@@ -1,6 +1,6 @@
 #include "server/capture/openni/timestamp_map.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 SessionTime TimestampMap::map(std::chrono::microseconds driver, SessionTime arrival) {
   if (last_driver_ && driver <= *last_driver_) envelope_.restart();
@@ -11,4 +11,4 @@ SessionTime TimestampMap::map(std::chrono::microseconds driver, SessionTime arri
   return mapped;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -7,7 +7,7 @@
 #include "proto/words/clock_envelope.h"
 #include "proto/words/time.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Maps a driver's timestamps, of any epoch, to session time by a ClockEnvelope. A driver clock that steps back or
 /// leaps ahead (a recording that starts over, a device that resets) starts a new mapping. Session times never go
@@ -27,4 +27,4 @@ class TimestampMap {
   std::optional<SessionTime> last_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 FramePacer::FramePacer(wire::SessionClock clock, Nanoseconds period, bool paced) noexcept
     : clock_(clock), period_(period), paced_(paced) {}
@@ -23,4 +23,4 @@ std::optional<FrameSlot> FramePacer::next(Nanoseconds patience) {
   return slot;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

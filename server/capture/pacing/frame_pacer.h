@@ -5,7 +5,7 @@
 
 #include "proto/wire/session_clock.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// The time slot of one frame.
 struct FrameSlot {
@@ -31,4 +31,4 @@ class FramePacer {
   std::uint64_t next_index_ = 0;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

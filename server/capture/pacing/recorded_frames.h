@@ -5,7 +5,7 @@
 
 #include "proto/words/rgbd_frame.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// The frames of a recording in order, with their recorded capture times.
 class RecordedFrames {
@@ -28,4 +28,4 @@ class RecordedFrames {
   [[nodiscard]] virtual std::string complaint() const = 0;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

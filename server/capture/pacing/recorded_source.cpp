@@ -4,7 +4,7 @@
 #include <thread>
 #include <utility>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr Nanoseconds kBetweenRounds{33'333'333};  // time from a recording's last frame to the repeated first one
@@ -91,4 +91,4 @@ std::unique_ptr<CaptureSource> play_recorded(std::unique_ptr<RecordedFrames> fra
   return std::make_unique<RecordedSource>(std::move(frames), std::move(description), options);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -6,11 +6,11 @@
 #include "server/capture/capture_source.h"
 #include "server/capture/pacing/recorded_frames.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Plays a recording like a camera: at the recorded pace, with current time stamps. `description`: text for the
 /// technician.
 [[nodiscard]] std::unique_ptr<CaptureSource> play_recorded(std::unique_ptr<RecordedFrames> frames,
                                                            std::string description, const SourceOptions& options);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

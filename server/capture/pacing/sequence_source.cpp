@@ -6,7 +6,7 @@
 
 #include "server/capture/pacing/frame_pacer.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 class SequenceSource final : public CaptureSource {
@@ -54,4 +54,4 @@ std::unique_ptr<CaptureSource> play(FrameSequence sequence, const SourceOptions&
   return std::make_unique<SequenceSource>(std::move(sequence), options);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -6,7 +6,7 @@
 
 #include "server/capture/capture_source.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// A sequence of frames that are loaded by number. play() sets their `captured` and `sequence`.
 struct FrameSequence {
@@ -20,4 +20,4 @@ struct FrameSequence {
 /// frame cannot be loaded, the source ends and detail() gives the reason.
 [[nodiscard]] std::unique_ptr<CaptureSource> play(FrameSequence sequence, const SourceOptions& options);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -5,7 +5,7 @@
 #include "server/capture/pcd/pinhole_fit.h"
 #include "server/capture/sources.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 Result<std::unique_ptr<CaptureSource>> open_pcd(const std::string& file, const SourceOptions& options) {
   const Result<models::PointModel> cloud = models::read_point_model(file);
@@ -23,4 +23,4 @@ Result<std::unique_ptr<CaptureSource>> open_pcd(const std::string& file, const S
               options);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr std::size_t kFewestPoints = 100;
@@ -110,4 +110,4 @@ Result<RgbdFrame> frame_of(const models::PointModel& cloud, const std::string& n
   return frame;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -6,7 +6,7 @@
 #include "proto/words/rgbd_frame.h"
 #include "support/models/point_model.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Converts an organised cloud (one point per pixel, rows from top to bottom, NaN where not measured) back to an RGB-D
 /// frame: fits the intrinsics to the points and stores depth in steps of 0.1 mm (1 mm when a point is farther than 6.5
@@ -14,4 +14,4 @@ namespace telepalp::server {
 /// points that do not fit a pinhole camera (RMS above 0.7 pixels).
 [[nodiscard]] Result<RgbdFrame> frame_of(const models::PointModel& cloud, const std::string& name);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

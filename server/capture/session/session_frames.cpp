@@ -6,7 +6,7 @@
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/topics.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr std::string_view kRegisteredFrameId = "camera_depth";
@@ -135,4 +135,4 @@ std::string SessionFrames::complaint() const {
   return damaged_ == 0 ? "" : std::to_string(damaged_) + " damaged parts passed over";
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -10,7 +10,7 @@
 #include "proto/wire/mcap/reader.h"
 #include "server/capture/pacing/recorded_frames.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// The frames of a recorded session: each depth image with the colour image of equal capture time and the last camera
 /// model before it.
@@ -46,4 +46,4 @@ class SessionFrames final : public RecordedFrames {
   std::uint64_t damaged_ = 0;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -4,7 +4,7 @@
 #include "server/capture/session/session_frames.h"
 #include "server/capture/sources.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 Result<std::unique_ptr<CaptureSource>> open_session(const std::string& file, const SourceOptions& options) {
   Result<SessionFrames> frames = SessionFrames::open(file);
@@ -12,4 +12,4 @@ Result<std::unique_ptr<CaptureSource>> open_session(const std::string& file, con
   return play_recorded(std::make_unique<SessionFrames>(std::move(*frames)), "recorded session " + file, options);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

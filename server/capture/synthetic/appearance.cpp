@@ -9,7 +9,7 @@
 #include "server/capture/synthetic/true_surface.h"
 #include "support/sensor/pixel_noise.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 // Linear light, 0 to 1.
@@ -103,4 +103,4 @@ ColorImage paint(const RestShape& rest, std::uint64_t seed) {
   return picture;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -4,11 +4,11 @@
 
 #include "server/capture/synthetic/shape/rest_shape.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Paints the colour image of the scene at full exhale: skin with mottling and pores, cloth over the pelvis, a sheet on
 /// the table, lit from above the patient's left shoulder. Breathing moves the skin along the camera's rays, so the
 /// image is valid for the whole breath.
 [[nodiscard]] ColorImage paint(const RestShape& rest, std::uint64_t seed);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

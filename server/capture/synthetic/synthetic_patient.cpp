@@ -5,7 +5,7 @@
 
 #include "server/capture/synthetic/appearance.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 struct Bounds {
@@ -80,4 +80,4 @@ TrueSurface SyntheticPatient::surface_of(const PatientPose& pose) const noexcept
 
 TrueSurface SyntheticPatient::true_surface(SessionTime time) const noexcept { return {rest_, pose(time)}; }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -2,12 +2,12 @@
 
 #include <memory>
 
+#include "server/capture/synthetic/motion/patient_motion.h"
 #include "server/capture/synthetic/sensor/sensor_model.h"
 #include "server/capture/synthetic/shape/settings.h"
-#include "server/capture/synthetic/motion/patient_motion.h"
 #include "server/capture/synthetic/true_surface.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// A simulated, breathing patient on a table under an RGB-D camera. Frames and true surfaces are pure functions of
 /// mesh, settings and time: they are reproducible, in any order and on any thread.
@@ -47,4 +47,4 @@ class SyntheticPatient {
   ColorImage picture_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

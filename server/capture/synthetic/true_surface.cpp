@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 struct Pixel {
@@ -125,4 +125,4 @@ std::optional<double> TrueSurface::signed_distance_m(const Point<DepthCamera>& p
   return (point.m - foot->at.m).dot(foot->normal.v);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -8,7 +8,7 @@
 #include "server/capture/synthetic/motion/patient_pose.h"
 #include "server/capture/synthetic/shape/rest_shape.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// One point of the true surface with its velocity.
 struct TrueSurfacePoint {
@@ -73,4 +73,4 @@ class TrueSurface {
   PatientPose pose_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

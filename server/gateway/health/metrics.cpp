@@ -1,6 +1,6 @@
 #include "server/gateway/health/metrics.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 std::string described(const std::string& name, const std::string& type, const std::string& help) {
@@ -11,8 +11,8 @@ std::string single(const std::string& name, const std::string& type, const std::
   return described(name, type, help) + name + " " + std::to_string(value) + "\n";
 }
 
-std::string by_topic(const Hub& hub, const std::string& name, const std::string& help,
-                     std::uint64_t Hub::TopicCount::*count) {
+std::string by_topic(const hub::Hub& hub, const std::string& name, const std::string& help,
+                     std::uint64_t hub::Hub::TopicCount::*count) {
   std::string text = described(name, "counter", help);
   for (const auto& [topic, counts] : hub.topic_counts())
     text += name + "{topic=\"" + std::string(topic) + "\"} " + std::to_string(counts.*count) + "\n";
@@ -21,8 +21,9 @@ std::string by_topic(const Hub& hub, const std::string& name, const std::string&
 
 }  // namespace
 
-std::string metrics_text(const Hub& hub, const Access::Counts& access, std::size_t browsers, bool touch_is_held) {
-  using Count = Hub::TopicCount;
+std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& access, std::size_t browsers,
+                         bool touch_is_held) {
+  using Count = hub::Hub::TopicCount;
   return by_topic(hub, "telepalp_published_messages_total", "Messages published, by topic.", &Count::published) +
          by_topic(hub, "telepalp_published_bytes_total", "Bytes published, by topic.", &Count::bytes) +
          by_topic(hub, "telepalp_sent_messages_total", "Messages sent to subscribers, by topic.", &Count::sent) +
@@ -41,4 +42,4 @@ std::string metrics_text(const Hub& hub, const Access::Counts& access, std::size
                 access.audit_not_written);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -5,13 +5,13 @@
 #include "server/access/access.h"
 #include "server/hub/hub.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 inline constexpr std::string_view kMetricsTarget = "/metrics";
 inline constexpr std::string_view kHealthTarget = "/health";
 
 /// The server's counts in Prometheus' text format. It names no person and no address.
-[[nodiscard]] std::string metrics_text(const Hub& hub, const Access::Counts& access, std::size_t browsers,
+[[nodiscard]] std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& access, std::size_t browsers,
                                        bool touch_is_held);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

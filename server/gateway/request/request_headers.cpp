@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 namespace {
 
 std::string_view trimmed(std::string_view text) noexcept {
@@ -57,4 +57,4 @@ bool names_etag(std::string_view if_none_match, std::string_view etag) noexcept 
   return false;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// True when an Accept-Encoding header allows gzip: it lists gzip, or else "*", with a weight above 0 (RFC 9110,
 /// 12.5.3).
@@ -12,4 +12,4 @@ namespace telepalp::server {
 /// contains no comma.
 [[nodiscard]] bool names_etag(std::string_view if_none_match, std::string_view etag) noexcept;
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -5,7 +5,7 @@
 #include "proto/keys/audit_chain.h"
 #include "proto/keys/token.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 std::string WebSessions::begin(const keys::Identity& who, TimePoint now) {
   if (sessions_.size() >= kMost)
@@ -31,4 +31,4 @@ std::optional<keys::Identity> WebSessions::end(std::string_view cookie) {
   return who;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

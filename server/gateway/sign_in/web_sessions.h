@@ -8,7 +8,7 @@
 
 #include "proto/keys/identity.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// Browsers that signed in with a token. A browser keeps a random cookie; the server keeps its hash and whom it stands
 /// for. Bounded: the oldest session ends when there are too many. Owner: the server's network thread.
@@ -33,4 +33,4 @@ class WebSessions {
   std::map<std::string, Session> sessions_;  // by the hash of the cookie
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -13,7 +13,7 @@
 
 #include "proto/wire/tls_stream.h"
 
-namespace telepalp::server {
+namespace telepalp::gateway {
 
 /// A browser's connection, over TLS or, on this machine, over plain TCP: an AsyncStream for Beast.
 class WebStream {
@@ -106,4 +106,4 @@ inline void beast_close_socket(WebStream& stream) {
   stream.socket().close(ignored);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::gateway

@@ -24,7 +24,7 @@ double play(double reach_m, const Spot& spot, double phase) {
              .link = {.one_way_s = 0.05, .seed = 3},
              .builder = {}});
   const auto placed = haptic_from_camera(*patient, spot);
-  const server::TrueSurface rest = patient->surface_of({});
+  const capture::TrueSurface rest = patient->surface_of({});
   const Vector<DepthCamera> up = placed.inverse() * Vector<HapticBase>{Eigen::Vector3d::UnitY()};
   const auto path = [&](double t, const control::ControlOutput&) {
     const double along_s = std::clamp(t - kFrom_s, 0.0, kRubs_s);

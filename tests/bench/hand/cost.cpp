@@ -37,8 +37,7 @@ std::vector<Row> measure(const Options&) {
   const auto pose = [&](double t) { return patient->pose(at_time(t)); };
   const auto placed = haptic_from_camera(*patient, spots()[0]);
   surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
-  station::HapticLoop loop({},
-                           control::EncounteredController({}, with_skin(effects::SkinAnchor::FollowsSurface).effects));
+  loop::HapticLoop loop({}, control::EncounteredController({}, with_skin(effects::SkinAnchor::FollowsSurface).effects));
   Distribution tick_us;
   Distribution snapshot_us;
   Distribution work_us;

@@ -44,7 +44,7 @@ struct Outcome {
 /// `eases_m`: amplitude by which the hand presses and eases, so that a lasting drag would do work on it.
 Outcome play(effects::SkinAnchor anchor, double glitch_m, bool tracker_silent, double eases_m) {
   const auto patient = torso();
-  Feed feed({.patient = patient, .pose = [](double) { return server::PatientPose{}; }, .link = {}, .builder = {}});
+  Feed feed({.patient = patient, .pose = [](double) { return capture::PatientPose{}; }, .link = {}, .builder = {}});
   StationSettings settings = with_skin(anchor);
   if (glitch_m != 0.0) settings.spoil = Glitch(glitch_m);
   if (tracker_silent) settings.tracker_silent = [](double t) { return t >= kFault_s && t < kFault_s + 0.5; };

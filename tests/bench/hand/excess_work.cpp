@@ -78,13 +78,13 @@ struct Shifts {
 std::vector<Contact> play(const Bad& bad, int number) {
   const auto seed = static_cast<std::uint64_t>(number) + 1;
   device::Random random(7000 + seed);
-  const auto patient = torso(Sensor::Kinect, server::Motion::Irregular);
+  const auto patient = torso(Sensor::Kinect, capture::Motion::Irregular);
   const double begins_s = random.uniform(0.0, 900.0);  // another interval of the same patient's breathing
   const Shifts shifts(random);
   Feed feed({.patient = patient,
              .pose =
                  [&](double t) {
-                   server::PatientPose pose = patient->pose(at_time(begins_s + t));
+                   capture::PatientPose pose = patient->pose(at_time(begins_s + t));
                    pose.rise_m = shifts.rise_m(t);
                    return pose;
                  },

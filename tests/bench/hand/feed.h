@@ -20,7 +20,7 @@ struct Link {
   std::uint64_t seed = 1;
 };
 
-using PoseScript = std::function<server::PatientPose(double time_s)>;
+using PoseScript = std::function<capture::PatientPose(double time_s)>;
 
 /// Damages a frame on its way; false: the frame is lost.
 using Damage = std::function<bool(double captured_s, DepthImage& depth)>;
@@ -30,7 +30,7 @@ using Damage = std::function<bool(double captured_s, DepthImage& depth)>;
 class Feed {
  public:
   struct Settings {
-    std::shared_ptr<const server::SyntheticPatient> patient;
+    std::shared_ptr<const capture::SyntheticPatient> patient;
     PoseScript pose;
     Damage damage = [](double, DepthImage&) { return true; };
     Link link;
@@ -46,7 +46,7 @@ class Feed {
   /// Follows these places on the skin, as the station's surface thread does for the scene's objects.
   void watch(const surface::MarkLines& lines) { builder_.watch(lines); }
 
-  [[nodiscard]] server::TrueSurface truth(double time_s) const {
+  [[nodiscard]] capture::TrueSurface truth(double time_s) const {
     return settings_.patient->surface_of(settings_.pose(time_s));
   }
   [[nodiscard]] const Settings& settings() const noexcept { return settings_; }

@@ -90,7 +90,7 @@ Outcome play(const Case& drawn) {
       {.patient = patient,
        .pose =
            [&](double t) {
-             server::PatientPose pose;
+             capture::PatientPose pose;
              pose.rise_m = drawn.rises_m * eased((t - kEvent_s) / 0.2);
              return pose;
            },

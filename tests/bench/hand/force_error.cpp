@@ -34,7 +34,7 @@ surface::SurfaceSettings builder(bool predict, bool breathing) {
 }
 
 /// The skin's height in H at the spot, without the breath. The hand follows a patient who shifts or sits up.
-double ridden_m(const server::SyntheticPatient& patient, server::PatientPose pose,
+double ridden_m(const capture::SyntheticPatient& patient, capture::PatientPose pose,
                 const Transform<HapticBase, DepthCamera>& placed) {
   if (!pose.slides() && !pose.rises()) return 0.0;
   pose.breath = {};
@@ -45,7 +45,7 @@ double ridden_m(const server::SyntheticPatient& patient, server::PatientPose pos
 }
 
 struct Scene {
-  std::shared_ptr<const server::SyntheticPatient> patient;
+  std::shared_ptr<const capture::SyntheticPatient> patient;
   PoseScript pose;
   Spot spot;
   Link link{.one_way_s = kJitter_s, .jitter_s = kJitter_s, .loss = 0.1, .seed = 5};
@@ -77,7 +77,7 @@ Errors play(const Scene& scene, const surface::SurfaceSettings& builder_settings
   for (std::int64_t i = 0; i < ticks; ++i) {
     const double t = static_cast<double>(i) * kTick_s;
     const auto snapshot = feed.step(t, all.front().station.device_camera());
-    const server::TrueSurface truth = feed.truth(t);
+    const capture::TrueSurface truth = feed.truth(t);
     const bool counts = t >= kFrom_s;
     judged += counts ? 1 : 0;
     for (Judged& one : all) {
@@ -98,7 +98,7 @@ Errors play(const Scene& scene, const surface::SurfaceSettings& builder_settings
   return errors;
 }
 
-Scene scene_of(server::Motion motion, std::size_t spot) {
+Scene scene_of(capture::Motion motion, std::size_t spot) {
   const auto patient = torso(Sensor::Kinect, motion);
   const double begins_s = 300.0 + 97.0 * static_cast<double>(spot);
   return {.patient = patient,
@@ -106,7 +106,7 @@ Scene scene_of(server::Motion motion, std::size_t spot) {
           .spot = spots()[spot]};
 }
 
-std::vector<Row> measure(const std::string& name, server::Motion motion, const Options& options) {
+std::vector<Row> measure(const std::string& name, capture::Motion motion, const Options& options) {
   constexpr int kBuilders = 3;  // the default, hold-last, velocity-only
   const auto spot_count = static_cast<int>(spots().size());
   std::vector<Errors> all(static_cast<std::size_t>(kBuilders * spot_count));
@@ -128,25 +128,25 @@ std::vector<Row> measure(const std::string& name, server::Motion motion, const O
       worst.rmse_N[delay] = std::max(worst.rmse_N[delay], shipped.rmse_N[delay]);
       step_N = std::max(step_N, shipped.step_N);
     }
-  const bool asked = motion == server::Motion::Irregular || motion == server::Motion::Hold ||
-                     motion == server::Motion::Drift || motion == server::Motion::Regular;
+  const bool asked = motion == capture::Motion::Irregular || motion == capture::Motion::Hold ||
+                     motion == capture::Motion::Drift || motion == capture::Motion::Regular;
   std::vector<Row> rows;
   for (std::size_t delay = 0; delay < kDelays_s.size(); ++delay) {
     const std::string row =
         name + ": force RMSE at " + std::to_string(std::lround(1e3 * kDelays_s[delay])) + " ms, worst spot and anchor";
-    const double reach_N = motion == server::Motion::Regular ? kRegularReach_N : kReach_N[delay];
+    const double reach_N = motion == capture::Motion::Regular ? kRegularReach_N : kReach_N[delay];
     rows.push_back(asked ? at_most(row, worst.rmse_N[delay], "N", reach_N) : measured(row, worst.rmse_N[delay], "N"));
   }
   rows.push_back(
       at_most(name + ": to the better of hold-last and velocity-only, worst delay and spot", worst_ratio, "", 1.05));
-  const bool breathes_only = motion != server::Motion::Shift && motion != server::Motion::SitUp;
+  const bool breathes_only = motion != capture::Motion::Shift && motion != capture::Motion::SitUp;
   rows.push_back(at_most(name + ": force step a tick, worst", step_N, "N", breathes_only ? 0.05 : 0.1));
   return rows;
 }
 
 /// The error that no predictor can remove: the sensor's error on a still patient without delay.
 std::vector<Row> measure_floor(const Options& options) {
-  const auto still = [](double) { return server::PatientPose{}; };
+  const auto still = [](double) { return capture::PatientPose{}; };
   const Link no_link{.one_way_s = 0.0, .jitter_s = 0.0, .loss = 0.0, .seed = 5};
   const auto regular = [](Sensor sensor) {
     const auto patient = torso(sensor);
@@ -178,8 +178,8 @@ std::vector<Row> measure_floor(const Options& options) {
 
 std::vector<Study> force_error() {
   std::vector<Study> studies;
-  for (const server::Motion motion : server::all_motions()) {
-    const std::string name = "rmse/" + std::string(server::name(motion));
+  for (const capture::Motion motion : capture::all_motions()) {
+    const std::string name = "rmse/" + std::string(capture::name(motion));
     studies.push_back({name, [name, motion](const Options& options) { return measure(name, motion, options); }});
   }
   studies.push_back({"floor", measure_floor});

@@ -69,12 +69,12 @@ struct Met {
 };
 
 /// How the object is met at `at_m`, with the patient in `pose` from the third second on.
-Met met_at(Object object, const server::PatientPose& pose, const Eigen::Vector3d& at_m) {
+Met met_at(Object object, const capture::PatientPose& pose, const Eigen::Vector3d& at_m) {
   const auto patient = torso();
   Feed feed({.patient = patient,
              .pose =
                  [&](double t) {
-                   server::PatientPose now;
+                   capture::PatientPose now;
                    const double share = eased((t - 2.0) / 1.0);
                    now.rise_m = share * pose.rise_m;
                    now.slide_m = share * pose.slide_m;
@@ -84,7 +84,7 @@ Met met_at(Object object, const server::PatientPose& pose, const Eigen::Vector3d
              .builder = {}});
   const auto placed = haptic_from_camera(*patient, spots()[0]);
   const StationSettings settings = with_object(object);
-  feed.watch(station::mark_lines(settings.effects, placed.inverse()));
+  feed.watch(loop::mark_lines(settings.effects, placed.inverse()));
   BenchStation station(settings, placed, std::make_unique<RigidHand>(press(at_m, 5.0, 0.075)));
   Met result;
   bool met = false;
@@ -96,7 +96,7 @@ Met met_at(Object object, const server::PatientPose& pose, const Eigen::Vector3d
     result.depth_m = tick.true_depth_m;
     // The head is at the image's left: a slide towards it is one towards -x, and one to the right side towards -z.
     const Eigen::Vector3d true_m{-pose.slide_m.x(), pose.rise_m, -pose.slide_m.y()};
-    for (const station::ObjectPlacement& placement : station.loop().objects()) {
+    for (const loop::ObjectPlacement& placement : station.loop().objects()) {
       if (!placement.watched) continue;
       result.beside_m = (Eigen::Vector3f(placement.moved.data()).cast<double>() - true_m).norm();
       result.unseen |= placement.unseen;
@@ -112,7 +112,7 @@ struct Shifted {
   double beside_m = 0.0;       ///< displayed beside its place in the true body, at the worst of these places
   double flagged_share = 0.0;  ///< of the places, where the station says that it cannot tell
 };
-Shifted shifted_by(Object object, const std::vector<server::PatientPose>& poses, const std::vector<double>& offsets_m,
+Shifted shifted_by(Object object, const std::vector<capture::PatientPose>& poses, const std::vector<double>& offsets_m,
                    const Options& options) {
   const auto places = static_cast<int>(offsets_m.size());
   const auto count = static_cast<int>(poses.size()) * places;
@@ -123,8 +123,8 @@ Shifted shifted_by(Object object, const std::vector<server::PatientPose>& poses,
   std::vector<int> flagged(static_cast<std::size_t>(count));
   for_each_parallel(count, options, [&](int i) {
     const double offset_m = offsets_m[static_cast<std::size_t>(i % places)];
-    const server::PatientPose& pose = poses[static_cast<std::size_t>(i / places)];
-    const auto skin_at = [&](const server::PatientPose& posed, double x_m, double z_m) {
+    const capture::PatientPose& pose = poses[static_cast<std::size_t>(i / places)];
+    const auto skin_at = [&](const capture::PatientPose& posed, double x_m, double z_m) {
       const auto height =
           torso()->surface_of(posed).height_along(placed.inverse() * Point<HapticBase>{{x_m, 0.0, z_m}}, up);
       return Eigen::Vector3d{x_m, height ? height->m : 0.0, z_m};
@@ -142,13 +142,13 @@ Shifted shifted_by(Object object, const std::vector<server::PatientPose>& poses,
           .flagged_share = std::accumulate(flagged.begin(), flagged.end(), 0.0) / count};
 }
 
-server::PatientPose risen(double rise_m) {
-  server::PatientPose pose;
+capture::PatientPose risen(double rise_m) {
+  capture::PatientPose pose;
   pose.rise_m = rise_m;
   return pose;
 }
-server::PatientPose slid(double x_m, double y_m) {
-  server::PatientPose pose;
+capture::PatientPose slid(double x_m, double y_m) {
+  capture::PatientPose pose;
   pose.slide_m = {x_m, y_m};
   return pose;
 }
@@ -173,7 +173,7 @@ std::vector<Row> measure_far_face(const std::string& name, Object object, double
   for_each_parallel(static_cast<int>(beside_m.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     const auto patient = torso();
-    Feed feed({.patient = patient, .pose = [](double) { return server::PatientPose{}; }, .link = {}, .builder = {}});
+    Feed feed({.patient = patient, .pose = [](double) { return capture::PatientPose{}; }, .link = {}, .builder = {}});
     BenchStation station(with_object(object), haptic_from_camera(*patient, spots()[0]),
                          std::make_unique<RigidHand>(press({beside_m[at], 0.0, 0.0}, 1.0, far_m)));
     least_N[at] = 1e9;

@@ -12,10 +12,10 @@ namespace {
 constexpr Spot kSpots[] = {{"belly", -40.0, 20.0}, {"flank", -30.0, 48.0}, {"chest", 75.0, -10.0}};
 
 /// Aborts if the torso is missing, because it is part of the source tree.
-std::shared_ptr<const server::SyntheticPatient> make(Sensor sensor, server::Motion motion, std::uint64_t seed) {
+std::shared_ptr<const capture::SyntheticPatient> make(Sensor sensor, capture::Motion motion, std::uint64_t seed) {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
-  const Result<server::TriangleMesh> mesh = server::read_mesh(file.value());
-  server::SyntheticSettings settings;
+  const Result<capture::TriangleMesh> mesh = capture::read_mesh(file.value());
+  capture::SyntheticSettings settings;
   settings.camera = {.width = 320, .height = 240, .fx = 525.0, .fy = 525.0, .cx = 159.5, .cy = 119.5};
   settings.motion = motion;
   settings.seed = seed;
@@ -23,14 +23,14 @@ std::shared_ptr<const server::SyntheticPatient> make(Sensor sensor, server::Moti
     settings.disparity_steps = false;
     settings.depth_unit_m = 0.0001;
   }
-  return std::make_shared<const server::SyntheticPatient>(*server::SyntheticPatient::make(*mesh, settings));
+  return std::make_shared<const capture::SyntheticPatient>(*capture::SyntheticPatient::make(*mesh, settings));
 }
 
 }  // namespace
 
-std::shared_ptr<const server::SyntheticPatient> torso(Sensor sensor, server::Motion motion, std::uint64_t seed) {
+std::shared_ptr<const capture::SyntheticPatient> torso(Sensor sensor, capture::Motion motion, std::uint64_t seed) {
   static std::mutex mutex;
-  static std::map<std::tuple<Sensor, server::Motion, std::uint64_t>, std::shared_ptr<const server::SyntheticPatient>>
+  static std::map<std::tuple<Sensor, capture::Motion, std::uint64_t>, std::shared_ptr<const capture::SyntheticPatient>>
       made;
   const std::lock_guard lock(mutex);
   auto& patient = made[{sensor, motion, seed}];
@@ -40,7 +40,7 @@ std::shared_ptr<const server::SyntheticPatient> torso(Sensor sensor, server::Mot
 
 std::span<const Spot> spots() noexcept { return kSpots; }
 
-Transform<HapticBase, DepthCamera> haptic_from_camera(const server::SyntheticPatient& patient, const Spot& spot) {
+Transform<HapticBase, DepthCamera> haptic_from_camera(const capture::SyntheticPatient& patient, const Spot& spot) {
   const Intrinsics& camera = patient.settings().camera;
   const Eigen::Vector3d skin = patient.surface_of({}).at_pixel(camera.cx + spot.u, camera.cy + spot.v).at.m;
   Transform<HapticBase, DepthCamera> placed;
@@ -49,7 +49,7 @@ Transform<HapticBase, DepthCamera> haptic_from_camera(const server::SyntheticPat
   return placed;
 }
 
-Vector<HapticBase> normal_at(const server::SyntheticPatient& patient, const Spot& spot) {
+Vector<HapticBase> normal_at(const capture::SyntheticPatient& patient, const Spot& spot) {
   const Intrinsics& camera = patient.settings().camera;
   return haptic_from_camera(patient, spot) *
          patient.surface_of({}).at_pixel(camera.cx + spot.u, camera.cy + spot.v).normal;

@@ -17,9 +17,9 @@ enum class Sensor {
 /// The torso of the repository, 0.8 m below a camera. The camera has the middle 320 by 240 pixels of a full image,
 /// which costs a quarter of the time. `motion`: the torso's motion; scripted poses ignore it. Each torso is made once
 /// and shared.
-[[nodiscard]] std::shared_ptr<const server::SyntheticPatient> torso(Sensor sensor = Sensor::Kinect,
-                                                                    server::Motion motion = server::Motion::Regular,
-                                                                    std::uint64_t seed = 1);
+[[nodiscard]] std::shared_ptr<const capture::SyntheticPatient> torso(Sensor sensor = Sensor::Kinect,
+                                                                     capture::Motion motion = capture::Motion::Regular,
+                                                                     std::uint64_t seed = 1);
 
 /// A place on the skin to touch.
 struct Spot {
@@ -30,10 +30,10 @@ struct Spot {
 [[nodiscard]] std::span<const Spot> spots() noexcept;
 
 /// The transform of a frame H with its origin on the skin at `spot` of the patient at rest; y points to the camera.
-[[nodiscard]] Transform<HapticBase, DepthCamera> haptic_from_camera(const server::SyntheticPatient& patient,
+[[nodiscard]] Transform<HapticBase, DepthCamera> haptic_from_camera(const capture::SyntheticPatient& patient,
                                                                     const Spot& spot);
 
 /// The skin's unit normal at `spot`, at rest, in H.
-[[nodiscard]] Vector<HapticBase> normal_at(const server::SyntheticPatient& patient, const Spot& spot);
+[[nodiscard]] Vector<HapticBase> normal_at(const capture::SyntheticPatient& patient, const Spot& spot);
 
 }  // namespace telepalp::bench::hand

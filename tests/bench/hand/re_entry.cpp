@@ -25,7 +25,7 @@ Outcome play(int number) {
   const auto anchor = number % 2 == 0 ? effects::SkinAnchor::FollowsSurface : effects::SkinAnchor::Sliding;
   const auto patient = torso();
   Feed feed({.patient = patient,
-             .pose = [](double) { return server::PatientPose{}; },
+             .pose = [](double) { return capture::PatientPose{}; },
              .link = {.one_way_s = random.uniform(0.0, 0.5), .seed = static_cast<std::uint64_t>(number) + 1},
              .builder = {}});
   double height_m = 0.04;

@@ -32,7 +32,7 @@ void BenchStation::receive(std::shared_ptr<const surface::SurfaceSnapshot> snaps
   if (snapshot) arriving_.push_back({time_s + settings_.extra_delay_s, std::move(snapshot)});
 }
 
-Tick BenchStation::step(double time_s, const server::TrueSurface& truth) {
+Tick BenchStation::step(double time_s, const capture::TrueSurface& truth) {
   const SessionTime now = at_time(time_s);
   for (; !arriving_.empty() && arriving_.front().at_s <= time_s; arriving_.pop_front()) {
     loop_.adopt({arriving_.front().snapshot, haptic_from_camera_}, now);
@@ -45,7 +45,7 @@ Tick BenchStation::step(double time_s, const server::TrueSurface& truth) {
   Tick tick{.time_s = time_s, .device_m = person_->device().m};
   tick.moved_m = tick.device_m - before_m_;
   before_m_ = tick.device_m;
-  const station::HapticLoop::Act act = loop_.tick(reading, now, kTick_s);
+  const loop::HapticLoop::Act act = loop_.tick(reading, now, kTick_s);
   tick.force_N = act.force.N;
   tick.control = act.control;
   tick.displayed = act.contact.valid && act.contact.in_body &&

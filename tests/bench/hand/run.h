@@ -17,7 +17,7 @@ inline constexpr double kSkin_N_per_m = 500.0;
 struct StationSettings {
   effects::EffectBank effects;
   control::ControlSettings control;
-  station::HapticLoop::Settings loop;
+  loop::HapticLoop::Settings loop;
   double extra_delay_s = 0.0;  ///< extra delay of the snapshots, in addition to the feed's link
   std::uint64_t seed = 1;
   std::function<bool(double time_s)> tracker_silent = [](double) { return false; };
@@ -52,9 +52,9 @@ class BenchStation {
 
   void receive(std::shared_ptr<const surface::SurfaceSnapshot> snapshot, double time_s);
   /// One tick. `truth`: the true surface of this instant.
-  [[nodiscard]] Tick step(double time_s, const server::TrueSurface& truth);
+  [[nodiscard]] Tick step(double time_s, const capture::TrueSurface& truth);
   [[nodiscard]] Point<DepthCamera> device_camera() const { return camera_from_haptic_ * person_->device(); }
-  [[nodiscard]] const station::HapticLoop& loop() const noexcept { return loop_; }
+  [[nodiscard]] const loop::HapticLoop& loop() const noexcept { return loop_; }
 
  private:
   struct Arriving {
@@ -65,7 +65,7 @@ class BenchStation {
   Transform<HapticBase, DepthCamera> haptic_from_camera_;
   Transform<DepthCamera, HapticBase> camera_from_haptic_;
   std::unique_ptr<Person> person_;
-  station::HapticLoop loop_;
+  loop::HapticLoop loop_;
   device::SimulatedTracker tracker_;
   std::deque<Arriving> arriving_;
   std::shared_ptr<const surface::SurfaceSnapshot> touched_;

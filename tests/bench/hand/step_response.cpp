@@ -61,7 +61,7 @@ Outcome play(double frame_hz, bool rises, effects::SkinAnchor anchor, const Spot
   Feed feed({.patient = patient,
              .pose =
                  [&](double t) {
-                   server::PatientPose pose;
+                   capture::PatientPose pose;
                    pose.rise_m = t >= kStepAt_s ? sign * kStep_m : 0.0;
                    return pose;
                  },

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace telepalp::station {
+namespace telepalp::loop {
 namespace {
 
 constexpr double kTick_s = 0.0005;
@@ -111,4 +111,4 @@ TEST(DeviceGate, LeavesSilenceAndNumbersThatAreNotFiniteToTheController) {
 }
 
 }  // namespace
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

@@ -16,7 +16,7 @@
 #include "tests/support/no_heap_scope.h"
 #include "where.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 namespace {
 
 constexpr double kTick_s = 0.0005;
@@ -24,9 +24,9 @@ constexpr int kTicksPerFrame = 67;  // 30 Hz
 
 SessionTime at_tick(int tick) { return session_time(1'000'000'000 + std::int64_t{tick} * 500'000); }
 
-server::SyntheticPatient breathing_patient() {
-  const auto mesh = server::read_mesh(TELEPALP_SOURCE_DIR "/deploy/demo_data/torso/visible_human_torso.ply");
-  auto patient = server::SyntheticPatient::make(mesh.value(), {});
+capture::SyntheticPatient breathing_patient() {
+  const auto mesh = capture::read_mesh(TELEPALP_SOURCE_DIR "/deploy/demo_data/torso/visible_human_torso.ply");
+  auto patient = capture::SyntheticPatient::make(mesh.value(), {});
   return std::move(patient).value();
 }
 
@@ -65,11 +65,11 @@ struct Outcome {
 };
 
 /// Runs the station over `patient` for `seconds`. Ticks run in a NoHeapScope.
-Outcome run(const server::SyntheticPatient& patient, double seconds) {
+Outcome run(const capture::SyntheticPatient& patient, double seconds) {
   const scenes::Scene scene = palpation();
   const RgbdFrame first = patient.frame_at(at_tick(0), 0);
-  const Point<DepthCamera> skin = point_under_center(first.depth, first.camera.depth).value();
-  const auto haptic_from_camera = centered_on(scene.haptic_from_camera, skin);
+  const Point<DepthCamera> skin = station::point_under_center(first.depth, first.camera.depth).value();
+  const auto haptic_from_camera = station::centered_on(scene.haptic_from_camera, skin);
 
   surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
   LatestValue<TouchableSurface> surfaces;
@@ -156,4 +156,4 @@ TEST(HapticLoop, WithoutASurfaceThereIsNoForce) {
 }
 
 }  // namespace
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace telepalp::station {
+namespace telepalp::loop {
 namespace {
 
 double norm_of(const std::array<float, 3>& v) { return Eigen::Vector3d{v[0], v[1], v[2]}.norm(); }
@@ -30,4 +30,4 @@ TEST(Packed, ANaNIsRecordedAsNaN) {
 }
 
 }  // namespace
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

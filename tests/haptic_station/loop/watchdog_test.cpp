@@ -13,7 +13,7 @@
 #include "haptic_station/loop/plane_snapshot.h"
 #include "proto/words/latest_value.h"
 
-namespace telepalp::station {
+namespace telepalp::loop {
 namespace {
 
 using control::Phase;
@@ -215,4 +215,4 @@ TEST(WatchdogLimits, AreTheScenes) {
 }
 
 }  // namespace
-}  // namespace telepalp::station
+}  // namespace telepalp::loop

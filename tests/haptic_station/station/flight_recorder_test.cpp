@@ -7,8 +7,8 @@
 namespace telepalp::station {
 namespace {
 
-TickSample sample(std::uint64_t tick, msg::Phase phase = msg::PHASE_OUT_BODY) {
-  TickSample out;
+loop::TickSample sample(std::uint64_t tick, msg::Phase phase = msg::PHASE_OUT_BODY) {
+  loop::TickSample out;
   out.tick = tick;
   out.phase = static_cast<std::uint8_t>(phase);
   return out;

@@ -65,7 +65,7 @@ class Bench {
     const std::scoped_lock lock(mutex_);
     return wanted_;
   }
-  LatestValue<TouchableSurface> surfaces;
+  LatestValue<loop::TouchableSurface> surfaces;
   LatestValue<Point<HapticBase>> device;
 
  private:

@@ -11,8 +11,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TickSample sample(std::uint64_t tick, msg::Phase phase, float force_N) {
-  TickSample out;
+loop::TickSample sample(std::uint64_t tick, msg::Phase phase, float force_N) {
+  loop::TickSample out;
   out.tick = tick;
   out.stamp_ns = static_cast<std::int64_t>(tick) * 500'000;
   out.phase = static_cast<std::uint8_t>(phase);
@@ -76,7 +76,7 @@ TEST(RunTotals, PhasesAreEnteredOnceAndDweltInByTheTick) {
 }
 
 TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
-  const std::vector<TickSample> samples{sample(7, msg::PHASE_IN_BODY, 1), sample(8, msg::PHASE_IN_BODY, 2)};
+  const std::vector<loop::TickSample> samples{sample(7, msg::PHASE_IN_BODY, 1), sample(8, msg::PHASE_IN_BODY, 2)};
   const msg::StationTicks ticks = ticks_message(samples, 500'000);
   EXPECT_EQ(ticks.first_tick(), 7u);
   EXPECT_EQ(ticks.phase_size(), 2);
@@ -88,7 +88,7 @@ TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
 }
 
 TEST(CompensationMessage, TellsWhereEachObjectInTheBodyIsAndHowWellThatIsKnown) {
-  Compensation compensation;
+  loop::Compensation compensation;
   compensation.objects[2] = {.watched = true,
                              .unseen = false,
                              .slide_unseen = true,
@@ -104,7 +104,7 @@ TEST(CompensationMessage, TellsWhereEachObjectInTheBodyIsAndHowWellThatIsKnown) 
   EXPECT_TRUE(told.objects(0).slide_unseen());
   EXPECT_NEAR(told.objects(0).moved().y(), 0.01, 1e-6);
   EXPECT_NEAR(told.objects(0).sigma_slide_m(), 0.004, 1e-6);
-  TickSample tick = sample(1, msg::PHASE_IN_BODY, 0.0F);
+  loop::TickSample tick = sample(1, msg::PHASE_IN_BODY, 0.0F);
   tick.object_slide_unseen = true;
   EXPECT_TRUE(state_message(tick).object_slide_unseen());
   EXPECT_FALSE(state_message(tick).object_unseen());

@@ -100,9 +100,9 @@ ShapeError shape_error(const AnalyticSurface& surface, const surface::SurfaceSet
   return errors.total(step_us);
 }
 
-ShapeError torso_error(const server::SyntheticPatient& patient, const surface::SurfaceSnapshot& snapshot,
+ShapeError torso_error(const capture::SyntheticPatient& patient, const surface::SurfaceSnapshot& snapshot,
                        const Spot& spot) {
-  const server::TrueSurface truth = patient.true_surface(snapshot.captured);
+  const capture::TrueSurface truth = patient.true_surface(snapshot.captured);
   Errors errors;
   std::vector<double> step_us;
   for (double x = -0.05; x <= 0.05; x += 0.0101)

@@ -31,7 +31,7 @@ struct ShapeTrial {
                                      const ShapeTrial& trial);
 
 /// The error on a torso around `spot`, for a given snapshot.
-[[nodiscard]] ShapeError torso_error(const server::SyntheticPatient& patient, const surface::SurfaceSnapshot& snapshot,
+[[nodiscard]] ShapeError torso_error(const capture::SyntheticPatient& patient, const surface::SurfaceSnapshot& snapshot,
                                      const Spot& spot);
 
 }  // namespace telepalp::testing

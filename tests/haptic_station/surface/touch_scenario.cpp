@@ -9,13 +9,13 @@ namespace telepalp::testing {
 
 using Eigen::Vector3d;
 
-Result<server::SyntheticPatient> torso(const TorsoSettings& settings) {
+Result<capture::SyntheticPatient> torso(const TorsoSettings& settings) {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
   if (!file) return Error{.what = "the torso is not shipped", .where = "torso", .fix = "run from the repository"};
-  const Result<server::TriangleMesh> mesh = server::read_mesh(*file);
+  const Result<capture::TriangleMesh> mesh = capture::read_mesh(*file);
   if (!mesh) return mesh.error();
-  server::SyntheticSettings synthetic;
-  synthetic.noise = settings.sigma_m > 0.0 ? server::DepthNoise::Gaussian : server::DepthNoise::None;
+  capture::SyntheticSettings synthetic;
+  synthetic.noise = settings.sigma_m > 0.0 ? capture::DepthNoise::Gaussian : capture::DepthNoise::None;
   synthetic.gaussian_sigma_m = settings.sigma_m;
   synthetic.disparity_steps = false;
   synthetic.holes = settings.holes;
@@ -23,10 +23,10 @@ Result<server::SyntheticPatient> torso(const TorsoSettings& settings) {
   synthetic.rate_hz = settings.rate_hz;
   synthetic.depth_unit_m = 0.0001;
   synthetic.seed = settings.seed;
-  return server::SyntheticPatient::make(*mesh, synthetic);
+  return capture::SyntheticPatient::make(*mesh, synthetic);
 }
 
-std::vector<Captured> watch(const server::SyntheticPatient& patient, const surface::SurfaceSettings& settings,
+std::vector<Captured> watch(const capture::SyntheticPatient& patient, const surface::SurfaceSettings& settings,
                             const surface::Reach& reach, double until_s, double keep_from_s,
                             const std::function<bool(int)>& lost) {
   surface::SurfaceBuilder builder(settings);
@@ -40,7 +40,7 @@ std::vector<Captured> watch(const server::SyntheticPatient& patient, const surfa
   return kept;
 }
 
-TouchRun run_touch(const server::SyntheticPatient& patient, const std::vector<Captured>& snapshots,
+TouchRun run_touch(const capture::SyntheticPatient& patient, const std::vector<Captured>& snapshots,
                    const std::function<Vector3d(double)>& device, double from_s, double until_s, double delay_s,
                    double stiffness_N_per_m, const std::function<bool(double)>& outage) {
   constexpr double kMeeting_s = 0.25;
@@ -83,7 +83,7 @@ TouchRun run_touch(const server::SyntheticPatient& patient, const std::vector<Ca
   return run;
 }
 
-Spot belly(const server::SyntheticPatient& patient) {
+Spot belly(const capture::SyntheticPatient& patient) {
   const Intrinsics& camera = patient.settings().camera;
   const auto point = patient.true_surface(scene_time(0.0)).at_pixel(camera.cx - 40.0, camera.cy + 20.0);
   return {point.at.m, point.normal.v};

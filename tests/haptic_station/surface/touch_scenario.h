@@ -18,7 +18,7 @@ struct TorsoSettings {
   bool holes = true;
   std::uint64_t seed = 1;
 };
-[[nodiscard]] Result<server::SyntheticPatient> torso(const TorsoSettings& settings);
+[[nodiscard]] Result<capture::SyntheticPatient> torso(const TorsoSettings& settings);
 
 inline constexpr double kFrame_s = 1.0 / 30.0;
 inline constexpr double kTick_s = 0.0005;
@@ -34,7 +34,7 @@ struct Captured {
 /// Snapshots of `patient` at 30 Hz from 0 to `until_s`, all through one builder; those before `keep_from_s` are built
 /// and dropped. `lost(n)` true: frame n never arrives.
 [[nodiscard]] std::vector<Captured> watch(
-    const server::SyntheticPatient& patient, const surface::SurfaceSettings& settings, const surface::Reach& reach,
+    const capture::SyntheticPatient& patient, const surface::SurfaceSettings& settings, const surface::Reach& reach,
     double until_s, double keep_from_s, const std::function<bool(int)>& lost = [](int) { return false; });
 
 /// Result of a run at 2 kHz, compared with the true surface of the same instant.
@@ -50,7 +50,7 @@ struct TouchRun {
 /// several waiting ones, only the newest is used. The first quarter of a second, in which contact is made, is not
 /// judged.
 [[nodiscard]] TouchRun run_touch(
-    const server::SyntheticPatient& patient, const std::vector<Captured>& snapshots,
+    const capture::SyntheticPatient& patient, const std::vector<Captured>& snapshots,
     const std::function<Eigen::Vector3d(double)>& device, double from_s, double until_s, double delay_s,
     double stiffness_N_per_m, const std::function<bool(double)>& outage = [](double) { return false; });
 
@@ -59,6 +59,6 @@ struct Spot {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
 };
-[[nodiscard]] Spot belly(const server::SyntheticPatient& patient);
+[[nodiscard]] Spot belly(const capture::SyntheticPatient& patient);
 
 }  // namespace telepalp::testing

@@ -43,7 +43,7 @@ struct BodyScene {
   std::function<Vector3d(double now_s)> body = [](double) { return Vector3d::Zero(); };  ///< displacement in H
   std::function<bool(double now_s)> hidden = [](double) { return false; };  ///< something is over the object's skin
   Vector3d device_m{0.0, 0.06, 0.0};
-  std::function<void(const station::HapticLoop&, const station::HapticLoop::Act&, double now_s)> watch =
+  std::function<void(const loop::HapticLoop&, const loop::HapticLoop::Act&, double now_s)> watch =
       [](const auto&, const auto&, double) {};
 };
 
@@ -69,9 +69,9 @@ DepthImage seen_of(const BodyScene& scene, double now_s, const sensor::DepthSens
 void run(const BodyScene& scene) {
   effects::EffectBank bank = the_skin({.law = effects::linear_law(100.0)});
   (void)bank.add(effects::InnerSphere({.center = {{0.0, -0.05, 0.0}}}));
-  station::HapticLoop loop({}, control::EncounteredController({}, bank));
+  loop::HapticLoop loop({}, control::EncounteredController({}, bank));
   surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
-  builder.watch(station::mark_lines(bank, placed().inverse()));
+  builder.watch(loop::mark_lines(bank, placed().inverse()));
   const sensor::DepthSensor camera({});
   std::shared_ptr<const surface::SurfaceSnapshot> shown;
   int frames = 0;
@@ -105,10 +105,10 @@ struct Followed {
 Followed follow(BodyScene scene, double plateau_s) {
   Followed got;
   int ticks = 0;
-  scene.watch = [&](const station::HapticLoop& loop, const station::HapticLoop::Act&, double now_s) {
+  scene.watch = [&](const loop::HapticLoop& loop, const loop::HapticLoop::Act&, double now_s) {
     const double since_s = now_s - 1.0;
     if (since_s < 0.0 || std::fmod(since_s, plateau_s) < plateau_s - 0.5) return;
-    const station::ObjectPlacement sphere = loop.objects()[kSphere];
+    const loop::ObjectPlacement sphere = loop.objects()[kSphere];
     const Eigen::Vector3f moved(sphere.moved.data());
     const Vector3d off = moved.cast<double>() - scene.body(now_s);
     got.off_m = std::max(got.off_m, off.norm());
@@ -170,8 +170,8 @@ AssertionResult hidden_from_the_camera() {
   double back_off_m = 0.0;
   int said = 0;
   int ticks = 0;
-  scene.watch = [&](const station::HapticLoop& loop, const station::HapticLoop::Act&, double now_s) {
-    const station::ObjectPlacement sphere = loop.objects()[kSphere];
+  scene.watch = [&](const loop::HapticLoop& loop, const loop::HapticLoop::Act&, double now_s) {
+    const loop::ObjectPlacement sphere = loop.objects()[kSphere];
     const Eigen::Vector3f moved(sphere.moved.data());
     if (now_s > 3.2 && now_s < 4.9) {
       hidden_m = std::max(hidden_m, double{moved.norm()});
@@ -194,7 +194,7 @@ AssertionResult felt_under_a_skin_that_moves() {
   double before_N = 0.0;
   double after_N = 0.0;
   Vector3d last_N = Vector3d::Zero();
-  scene.watch = [&](const station::HapticLoop&, const station::HapticLoop::Act& act, double now_s) {
+  scene.watch = [&](const loop::HapticLoop&, const loop::HapticLoop::Act& act, double now_s) {
     if (now_s > 2.5) step_N = std::max(step_N, (act.force.N - last_N).norm());
     last_N = act.force.N;
     if (now_s > 2.8 && now_s < 3.0) before_N = act.force.N.y();

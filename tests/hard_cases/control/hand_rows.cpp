@@ -48,7 +48,7 @@ LettingGo tracker_lost_in_contact(double lost_s, double back_s, Person person) {
   const double let_go_s =
       lost_s + control::AgeLimits{}.tracker_in_contact_s + control::TransitionSettings{}.contact_release_s + 0.05;
   double height_m = 0.0;
-  scene.watch = [&, let_go_s](const station::HapticLoop::Act& act, double now_s, const auto&,
+  scene.watch = [&, let_go_s](const loop::HapticLoop::Act& act, double now_s, const auto&,
                               const device::SimulatedPair& pair) {
     if (now_s <= lost_s) seen.before_N = act.force.N.norm();
     if (now_s <= lost_s) height_m = pair.true_hand().m.y();
@@ -122,14 +122,14 @@ AssertionResult tracker_blinks() {
 Felt with_swapped_hands(Person person, const std::function<bool(double)>& swapped, double& shown_m) {
   LoopScene scene;
   scene.person = std::move(person);
-  scene.operate = [](double now_s, station::HapticLoop& loop) {
+  scene.operate = [](double now_s, loop::HapticLoop& loop) {
     if (now_s > 3.0 && now_s < 3.001) loop.rearm();
   };
   scene.tracker = [&](int tick, double now_s, const Point<HapticBase>& hand) {
     if (tick % LoopScene::kTicksPerSample != 0) return std::vector<TrackedHand>{};
     return std::vector<TrackedHand>{{now_s, {hand.m + (swapped(now_s) ? 0.3 : 0.0) * Eigen::Vector3d::UnitX()}}};
   };
-  scene.watch = [&](const station::HapticLoop::Act& act, double, const auto&, const device::SimulatedPair& pair) {
+  scene.watch = [&](const loop::HapticLoop::Act& act, double, const auto&, const device::SimulatedPair& pair) {
     shown_m = std::max(shown_m, std::abs(act.sample.hand[0] - pair.true_hand().m.x()));
   };
   return feel(scene);
@@ -168,7 +168,7 @@ AssertionResult jumps_that_last() {
   double faulted_s = 9.0;
   double off_m = 0.0;
   std::uint64_t counted = 0;
-  scene.watch = [&](const station::HapticLoop::Act& act, double now_s, const station::HapticLoop& loop,
+  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s, const loop::HapticLoop& loop,
                     const device::SimulatedPair& pair) {
     if (act.control.phase == Phase::Faulted) faulted_s = std::min(faulted_s, now_s);
     off_m = std::max(off_m, std::abs(act.sample.hand[0] - pair.true_hand().m.x()));
@@ -213,7 +213,7 @@ AssertionResult jittered() {
   };
   double sigma_m = 0.0;
   double error_m = 0.0;
-  scene.watch = [&](const station::HapticLoop::Act& act, double now_s, const station::HapticLoop& loop,
+  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s, const loop::HapticLoop& loop,
                     const device::SimulatedPair& pair) {
     if (now_s < 1.0) return;
     sigma_m = std::max(sigma_m, loop.compensation().hand_sigma_m);
@@ -317,8 +317,7 @@ std::vector<HardCase> hand_rows() {
       {"tracker loses the hand in contact", "force without a tracked hand", "slow release, felt again when back",
        tracker_loses_it},
       {"tracker blinks in contact", "no sample for 80 of 100 ms", "no release", tracker_blinks},
-      {"tracker swaps hands for a moment", "the pose jumps 0.3 m and back", "rejected, no step",
-       swapped_for_a_moment},
+      {"tracker swaps hands for a moment", "the pose jumps 0.3 m and back", "rejected, no step", swapped_for_a_moment},
       {"tracker swaps hands for good", "the pose jumps 0.3 m and stays",
        "held, a fault; re-armed, followed at a bounded speed", swapped_for_good},
       {"tracker jumps about", "no sample can follow from the one before", "held, counted, then a fault",

@@ -51,25 +51,24 @@ struct LoopScene {
   /// Replaces the true reading of the device's encoders at `now_s`.
   std::function<void(double now_s, ports::DeviceReading&)> encoders = [](double, ports::DeviceReading&) {};
   /// What an operator does at `now_s`.
-  std::function<void(double now_s, station::HapticLoop&)> operate = [](double, station::HapticLoop&) {};
-  std::function<void(const station::HapticLoop::Act&, double now_s, const station::HapticLoop&,
-                     const device::SimulatedPair&)>
-      watch = [](const station::HapticLoop::Act&, double, const station::HapticLoop&, const device::SimulatedPair&) {};
+  std::function<void(double now_s, loop::HapticLoop&)> operate = [](double, loop::HapticLoop&) {};
+  std::function<void(const loop::HapticLoop::Act&, double now_s, const loop::HapticLoop&, const device::SimulatedPair&)>
+      watch = [](const loop::HapticLoop::Act&, double, const loop::HapticLoop&, const device::SimulatedPair&) {};
 };
 
 inline SessionTime at_s(double seconds) { return session_time(4'000'000'000'000) + from_seconds(seconds); }
 
 inline Felt feel(const LoopScene& scene) {
-  station::HapticLoop loop({}, control::EncounteredController({}, scene.effects));
+  loop::HapticLoop loop({}, control::EncounteredController({}, scene.effects));
   device::SimulatedPair pair({}, {});
   pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
-  std::shared_ptr<station::PlaneSnapshot> shown;
+  std::shared_ptr<loop::PlaneSnapshot> shown;
   Felt felt;
   for (int tick = 0; tick * LoopScene::kTick_s < scene.seconds; ++tick) {
     const double now_s = tick * LoopScene::kTick_s;
     if (const auto seen = scene.camera(tick, now_s)) {
-      auto newer = std::make_shared<station::PlaneSnapshot>(Eigen::Vector3d::UnitY() * seen->height_m,
-                                                            Eigen::Vector3d::UnitY(), 1.0);
+      auto newer = std::make_shared<loop::PlaneSnapshot>(Eigen::Vector3d::UnitY() * seen->height_m,
+                                                         Eigen::Vector3d::UnitY(), 1.0);
       newer->captured = at_s(seen->captured_s);
       loop.adopt({newer, {}}, at_s(now_s));
       shown = std::move(newer);  // the earlier one must stay alive until the next adopt()

@@ -59,11 +59,11 @@ struct MovingSkinScene {
   effects::EffectBank effects = the_skin();
   Person person = presses_to(0.03);
   std::function<MovingSkin::Shape(double now_s)> skin;
-  std::function<void(const station::HapticLoop::Act&, double now_s)> watch = [](const auto&, double) {};
+  std::function<void(const loop::HapticLoop::Act&, double now_s)> watch = [](const auto&, double) {};
 };
 
 inline Felt feel(const MovingSkinScene& scene) {
-  station::HapticLoop loop({}, control::EncounteredController({}, scene.effects));
+  loop::HapticLoop loop({}, control::EncounteredController({}, scene.effects));
   device::SimulatedPair pair({}, {});
   pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
   std::shared_ptr<MovingSkin> shown;

@@ -23,7 +23,7 @@ AssertionResult step_by_10_mm() {
       scene.skin = [=](double now_s) { return MovingSkin::Shape{.flat_m = now_s < 3.0 ? 0.0 : step_m}; };
       double last_N = 0.0;
       double reached_s = 1e9;
-      scene.watch = [&](const station::HapticLoop::Act& act, double now_s) {
+      scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
         const double force_N = act.force.N.norm();
         if (now_s > 2.5) worst_N = std::max(worst_N, std::abs(force_N - last_N));
         last_N = force_N;
@@ -54,7 +54,7 @@ AssertionResult rubbed_in_step_with_the_breath() {
   double first_x_m = 0.0;
   double worst_m = 0.0;
   bool touched = false;
-  scene.watch = [&](const station::HapticLoop::Act& act, double now_s) {
+  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
     if (!control::is_inside(act.control.phase)) return;
     if (!std::exchange(touched, true)) first_x_m = act.contact.proxy.m.x();
     if (now_s < 60.0) return;
@@ -81,7 +81,7 @@ AssertionResult off_the_rim() {
   };
   double on_it_N = 0.0;
   double beyond_N = 0.0;
-  scene.watch = [&](const station::HapticLoop::Act& act, double now_s) {
+  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
     const double push_N = act.contact.in_body ? act.force.N.norm() : 0.0;
     if (now_s > 2.0 && now_s < 2.5) on_it_N = std::max(on_it_N, push_N);
     if (act.contact.support < 0.5 && act.contact.in_body) beyond_N = std::max(beyond_N, push_N);
@@ -96,7 +96,7 @@ AssertionResult off_the_rim() {
 AssertionResult gap_in_contact() {
   for (const auto anchor : {effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding}) {
     const effects::SkinLaw law = effects::linear_law(300.0);
-    station::HapticLoop loop({}, control::EncounteredController({}, the_skin({.law = law, .anchor = anchor})));
+    loop::HapticLoop loop({}, control::EncounteredController({}, the_skin({.law = law, .anchor = anchor})));
     device::SimulatedPair pair({}, {});
     pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
     std::shared_ptr<MovingSkin> shown;

@@ -26,7 +26,7 @@ int number_of(const wire::Message& message) { return static_cast<int>((message.p
 struct Watcher {
   std::function<bool(int)> takes;  ///< true: it takes the waiting messages at the time of that frame
   std::function<bool(int)> loses;  ///< true: that frame is lost after the hub
-  server::SubscriberId id = 0;
+  hub::SubscriberId id = 0;
   codec::DepthDecoder decoder{};
   wire::KeyFrameRequest request{};
   int shown = 0;
@@ -36,7 +36,7 @@ struct Watcher {
 };
 
 struct Site {
-  server::Hub hub;
+  hub::Hub hub;
   codec::DepthEncoder encoder;
   wire::KeyFramePacing pacing;
   int keys = 0;

@@ -7,7 +7,7 @@
 #include "server/capture/openni/reconnecting_source.h"
 #include "server/capture/openni/timestamp_map.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 using std::chrono::microseconds;
@@ -221,4 +221,4 @@ TEST(ReconnectingSource, AnEndedRecordingStaysEndedAndKeepsItsCallerWaiting) {
 }
 
 }  // namespace
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -13,7 +13,7 @@
 #include "server/pipeline/camera_messages.h"
 #include "support/images/image_file.h"
 #include "where.h"
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr Nanoseconds kPatience{2'000'000'000};
@@ -242,9 +242,9 @@ void record(const std::string& spec, const std::string& to, int frames,
     const auto frame = (*source)->next(kPatience);
     ASSERT_TRUE(frame);
     const SessionTime at = frame->captured;
-    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraInfo, at, calibration_message(*frame))).ok());
-    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraColor, at, color_message(*frame, 85))).ok());
-    const msg::DepthImage image = depth_message(*frame, encoder.encode(frame->depth));
+    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraInfo, at, pipeline::calibration_message(*frame))).ok());
+    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraColor, at, pipeline::color_message(*frame, 85))).ok());
+    const msg::DepthImage image = pipeline::depth_message(*frame, encoder.encode(frame->depth));
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, at, image)).ok());
   }
   ASSERT_TRUE(writer->close().ok());
@@ -346,11 +346,11 @@ TEST(DepthMessage, StatesThatTheErrorOfItsDepthIsUnknown) {
     codec::EncodedDepth encoded;
     encoded.mode = mode;
     if (mode == codec::DepthMode::Bounded) encoded.bound = codec::kOneDisparityStep;
-    const wire::DepthFidelity fidelity = wire::depth_fidelity(depth_message(frame, encoded));
+    const wire::DepthFidelity fidelity = wire::depth_fidelity(pipeline::depth_message(frame, encoded));
     EXPECT_TRUE(fidelity.moved);
     EXPECT_FALSE(fidelity.within);
   }
 }
 
 }  // namespace
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

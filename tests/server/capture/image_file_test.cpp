@@ -10,7 +10,7 @@
 #include "server/capture/images/image_listing.h"
 #include "where.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 namespace fs = std::filesystem;
@@ -286,4 +286,4 @@ TEST_F(CameraFile, EachMistakeIsNamed) {
 }
 
 }  // namespace
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -5,7 +5,7 @@
 
 #include "server/capture/synthetic/shape/mesh.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 Result<TriangleMesh> parsed(const std::string& text, const std::string& name) {
@@ -74,4 +74,4 @@ TEST(Mesh, FlippedBytesNeverCrash) {
 }
 
 }  // namespace
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

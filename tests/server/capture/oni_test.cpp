@@ -13,7 +13,7 @@
 #include "tests/support/child_process.h"
 #include "where.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 namespace fs = std::filesystem;
@@ -174,4 +174,4 @@ TEST(CodecProgram, ADamagedRecordingIsRefusedOrEncodedWithANoteAndLeavesNothingH
 }
 
 }  // namespace
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

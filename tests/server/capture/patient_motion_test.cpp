@@ -8,7 +8,7 @@
 #include "server/capture/synthetic/synthetic_patient.h"
 #include "support/program/files/shipped.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr double kStep_s = 1e-4;
@@ -123,4 +123,4 @@ TEST(SyntheticSpec, TakesEveryMotionByItsNameAndRefusesOthers) {
 }
 
 }  // namespace
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

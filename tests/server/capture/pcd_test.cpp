@@ -9,7 +9,7 @@
 #include "support/models/lzf.h"
 #include "where.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 const std::string kData = TELEPALP_SOURCE_DIR "/tests/data/pcd/";
@@ -199,4 +199,4 @@ TEST(Lzf, RandomBytesNeitherCrashNorRunOver) {
 }
 
 }  // namespace
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 /// One torso for all tests: reading and smoothing it takes longer than most of them.
@@ -282,4 +282,4 @@ TEST(SyntheticPatient, RefusesAnInvalidMeshOrSetting) {
 }
 
 }  // namespace
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

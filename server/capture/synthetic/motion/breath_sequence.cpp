@@ -7,7 +7,7 @@
 #include "server/capture/synthetic/motion/quintic_step.h"
 #include "server/capture/synthetic/motion/seeded_draw.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr int kBreaths = 256;
@@ -73,4 +73,4 @@ Breath BreathSequence::at(double time_s, double speed) const noexcept {
   return now;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

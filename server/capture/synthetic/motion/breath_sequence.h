@@ -5,7 +5,7 @@
 
 #include "server/capture/synthetic/motion/breathing.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Parameters of a random sequence of breaths. Shares are relative to one breath's duration.
 struct BreathStyle {
@@ -50,4 +50,4 @@ class BreathSequence {
   std::vector<double> ends_s_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

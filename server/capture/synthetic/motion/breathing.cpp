@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 Breath breath_at(SessionTime time, double amplitude_m, double rate_hz) noexcept {
   // Session time counts from 1970. Whole breaths are subtracted first, so that the sine keeps its precision.
@@ -14,4 +14,4 @@ Breath breath_at(SessionTime time, double amplitude_m, double rate_hz) noexcept 
           .speed_m_per_s = amplitude_m * 4.0 * sine * sine * sine * std::cos(angle) * std::numbers::pi * rate_hz};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

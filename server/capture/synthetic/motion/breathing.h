@@ -2,7 +2,7 @@
 
 #include "proto/words/time.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Displacement of the belly by breathing.
 struct Breath {
@@ -15,4 +15,4 @@ struct Breath {
 /// full exhale.
 [[nodiscard]] Breath breath_at(SessionTime time, double amplitude_m, double rate_hz) noexcept;
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -6,7 +6,7 @@
 #include "server/capture/synthetic/motion/quintic_step.h"
 #include "server/capture/synthetic/motion/seeded_draw.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr std::array kMotions{Motion::Regular, Motion::Irregular, Motion::Cough, Motion::Hold,
@@ -163,4 +163,4 @@ PatientPose PatientMotion::at(SessionTime time) const noexcept {
   return pose;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

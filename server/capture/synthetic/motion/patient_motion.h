@@ -9,7 +9,7 @@
 #include "server/capture/synthetic/motion/breath_sequence.h"
 #include "server/capture/synthetic/motion/patient_pose.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Kinds of motion of the patient. All but Regular breathe irregularly.
 enum class Motion {
@@ -45,4 +45,4 @@ class PatientMotion {
   BreathSequence breaths_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

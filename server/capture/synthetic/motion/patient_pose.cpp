@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 BodyRise body_rise(const PatientPose& pose, double towards_head_m) noexcept {
   constexpr double kHips_m = -0.28;   // the body bends at the hips; negative: towards the feet from the image's middle
@@ -15,4 +15,4 @@ BodyRise body_rise(const PatientPose& pose, double towards_head_m) noexcept {
           .per_m = pose.tilt * 0.5 * (1.0 + from_hips_m / root_m)};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

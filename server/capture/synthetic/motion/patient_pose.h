@@ -4,7 +4,7 @@
 
 #include "server/capture/synthetic/motion/breathing.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Pose of the patient at one instant, with its rate of change. All zero: at rest at full exhale.
 struct PatientPose {
@@ -30,4 +30,4 @@ struct BodyRise {
 /// The rise of the point that lies `towards_head_m` from the image's middle.
 [[nodiscard]] BodyRise body_rise(const PatientPose& pose, double towards_head_m) noexcept;
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

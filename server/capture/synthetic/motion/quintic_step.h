@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// A value with its rate of change.
 struct Changing {
@@ -17,4 +17,4 @@ struct Changing {
   return {.value = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x), .rate = 30.0 * x * x * (1.0 - x) * (1.0 - x)};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// A random number, uniform in [least, most), as a pure function of (seed, event, which): any event of a motion can be
 /// drawn without the events before it. The mixing function is SplitMix64's.
@@ -16,4 +16,4 @@ namespace telepalp::server {
   return least + (most - least) * (static_cast<double>(z >> 11U) * 0x1.0p-53);
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

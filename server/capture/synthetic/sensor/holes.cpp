@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr float kProjectorToTheRight_m = 0.075F;
@@ -49,4 +49,4 @@ std::vector<std::uint8_t> hole_map(const std::vector<float>& depth_m, const Intr
   return hole;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -7,7 +7,7 @@
 #include "server/capture/synthetic/sensor/holes.h"
 #include "support/sensor/pixel_noise.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 sensor::DepthSensorSettings sensor_of(const SyntheticSettings& settings) {
@@ -83,4 +83,4 @@ void add_color_noise(std::vector<std::uint8_t>& rgb, std::int64_t instant, std::
   }
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

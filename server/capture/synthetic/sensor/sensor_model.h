@@ -9,7 +9,7 @@
 #include "server/capture/synthetic/shape/settings.h"
 #include "support/sensor/depth_sensor.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Simulates the depth sensor. Per-pixel tables are computed once, so that a frame costs one multiplication and one
 /// comparison per pixel.
@@ -41,4 +41,4 @@ class SensorModel {
 /// Adds brightness noise of at most 3 of 255 to a colour image; equal `instant` and `seed` give equal noise.
 void add_color_noise(std::vector<std::uint8_t>& rgb, std::int64_t instant, std::uint64_t seed);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -7,7 +7,7 @@
 #include "proto/words/cubic_b_spline.h"
 #include "proto/words/demand.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 ImageField::ImageField(int width, int height, std::vector<float> control)
     : width_(width), height_(height), control_(std::move(control)) {
   demand(control_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height), "one value a pixel");
@@ -37,4 +37,4 @@ ImageField::Sample ImageField::at(double u, double v) const noexcept {
   return sample;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// A smooth scalar over the image plane: a uniform cubic B-spline (twice continuously differentiable) with its control
 /// values at the pixel centres. Beyond the border the nearest border value is used.
@@ -30,4 +30,4 @@ class ImageField {
   std::vector<float> control_;
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

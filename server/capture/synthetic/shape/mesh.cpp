@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <utility>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 Result<TriangleMesh> mesh_of(models::PointModel model, const std::string& name) {
   constexpr const char* kFix = "give a mesh of triangles, as PLY or OBJ";
@@ -34,4 +34,4 @@ std::vector<Eigen::Vector3f> vertex_normals(const TriangleMesh& mesh) {
   return normals;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

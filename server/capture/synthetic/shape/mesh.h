@@ -10,7 +10,7 @@
 #include "proto/words/result.h"
 #include "support/models/point_model.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// Triangles over shared vertices [m]: y towards the patient's head, +z out of the patient's front.
 struct TriangleMesh {
@@ -27,4 +27,4 @@ struct TriangleMesh {
 /// One unit normal per vertex: the area-weighted mean of its triangles' normals; zero for a vertex without triangles.
 [[nodiscard]] std::vector<Eigen::Vector3f> vertex_normals(const TriangleMesh& mesh);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

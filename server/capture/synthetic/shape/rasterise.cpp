@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr float kShapeFactor = 0.75F;
@@ -74,4 +74,4 @@ std::vector<float> rasterise(const TriangleMesh& mesh, const Intrinsics& camera)
   return depth;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

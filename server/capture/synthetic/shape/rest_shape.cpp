@@ -8,7 +8,7 @@
 #include "server/capture/synthetic/shape/rasterise.h"
 #include "server/capture/synthetic/shape/smooth.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr double kSmoothing_m = 0.005;       // smooths facets of 13 mm and keeps the navel
@@ -104,4 +104,4 @@ Result<RestShape> lay_under_camera(const TriangleMesh& mesh, const Intrinsics& c
   return shape;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

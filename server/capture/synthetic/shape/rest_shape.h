@@ -5,7 +5,7 @@
 #include "server/capture/synthetic/shape/image_field.h"
 #include "server/capture/synthetic/shape/mesh.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// The scene at full exhale, as a smooth depth per camera ray. Breathing multiplies the depth along each ray. Surfaces
 /// that the camera cannot see are not represented.
@@ -47,4 +47,4 @@ struct RestShape {
 [[nodiscard]] Result<RestShape> lay_under_camera(const TriangleMesh& mesh, const Intrinsics& camera,
                                                  double camera_above_body_m, const std::string& where);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

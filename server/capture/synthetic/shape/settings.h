@@ -6,7 +6,7 @@
 #include "server/capture/synthetic/motion/patient_motion.h"
 #include "support/sensor/depth_sensor.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 using sensor::DepthNoise;
 
@@ -25,4 +25,4 @@ struct SyntheticSettings {
   std::uint64_t seed = 1;       ///< of the noise and of the motion
 };
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 std::vector<float> gaussian_kernel(double sigma_px) {
@@ -68,4 +68,4 @@ std::vector<float> masked_blur(const std::vector<float>& image, const std::vecto
   return weighted;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

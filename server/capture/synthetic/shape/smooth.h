@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 struct ImageSize {
   int width = 0;
@@ -17,4 +17,4 @@ struct ImageSize {
 [[nodiscard]] std::vector<float> masked_blur(const std::vector<float>& image, const std::vector<float>& mask,
                                              ImageSize size, double sigma_px, float elsewhere);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -6,7 +6,7 @@
 #include "server/capture/synthetic/synthetic_patient.h"
 #include "support/program/files/shipped.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr Nanoseconds kPeriod{33'333'333};  // 30 Hz
@@ -54,4 +54,4 @@ Result<std::unique_ptr<CaptureSource>> open_synthetic(const std::string& model, 
       std::make_unique<SyntheticSource>(std::move(*patient), file->filename().string(), options)};
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace telepalp::server {
+namespace telepalp::capture {
 namespace {
 
 constexpr double kMm = 0.001;
@@ -109,4 +109,4 @@ Result<SyntheticSpec> parse_synthetic_spec(const std::string& text) {
   return spec;
 }
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture

@@ -5,7 +5,7 @@
 #include "proto/words/result.h"
 #include "server/capture/synthetic/shape/settings.h"
 
-namespace telepalp::server {
+namespace telepalp::capture {
 
 /// The parsed source `synthetic:…`.
 struct SyntheticSpec {
@@ -17,4 +17,4 @@ struct SyntheticSpec {
 /// value out of range, reported with the range.
 [[nodiscard]] Result<SyntheticSpec> parse_synthetic_spec(const std::string& text);
 
-}  // namespace telepalp::server
+}  // namespace telepalp::capture
