@@ -8,7 +8,6 @@
 #include "server/capture/oni/recording.h"
 
 using namespace telepalp;
-using namespace telepalp::server;
 
 /// An .oni recording: either an error that says what, where and how to fix it, or images that lie within the file; each
 /// depth image decodes to whole rows or to an error.
