@@ -101,7 +101,7 @@ Result<std::optional<access::Access::Options>> key_options(const program::Argume
                                                  .say = [](const std::string& text) { program::log(kProgram, text); }});
   for (const char* option : {"revoked", "audit"})
     if (arguments.has(option))
-      return Error{.what = "this is of use with a key alone",
+      return Error{.what = "this option has no effect without --key",
                    .where = "--" + std::string(option),
                    .fix = "add --key FILE, or leave it out"};
   return std::optional<access::Access::Options>{};

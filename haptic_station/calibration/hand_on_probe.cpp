@@ -22,7 +22,8 @@ std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name
                    "leave out poses that the tracker or the device has lost");
   const Matrix3d r = pose.linear();
   if ((r * r.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() > kRotationError)
-    return refusal(name + " is no rotation: its axes are not square or not of length one", "give a rotation matrix");
+    return refusal(name + " is no rotation: its axes are not perpendicular, or not of length one",
+                   "give a rotation matrix");
   if (r.determinant() < 0.0)
     return refusal(name + " is mirrored (determinant -1)", "check the sign of each axis: frames are right-handed");
   return std::nullopt;

@@ -143,7 +143,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
     return refusal("one set is the mirror image of the other (rank 3, determinant negative)",
                    "check the sign of each axis: both frames must be right-handed");
   if (settings.rotation_by == RotationBy::AffinePolar && rank < 3)
-    return refusal("the places lie in a plane (rank 2); an affine fit needs rank 3", "use the covariance");
+    return refusal("the places lie in a plane (rank 2); an affine fit needs rank 3", "choose RotationBy::Covariance");
 
   Registration fit;
   fit.rank = rank;

@@ -32,7 +32,8 @@ class FieldCheck {
     }
     complain(std::string(field) + " is " + text(value) + " " + std::string(range.unit) + ", outside " +
                  text(range.least) + " to " + text(range.most) + " " + std::string(range.unit),
-             "give " + std::string(field) + " in " + std::string(range.unit) + " within that range",
+             "give " + std::string(field) + " in " + std::string(range.unit) + " from " + text(range.least) + " to " +
+                 text(range.most),
              places_.where(file_, field, value));
   }
 

@@ -63,7 +63,7 @@ Result<Trace> parse_trace(std::string_view text, std::string_view where) {
                  .fix = "write the header " + std::string(kHeader) + " and rows such as 0,50,5,1,2000"};
   };
   if (text.size() > kMostBytes) return wrong(1, "the trace is longer than 1 MiB");
-  if (take_line(text) != kHeader) return wrong(1, "the header is another one");
+  if (take_line(text) != kHeader) return wrong(1, "the first line is not the header");
   Trace trace;
   for (std::size_t line = 2; !text.empty(); ++line) {
     Figures figures{};

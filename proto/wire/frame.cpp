@@ -65,9 +65,10 @@ Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payl
       header.kind == FrameKind::Control ? std::min(kMaxControlBytes, max_payload_bytes) : max_payload_bytes;
   if (header.payload_bytes > most)
     return refused("declares " + std::to_string(header.payload_bytes) + " B, at most " + std::to_string(most) +
-                   " B are taken");
+                   " B are accepted");
   if ((header.kind == FrameKind::Control) != (header.channel == 0))
-    return refused("channel " + std::to_string(header.channel) + " does not fit the kind; 0 is control's");
+    return refused("channel " + std::to_string(header.channel) +
+                   " does not fit the kind: only control frames have channel 0");
   return header;
 }
 

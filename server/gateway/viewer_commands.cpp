@@ -19,7 +19,8 @@ Error refused(std::string what) {
 Result<void> ViewerCommands::advertise(const foxglove::Request::Channel& channel) {
   if (channel.topic != wire::kViewerHand.name)
     return refused("viewers may not publish '" + channel.topic.substr(0, 64) + "'");
-  if (channel.encoding != "protobuf") return refused("encoding '" + channel.encoding.substr(0, 64) + "' is not taken");
+  if (channel.encoding != "protobuf")
+    return refused("encoding '" + channel.encoding.substr(0, 64) + "' is not supported");
   if (channels_.size() >= kMaxChannels && !channels_.contains(channel.id)) return refused("too many channels");
   channels_.insert(channel.id);
   return {};

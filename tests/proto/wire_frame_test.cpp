@@ -177,13 +177,13 @@ TEST(FrameHeader, EachFieldThatVersionOneDoesNotKnowIsRefusedByName) {
   EXPECT_EQ(with(5, 3), "kind 3 is unknown");
   EXPECT_EQ(with(6, 1), "flags are set that version 1 does not have");
   EXPECT_EQ(with(7, 128), "flags are set that version 1 does not have");
-  EXPECT_EQ(with(5, 1), "channel 3 does not fit the kind; 0 is control's");
-  EXPECT_EQ(with(24, 0), "channel 0 does not fit the kind; 0 is control's");
+  EXPECT_EQ(with(5, 1), "channel 3 does not fit the kind: only control frames have channel 0");
+  EXPECT_EQ(with(24, 0), "channel 0 does not fit the kind: only control frames have channel 0");
 }
 
 TEST(FrameHeader, ControlIsHeldToItsOwnSmallerLimit) {
   const HeaderBytes header = encode_header({.payload_bytes = kMaxControlBytes + 1, .kind = FrameKind::Control});
-  EXPECT_EQ(refusal(header), "declares 16385 B, at most 16384 B are taken");
+  EXPECT_EQ(refusal(header), "declares 16385 B, at most 16384 B are accepted");
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(HostilePeer, APayloadBeyondWhatAStationMaySendIsRefused) {
       answer_to(
           control_frame(hello()) +
           frame_bytes({.payload_bytes = hub::kMaxUpstreamBytes + 1, .kind = wire::FrameKind::Data, .channel = 1}, "")),
-      "declares 1048577 B, at most 1048576 B are taken");
+      "declares 1048577 B, at most 1048576 B are accepted");
 }
 
 TEST(HostilePeer, GarbageIsRefused) {

@@ -32,8 +32,8 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
     return Error{.what = "has " + std::to_string(at) + " frames, the first " + std::to_string(frames.size()),
                  .where = second.string(),
                  .fix = "give two inputs of one recording"};
-  std::printf("%zu frames: max error %.3f mm, RMS %.3f mm, %zu validity flips\n", at, difference.worst_mm(),
-              difference.rms_mm(), difference.flips());
+  std::printf("%zu frames: max error %.3f mm, RMS %.3f mm, %zu pixels measured in one input only\n", at,
+              difference.worst_mm(), difference.rms_mm(), difference.flips());
   if (!bound) return {};
   if (difference.beyond() > 0)
     return Error{.what = std::to_string(difference.beyond()) + " pixels are beyond the bound, the first in " +

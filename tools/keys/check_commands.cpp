@@ -36,7 +36,7 @@ Result<std::string> verify_audit(const Asked& asked) {
   }
   return asked.file + ": " + std::to_string(verifier.position().lines) +
          " lines, none altered\nlast hash:  " + verifier.position().hash +
-         "\nIf lines were removed at the end, an earlier last hash stands no longer in the file.\n";
+         "\nTo see that no lines were removed at the end, find a last hash that you noted earlier in the file.\n";
 }
 
 }  // namespace telepalp::keys_tool

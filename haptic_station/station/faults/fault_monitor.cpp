@@ -76,7 +76,7 @@ std::string FaultMonitor::how_to_rearm() const {
 
 void FaultMonitor::on_command(const std::string& command, const ControlSocket::Reply& reply) {
   if (command == "rearm") return rearm(reply);
-  reply("'" + command + "' is not understood. fix: rearm");
+  reply("'" + command + "' is not a command. fix: send rearm");
 }
 
 void FaultMonitor::rearm(const ControlSocket::Reply& reply) {

@@ -63,7 +63,7 @@ Result<RigChoice> read_rig_choice(const std::string& device, const std::string& 
   if (!chosen_tracker) return chosen_tracker.error();
   const bool simulated = std::holds_alternative<Simulated>(*chosen_device);
   if (!simulated && std::holds_alternative<Simulated>(*chosen_tracker))
-    return Error{.what = "a simulated tracker sees only the simulated hand, not one at " + device,
+    return Error{.what = "a simulated tracker cannot see the real hand at the device " + device,
                  .where = "--tracker",
                  .fix = "give --tracker leap, or --tracker held when the hand holds the device's grip"};
   if (simulated && std::holds_alternative<Held>(*chosen_tracker))
@@ -71,7 +71,7 @@ Result<RigChoice> read_rig_choice(const std::string& device, const std::string& 
                  .where = "--tracker",
                  .fix = "give --tracker simulated, --tracker leap or --tracker browser"};
   if (!simulated && std::holds_alternative<Browser>(*chosen_tracker))
-    return Error{.what = "a hand in a browser is not the one at " + device,
+    return Error{.what = "a hand in a browser cannot touch the real device " + device,
                  .where = "--tracker",
                  .fix = "give --device simulated with it, or --tracker leap, or --tracker held"};
   return RigChoice{*chosen_device, *chosen_tracker};

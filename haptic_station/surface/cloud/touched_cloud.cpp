@@ -77,7 +77,7 @@ Error too_noisy(const CloudNoise& noise) {
 Error no_side(const std::string& what) {
   return {.what = what + "; the cloud is open, so that its outside is not known",
           .where = "model",
-          .fix = "orient the normals, leave them out if a camera stood at the origin, or do the same by --anyway"};
+          .fix = "orient the normals; if a camera stood at the origin, leave the normals out or give --anyway"};
 }
 
 /// A cloud while its normals are settled.
@@ -121,7 +121,7 @@ Result<void> settle_open(Settling& cloud, const CloudOrientation& orientation) {
   const double against = orientation.against_neighbors();
   if (against > kMostMended || (against > kFew && !orientation.is_consistent())) {
     const std::string what = text("%.0f %% of the normals contradict their neighbours", 100.0 * against);
-    if (!cloud.settings.anyway) return no_side("has normals of no common side: " + what);
+    if (!cloud.settings.anyway) return no_side("has normals that point to different sides of the surface: " + what);
     say(cloud.remarks, what);
     estimate_normals(cloud);
     return {};

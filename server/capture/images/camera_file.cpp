@@ -38,7 +38,7 @@ Result<RecordedCamera> checked(const msg::CameraFile& file, const program::Numbe
   camera.model.color = file.has_color() ? intrinsics_of(file.color()) : camera.model.depth;
   camera.model.color_registered = file.color_registered();
   if (!is_well_formed(camera.model.depth) || !is_well_formed(camera.model.color))
-    return wrong("has no usable pinhole", "give depth { width: … height: … fx: … fy: … cx: … cy: … } in pixels");
+    return wrong("has no usable intrinsics", "give depth { width: … height: … fx: … fy: … cx: … cy: … } in pixels");
   if (camera.model.depth.width != width || camera.model.depth.height != height)
     return wrong("is for " + size_text(camera.model.depth.width, camera.model.depth.height) +
                      " pixels, the depth images have " + size_text(width, height),

@@ -74,7 +74,7 @@ Result<void> check_numbers(const std::vector<Image>& depth, const std::string& w
   for (std::size_t i = 1; i < depth.size(); ++i) {
     if (*depth[i].number == *depth[i - 1].number)
       return bad(where, depth[i - 1].file.string() + " and " + depth[i].file.string() + " have the same number",
-                 "leave one of them");
+                 "keep one of them");
     step = std::min(step, *depth[i].number - *depth[i - 1].number);
   }
   for (std::size_t i = 1; i < depth.size(); ++i)

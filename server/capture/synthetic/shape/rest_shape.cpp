@@ -100,7 +100,8 @@ Result<RestShape> lay_under_camera(const TriangleMesh& mesh, const Intrinsics& c
   }
   shape.body_depth_m = ImageField{size.width, size.height, std::move(smooth)};
   shape.body_cover = ImageField{size.width, size.height, blur(std::move(mask), size, kSilhouette_px)};
-  if (!shape.meets_body(camera.cx, camera.cy)) return unusable(where, "has nothing below the camera's middle");
+  if (!shape.meets_body(camera.cx, camera.cy))
+    return unusable(where, "has no surface in the middle of the camera's image");
   return shape;
 }
 
