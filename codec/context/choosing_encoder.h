@@ -3,19 +3,19 @@
 #include "codec/context/interleaved_slices.h"
 
 // Near-lossless encoding of four slices in lockstep: each pixel may take one of several ranks and takes the one that
-// its model codes in the fewest bits. Internal linkage: see range_coder.h.
+// its model codes in the fewest bits. Internal linkage: several instruction sets compile this header (range_coder.h).
 
 namespace telepalp::codec {
 namespace {
 
-/// The symbols that code four steps from the prediction.
+/// The symbols that code four differences between rank and prediction (steps), one per lane.
 inline LaneVector symbols_for(LaneVector steps) {
   const LaneVector size = greatest(steps, -steps);
   const LaneVector near = size + size - (steps < 0);
   return size > int{kLargestStep} ? LaneVector{} + int{kFarther} : near;
 }
 
-/// The least and the greatest rank that each pixel of one interleaved row may take. Gaps have 0 and 65 535: any rank.
+/// The least and greatest rank that each pixel of one interleaved row may take; 0 and 65 535 (any rank) in gaps.
 struct RankBounds {
   uint16_t* least = nullptr;
   uint16_t* most = nullptr;
@@ -110,7 +110,7 @@ struct ChoosingEncoder {
   }
 
   /// Each pixel takes the likelier of its two candidate ranks. A candidate's likelihood is halved for each neighbour
-  /// that cannot take the same rank, because that neighbour will need a step.
+  /// that cannot take the same rank, because coding that neighbour costs a step to another rank.
   template <bool kDependent, int kRate>
   void encode_row(const InterleavedRows& rows, const RankBounds& bounds, const uint16_t* weights, int width,
                   const uint8_t* group_of) {
@@ -226,7 +226,7 @@ void choose_and_encode(EncodeSlice* slices, int count, int width, const ContextT
   }
 }
 
-/// Encodes losslessly, or near-losslessly where the slices state greatest ranks.
+/// Encodes losslessly; near-losslessly when the slices hold the greatest rank of each pixel (`most`).
 template <class Vector>
 void encode_or_choose(EncodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch) {
   if (slices[0].most == nullptr) return encode<Vector>(slices, count, width, tables, scratch);

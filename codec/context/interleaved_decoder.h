@@ -3,7 +3,7 @@
 #include "codec/context/interleaved_slices.h"
 
 // Decodes four slices of equal height in lockstep. Predictions and contexts are computed for four lanes at once; only
-// the symbols are decoded lane by lane. Internal linkage: see range_coder.h.
+// the symbols are decoded lane by lane. Internal linkage: several instruction sets compile this header (range_coder.h).
 
 namespace telepalp::codec {
 namespace {

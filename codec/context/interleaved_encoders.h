@@ -3,7 +3,7 @@
 #include "codec/context/kernel.h"
 #include "codec/simd/lane_vector.h"
 
-// Four range encoders in lockstep, their state in SIMD registers. Internal linkage: see range_coder.h.
+// Four range encoders in lockstep, in SIMD registers. Internal linkage: several instruction sets compile this header.
 
 namespace telepalp::codec {
 namespace {

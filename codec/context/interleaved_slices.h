@@ -6,7 +6,7 @@
 
 // Four slices in lockstep, shared by the interleaved decoder and the near-lossless encoder. Neighbours, predictions and
 // contexts of four lanes lie in one register each; the rows above are interleaved, four numbers a pixel. Internal
-// linkage: see range_coder.h.
+// linkage, because this header is compiled for several instruction sets (codec/entropy/range_coder.h).
 
 namespace telepalp::codec {
 namespace {

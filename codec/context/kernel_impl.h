@@ -4,8 +4,8 @@
 #include "codec/context/slice_state.h"
 #include "proto/words/vectorised.h"
 
-// The coder's inner loop, compiled once for each instruction set: `Vector` supplies symbol search and model update.
-// Internal linkage: see range_coder.h.
+// The coder's inner loop. The parameter `Vector` supplies the symbol search and model update of an instruction set.
+// Internal linkage, because this header is compiled for several instruction sets (codec/entropy/range_coder.h).
 
 namespace telepalp::codec {
 namespace {
@@ -24,7 +24,7 @@ struct RowPlan {
   uint32_t* context = nullptr;
   uint16_t* predicted = nullptr;
   uint16_t* symbol = nullptr;
-  uint16_t* before_class = nullptr;  // class of the reference frame's pixel; dependent frames only
+  uint16_t* before_class = nullptr;  // before_class() of each pixel; unused in key frames
 };
 
 template <bool kDependent, class Coder>
@@ -73,7 +73,7 @@ inline void fill_gaps(Lane<RangeEncoder>& lane, const uint16_t* ranks, int width
   const uint16_t* const above = lane.filled_above;
   memcpy(lane.measured, ranks, static_cast<size_t>(width) * sizeof(uint16_t));
   memcpy(filled, ranks, static_cast<size_t>(width) * sizeof(uint16_t));
-  filled[-1] = filled[-2] = above[0];  // the same start as begin_row() gives the decoder
+  filled[-1] = filled[-2] = above[0];  // begin_row() starts the decoder's rows with the same values
   for (int from = 0; from < width; from += 16) {
     uint32_t gaps = zeros_of(lane.measured + from);
     if (width - from < 16) gaps &= (1U << (width - from)) - 1;
@@ -89,7 +89,7 @@ inline void fill_gaps(Lane<RangeEncoder>& lane, const uint16_t* ranks, int width
   }
 }
 
-/// Computes the plan of a row. No pixel depends on another, so that the compiler vectorises the loop.
+/// Computes the plan of a row. No turn of the loop uses the result of another, so the compiler vectorises it.
 template <bool kDependent>
 inline void plan_row(const Lane<RangeEncoder>& lane, const RowPlan& plan, int width) {
   const uint16_t* const filled = lane.filled;

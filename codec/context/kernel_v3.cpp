@@ -1,4 +1,4 @@
-// The only file compiled with -march=x86-64-v3. It must not include the C++ library: see range_coder.h.
+// The only file compiled with -march=x86-64-v3. It must not include the C++ library (why: codec/entropy/range_coder.h).
 #include "codec/context/choosing_encoder.h"
 #include "codec/context/interleaved_decoder.h"
 

@@ -2,8 +2,8 @@
 
 #include "codec/model/contexts.h"
 
-// The part of a row's contexts that the rows above determine, computed for many pixels at once. Internal linkage: see
-// range_coder.h.
+// The part of a row's contexts that the rows above determine, computed for many pixels at once. Internal
+// linkage, because this header is compiled for several instruction sets (codec/entropy/range_coder.h).
 
 namespace telepalp::codec {
 namespace {

@@ -3,8 +3,8 @@
 #include "codec/context/kernel.h"
 #include "codec/context/row_contexts.h"
 
-// One slice's state in the coder's inner loop: the range coder, the models and the rows above. Internal linkage: see
-// range_coder.h.
+// One slice's state in the coder's inner loop: the range coder, the models and the rows above. Internal linkage,
+// because this header is compiled for several instruction sets (codec/entropy/range_coder.h).
 
 namespace telepalp::codec {
 namespace {

@@ -10,7 +10,7 @@
 #include "codec/entropy/range_coder.h"
 #include "codec/levels/disparity_law.h"
 
-// Range coding of a palette's levels. Internal linkage: see range_coder.h.
+// Range coding of a palette's levels. Internal linkage: several instruction sets compile this header.
 
 namespace telepalp::codec {
 namespace {

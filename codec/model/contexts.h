@@ -4,7 +4,7 @@
 
 #include "codec/entropy/range_coder.h"
 
-// Internal linkage: see codec/entropy/range_coder.h.
+// Internal linkage, because this header is compiled for several instruction sets (codec/entropy/range_coder.h).
 
 namespace telepalp::codec {
 

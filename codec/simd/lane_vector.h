@@ -9,7 +9,7 @@
 #include <wasm_simd128.h>
 #endif
 
-// Internal linkage: see codec/entropy/range_coder.h.
+// Internal linkage, because this header is compiled for several instruction sets (codec/entropy/range_coder.h).
 
 namespace telepalp::codec {
 namespace {

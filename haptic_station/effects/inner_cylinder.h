@@ -16,11 +16,11 @@ struct InnerCylinderSettings {
 /// An upright cylinder inside the body (S1 III.A), given by radius, height and the centre of its upper face. Its axis
 /// is the y axis of the haptic base (frame H).
 ///
-/// S1 switches between a force on the upper face and one on the lateral face; at the rim that is a step of stiffness
-/// times depth. Here the force is the gradient of 1/2 k s^2, where s is a smooth minimum of the depths under the upper,
-/// lower and lateral faces. Near each face it equals the paper's k times depth, and it is continuous and conservative
-/// everywhere. s is looked up at the proxy of EntrySide: past the middle, seen from the side of entry, the force is
-/// sideways alone, where S1's force to the nearest face would draw the hand to the far one.
+/// S1 switches between a force on the upper face and one on the lateral face; at the rim the force then jumps. Here the
+/// force is minus the gradient of 1/2 k s^2, where s is a smooth minimum of the depths under the upper, lower and
+/// lateral faces. Near each face it equals the paper's k times depth, and it is continuous and conservative everywhere.
+/// s is evaluated at the proxy of EntrySide, which stays in the half where the hand entered. S1's force, which points
+/// to the nearest face, would draw a hand that has passed the middle out through the far face.
 class InnerCylinder {
  public:
   static constexpr const char* kName = "cylinder";

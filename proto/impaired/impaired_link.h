@@ -14,9 +14,9 @@ namespace telepalp::impaired {
 
 struct Packet {
   std::vector<std::byte> bytes;
-  std::uint64_t flow = 0;  ///< the sender's choice; it comes back with the packet
-  /// True: a segment of a TCP stream. It is neither lost nor damaged nor overtaken. A loss delays it, and all segments
-  /// behind it, by the round trip of a retransmission.
+  std::uint64_t flow = 0;  ///< number that the caller of send() gives its stream or pair of sockets
+  /// True: a segment of a TCP stream. It is neither lost nor damaged nor overtaken. A loss delays this segment, and all
+  /// segments behind it, by the round trip of a retransmission.
   bool stream = false;
 };
 

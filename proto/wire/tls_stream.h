@@ -15,11 +15,11 @@ using TlsSettings = std::shared_ptr<boost::asio::ssl::context>;
 
 [[nodiscard]] Result<TlsSettings> tls_settings(Result<keys::TlsContextPtr> context);
 
-/// A stream over TLS 1.3, at a server. The handshake begins with the first read or write. A peer whose first byte is
-/// not one of TLS is served in plain text: is_sealed() tells, and the server then says goodbye and why.
+/// A stream over TLS 1.3, at a server. The handshake begins with the first read or write. A peer whose first byte does
+/// not begin a TLS handshake gets plain text, so that the server can send it a Goodbye; is_sealed() is then false.
 [[nodiscard]] std::unique_ptr<ByteStream> tls_at_server(boost::asio::ip::tcp::socket socket, TlsSettings settings);
 
-/// The same at a client of the server `host`. `key`: for what refusal() says.
+/// A stream over TLS 1.3, at a client of the server `host`. refusal() names `key` in its error text.
 [[nodiscard]] std::unique_ptr<ByteStream> tls_at_client(boost::asio::ip::tcp::socket socket, TlsSettings settings,
                                                         std::string host, std::shared_ptr<const keys::KeyFile> key);
 

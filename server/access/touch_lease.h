@@ -7,23 +7,24 @@
 
 namespace telepalp::access {
 
-/// Which doctor's station holds the touch: one at a time. It keeps the touch while it publishes; it gives the touch by
-/// leaving, and loses it after kLease without a message. Then the next station that asks takes it. After a lost
-/// connection the same doctor takes it again within the lease, and nobody else. Pure; owner: the server's network
-/// thread.
+/// Decides which doctor's station may publish on the station's topics (it "holds the touch"): one at a time. The holder
+/// keeps the touch while it publishes, and frees it with a Goodbye or after kLease without a message; then any station
+/// may take it. When the holder's connection breaks, only the same doctor may take the touch within kLease. Pure;
+/// owner: the server's network thread.
 class TouchLease {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
   static constexpr std::chrono::seconds kLease{10};
 
-  /// The station `peer` of the doctor with the key `serial` asks for the touch. True: it holds the touch from now on.
+  /// Station `peer`, of the doctor whose key is `serial`, asks for the touch. Returns true if it now holds the touch.
   [[nodiscard]] bool take(std::uint64_t peer, const std::string& serial, const std::string& name, TimePoint now);
-  /// `peer` shows that it lives. False: another station holds the touch by now.
+  /// Extends the lease of `peer`, which has published. Returns false if `peer` does not hold the touch.
   [[nodiscard]] bool renew(std::uint64_t peer, TimePoint now);
-  /// `peer` has left. `on_purpose`: by a Goodbye; then the touch is free at once.
+  /// `peer` has left. `on_purpose`: with a Goodbye, which frees the touch at once; else its doctor has kLease to
+  /// return.
   void leave(std::uint64_t peer, bool on_purpose, TimePoint now);
 
-  /// The name of the doctor that holds the touch.
+  /// The name of the doctor who holds the touch; nullopt: the touch is free.
   [[nodiscard]] std::optional<std::string> holder(TimePoint now) const;
 
  private:

@@ -34,8 +34,8 @@ struct Ticks {
   [[nodiscard]] std::size_t size() const noexcept { return at_ns.size(); }
 };
 
-/// The growth during the recording of a counter that another program keeps since its own start. A counter that falls
-/// has restarted at 0.
+/// How much another program's counter grew during the recording. The counter starts at 0 with its program; when it
+/// falls, that program has restarted.
 class Growth {
  public:
   /// `began_here`: the counter started during the recording, so its first value counts as growth.
@@ -49,14 +49,14 @@ class Growth {
 
 /// The messages of one sender on the topics of a station.
 struct SenderRecord {
-  std::uint32_t sender = 0;  ///< its number, given by the server; 0: not in the session
+  std::uint32_t sender = 0;  ///< number that the server gave the sender; 0: no sender in the session
   std::uint64_t sent_messages = 0;
   Ticks ticks;
   std::vector<msg::StationState> states;
   std::vector<msg::SurfaceReport> surfaces;
   std::vector<msg::StationCompensation> compensations;
   std::vector<msg::StationEvent> events;
-  std::optional<msg::StationStats> station_stats;  ///< the last
+  std::optional<msg::StationStats> station_stats;  ///< the last such message
   bool began_here = false;                         ///< the sender started during the recording
   Growth frames_received, deadlines_missed, telemetry_dropped;
 };
@@ -67,7 +67,7 @@ struct Subscription {
   std::string name, address;
   bool was_there_first = false;  ///< true: the connection existed when the recording began
   Growth depth_sent, depth_dropped;
-  std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< counts in the first message about it
+  std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< in the recording's first /server/stats message
 };
 
 /// The content of a session file, without images: the images of a long session do not fit into memory. After settle(),
@@ -78,7 +78,7 @@ struct Session : SenderRecord {
   std::map<std::uint32_t, SenderRecord> others;
   std::map<std::pair<std::string, std::string>, Subscription> subscriptions;  ///< by name and address
   bool heard_server_stats = false;
-  std::optional<msg::CaptureStatus> capture;                        ///< the last
+  std::optional<msg::CaptureStatus> capture;                        ///< the last such message
   std::map<std::string, foxglove::CameraCalibration> calibrations;  ///< the last one of each frame of reference
   std::vector<std::int64_t> depth_captured_ns;
   std::vector<std::int64_t> depth_key_ns;  ///< for each depth frame: log time of the newest key frame

@@ -7,11 +7,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kFirstFrames = 10;          // until the average is good enough to take a patch from
-constexpr double kMostSlide_m = 0.001;    // 1-sigma of a slide that is believed: a third of the error that counts
-constexpr double kStillSlide_m = 0.0012;  // and that goes on being believed
+constexpr int kFirstFrames = 10;          // frames in the average from which a patch is taken
+constexpr double kMostSlide_m = 0.001;    // a slide is seen once its 1-sigma error is below this
+constexpr double kStillSlide_m = 0.0012;  // and until its error reaches this: hysteresis
 constexpr double kSlideOver_s = 0.2;      // time constant of the slide's average
-constexpr double kModel_m = 0.0003;       // 1-sigma of the rise that a smooth polynomial does not describe
+constexpr double kModel_m = 0.0003;       // 1-sigma of the part of the rise that the polynomial cannot represent
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void MarkTracker::begin(Followed& one, SkinMark& mark, const DepthField& average
   mark.normal = one.patch->normal;
 }
 
-/// The motion across the skin is always told; that along the skin only where the patch's shape tells it.
+/// Updates the motion along the skin's normal in each frame, and the motion along the skin only while it is observable.
 void MarkTracker::follow(Followed& one, SkinMark& mark, const DepthField& seen, const Intrinsics& camera, double dt_s) {
   PatchPose found = registered(*one.patch, seen, camera, one.pose, true);
   mark.seen = found.seen;

@@ -15,11 +15,11 @@ constexpr double kRadius_m = 0.13;    // of the patch
 constexpr double kSpacing_m = 0.005;  // of its nodes
 constexpr double kMiddle_m = 0.02;    // around the mark, where the rise must be seen
 constexpr double kBreak_m = 0.03;     // a window over which depth differs by more is a silhouette
-constexpr int kLooks = 2;             // at the image
-constexpr int kReweighted = 2;        // fits after each look
+constexpr int kLooks = 2;             // how often the residuals are computed again from the image
+constexpr int kReweighted = 2;        // reweighted fits to each set of residuals
 constexpr double kFirstScale_m = 0.01;
 constexpr double kLeastNoise_m = 0.0005;
-constexpr double kTogether = 9.0;  // neighbouring nodes err alike: so many count as one
+constexpr double kTogether = 9.0;  // errors of neighbouring nodes are correlated: this many nodes count as one
 
 /// Depth and its slope by pixel, from a plane through a window.
 struct Window {
@@ -80,7 +80,7 @@ double median_magnitude(std::vector<double> values) {
   return std::abs(*middle);
 }
 
-/// The information of the slide once the rise's polynomial is known no better than from the same nodes.
+/// Information matrix of the slide after the rise's polynomial is marginalised out (Schur complement).
 Eigen::Matrix2d slide_information(const Eigen::Matrix<double, 8, 8>& normal) {
   const Eigen::Matrix<double, 6, 6> rise = normal.bottomRightCorner<6, 6>();
   return normal.topLeftCorner<2, 2>() -
@@ -92,14 +92,14 @@ double sigma_of(const Eigen::Matrix2d& information, double noise_m) {
   return noise_m * std::sqrt(kTogether / std::max(least, 1e-9));
 }
 
-/// What one node sees: measured minus expected depth, and by what the expectation changes.
+/// One node's residual: measured minus expected depth, and the derivatives of the expected depth by the coefficients.
 struct Residual {
   double m = 0.0;
   Coefficients terms;
   bool in_middle = false;
 };
 
-/// Mean depth of the window around `pixel`, brought to `pixel` by the slope `per_px`. 0: not measured.
+/// Mean depth of the window around `pixel`, extrapolated to `pixel` with the slope `per_px`. 0: not measured.
 double depth_at(const DepthField& depth, const Vector2d& pixel, const Vector2d& per_px) {
   constexpr int kHalf_px = 2;
   constexpr int kLeast_px = 18;
@@ -121,7 +121,7 @@ double depth_at(const DepthField& depth, const Vector2d& pixel, const Vector2d& 
   return count < kLeast_px ? 0.0 : sum / count + per_px.dot(pixel - at / count);
 }
 
-/// Fills `residuals` with what the nodes see at `found`. Returns the number of nodes in the patch's middle.
+/// Fills `residuals` for the motion `found`. Returns the number of nodes in the patch's middle.
 int look_at(const SkinPatch& patch, const DepthField& depth, const Intrinsics& camera, const Coefficients& found,
             std::vector<Residual>& residuals) {
   residuals.clear();

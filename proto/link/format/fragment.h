@@ -16,7 +16,7 @@ inline constexpr std::size_t kFragmentHeaderBytes = 15;
 inline constexpr std::size_t kMostShardBytes = kPayloadBytes - kFragmentHeaderBytes;
 inline constexpr std::size_t kMostFrameBytes = std::size_t{8} << 20U;
 inline constexpr std::uint8_t kMostChannels = 16;
-/// Data shards of a block; with at most 127 repair shards they stay below the 255 that GF(2^8) allows.
+/// Data shards of a block. Together with at most 127 repair shards they are 255, the most that GF(2^8) allows.
 inline constexpr std::size_t kMostDataShards = 128;
 inline constexpr std::size_t kMostRepairShards = 127;
 
@@ -41,7 +41,7 @@ struct FrameLayout {
   }
 };
 
-/// What is written in front of a shard.
+/// The fields in front of each shard.
 struct FragmentHeader {
   std::uint8_t channel = 0;       ///< below kMostChannels
   bool key_frame = true;          ///< false: the frame depends on the one before
@@ -62,7 +62,7 @@ void write_fragment_header(const FragmentHeader& header, std::span<std::byte, kF
 /// nullopt: `payload` is no fragment, or contradicts itself.
 [[nodiscard]] std::optional<Fragment> read_fragment(std::span<const std::byte> payload) noexcept;
 
-/// A block of a frame that lacks shards.
+/// A block that cannot be decoded yet, because shards of it are missing.
 struct Missing {
   std::uint8_t channel = 0;
   std::uint32_t frame = 0;
@@ -71,17 +71,17 @@ struct Missing {
   bool operator==(const Missing&) const = default;
 };
 
-/// What a receiver reports. Counters count from the start of the session.
+/// A receiver's report to the sender. Counters count from the start of the session.
 struct Feedback {
   std::uint64_t highest_sequence = 0;
   std::uint64_t received_bytes = 0;
   std::int64_t reported_ns = 0;         ///< session time, which is never negative
   std::uint32_t held_us = 0;            ///< from the arrival of the highest sequence until this report
-  std::uint32_t settled = 0;            ///< packets that have been received or given up
-  std::uint32_t lost = 0;               ///< of these, given up
+  std::uint32_t settled = 0;            ///< packets that have arrived or are counted as lost
+  std::uint32_t lost = 0;               ///< packets that are counted as lost
   std::uint32_t bursts = 0;             ///< runs of lost packets
   std::uint32_t age_us = 0;             ///< of the newest frame when it was complete
-  std::uint16_t key_frames_wanted = 0;  ///< bit n: channel n needs a frame that stands alone
+  std::uint16_t key_frames_wanted = 0;  ///< bit n: channel n needs a key frame
   std::vector<Missing> missing{};       ///< at most kMostMissing
   bool operator==(const Feedback&) const = default;
 };

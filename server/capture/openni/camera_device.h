@@ -9,8 +9,8 @@
 
 namespace telepalp::capture {
 
-/// A camera that may be unplugged and plugged in again. ReconnectingSource uses it: OpenNI2 in the server, a scripted
-/// device in tests.
+/// Interface of a camera that may be unplugged and plugged in again, used by ReconnectingSource. The server implements
+/// it with OpenNI2, tests with a scripted device.
 class CameraDevice {
  public:
   /// A frame with the driver's time stamp; `frame.captured` and `frame.sequence` are not set.
@@ -19,7 +19,7 @@ class CameraDevice {
     std::chrono::microseconds driver_time{};
     SessionTime arrival;
   };
-  struct Nothing {};  ///< no frame within `patience`
+  struct Nothing {};  ///< no frame came within `patience`
   struct Gone {
     std::string why;
   };

@@ -14,7 +14,7 @@ namespace telepalp::capture {
 struct TrueSurfacePoint {
   Point<DepthCamera> at;
   Vector<DepthCamera> normal;            ///< unit, out of the body, towards the camera
-  Vector<DepthCamera> velocity_m_per_s;  ///< of the skin: breathing and rise move it along the ray, a slide across
+  Vector<DepthCamera> velocity_m_per_s;  ///< of the skin: along the ray by breathing and rising, across it by sliding
   double normal_velocity_m_per_s = 0.0;  ///< velocity along the normal: positive while the patient breathes in
   bool on_body = false;                  ///< skin; false: the table
 };
