@@ -17,10 +17,10 @@ namespace telepalp::codec {
 /// core codes four of them in lockstep.
 struct Slicing {
   int slices = 1;
-  int rows = 0;  ///< of each slice except the last
+  int rows = 0;  ///< rows of each slice except the last
 
-  /// Four slices for a frame of any size worth cutting, more for large ones; a slice's models start from the trained
-  /// tables.
+  /// One to four slices for a frame of up to 2^20 pixels, more for a larger one: a small slice has too few pixels
+  /// to adapt its models, which start from the trained tables.
   [[nodiscard]] static Slicing for_frame(int width, int height) noexcept;
   /// The slicing that a packet declares. nullopt: `height` rows cannot be cut into `slices` slices.
   [[nodiscard]] static std::optional<Slicing> declared(int height, int slices) noexcept;

@@ -7,7 +7,8 @@
 
 namespace telepalp::codec {
 
-/// The number of slices that a kernel codes in lockstep, one per SIMD lane: each slice waits for its own last pixel.
+/// The number of slices that a kernel codes in lockstep, one per SIMD lane. Why: within a slice, each pixel waits for
+/// the pixel before it.
 inline constexpr int kLanes = 4;
 
 /// One slice for the encoder: a band of whole rows, coded independently.

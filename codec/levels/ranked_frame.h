@@ -19,7 +19,7 @@ struct RankedFrame {
   Ranks most = {};
 };
 
-/// The lossless case.
+/// A frame for lossless coding.
 [[nodiscard]] inline RankedFrame ranked(LevelPalette palette, std::span<const std::uint16_t> samples) {
   Ranks ranks = ranks_by(ranks_of(palette), samples);
   return {.palette = std::move(palette), .ranks = std::move(ranks)};

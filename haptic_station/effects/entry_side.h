@@ -20,22 +20,22 @@ struct FeltSolid {
 };
 
 /// The god-object (proxy) of a shape inside the body: remembers from which side the device pushes into the shape, and
-/// looks the force up at a proxy. The proxy is the device, until the device has passed the middle of the shape as seen
+/// evaluates the force at a proxy. The proxy is the device, until the device has passed the middle of the shape as seen
 /// from that side; then it is the deepest point between the device and that side. So the proxy never reaches the far
 /// face: the force k s outwards(proxy), with s the depth of the proxy, has no component along the push.
 ///
 /// For a given side, s is the greatest depth on the ray from the device towards that side, and the force is minus the
 /// gradient of 1/2 k s^2 (envelope theorem). It is thus conservative, and equal to S1's k times depth before the
-/// middle. Only there the side may change, which then changes neither force nor energy: a device that slides round a
-/// shape within 2 mm of its surface feels S1's force on all sides. Behind the far face the force fades within 0.1 s and
-/// the side is forgotten: that takes energy out.
+/// middle. The side of entry may change only while the device has not passed the middle, where a change alters neither
+/// force nor energy: a device that slides round a shape within 2 mm of its surface feels S1's force on all sides.
+/// Behind the far face the force fades within 0.1 s and the side is forgotten: that takes energy out.
 class EntrySide {
  public:
   /// Contact with the skin begins.
   void forget() noexcept { *this = {}; }
 
-  /// One tick. `depth_at(point)` gives the SolidDepth of the shape. A device that entered on the side of the skin,
-  /// whose normal is `skin_normal`, pushes against that normal; elsewhere the push is the device's motion.
+  /// One tick. `depth_at(point)` gives the SolidDepth of the shape. A device that entered on the side that faces the
+  /// skin is taken to push against `skin_normal`, the skin's normal; on other sides the push is the device's motion.
   template <class DepthAt>
   [[nodiscard]] FeltSolid step(const Eigen::Vector3d& device, const Eigen::Vector3d& skin_normal, double dt_s,
                                const DepthAt& depth_at) noexcept {
@@ -46,7 +46,7 @@ class EntrySide {
       if (!inside) return {};
       enter(device, here, skin_normal);
     }
-    // A stiffness that falls under a held deformation gives no energy; one that rises would.
+    // Lowering the stiffness of a deformed spring takes energy out; raising it would create energy.
     if (!inside) share_ = std::max(0.0, share_ - dt_s / kLetGo_s);
     if (inside && here.outwards.dot(towards_) >= 0.0)
       follow(device, here, skin_normal.dot(face_) >= kOblique ? skin_normal : came_from);
@@ -58,13 +58,14 @@ class EntrySide {
 
  private:
   static constexpr double kLetGo_s = 0.1;
-  static constexpr double kShallow_m = 0.002;  ///< a device that is not deeper slides on the surface
-  static constexpr double kLeash_m = 0.005;    ///< over which the direction of a push is taken
+  static constexpr double kShallow_m = 0.002;  ///< a device less deep than this slides on the surface
+  static constexpr double kLeash_m = 0.005;    ///< length of path over which the direction of a push is measured
   static constexpr double kOblique = 0.5;      ///< cosine; a motion more oblique to the surface is not a push into it
-  static constexpr double kSearch_m = 0.004;   ///< about the last proxy: a device of 8 m/s does not outrun it
-  static constexpr int kHalvings = 14;         ///< to 0.5 um
+  static constexpr double kSearch_m =
+      0.004;                            ///< half range of the search about the last proxy; contains it up to 8 m/s
+  static constexpr int kHalvings = 14;  ///< bisections of the search: to 0.5 um
 
-  /// Unit vector to where the device came from, over the last 5 mm of its way; zero while it has hardly moved.
+  /// Unit vector against the device's motion over its last 5 mm; zero while it has moved less than 1 mm.
   [[nodiscard]] Eigen::Vector3d trail(const Eigen::Vector3d& device) noexcept {
     if (!has_trail_) trail_ = device;
     has_trail_ = true;
@@ -81,8 +82,8 @@ class EntrySide {
     share_ = 1.0;
   }
 
-  /// The proxy is the device: the side follows the surface under a shallow device, and is where a deep one is pushed
-  /// from.
+  /// Used while the proxy is the device. For a shallow device the side of entry is the surface's outward direction
+  /// there; for a deeper one it is `from`, the direction from which the device is pushed.
   void follow(const Eigen::Vector3d& device, const SolidDepth& here, const Eigen::Vector3d& from) noexcept {
     if (here.m <= kShallow_m)
       towards_ = face_ = here.outwards.normalized();

@@ -12,9 +12,9 @@ struct InnerSphereSettings {
   double around_m = 0.01;  ///< within this distance of the sphere, touch() is Near
 };
 
-/// A sphere inside the body (S1 II.D): F = k (r - |x - c|), outwards, with x the proxy of EntrySide: past the centre,
-/// the force is sideways alone. Within r / 10 of the centre the force falls to zero, because it has no direction there.
-/// touch() is Upper when the sphere is pressed from within 45 degrees of the upward vertical.
+/// A sphere inside the body (S1 II.D): F = k (r - |x - c|), outwards, with x the proxy of EntrySide. A hand that has
+/// passed the centre feels a sideways force only. Within r / 10 of the centre the force falls to zero, because it has
+/// no direction there. touch() is Upper when the sphere is pressed from within 45 degrees of the upward vertical.
 class InnerSphere {
  public:
   static constexpr const char* kName = "sphere";

@@ -17,19 +17,19 @@ namespace telepalp::loop {
 struct ObjectPlacement {
   bool watched = false;          ///< false: there is no such object
   bool unseen = false;           ///< the skin above it is not seen: the object stays where it is
-  bool slide_unseen = false;     ///< a motion along the skin cannot be told: the object follows across the skin alone
-  const char* name = "";         ///< of the effect
-  std::array<float, 3> moved{};  ///< against the place that the scene gives it, in H [m]
-  float sigma_normal_m = 0.0F;   ///< 1-sigma across the skin
+  bool slide_unseen = false;     ///< its slide cannot be measured: the object follows the skin's normal motion only
+  const char* name = "";         ///< name of the effect
+  std::array<float, 3> moved{};  ///< displacement from the place that the scene gives it, in H [m]
+  float sigma_normal_m = 0.0F;   ///< 1-sigma along the skin's normal
   float sigma_slide_m = 0.0F;    ///< 1-sigma along the skin, in the least certain direction
 };
 using ObjectPlacements = std::array<ObjectPlacement, effects::kMostEffects>;
 
-/// The frame of the body: where the objects inside it are displayed. Each object goes with the mark on the skin above
-/// it: as the camera has seen it move, and across the skin carried on to now as the skin itself is. The display follows
-/// with the bounded speed and acceleration of the displayed skin, so that nothing steps. When a contact begins with a
-/// skin that is shown lower than it was measured, the objects are shown lower by as much, and rise with it.
-/// Owner: the haptic thread. Nothing here allocates, locks or throws.
+/// The frame of the body: where the objects inside it are displayed. Each object has the displacement of the mark on
+/// the skin above it: as measured up to the newest capture, and from then to now predicted along the skin's normal,
+/// like the skin. The displayed object follows with the bounded speed and acceleration of the displayed skin, so that
+/// it never jumps. When a contact begins with a skin that is shown lower than it was measured, the objects are shown
+/// lower by as much, and rise with it. Owner: the haptic thread. Nothing here allocates, locks or throws.
 class BodyFrame {
  public:
   explicit BodyFrame(const surface::FollowLimits& limits) noexcept : limits_(limits) {}
@@ -40,7 +40,7 @@ class BodyFrame {
   /// Forgets the snapshot. The objects stay where they are.
   void release() noexcept;
 
-  /// The placements at this tick. `touch`: of this tick.
+  /// The placements at this tick. `touch`: this tick's result of Touch.
   [[nodiscard]] const effects::Placements& step(const surface::TouchSample& touch, double dt_s) noexcept;
 
   [[nodiscard]] ObjectPlacements objects() const noexcept;
@@ -48,7 +48,7 @@ class BodyFrame {
   [[nodiscard]] bool slide_unseen() const noexcept;  ///< any object
 
  private:
-  /// Motion of the skin at a mark since the capture, across it.
+  /// Motion of the skin at a mark since the capture, along the skin's normal.
   struct Carried {
     double m = 0.0;
     double m_per_s = 0.0;

@@ -12,7 +12,7 @@ struct DeviceGateSettings {
   double encoder_noise_m = 0.05e-3;
   double timing_error = 0.5;  ///< relative error of the time between two readings
   double slip_m = 0.005;      ///< a lasting offset up to this is removed slowly; a larger one counts as implausible
-  double believed_after_s = 0.001;  ///< readings that agree for this long after a jump are a slip, no glitch
+  double believed_after_s = 0.001;  ///< readings that agree for this long after a jump show a lasting offset (slip)
   double rebased_after_s = 0.5;  ///< after a large offset, readings that agree for this long are accepted as they are
   double absorbed_over_s = 0.02;
   double absorbed_m_per_s = 0.15;  ///< fastest removal of an offset: 0.04 N a tick on a skin of 500 N/m

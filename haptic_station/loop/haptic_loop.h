@@ -58,7 +58,7 @@ class HapticLoop {
   /// begun: surface and hand samples are then discarded, and the station releases until new ones come.
   [[nodiscard]] Act tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept;
 
-  /// What the last tick did about delay. Its time stamp is left for the caller to fill.
+  /// The delay compensation of the last tick. The caller sets its time stamp.
   [[nodiscard]] Compensation compensation() const noexcept;
 
   /// Where the objects inside the body are displayed, and how well that is known.

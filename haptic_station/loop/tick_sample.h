@@ -21,7 +21,7 @@ struct TickSample {
   bool surface_stale = false;
   bool limited = false;              ///< the limiter changed the force
   bool object_unseen = false;        ///< an object inside the body stays put: the skin above it is not seen
-  bool object_slide_unseen = false;  ///< an object does not follow the body along its skin
+  bool object_slide_unseen = false;  ///< an object does not follow the body's slide, which cannot be measured
   std::array<float, 3> hand{};
   std::array<float, 3> device{};
   std::array<float, 3> proxy{};

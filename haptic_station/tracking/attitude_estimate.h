@@ -8,14 +8,14 @@
 namespace telepalp::tracking {
 
 /// The hand's attitude (S1 eq. 1), predicted from samples at about 100 Hz. The rotations from sample to sample add up
-/// to a path of rotation vectors in the hand's own frame. The adaptive filter of the position follows this path, with
-/// one radian in place of one metre: so its noise, its angular velocity and the persistence of that velocity are learnt
-/// in the same way. No allocation. Owner: control thread.
+/// to a path of rotation vectors in the hand's own frame. HandEstimate, the filter of the position, filters this path
+/// with one radian in place of one metre, and so learns the noise, the angular velocity and the persistence of that
+/// velocity. No allocation. Owner: control thread.
 class AttitudeEstimate {
  public:
   AttitudeEstimate() noexcept;
 
-  /// Adds a sample: H from the hand's axes. It need not be normalised. A sample of zero length is not finite.
+  /// Adds a sample: H from the hand's axes. It need not be normalised. A sample of zero length counts as not finite.
   Taken update(SessionTime at, const Eigen::Quaterniond& attitude) noexcept;
   /// Discards all samples.
   void forget() noexcept;
@@ -25,7 +25,7 @@ class AttitudeEstimate {
  private:
   HandEstimate path_;  ///< in radians
   Eigen::Quaterniond newest_ = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d turned_rad_ = Eigen::Vector3d::Zero();  ///< of the path, at the newest sample
+  Eigen::Vector3d turned_rad_ = Eigen::Vector3d::Zero();  ///< the path's value at the newest sample
   bool started_ = false;
 };
 

@@ -11,14 +11,14 @@
 namespace telepalp::tracking {
 
 struct HandEstimateSettings {
-  double noise_memory_s = 3.0;         ///< over which the tracker's noise is estimated
-  double surprise_memory_s = 0.05;     ///< over which the hand's changes of velocity are estimated
-  double persistence_memory_s = 1.0;   ///< over which the velocity's time constant is learnt
-  double velocity_memory_s = 0.1;      ///< that time constant, until movements show another
+  double noise_memory_s = 3.0;         ///< time over which the tracker's noise is estimated
+  double surprise_memory_s = 0.05;     ///< time over which the hand's changes of velocity are estimated
+  double persistence_memory_s = 1.0;   ///< time over which the velocity's time constant is learnt
+  double velocity_memory_s = 0.1;      ///< the velocity's time constant before any movement was seen
   double longest_prediction_s = 0.05;  ///< at a greater age the predicted position no longer changes
   double restart_after_s = 0.2;        ///< the filter restarts after a longer gap between samples
-  double fastest_m_per_s = 5.0;        ///< a sample that implies a greater speed is a jump, and held
-  double believed_after_s = 0.5;       ///< after a jump, samples that agree for so long are the new truth
+  double fastest_m_per_s = 5.0;        ///< a sample that implies a greater speed is a jump and is rejected
+  double believed_after_s = 0.5;       ///< after a jump, samples that agree with each other for so long are accepted
 };
 
 /// The hand's predicted state at an instant, from the samples before it.
@@ -26,8 +26,8 @@ struct HandPrediction {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
   double sigma_m = 0.0;         ///< standard deviation per axis
-  double age_s = 0.0;           ///< age of the newest sample that was believed
-  double implausible_s = 0.0;   ///< samples have been beyond physics for so long; 0: the newest one is plausible
+  double age_s = 0.0;           ///< age of the newest sample that was accepted
+  double implausible_s = 0.0;   ///< for how long samples have been impossibly fast; 0: the newest one is plausible
   bool valid = false;           ///< false: no sample yet
 };
 
@@ -39,8 +39,8 @@ enum class Taken { Used, Restarted, NotFinite, OutOfOrder, Jump };
 /// constant from the recent movements (VelocityPersistence). With a tracker that smooths its samples the filter becomes
 /// the straight line through the last two samples, shortened by that time constant; with a noisy tracker it averages.
 /// It uses the time stamp of each sample, so jitter, gaps and bursts cause no model error. The restart after a gap
-/// bounds its covariance. A jump beyond physics is held: the estimate stays on the believed samples. Axes are
-/// independent and share one covariance. No allocation. Owner: control thread.
+/// bounds its covariance. A sample that implies an impossible speed is rejected, and the estimate continues from the
+/// accepted ones. Axes are independent and share one covariance. No allocation. Owner: control thread.
 class HandEstimate {
  public:
   explicit HandEstimate(const HandEstimateSettings& settings = {}) noexcept
@@ -73,11 +73,11 @@ class HandEstimate {
   Eigen::Matrix2d covariance_ = Eigen::Matrix2d::Zero();
   double surprise_m2_ = 0.0;        ///< recent mean square of the filter's innovations, per axis
   double process_m2_per_s3_ = 0.0;  ///< intensity of the hand's random acceleration
-  SessionTime newest_{};            ///< believed
-  SessionTime received_{};          ///< the newest of all, believed or held
-  Point<HapticBase> held_at_;       ///< the newest held one
+  SessionTime newest_{};            ///< time of the newest accepted sample
+  SessionTime received_{};          ///< time of the newest sample, accepted or rejected
+  Point<HapticBase> held_at_;       ///< position of the newest rejected sample
   double implausible_s_ = 0.0;
-  double agree_s_ = 0.0;  ///< held samples have agreed with each other for so long
+  double agree_s_ = 0.0;  ///< for how long the rejected samples have agreed with each other
   bool started_ = false;
   std::uint64_t refused_ = 0;
 };

@@ -52,15 +52,15 @@ class RecordedIntention {
 
  private:
   struct Place {
-    std::size_t before;  ///< sample
-    double share;        ///< of the way from there to the next
-    bool back;           ///< the path is gone backwards
+    std::size_t before;  ///< index of the sample before that time
+    double share;        ///< of the way from there to the next sample
+    bool back;           ///< the path is traversed backwards
   };
   [[nodiscard]] Place place(double time_s) const noexcept;
 
   std::vector<double> times_s_;
   std::vector<Eigen::Vector3d> path_m_;
-  std::vector<Eigen::Quaterniond> attitudes_;  ///< as many, or none
+  std::vector<Eigen::Quaterniond> attitudes_;  ///< one for each sample, or empty
 };
 
 }  // namespace telepalp::tracking

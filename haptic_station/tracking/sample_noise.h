@@ -22,14 +22,14 @@ class SampleNoise {
 
  private:
   double memory_s_;
-  int samples_ = 0;  ///< of this movement, at most 3
+  int samples_ = 0;  ///< number of samples of this movement, counted up to 3
   Eigen::Vector3d last_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d step_m_per_s_ = Eigen::Vector3d::Zero();  ///< from the sample before to the last one
   Eigen::Vector3d innovation_m_ = Eigen::Vector3d::Zero();
   double dt_s_ = 0.0;        ///< between the last two samples
-  double ratio_ = 1.0;       ///< of the last interval to the one before
+  double ratio_ = 1.0;       ///< last interval between samples / the one before
   double covariance_ = 0.0;  ///< weighted sum of minus the covariance of successive innovations
-  double share_ = 0.0;       ///< weighted sum of what that covariance is for unit noise
+  double share_ = 0.0;       ///< weighted sum of the values that `covariance_` would have for unit noise
   double variance_m2_ = 0.0;
 };
 

@@ -8,12 +8,12 @@
 
 namespace telepalp::tracking {
 
-/// How long the hand keeps its velocity, learnt from its recent movements: the distance it went over about 40 ms,
-/// compared with the velocity at the beginning. A hand that pokes and stops has a short memory of its velocity; a hand
+/// How long the hand keeps its velocity, learnt from its recent movements: the distance covered in about 40 ms is
+/// compared with the velocity at its beginning. A hand that pokes and stops has a short memory of its velocity; a hand
 /// that sweeps keeps it. No allocation.
 class VelocityPersistence {
  public:
-  /// `expected_s`: the velocity's time constant until movements show another. `memory_s`: of the learning.
+  /// `expected_s`: the velocity's time constant before any movement was seen. `memory_s`: time over which it is learnt.
   VelocityPersistence(double expected_s, double memory_s) noexcept;
 
   /// The next state does not continue the movement.
@@ -22,7 +22,7 @@ class VelocityPersistence {
   void add(SessionTime at, const Eigen::Vector3d& hand_m, const Eigen::Vector3d& velocity_m_per_s,
            double dt_s) noexcept;
 
-  /// Time that the present velocity must be multiplied with to give the distance ahead after `ahead_s`.
+  /// The distance covered in the next `ahead_s`, divided by the present velocity [s].
   [[nodiscard]] double reach_s(double ahead_s) const noexcept;
   /// Share of the velocity that is left after `ahead_s`.
   [[nodiscard]] double left(double ahead_s) const noexcept;
@@ -42,8 +42,8 @@ class VelocityPersistence {
   std::array<State, kStates> states_{};  ///< a ring; the newest is at (next_ - 1)
   std::size_t next_ = 0;
   std::size_t count_ = 0;
-  double lost_ = 0.0;    ///< weighted sum of the distance that straight-on was too far
-  double weight_ = 0.0;  ///< of those sums
+  double lost_ = 0.0;    ///< weighted sum of the distances by which a straight-line prediction overshot
+  double weight_ = 0.0;  ///< sum of the weights
   double brakes_per_s_;  ///< rate at which the velocity dies away
 };
 

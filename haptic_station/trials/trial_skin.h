@@ -8,7 +8,8 @@
 
 namespace telepalp::trials {
 
-/// The camera of every trial: straight above the skin's middle, which is H's origin; H's y points up to it.
+/// The camera of every trial: straight above the skin's middle, which is H's origin; H's y axis points towards the
+/// camera.
 [[nodiscard]] Transform<HapticBase, DepthCamera> trial_camera(double height_m = 0.8) noexcept;
 
 /// A simulated patient. The haptic loop gets snapshots of the skin at 30 Hz; the caller can also ask for the true skin.
@@ -26,7 +27,8 @@ class TrialSkin {
 /// `begins_s`: time of the sine at the trial's start.
 [[nodiscard]] std::unique_ptr<TrialSkin> level_skin(const device::BreathingPlane& plane, double begins_s = 0.0);
 
-/// A barrel-shaped belly under a Kinect-like camera with noise and disparity steps, through the product's builder.
+/// A barrel-shaped belly under a Kinect-like camera with noise and disparity steps, made into a surface by
+/// SurfaceBuilder, as in the station.
 struct BellySettings {
   double breathing_m = 0.0;
   double rate_hz = 0.25;

@@ -7,18 +7,18 @@
 
 namespace telepalp::impaired {
 
-/// What one direction of a link does to its packets.
+/// The impairments of one direction of a link.
 struct Impairment {
   Nanoseconds delay{0};        ///< propagation, one way
-  Nanoseconds jitter{0};       ///< uniform, either way; the delay never becomes negative
+  Nanoseconds jitter{0};       ///< added to the delay, uniform from -jitter to jitter; the sum is never negative
   double loss = 0.0;           ///< share of packets
   double burst_packets = 1.0;  ///< mean length of a loss burst; 1: independent losses
   double reorder = 0.0;        ///< share of packets that `reorder_by` holds back
   Nanoseconds reorder_by = std::chrono::milliseconds(10);
   double duplicate = 0.0;            ///< share of packets that arrive twice
   double corrupt = 0.0;              ///< share of packets that arrive with one bit inverted
-  double rate_B_per_s = 0.0;         ///< of the bottleneck; 0: unlimited
-  std::size_t queue_B = 256 * 1024;  ///< in front of the bottleneck; a packet that does not fit is dropped
+  double rate_B_per_s = 0.0;         ///< rate of the bottleneck; 0: unlimited
+  std::size_t queue_B = 256 * 1024;  ///< room before the bottleneck; a packet that does not fit is dropped
   Nanoseconds outage_every{0};       ///< period of outages; 0: no outage
   Nanoseconds outage_for{0};         ///< each period ends with an outage of this length
 };

@@ -10,14 +10,14 @@
 namespace telepalp::keys {
 
 /// An audit log is lines of "hash text", where hash = SHA-256(hash of the line before, newline, text) in hexadecimal.
-/// So each altered, removed or inserted byte shows, except the removal of the last lines: who keeps the last hash
-/// elsewhere sees that, too.
+/// So each altered, removed or inserted byte is detected, except when the last lines are removed; a copy of the last
+/// hash kept elsewhere detects that, too.
 struct AuditPosition {
   std::uint64_t lines = 0;
   std::string hash = std::string(64, '0');  ///< of the last line
 };
 
-/// The next line of the log, with its newline; moves `position` on. Control characters in `text` are escaped.
+/// The next line of the log, with its newline; advances `position` to it. Control characters in `text` are escaped.
 [[nodiscard]] std::string audit_line(AuditPosition& position, std::string_view text);
 
 /// Checks a log piece by piece, in constant memory.

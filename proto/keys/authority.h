@@ -12,7 +12,7 @@
 
 namespace telepalp::keys {
 
-/// The clocks of two sites differ: a key is valid from this long before it was made.
+/// A key is valid from this long before it was made, because the clocks of two sites differ.
 inline constexpr std::chrono::hours kBackdated{1};
 
 /// Issues the keys of one site, and revokes them. Its own file never leaves the machine on which keys are made. Each

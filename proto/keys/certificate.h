@@ -8,7 +8,7 @@
 
 namespace telepalp::keys {
 
-/// What a new certificate says.
+/// The fields of a new certificate.
 struct CertificateRequest {
   std::string name;       ///< common name
   std::string alt_names;  ///< subjectAltName as in OpenSSL's configuration: "DNS:host,IP:10.0.0.1"; empty: none
@@ -22,7 +22,7 @@ struct CertificateRequest {
 [[nodiscard]] Result<CertificatePtr> make_certificate(const CertificateRequest& request, EVP_PKEY& key, X509* issuer,
                                                       EVP_PKEY& issuer_key);
 
-/// Whom a client's certificate names; the caller has verified it. Error: it names no role.
+/// The person whom a client's certificate names. The caller has verified the certificate. Error: it names no role.
 [[nodiscard]] Result<Identity> identity_of(X509& certificate);
 
 [[nodiscard]] std::string common_name(X509& certificate);

@@ -9,11 +9,11 @@ namespace telepalp::keys {
 
 using WallTime = std::chrono::system_clock::time_point;
 
-/// Whom a verified certificate or token names.
+/// The person whom a verified certificate or token names.
 struct Identity {
   std::string name;  ///< "anna"
   Role role = Role::Viewer;
-  std::string serial;  ///< of the certificate or token, in hexadecimal: a revocation names it
+  std::string serial;  ///< serial number of the certificate or token, in hexadecimal; revocation lists contain it
   WallTime expires{};
 };
 

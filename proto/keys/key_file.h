@@ -11,14 +11,14 @@
 
 namespace telepalp::keys {
 
-/// No key file is larger.
+/// Largest size of a key file.
 inline constexpr std::size_t kMaxKeyFileBytes = 64 * 1024;
 
-/// The line of a token's file begins so.
+/// Beginning of the line that holds the token in a token's file.
 inline constexpr std::string_view kTokenLine = "token: ";
 
-/// A file that a person carries: a line for people, and in PEM a certificate with its private key, or a token; and the
-/// certificate of the authority, by which the other end is recognised.
+/// A file that a person carries. It begins with a line for people. Then come either a certificate and its private key
+/// (PEM), or a token; and last the certificate of the authority, which verifies the other end.
 struct KeyFile {
   enum class Kind { Server, Client, Token };
 
@@ -28,21 +28,23 @@ struct KeyFile {
   std::string authority;    ///< PEM
   std::string authority_name;
   std::string token;               ///< empty for a certificate
-  Identity identity;               ///< for a server, the role means nothing
-  std::vector<std::string> hosts;  ///< of a server
+  Identity identity;               ///< for a server's key, the role is meaningless
+  std::vector<std::string> hosts;  ///< host names of a server's key; empty for others
 };
 
-/// Reads the text of a key file, and checks that its parts belong together. `file`: for the error. Expiry is not
+/// Reads the text of a key file, and checks that its parts belong together. `file`: its name, for errors. Expiry is not
 /// checked here.
 [[nodiscard]] Result<KeyFile> read_key(std::string_view text, const std::string& file);
 
-/// Reads a key file of this machine. Error: anybody may read it, it is no key file, or it has expired at `now`.
+/// Reads a key file of this machine. Error: other users of the machine may read it, it is no key file, or it has
+/// expired at `now`.
 [[nodiscard]] Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now);
 
-/// The key that a client's `--key FILE` names; null for an empty name. Error: as above, or it is a server's key.
+/// The key that a client's `--key FILE` names; null for an empty name. Error: as for load_key(), or the file is a
+/// server's key.
 [[nodiscard]] Result<std::shared_ptr<const KeyFile>> load_client_key(const std::filesystem::path& file, WallTime now);
 
-/// Error: `key` has expired at `now`. `file`: for the error.
+/// Error: `key` has expired at `now`. `file`: its name, for the error.
 [[nodiscard]] Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::string& file);
 
 /// The key in a few lines for people: whose it is, what it allows, until when.

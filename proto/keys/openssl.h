@@ -39,7 +39,7 @@ using BytesPtr = std::unique_ptr<BIO, Freed<BIO_free_all>>;
 
 [[nodiscard]] std::string serial_of(const ASN1_INTEGER& number);
 [[nodiscard]] WallTime time_of(const ASN1_TIME& time);
-/// Error: an OpenSSL call failed for want of memory or entropy, or was called wrongly.
+/// The error of a failed OpenSSL call: no memory, no entropy, or wrong arguments.
 [[nodiscard]] Error openssl_error(std::string where);
 
 }  // namespace telepalp::keys

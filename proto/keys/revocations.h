@@ -12,13 +12,13 @@ namespace telepalp::keys {
 /// The serial numbers of revoked keys and tokens.
 class Revocations {
  public:
-  /// Reads a revocation list in PEM. `authority`: the certificate in PEM whose key must have signed it. `file`: for the
-  /// error.
+  /// Reads a revocation list in PEM. `authority`: the certificate in PEM whose key must have signed the list. `file`:
+  /// its name, for errors.
   [[nodiscard]] static Result<Revocations> read(std::string_view pem, std::string_view authority,
                                                 const std::string& file);
 
   [[nodiscard]] bool contains(const std::string& serial) const { return revoked_.contains(serial); }
-  /// By serial number, when each was revoked.
+  /// Time of revocation by serial number.
   [[nodiscard]] const std::map<std::string, WallTime>& all() const noexcept { return revoked_; }
 
  private:

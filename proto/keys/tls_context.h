@@ -26,7 +26,7 @@ using IsRevoked = std::function<bool(const std::string& serial)>;
 /// handshake. There is no resumption: each session checks the key anew.
 [[nodiscard]] Result<TlsContextPtr> server_context(const KeyFile& key, IsRevoked is_revoked);
 
-/// The same for browsers, which are not asked for a certificate.
+/// TLS 1.3 for a server that serves browsers, which are not asked for a certificate.
 [[nodiscard]] Result<TlsContextPtr> web_server_context(const KeyFile& key);
 
 /// TLS 1.3 for a client: it trusts the authority of its key alone, and shows its certificate if it has one.
@@ -35,14 +35,14 @@ using IsRevoked = std::function<bool(const std::string& serial)>;
 /// Lets the client's `session` accept only a server whose certificate names `host`, a name or an address.
 void expect_host(SSL& session, const std::string& host);
 
-/// Whom the verified certificate of the peer names; nullopt: it sent none.
+/// The person whom the peer's verified certificate names; nullopt: the peer sent no certificate.
 [[nodiscard]] std::optional<Identity> identity_of_peer(SSL& session);
 
 /// 32 bytes that both ends of a session share and nobody else knows (RFC 8446, 7.5). nullopt before the handshake ends.
 [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(SSL& session, std::string_view label);
 
-/// What a client's failed handshake or read means, when each further attempt would fail the same way. `code`: OpenSSL's
-/// error. `host`: as for expect_host().
+/// Explains why a client's handshake or read failed, if each further attempt would fail too; nullopt: an attempt may
+/// succeed. `code`: OpenSSL's error. `host`: as for expect_host().
 [[nodiscard]] std::optional<Error> refusal_of(SSL& session, unsigned long code, const KeyFile& key,
                                               const std::string& host);
 

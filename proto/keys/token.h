@@ -10,17 +10,17 @@ using EVP_PKEY = struct evp_pkey_st;
 
 namespace telepalp::keys {
 
-/// No token is longer.
+/// Largest length of a token.
 inline constexpr std::size_t kMaxTokenBytes = 512;
 
 /// A bearer token: "tp1." payload "." signature, both in URL-safe Base64. The payload is "name role expiry serial"; the
 /// authority signs it. So a server needs no list of tokens, and a token cannot be guessed.
 [[nodiscard]] Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key);
 
-/// The same with the certificate of the authority, in PEM.
+/// read_token() with the certificate of the authority in PEM.
 [[nodiscard]] Result<Identity> read_token(std::string_view token, std::string_view authority_pem, WallTime now);
 
-/// Whom `token` names. Error: it is no token, another authority signed it, or it expired before `now`.
+/// The person whom `token` names. Error: it is no token, another authority signed it, or it expired before `now`.
 [[nodiscard]] Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, WallTime now);
 
 /// 256 random bits in hexadecimal: a new secret.

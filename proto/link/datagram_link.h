@@ -16,30 +16,30 @@ enum class End { Client, Server };
 
 struct DatagramLinkSettings {
   SealSettings seal;
-  Nanoseconds deadline = std::chrono::milliseconds(100);  ///< of a frame, from its capture
+  Nanoseconds deadline = std::chrono::milliseconds(100);  ///< longest time from a frame's capture until it is complete
 };
 
-/// One end of a sealed link that carries frames with a deadline, in both directions. Pure: the caller moves datagrams
-/// and gives the time, which both ends count alike (the session clock). Owner: one thread.
+/// One end of a sealed link that carries frames with a deadline, in both directions. Pure: the caller sends and
+/// receives the datagrams, and passes the time: session time, which is equal at both ends. Owner: one thread.
 class DatagramLink {
  public:
   DatagramLink(const DatagramLinkSettings& settings, End end);
 
-  /// Queues a frame; returns the number of the frame that it replaces. The next frame of that channel must stand alone
-  /// if frames of the channel depend on each other.
+  /// Queues a frame; returns the number of the frame that it replaces. If a frame was replaced and frames of its
+  /// channel depend on each other, the next one must be a key frame.
   std::optional<std::uint32_t> offer(Frame frame) { return sender_.offer(std::move(frame)); }
 
-  /// The next datagram to send now; nullopt: none until time passes or something arrives.
+  /// The next datagram to send now; nullopt: nothing to send. Ask again later, or after received().
   [[nodiscard]] std::optional<Datagram> next(SessionTime now);
 
-  /// Takes a datagram. nullopt: it is not from the peer; the caller does not answer. Otherwise whether it is the
-  /// newest: only then may the peer's address become the address it came from.
+  /// Processes a received datagram. nullopt: it is not from the peer, and the caller must not answer it. True: it is
+  /// the peer's newest datagram, so the peer's address may change to the address it came from.
   std::optional<bool> received(std::span<const std::byte> datagram, SessionTime now);
 
   /// The next complete frame.
   [[nodiscard]] std::optional<Frame> take(SessionTime now);
 
-  /// Bit n: the peer needs a frame of channel n that stands alone. Reading clears it.
+  /// Bit n: the peer needs a key frame of channel n. The call clears all bits.
   [[nodiscard]] std::uint16_t key_frames_wanted() noexcept { return std::exchange(peer_wants_, std::uint16_t{0}); }
 
   [[nodiscard]] const PathEstimate& path() const noexcept { return path_; }

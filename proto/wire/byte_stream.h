@@ -37,11 +37,11 @@ class ByteStream {
 
   /// True once a TLS handshake has succeeded.
   [[nodiscard]] virtual bool is_sealed() const { return false; }
-  /// Whom the peer's certificate names, when TLS has verified one.
+  /// The person whom the peer's certificate names; nullopt: TLS has not verified a certificate.
   [[nodiscard]] virtual std::optional<keys::Identity> identity() { return std::nullopt; }
   /// Secret bytes that both ends of a TLS session share; nullopt before the handshake has ended, and without TLS.
   [[nodiscard]] virtual std::optional<std::array<std::byte, 32>> keying_material(std::string_view label);
-  /// What a failure means, when each further attempt would fail the same way.
+  /// Explains a failure, if each further attempt would fail the same way; nullopt: an attempt may succeed.
   [[nodiscard]] virtual std::optional<Error> refusal(const boost::system::error_code& failed);
 };
 

@@ -26,7 +26,7 @@ enum class LinkState {
   Connecting,  ///< trying to connect, with back-off between attempts
   Connected,   ///< handshake done, subscribed, session clock synchronised
   Lost,        ///< the connection was lost; Connecting follows automatically
-  Refused,     ///< each attempt would end the same way, refusal() says why; nothing follows but Stopped
+  Refused,     ///< each further attempt would fail the same way; refusal() says why; only Stopped follows
   Stopped,     ///< stop() was called; the final state
 };
 [[nodiscard]] std::string_view name(LinkState state) noexcept;
@@ -88,7 +88,7 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] Nanoseconds clock_uncertainty() const noexcept { return clock_sync_.uncertainty(); }
 
   [[nodiscard]] LinkState state() const noexcept { return state_; }
-  /// At LinkState::Refused: why, where and what to do.
+  /// In LinkState::Refused: the reason, the place and the fix.
   [[nodiscard]] const Error& refusal() const noexcept { return refusal_; }
   /// Connection::keying_material() of the current connection; nullopt without one.
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const;
@@ -130,7 +130,7 @@ class ClientLink : private ConnectionOwner {
   boost::asio::io_context& io_;
   Options options_;
   Handlers handlers_;
-  const std::uint64_t run_;  // by it a server knows this link again after a reconnection
+  const std::uint64_t run_;  // random number by which a server recognises this link after a reconnection
   TlsSettings tls_;          // null before the first connection, and without a key
   Error refusal_;
   LinkState state_ = LinkState::Stopped;

@@ -77,8 +77,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void probe_clock();
   /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.
   void request_key_frame(const Message& unreadable);
-  /// Sends the remaining messages of next_to_send() and a Goodbye, and closes, within 0.5 s.
-  /// `final`: another attempt of the peer would end the same way.
+  /// Sends the remaining messages of next_to_send() and a Goodbye, and closes, within 0.5 s. `final`: tells the peer
+  /// that another attempt would fail the same way.
   void close(const std::string& reason, bool final = false);
   /// Closes at once; no callback follows.
   void abandon() noexcept;

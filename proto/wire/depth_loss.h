@@ -9,7 +9,7 @@
 
 namespace telepalp::wire {
 
-/// What a message states about its depth: the codec's mode, and how far depth may be off the measurement.
+/// A message's statement about its depth: the codec's mode, and how far depth may be off the measurement.
 struct DepthFidelity {
   std::string mode;                         ///< of the codec; empty: not stated
   bool moved = false;                       ///< true: depth may differ from the measurement

@@ -11,7 +11,7 @@ namespace telepalp::wire {
 // The messages of some topics come in groups of pictures: a key frame, then frames that are each predicted from the one
 // before. A receiver that lacks a reference frame requests a key frame. The request goes from the receiver
 // (KeyFrameRequest) to the hub (KeyFrameState), and from the hub to the encoder (KeyFramePacing). Each of the three
-// sends on fewer requests than it gets.
+// passes on only some of its requests.
 
 /// Decides when a receiver that cannot decode requests a key frame: at the first failure, then at a fixed interval
 /// while decoding still fails.
@@ -43,7 +43,7 @@ struct GroupPosition {
   return key_frame || (position.last != 0 && sequence == position.last + 1);
 }
 
-/// What the hub knows of a topic's key frames.
+/// The hub's state about the key frames of a topic.
 struct KeyFrameState {
   bool in_groups = false;        ///< a predicted frame has been published
   bool requested = false;        ///< a key frame was requested and is not published yet

@@ -18,13 +18,13 @@
 
 namespace telepalp::access {
 
-/// Decides who may enter the server and do what, and writes it down. Without a key every peer is `local`, and the
-/// server listens on loopback alone. Owner: the server's network thread. Its listeners share it by shared_ptr, because
-/// TLS handshakes under way ask it for revocations.
+/// Decides which peers may connect and what each may do, and writes it to the audit log. Without a key every peer is
+/// `local`, and the server listens on loopback alone. Owner: the server's network thread. Its listeners share it by
+/// shared_ptr, because TLS handshakes under way ask it for revocations.
 class Access : public std::enable_shared_from_this<Access> {
  public:
   struct Options {
-    std::filesystem::path key;      ///< of telepalp-keys server
+    std::filesystem::path key;      ///< key file that `telepalp-keys server` made
     std::filesystem::path revoked;  ///< empty: revoked.crl beside the key, if it exists
     std::filesystem::path audit;    ///< empty: audit.log beside the key
     std::function<void(const std::string&)> say{};
@@ -41,13 +41,14 @@ class Access : public std::enable_shared_from_this<Access> {
   /// Names and addresses under which clients reach this server, from its key.
   [[nodiscard]] const std::vector<std::string>& hosts() const;
 
-  /// Who a peer of the wire is: by its certificate, else by its `token`. `address`: without the port.
+  /// The person behind a peer (not a browser): named by its certificate, else by its `token`. `address`: without the
+  /// port. Error: it has neither, or they are not valid.
   [[nodiscard]] Result<keys::Identity> who(bool is_sealed, const std::optional<keys::Identity>& certificate,
                                            std::string_view token, const std::string& address);
-  /// Who brings this `token`, in a browser. Wrong ones are slowed down by address.
+  /// The person whom `token` names. After wrong tokens from an `address`, further attempts from there must wait.
   [[nodiscard]] Result<keys::Identity> bearer(std::string_view token, const std::string& address);
 
-  /// The check of each operation, where it enters the server.
+  /// Checks that the role of `who` allows `operation`. Each operation is checked where it enters the server.
   [[nodiscard]] Result<void> may(const keys::Identity& who, keys::Operation operation) const;
 
   /// False once the key has expired or is revoked.
@@ -60,7 +61,7 @@ class Access : public std::enable_shared_from_this<Access> {
   [[nodiscard]] TouchLease& touch() noexcept { return touch_; }
 
   struct Counts {
-    std::uint64_t refused = 0;  ///< keys, tokens and operations
+    std::uint64_t refused = 0;  ///< number of refused keys, tokens and operations
     std::uint64_t joined = 0;
     std::uint64_t audit_lines = 0;
     std::uint64_t audit_not_written = 0;

@@ -14,7 +14,7 @@
 
 namespace telepalp::access {
 
-/// What the log tells of. The name is the word in the log.
+/// The events that the log records. name() gives the word in the log.
 enum class AuditEvent { Started, Stopped, Joined, Left, Records, TookTouch, GaveTouch, Refused, SignedIn, SignedOut };
 [[nodiscard]] std::string_view name(AuditEvent event) noexcept;
 
@@ -28,9 +28,9 @@ class AuditLog {
   [[nodiscard]] static Result<std::unique_ptr<AuditLog>> open(const std::filesystem::path& file,
                                                               const std::function<void(const std::string&)>& say);
 
-  /// Never fails: a full disk must not stop the patient's stream. What could not be written is counted, and said once.
-  /// Of refusals in 10 s, 20 of strangers and 200 of others are written; the next line tells how many more there were:
-  /// nobody may fill the disk.
+  /// Writes one line. It never fails, because a full disk must not stop the patient's stream: lines that could not be
+  /// written are counted, and `say` is told once. In 10 s at most 20 refusals of strangers and 200 of others are
+  /// written, so that nobody can fill the disk; the next line gives the number of the rest.
   void note(AuditEvent event, const std::string& text, keys::WallTime now);
 
   [[nodiscard]] std::uint64_t lines() const noexcept { return position_.lines; }
@@ -46,7 +46,7 @@ class AuditLog {
   std::function<void(const std::string&)> say_;
   std::uint64_t not_written_ = 0;
   keys::WallTime refusals_since_{};
-  std::uint64_t strangers_ = 0;  // refused since then
+  std::uint64_t strangers_ = 0;  // number of refused strangers in the present 10 s
   std::uint64_t others_ = 0;
   std::uint64_t unsaid_ = 0;
 };

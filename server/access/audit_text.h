@@ -6,7 +6,7 @@
 namespace telepalp::access {
 
 /// A text of a peer as the value of one field of the audit log: in quotes, without quotes inside, at most 200 bytes. So
-/// a name cannot pass for another field.
+/// a peer's name cannot imitate another field.
 [[nodiscard]] inline std::string audit_text(std::string_view text) {
   std::string safe(text.substr(0, 200));
   for (char& letter : safe)

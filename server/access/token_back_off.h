@@ -6,8 +6,9 @@
 
 namespace telepalp::access {
 
-/// Slows down guessing: after five wrong tokens from an address, none is looked at for a second, and the time doubles
-/// with each further one, up to a minute. A right token clears the address. Bounded memory; pure.
+/// Slows down guessing: after five wrong tokens from an address, tokens from there are refused unchecked for a second.
+/// The time doubles with each further wrong token, up to a minute. A right token clears the address. Bounded memory;
+/// pure.
 class TokenBackOff {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

@@ -63,10 +63,10 @@ class Connection {
   virtual ~Connection();
   /// Closes the connection at once; it does not use the hub afterwards.
   virtual void close() = 0;
-  /// True when the connection neither receives nor publishes anything, so that it may be closed to make room for
-  /// another one.
   /// Ends the connection if its key or session has ended; called each second.
   virtual void check_access() {}
+  /// True when the connection neither receives nor publishes anything, so that it may be closed to make room for
+  /// another one.
   [[nodiscard]] virtual bool is_idle() const { return false; }
 
  protected:

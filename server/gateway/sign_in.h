@@ -12,18 +12,18 @@ inline constexpr std::string_view kCookieName = "__Host-telepalp";
 inline constexpr std::string_view kSignInTarget = "/sign-in";
 inline constexpr std::string_view kSignOutTarget = "/sign-out";
 
-/// The page with a field for the token. `problem`: why the last one was refused; empty: none was sent.
+/// The page with a field for the token. `problem`: why the last token was refused; empty: no token was sent.
 [[nodiscard]] HttpReply sign_in_page(const HttpRequest& request, std::string_view problem);
 /// The page with a button that ends the session.
 [[nodiscard]] HttpReply sign_out_page(const HttpRequest& request, const std::string& who);
-/// Goes to `target`, and sets the cookie to `cookie`; an empty one removes it.
+/// A redirect to `target` that sets our cookie to `cookie`; an empty `cookie` removes it.
 [[nodiscard]] HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie);
 
 /// The value of the field `token` in a posted form.
 [[nodiscard]] std::string token_in_form(std::string_view body);
 /// The value of our cookie in a Cookie header.
 [[nodiscard]] std::string_view our_cookie(std::string_view cookies) noexcept;
-/// The token of an Authorization header `Bearer TOKEN`; empty: there is none.
+/// The token of an Authorization header `Bearer TOKEN`; empty: the header has no token.
 [[nodiscard]] std::string_view bearer_token(std::string_view authorization) noexcept;
 
 }  // namespace telepalp::gateway

@@ -12,7 +12,7 @@
 
 namespace telepalp::gateway {
 
-/// What the gateway knows of a viewer before its WebSocket opens.
+/// Facts about a viewer, known before its WebSocket opens.
 struct Newcomer {
   std::string_view subprotocol;  ///< the negotiated one
   boost::asio::ip::tcp::endpoint peer;

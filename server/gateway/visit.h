@@ -8,24 +8,25 @@
 
 namespace telepalp::gateway {
 
-/// One who is signed in, at the web port.
+/// A person who is signed in at the web port.
 struct Visitor {
   keys::Identity who;
-  std::string cookie;  ///< of the browser's session; empty: a token came with the request, or there are no keys
+  std::string cookie;  ///< of the browser's session; empty: the request has a token, or the server has no keys
 };
 
-/// One request of the web port: who sends it, and the replies to what needs permission. Signing in and out happens
-/// here.
+/// One request of the web port: finds the person who sends it, and makes the replies that need permission, such as
+/// signing in and out.
 class Visit {
  public:
-  /// `address`: of the peer, without its port.
+  /// `address`: the peer's address without its port.
   Visit(GatewayContext& context, const HttpRequest& request, std::string address);
 
   [[nodiscard]] const std::optional<Visitor>& visitor() const noexcept { return visitor_; }
   [[nodiscard]] bool brought_token() const noexcept { return brought_token_; }
   [[nodiscard]] bool may(keys::Operation operation) const;
 
-  /// The reply to a request that is not for everyone; nullopt: the visitor may have what it asks for.
+  /// The reply when permission decides it (sign-in, sign-out, metrics, a refusal); nullopt: the visitor may get the
+  /// requested page.
   [[nodiscard]] std::optional<HttpReply> reply(const HttpRequest& request);
 
  private:
@@ -38,7 +39,7 @@ class Visit {
   std::string address_;
   std::optional<Visitor> visitor_;
   bool brought_token_ = false;
-  std::string problem_;  // with the token that came
+  std::string problem_;  // why the token in the request was refused
 };
 
 }  // namespace telepalp::gateway

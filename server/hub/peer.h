@@ -75,13 +75,13 @@ class PeerListener::Peer : public wire::ConnectionOwner {
            " from=" + connection_->peer() + (who_ && !who_->serial.empty() ? " key=" + who_->serial : "");
   }
 
-  /// What a peer that takes a place of `kind` does.
+  /// The operation for which a peer needs permission to take a place of `kind`.
   static keys::Operation operation_of(PlaceKind kind) noexcept {
     if (kind == PlaceKind::Station) return keys::Operation::Touch;
     return kind == PlaceKind::Recorder ? keys::Operation::Record : keys::Operation::Watch;
   }
 
-  /// Refuses what no further attempt can change.
+  /// Refuses the peer with a final Goodbye: a further attempt would fail the same way.
   void deny(const Error& why) {
     audited_ = true;
     access().note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(why.what));
@@ -111,13 +111,14 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     if (kind == PlaceKind::Recorder) access().note(access::AuditEvent::Records, in_audit());
     if (holds_touch_) access().note(access::AuditEvent::TookTouch, in_audit());
   }
-  /// With keys, one doctor holds the touch. Without, all programs are on this machine, and so is whoever started them.
+  /// Takes the touch for this peer; false: another doctor holds it. Without keys it is always granted, because only
+  /// programs of this machine can connect.
   bool takes_touch() {
     if (!access().has_keys()) return true;
     holds_touch_ = access().touch().take(number_, who_->serial, who_->name, Clock::now());
     return holds_touch_;
   }
-  /// The same for a peer that did not come as a station, and yet publishes like one.
+  /// Takes the touch for a peer that did not connect as a station but advertises a station's topic.
   bool takes_touch_late() {
     const bool took = takes_touch();
     if (holds_touch_) access().note(access::AuditEvent::TookTouch, in_audit());
@@ -187,7 +188,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   std::optional<keys::Identity> who_;  // nullopt: not known yet, or refused
   std::optional<PlaceKind> place_;
   bool holds_touch_ = false;
-  bool audited_ = false;        // the log tells why this peer is refused
+  bool audited_ = false;        // the audit log already has the reason for this peer's refusal
   bool advertised_ = false;     // the peer has advertised an allowed topic
   bool subscribed_ = false;     // the peer is subscribed to at least one topic
   Clock::time_point useful_{};  // when it last published, subscribed or greeted

@@ -69,7 +69,7 @@ class PeerListener {
   [[nodiscard]] std::uint32_t sender_number(std::uint64_t run) const;
   void note(const std::string& text) const;
   void note_refusal(const std::string& text);
-  [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: strangers
+  [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: peers without a place
   void let_a_stranger_go();
   void let_idle_go_every_second();
   [[nodiscard]] std::unique_ptr<wire::ByteStream> stream_over(boost::asio::ip::tcp::socket socket) const;

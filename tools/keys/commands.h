@@ -10,10 +10,10 @@
 
 namespace telepalp::keys_tool {
 
-/// What the command line asks for. Each command returns the text for stdout.
+/// The values of the command line. Each command returns the text for stdout.
 struct Asked {
   std::filesystem::path folder;
-  std::string file;  ///< or a serial number, for revoke; empty: the command takes none
+  std::string file;  ///< the file that the command names, or for revoke a serial number; empty: none
   std::string name;
   std::string role;
   std::vector<std::string> hosts;

@@ -13,7 +13,7 @@ namespace telepalp::keys_tool {
 /// issued), revoked.crl (for the server) and the keys.
 class KeyFolder {
  public:
-  /// Creates the folder with a new authority. Error: it has one.
+  /// Creates the folder with a new authority. Error: the folder already has an authority.
   [[nodiscard]] static Result<KeyFolder> create(const std::filesystem::path& folder, const std::string& name,
                                                 keys::WallTime now, std::chrono::days valid);
   [[nodiscard]] static Result<KeyFolder> open(const std::filesystem::path& folder);
@@ -27,7 +27,7 @@ class KeyFolder {
   /// Adds `serial` to revoked.crl; returns the number of revoked keys.
   [[nodiscard]] Result<std::size_t> revoke(const std::string& serial, keys::WallTime now) const;
 
-  /// issued.txt, with "revoked" behind each that is.
+  /// The text of issued.txt, with "REVOKED" after each revoked entry.
   [[nodiscard]] Result<std::string> list() const;
 
  private:

@@ -11,7 +11,7 @@
 namespace telepalp::link_proxy {
 
 /// One direction of the proxy in real time: all flows share one impaired link, and so its bottleneck. Owner: the thread
-/// of `io`. Delivers each packet to the sink of its flow when it has arrived.
+/// of `io`. Calls the sink of a packet's flow when the packet has passed the link.
 class ImpairedLine {
  public:
   using Sink = std::function<void(std::vector<std::byte> bytes)>;

@@ -4,7 +4,7 @@
 
 namespace telepalp::link_proxy {
 
-/// Both directions of the proxy, and the numbers of its flows.
+/// Both directions of the proxy. It numbers the flows: TCP connections and UDP clients.
 struct Lines {
   ImpairedLine to_server;
   ImpairedLine to_client;

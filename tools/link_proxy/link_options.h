@@ -7,7 +7,7 @@ namespace telepalp::link_proxy {
 
 [[nodiscard]] program::Usage usage();
 
-/// The proxy's options from the command line: a profile or a trace first, then each figure that is given.
+/// The proxy's options from the command line. Options such as `--loss-percent` replace figures of the profile or trace.
 [[nodiscard]] Result<ProxyOptions> proxy_options(const program::Arguments& arguments);
 
 }  // namespace telepalp::link_proxy

@@ -10,7 +10,7 @@ namespace telepalp::link_proxy {
 
 class TcpPair;
 
-/// Accepts TCP connections and joins each to a new one to the server, through the lines. Each connection ends at the
+/// Accepts TCP connections and joins each to a new connection to the server, through Lines. Each connection ends at the
 /// proxy: a loss delays a stream by a round trip, and no congestion window becomes smaller.
 class TcpProxy {
  public:

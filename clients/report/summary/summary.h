@@ -56,8 +56,8 @@ struct Summary {
 
   Quantiles capture_to_encoded_ms, encoded_to_received_ms, received_to_decoded_ms, decoded_to_touchable_ms;
   Quantiles capture_to_touchable_ms;
-  double object_unseen_share = 0.0;        ///< of the time, in which the place of an object in the body was held
-  double object_slide_unseen_share = 0.0;  ///< of the time, in which an object did not follow the body along its skin
+  double object_unseen_share = 0.0;        ///< share of the time in which an object stayed: the skin above was not seen
+  double object_slide_unseen_share = 0.0;  ///< share of the time in which an object did not follow the body's slide
   Quantiles surface_carried_mm, hand_carried_mm;  ///< magnitude of the predicted displacement
   /// The loosest bound of the depth that the station touched; without a station, that of the recorded images.
   wire::DepthFidelity depth;

@@ -13,7 +13,7 @@ class TransitionFade {
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& raw_N, bool breaks, double rate_N_per_s,
                                      double dt_s) noexcept;
 
-  /// The part of the last step's force that still comes from before the jump [N].
+  /// The part of the last step's force that remains from before the transition [N].
   [[nodiscard]] const Eigen::Vector3d& fading_N() const noexcept { return fading_N_; }
 
  private:

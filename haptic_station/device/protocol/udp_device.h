@@ -12,7 +12,7 @@ namespace telepalp::device::udp {
 
 /// Message from the station to the device, sent at every tick. UDP_DEVICE.md specifies the bytes.
 struct Command {
-  std::uint32_t session = 0;   ///< random number that the station draws at its start
+  std::uint32_t session = 0;   ///< random number that the station chooses at its start
   std::uint32_t sequence = 0;  ///< increases by one with each command
   std::uint64_t sent_us = 0;   ///< on the station's steady clock
   bool in_body = false;        ///< S1 II.C's flag
@@ -26,7 +26,7 @@ struct Command {
 
 /// Message from the device to the station.
 struct Pose {
-  std::uint32_t session = 0;  ///< random number that the device draws at its start
+  std::uint32_t session = 0;  ///< random number that the device chooses at its start
   std::uint32_t sequence = 0;
   std::uint64_t taken_us = 0;  ///< when the encoders were read, on the device's clock
   std::uint32_t heard = 0;     ///< sequence number of the newest command received

@@ -7,17 +7,18 @@
 
 namespace telepalp::surface {
 
-/// Follows places on the skin from image to image, each against the patch that was seen there first, so that nothing
-/// drifts. Where the patch is hidden, or has too little shape to tell a slide, the last values are held and the mark
-/// says so. Owner: surface thread.
+/// Follows places on the skin from image to image. Each image is compared with the patch of skin that was first seen
+/// there, so that errors do not add up. Where the patch is hidden, or has too little shape to measure a slide, the last
+/// values are held, and the mark's flags say so. Owner: surface thread.
 class MarkTracker {
  public:
-  /// The places to follow from now on; forgets those of before.
+  /// Sets the places to follow from now on and forgets the earlier ones.
   void watch(const MarkLines& lines);
-  /// Forgets the patches, but not where to find them.
+  /// Forgets the patches and keeps the lines on which to find them.
   void restart();
 
-  /// The next frame, `dt_s` after the last. `averaged`: over time, from which a patch is taken; `seen`: this frame's.
+  /// Adds a frame, `dt_s` after the last. `averaged`: depth averaged over time, from which a patch is taken; `seen`:
+  /// depth of this frame.
   void add(const DepthField& averaged, const DepthField& seen, const Intrinsics& camera, double dt_s);
 
   [[nodiscard]] const SkinMarks& marks() const noexcept { return marks_; }
@@ -25,7 +26,7 @@ class MarkTracker {
  private:
   struct Followed {
     std::optional<MarkLine> line;
-    int frames = 0;  ///< seen while the patch is not known yet
+    int frames = 0;  ///< number of frames before the patch is taken
     std::optional<SkinPatch> patch;
     PatchPose pose;                                    ///< as last registered, with the filtered slide
     Eigen::Vector3d slid_m = Eigen::Vector3d::Zero();  ///< part of the motion along the skin

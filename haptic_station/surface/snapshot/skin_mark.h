@@ -17,12 +17,12 @@ struct MarkLine {
 };
 using MarkLines = std::array<std::optional<MarkLine>, kMostMarks>;
 
-/// A mark: one place on the skin, followed from the first images on. It tells where the body under it has moved. Depth
+/// A mark: one place on the skin, followed from the first images on. Its displacement is that of the body below. Depth
 /// camera's frame.
 struct SkinMark {
   bool watched = false;
   bool seen = false;        ///< the skin around the mark was measured; false: the last values are held
-  bool slide_seen = false;  ///< the skin has enough shape to tell how it slides; false: the last slide is held
+  bool slide_seen = false;  ///< the skin has enough shape to measure its slide; false: the last slide is held
   Eigen::Vector3d at = Eigen::Vector3d::Zero();       ///< the mark
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< of the skin there, unit, out of the body
   Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();  ///< since the first images

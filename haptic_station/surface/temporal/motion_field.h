@@ -46,7 +46,7 @@ class MotionField {
     double velocity_m_per_s = 0.0;
     double energy = 0.0;  ///< slow mean of the squared velocity; weight of this cell in the breathing model
     double frames = 0.0;
-    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation: what the filter lags
+    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation: by how much the filter lags
   };
 
   void update_moving(const std::vector<CellInnovation>& seen);

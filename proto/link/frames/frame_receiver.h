@@ -13,7 +13,7 @@ namespace telepalp::link {
 
 struct ReceiverStatistics {
   std::uint64_t delivered = 0;
-  std::uint64_t late = 0;         ///< of these, after a newer frame of their channel
+  std::uint64_t late = 0;         ///< delivered frames that came after a newer frame of their channel
   std::uint64_t incomplete = 0;   ///< frames given up because shards were missing
   std::uint64_t undecodable = 0;  ///< complete frames given up because the frame they depend on is missing
   std::uint64_t restored_shards = 0;
@@ -21,10 +21,10 @@ struct ReceiverStatistics {
 };
 
 /// Assembles frames from fragments in any order. A frame is delivered only when it is complete, and once. A key frame
-/// is delivered at once, and says whether it is the newest of its channel: an older one is repaired within its
-/// deadline, but must not be shown any more. A dependent frame is delivered only after the frame before it, and never
-/// late. Memory is bounded: at most kMostAssembling_B, and kMostFrames of a channel. Pure: time is an argument. Owner:
-/// one thread.
+/// is delivered at once, and marked as newest or not: one that was repaired within its deadline may come after a newer
+/// frame and must then not be shown. A dependent frame is delivered only after the frame before it, and never late.
+/// Memory is bounded: at most kMostAssembling_B, and kMostFrames of a channel. Pure: time is an argument. Owner: one
+/// thread.
 class FrameReceiver {
  public:
   static constexpr std::size_t kMostAssembling_B = std::size_t{32} << 20U;
@@ -38,9 +38,10 @@ class FrameReceiver {
 
   /// Gives up frames that are too late. Call it at each step of time.
   void step(SessionTime now);
-  /// Blocks whose first round is over and that lack shards, oldest frame first, at most kMostMissing.
+  /// Blocks that lack shards although all fragments of their frame should have arrived; oldest frame first, at most
+  /// kMostMissing.
   [[nodiscard]] std::vector<Missing> missing(SessionTime now) const;
-  /// Bit n: channel n cannot go on without a frame that stands alone.
+  /// Bit n: channel n cannot deliver frames until a key frame comes.
   [[nodiscard]] std::uint16_t key_frames_wanted() const noexcept { return key_frames_wanted_; }
 
   [[nodiscard]] std::size_t assembling_B() const noexcept { return assembling_B_; }
@@ -60,7 +61,7 @@ class FrameReceiver {
     std::vector<Block> blocks{};
     std::size_t blocks_complete = 0;
     SessionTime first_at;
-    SessionTime last_at{};  ///< of the newest fragment
+    SessionTime last_at{};  ///< arrival of the newest fragment
     [[nodiscard]] bool complete() const noexcept { return blocks_complete == blocks.size(); }
   };
   /// The numbers of the delivered frames.

@@ -28,11 +28,11 @@ struct SenderStatistics {
   std::uint64_t expired = 0;   ///< dropped unsent, because their deadline could not be met
   std::uint64_t data_shards = 0;
   std::uint64_t repair_shards = 0;
-  std::uint64_t requested_shards = 0;  ///< of the repair shards: on request
+  std::uint64_t requested_shards = 0;  ///< repair shards that were sent on request
 };
 
-/// Cuts frames into fragments. One frame of each channel waits; a newer one replaces it. Started frames are sent to the
-/// end. Pure: time and the path are arguments. Owner: one thread.
+/// Cuts frames into fragments. One frame of each channel waits, and a newer one replaces it. A frame whose sending has
+/// begun is sent completely. Pure: time and the path are arguments. Owner: one thread.
 class FrameSender {
  public:
   explicit FrameSender(Nanoseconds deadline) : deadline_(deadline) {}
@@ -44,14 +44,14 @@ class FrameSender {
   /// The payload of the next datagram; nullopt: nothing to send, or no room on the path.
   [[nodiscard]] std::optional<std::vector<std::byte>> next(SessionTime now, PathEstimate& path);
 
-  /// Prepares the repair shards that a receiver asks for, where they can still come in time.
+  /// Prepares the repair shards that a receiver asks for, if they can arrive before the frame's deadline.
   void on_missing(std::span<const Missing> missing, SessionTime now, const PathEstimate& path);
 
   [[nodiscard]] const SenderStatistics& statistics() const noexcept { return statistics_; }
 
  private:
   struct Block {
-    std::size_t next_row = 0;  ///< of the first repair shard that was not sent
+    std::size_t next_row = 0;  ///< row of the first repair shard that was not sent
     SessionTime repaired_at{};
   };
   struct Outgoing {
@@ -62,10 +62,10 @@ class FrameSender {
     std::vector<Block> blocks;
   };
   struct Piece {
-    std::uint64_t outgoing;  ///< place in sent_, counted from the start
+    std::uint64_t outgoing;  ///< number of the frame in sent_, counted from the session's start
     std::uint8_t block;
     std::uint8_t shard;
-    std::vector<std::byte> repair;  ///< empty: a data shard
+    std::vector<std::byte> repair;  ///< bytes of a repair shard; empty: a data shard
   };
   void start_newest(SessionTime now, const PathEstimate& path);
   void start(Frame frame, SessionTime now, const PathEstimate& path);

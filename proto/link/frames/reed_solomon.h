@@ -19,8 +19,8 @@ struct RepairShard {
   std::vector<std::byte> bytes;
 };
 
-/// Restores the data shards `missing` in place. `repairs` has at least as many shards as `missing`, each row once.
-/// Error: none; any such set of rows of a Cauchy matrix is invertible.
+/// Restores the data shards `missing` in place. `repairs` has at least as many shards as `missing`, each row once. It
+/// cannot fail: each square part of a Cauchy matrix is invertible.
 void restore_data_shards(std::span<std::byte* const> data, std::span<const std::uint8_t> missing,
                          std::size_t shard_bytes, std::span<const RepairShard> repairs);
 

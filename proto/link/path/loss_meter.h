@@ -33,7 +33,7 @@ class LossMeter {
     if (lost && !in_burst_) ++bursts_;
     in_burst_ = lost;
   }
-  /// After an outage: all that was on the way is one burst.
+  /// Call it after an outage: all packets that were on the way count as one burst.
   void skip_to(std::uint64_t sequence) noexcept {
     const auto gone = static_cast<std::uint32_t>(sequence - next_);
     settled_ += gone;

@@ -15,7 +15,7 @@ class PathEstimate {
  public:
   /// A datagram of `bytes` left at `now`.
   void sent(std::uint64_t sequence, std::size_t bytes, SessionTime now);
-  /// Ignores feedback that is older than the last one, or acknowledges what was not sent.
+  /// Ignores feedback that is older than the last one, or acknowledges a datagram that was not sent.
   void on_feedback(const Feedback& feedback, SessionTime now);
 
   /// True if a datagram may be sent now. Without feedback for a while all data in flight counts as lost.
@@ -23,13 +23,13 @@ class PathEstimate {
 
   [[nodiscard]] Nanoseconds round_trip() const noexcept { return round_trip_; }  ///< smoothed; 0: unknown
   [[nodiscard]] Nanoseconds least_round_trip() const noexcept { return least_round_trip_; }
-  [[nodiscard]] Nanoseconds queue_delay() const noexcept { return queue_delay_; }  ///< above the least
+  [[nodiscard]] Nanoseconds queue_delay() const noexcept { return queue_delay_; }  ///< round trip minus the least one
   [[nodiscard]] double loss() const noexcept { return loss_; }                     ///< share of packets
   [[nodiscard]] double burst_packets() const noexcept { return burst_packets_; }   ///< mean, at least 1
-  [[nodiscard]] double rate_B_per_s() const noexcept { return rate_B_per_s_; }     ///< delivered; 0: unknown
+  [[nodiscard]] double rate_B_per_s() const noexcept { return rate_B_per_s_; }     ///< rate of delivery; 0: unknown
   [[nodiscard]] std::uint64_t in_flight_B() const noexcept { return sent_bytes_ - acknowledged_; }
   [[nodiscard]] std::uint64_t limit_B() const noexcept { return limit_B_; }
-  [[nodiscard]] Nanoseconds reported_age() const noexcept { return reported_age_; }  ///< of frames at the receiver
+  [[nodiscard]] Nanoseconds reported_age() const noexcept { return reported_age_; }  ///< of the newest complete frame
 
  private:
   struct Sent {
@@ -56,8 +56,8 @@ class PathEstimate {
   std::uint64_t acknowledged_ = 0;
   std::optional<Feedback> last_;
   SessionTime last_heard_{};
-  std::deque<RoundTrip> recent_;  ///< of the last ten seconds, thinned
-  std::deque<Report> reports_;    ///< of the last fifth of a second
+  std::deque<RoundTrip> recent_;  ///< some round trips of the last ten seconds
+  std::deque<Report> reports_;    ///< reports of the last fifth of a second
   Nanoseconds round_trip_{0};
   Nanoseconds least_round_trip_{0};
   Nanoseconds queue_delay_{0};
@@ -73,8 +73,8 @@ class PathEstimate {
   std::uint64_t limit_B_ = std::uint64_t{1} << 20U;
 };
 
-/// The repair shards to send with a block of `data_shards`, so that it is complete without them or with a repair round.
-/// `repairable`: a request for more shards and its answer fit before the frame's deadline.
+/// Number of repair shards to send at once with a block of `data_shards`. `repairable`: a request for more shards and
+/// its answer fit before the frame's deadline.
 [[nodiscard]] std::size_t repair_shards(std::size_t data_shards, double loss, double burst_packets,
                                         bool repairable) noexcept;
 

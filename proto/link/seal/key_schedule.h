@@ -22,7 +22,7 @@ class Secret {
   std::array<std::byte, kBytes> bytes_{};
 };
 
-/// Both have keys of 32, nonces of 12 and tags of 16 bytes.
+/// Both ciphers have keys of 32, nonces of 12 and tags of 16 bytes.
 enum class Cipher { Aes256Gcm, ChaCha20Poly1305 };
 /// AES-256-GCM where the processor has AES instructions, else ChaCha20-Poly1305.
 [[nodiscard]] Cipher preferred_cipher() noexcept;

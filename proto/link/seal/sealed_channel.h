@@ -14,7 +14,7 @@ namespace telepalp::link {
 
 struct SealSettings {
   Secret session{};          ///< the same at both ends, and used for one session
-  std::uint32_t number = 0;  ///< of the session; drawn by the server
+  std::uint32_t number = 0;  ///< random number of the session, chosen by the server
   Cipher cipher = Cipher::Aes256Gcm;
   /// A key seals at most this many packets. RFC 9001 §6.6 allows AES-GCM 2^23.
   std::uint64_t packets_per_epoch = std::uint64_t{1} << 22U;
@@ -33,7 +33,7 @@ class Sealer {
   Sealer(const SealSettings& settings, Direction direction);
 
   /// Seals `payload`, of at most kPayloadBytes, to `out`, and returns its sequence number. nullopt: the last epoch's
-  /// key is used up, after 2^38 packets with the default setting; only a new session can go on.
+  /// key is used up, after 2^38 packets with the default setting; then a new session is needed.
   [[nodiscard]] std::optional<std::uint64_t> seal(std::span<const std::byte> payload, Datagram& out);
 
  private:
@@ -55,7 +55,7 @@ struct Opened {
 
 /// Counters of refused datagrams.
 struct OpenerStatistics {
-  std::uint64_t malformed = 0;  ///< size, version, session or epoch
+  std::uint64_t malformed = 0;  ///< wrong size, version, session or epoch
   std::uint64_t replayed = 0;
   std::uint64_t forged = 0;  ///< the tag is wrong
 };

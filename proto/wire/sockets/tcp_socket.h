@@ -12,7 +12,7 @@ void tune(boost::asio::ip::tcp::socket& socket);
 [[nodiscard]] std::string peer_address(const boost::asio::ip::tcp::socket& socket);
 
 /// Ends the sending direction and reads on for half a second at most: closing a socket with unread bytes sends a reset,
-/// which may overtake the last words. At most 32 sockets are read so; further ones are closed.
+/// which may overtake the last message. At most 32 sockets wait in this way; further ones are closed at once.
 void close_gently(boost::asio::ip::tcp::socket socket);
 
 }  // namespace telepalp::wire

@@ -10,8 +10,8 @@
 
 namespace telepalp::gateway {
 
-/// Browsers that signed in with a token. A browser keeps a random cookie; the server keeps its hash and whom it stands
-/// for. Bounded: the oldest session ends when there are too many. Owner: the server's network thread.
+/// Browsers that signed in with a token. A browser keeps a random cookie; the server keeps the cookie's hash and the
+/// person who signed in. Bounded: the oldest session ends when there are too many. Owner: the server's network thread.
 class WebSessions {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -21,7 +21,7 @@ class WebSessions {
   /// Begins a session; returns the cookie's value.
   [[nodiscard]] std::string begin(const keys::Identity& who, TimePoint now);
   [[nodiscard]] std::optional<keys::Identity> find(std::string_view cookie, TimePoint now) const;
-  /// Ends the session of `cookie`; returns whose it was.
+  /// Ends the session of `cookie`; returns the person who was signed in.
   std::optional<keys::Identity> end(std::string_view cookie);
   [[nodiscard]] std::size_t size() const noexcept { return sessions_.size(); }
 

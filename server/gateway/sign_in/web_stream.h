@@ -57,7 +57,7 @@ class WebStream {
 
 /// Reads and discards what a browser still sends after the server's close frame. A socket that is closed with unread
 /// bytes resets the connection, and the browser then loses the close frame. Ends when the browser closes, or after
-/// `kMostDiscarded`. Beast's own teardown ends after its first read.
+/// kMostDiscarded bytes. Beast's own teardown ends after its first read.
 template <class Handler>
 class Discard {
  public:
@@ -84,7 +84,7 @@ class Discard {
   }
 
  private:
-  static constexpr std::size_t kMostDiscarded = 4 << 20;  // of a peer that never stops
+  static constexpr std::size_t kMostDiscarded = 4 << 20;  // then a peer that never stops sending is cut off
 
   boost::asio::ip::tcp::socket* socket_;  // its owner outlives the teardown
   Handler handler_;
@@ -92,11 +92,11 @@ class Discard {
   std::size_t left_ = kMostDiscarded;
 };
 
-/// Beast calls these at the end of a WebSocket. The close frame has been exchanged inside the session, so that TLS's
-/// own close_notify would add nothing.
+/// Beast calls these at the end of a WebSocket. The close frame has been exchanged inside the session, so TLS's own
+/// close_notify is not sent.
 template <class Handler>
 void async_teardown(boost::beast::role_type, WebStream& stream, Handler&& handler) {
-  boost::system::error_code ignored;  // of a peer that is gone: the read says so, too
+  boost::system::error_code ignored;  // a peer that is gone also ends the read
   stream.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
   using Op = Discard<std::decay_t<Handler>>;
   Op::start(Op(stream.socket(), std::forward<Handler>(handler)));
