@@ -57,7 +57,7 @@ struct Asked {
   bool loop = true;
   std::chrono::duration<double> seconds{0.0};
   std::filesystem::path ready_file;
-  std::optional<access::Access::Options> keys;  // none: this machine alone
+  std::optional<access::Access::Options> keys;  // nullopt: no TLS, and peers of this machine only
   server::Server::Options server;
   std::optional<gateway::GatewayOptions> gateway;  // nullopt: browsers are not served
 };

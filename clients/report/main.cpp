@@ -27,7 +27,8 @@ Result<void> write_file(const std::filesystem::path& file, const std::string& by
   return program::write_whole_file(file, bytes, program::Readers::Group);
 }
 
-/// `asked`, or, if its recorder was cut off, the session that is finished from it.
+/// The session file to report on: `asked`, or, if `asked` is a recording that was cut off, the session completed from
+/// it.
 Result<std::filesystem::path> finished(const std::filesystem::path& asked) {
   const auto partial = record::unfinished(asked);
   if (!partial) return asked;

@@ -27,8 +27,8 @@ void BodyFrame::adopt(const surface::SurfaceSnapshot& snapshot,
   marks_ = snapshot.marks;
 }
 
-/// The skin's motion at the mark since the capture, by the snapshot's own model: what carries the skin, carries the
-/// object under it. Zero where the snapshot does not reach.
+/// The skin's motion at the mark since the capture, as the snapshot's motion model predicts it for the skin. Zero where
+/// the snapshot has no surface.
 BodyFrame::Carried BodyFrame::carried(const surface::SkinMark& mark, double age_s) const noexcept {
   const surface::MotionBasis basis = surface::motion_basis(snapshot_->motion, age_s);
   const surface::FieldSample then = snapshot_->evaluate(mark.at, mark.normal, {});
@@ -37,13 +37,13 @@ BodyFrame::Carried BodyFrame::carried(const surface::SkinMark& mark, double age_
   return {.m = then.f_m - now.f_m, .m_per_s = now.velocity_m_per_s};
 }
 
-/// Without surfaces nothing is seen; the objects stay where they are.
+/// Without a snapshot no mark is seen, and the objects stay where they are.
 void BodyFrame::release() noexcept {
   snapshot_ = nullptr;
   for (surface::SkinMark& mark : marks_) mark.seen = mark.slide_seen = false;
 }
 
-/// One object a tick: its carrying changes little in eight ticks.
+/// Updates the motion of one object a tick; a motion changes little in eight ticks.
 void BodyFrame::look_at_one(double age_s) noexcept {
   const std::size_t i = next_look_;
   next_look_ = (next_look_ + 1) % marks_.size();

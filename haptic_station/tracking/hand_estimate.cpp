@@ -43,8 +43,8 @@ void HandEstimate::restart(SessionTime at, const Point<HapticBase>& hand) noexce
   started_ = true;
 }
 
-/// From one sample to the next a hand can be fast. While samples are rejected it may go on at an ordinary speed, but not
-/// far: after a longer time nothing is known about its place.
+/// From one sample to the next a hand can be fast. While samples are rejected it may go on at an ordinary speed, but
+/// not far: after a longer time nothing is known about its place.
 bool HandEstimate::is_jump(SessionTime at, const Point<HapticBase>& hand) const noexcept {
   constexpr double kOrdinary_m_per_s = 1.5;
   constexpr double kFarthest_m = 0.1;
@@ -55,7 +55,7 @@ bool HandEstimate::is_jump(SessionTime at, const Point<HapticBase>& hand) const 
   return from_last_m > settings_.fastest_m_per_s * since_s + meanwhile_m;
 }
 
-/// Samples that agree with each other for long enough are the new truth.
+/// Rejected samples that agree with each other for long enough are accepted.
 Taken HandEstimate::hold(SessionTime at, const Point<HapticBase>& hand) noexcept {
   ++refused_;
   const double since_s = to_seconds(at - received_);
@@ -68,8 +68,8 @@ Taken HandEstimate::hold(SessionTime at, const Point<HapticBase>& hand) noexcept
   return Taken::Jump;
 }
 
-/// The process noise is what the innovations show beyond what the filter expects. A single large innovation counts at
-/// once, half: a hand that starts to move is followed without delay.
+/// The process noise is the innovations' mean square minus the value that the filter expects. Half the square of a
+/// single large innovation counts at once, so that a hand that starts to move is followed without delay.
 void HandEstimate::adapt(double surprise_m2, double expected_m2, double dt_s) noexcept {
   const double remembered = surprise_m2_ > 0.0 ? std::exp(-dt_s / settings_.surprise_memory_s) : 0.0;
   surprise_m2_ += (1.0 - remembered) * (surprise_m2 - surprise_m2_);

@@ -6,8 +6,8 @@
 namespace telepalp::tracking {
 namespace {
 
-constexpr double kFloor_m2 = 1e-10;  // of an innovation: 10 um is below any tracker's resolution
-constexpr double kWeighting = 1.5;   // the weights favour small products; measured with Gaussian noise
+constexpr double kFloor_m2 = 1e-10;  // added to squared innovations: 10 um is below any tracker's resolution
+constexpr double kWeighting = 1.5;   // corrects for the weights, which favour small products; for Gaussian noise
 
 }  // namespace
 

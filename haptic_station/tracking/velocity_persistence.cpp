@@ -28,7 +28,7 @@ const VelocityPersistence::State* VelocityPersistence::a_while_before(SessionTim
 }
 
 // A velocity v that dies away at the rate c leads, after a short time a, to v (a - c a^2 / 2): c follows by least
-// squares from the distances that straight-on was too far.
+// squares from the distances by which a straight-line prediction overshot.
 void VelocityPersistence::add(SessionTime at, const Eigen::Vector3d& hand_m, const Eigen::Vector3d& velocity_m_per_s,
                               double dt_s) noexcept {
   if (const State* past = a_while_before(at)) {

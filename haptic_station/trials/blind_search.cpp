@@ -15,7 +15,7 @@ constexpr double kLeg_s[] = {0.55, 0.35, 0.30, 0.40};  // durations: over the pl
 constexpr double kPress_s = 1.6;                       // sum of all four
 constexpr double kPressTo_m = -0.065;
 constexpr double kFeelBelow_m = 0.025;       // a shallower press does not reveal an object below the skin
-constexpr double kFelt_N_per_m = 20.0;       // of a place that was felt; the skin alone has three times as much
+constexpr double kFelt_N_per_m = 20.0;       // least stiffness of a felt place; the skin alone has three times as much
 constexpr double kStifferThanMedian = 1.33;  // ratio to the median stiffness from which the person reports an object
 
 struct Place {

@@ -19,7 +19,7 @@ std::string number(double value) {
   return text;
 }
 
-/// Without escaping: the texts are names of telepalp.
+/// Quotes without escaping, because the texts are constants of telepalp.
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
 /// As in the report of a session (clients/report).

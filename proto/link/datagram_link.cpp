@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Time between two reports: about ten in a round trip of a continent.
+/// Time between two reports: about ten in the round trip across a continent.
 constexpr Nanoseconds kReportEvery = 5ms;
 
 Direction sends(End end) noexcept { return end == End::Client ? Direction::ClientToServer : Direction::ServerToClient; }

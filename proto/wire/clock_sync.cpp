@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds kWindow = 60s;  // over which the clocks' drift is constant
+constexpr Nanoseconds kWindow = 60s;  // time over which the drift of the clocks counts as constant
 constexpr std::size_t kMostSamples = 2000;
 constexpr Nanoseconds kDriftFrom = 20s;  // a shorter window gives the drift too coarsely
 constexpr Nanoseconds kStep = 1s;  // longer than any network delay: another session, or a computer that was suspended
@@ -47,8 +47,8 @@ struct Bounds {
   [[nodiscard]] Nanoseconds middle() const noexcept { return below + (above - below) / 2; }
 };
 
-/// The bounds at local time `now` from those samples that agree with the nearest one. `drift`: by which the samples'
-/// offsets have changed since; `spread`: by which each bound widens with age.
+/// The bounds at local time `now` from those samples that agree with the nearest one. `drift`: rate at which the offset
+/// has changed since each sample [s/s]; `spread`: rate at which each bound widens with age [s/s].
 Bounds bounds(Samples::const_iterator from, Samples::const_iterator to, Nanoseconds now, double drift,
               double spread) noexcept {
   const ClockSample& best = nearest(from, to, now);
@@ -62,8 +62,8 @@ Bounds bounds(Samples::const_iterator from, Samples::const_iterator to, Nanoseco
   return found;
 }
 
-/// Change of the offset, in seconds a second: the offset of the window's newer half against that of the older half.
-/// Each round knows the drift within the halves better.
+/// Drift of the clocks [s/s]: the change of the offset from the older half of the window to the newer half. Each half's
+/// offset depends on the drift within it, so three rounds refine the drift.
 double drift_of(const Samples& window) noexcept {
   if (window.back().heard - window.front().heard < kDriftFrom) return 0.0;
   const auto half = window.begin() + static_cast<std::ptrdiff_t>(window.size() / 2);

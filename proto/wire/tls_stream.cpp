@@ -77,8 +77,8 @@ class TlsTcp : public ByteStream {
 
  private:
   enum class Phase { New, Handshake, Sealed, Plain };
-  /// Reads and writes that wait for the handshake. Its handler owns them, and each of them owns, through its caller,
-  /// this stream; when the handler is destroyed, all of them are.
+  /// Reads and writes that wait for the handshake. The handshake's handler owns them. Each of them keeps this stream
+  /// alive through its caller, until the handler is destroyed.
   struct Waiting {
     std::function<void(const error_code&)> read, write;
   };
@@ -112,7 +112,7 @@ class TlsTcp : public ByteStream {
 
   void shake_hands(const std::shared_ptr<Waiting>& waiting) {
     stream_.async_handshake(end_, [this, waiting](const error_code& failed) {
-      // The alert that says why must arrive before the reset of a closed socket.
+      // The TLS alert with the reason must arrive before the reset of a closed socket.
       const bool says_why = failed.category() == asio::error::get_ssl_category() && end_ == ssl::stream_base::server;
       if (failed && says_why) close_gently(std::move(stream_.next_layer()));
       finish(failed ? Phase::New : Phase::Sealed, failed, *waiting);

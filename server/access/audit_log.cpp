@@ -88,7 +88,7 @@ Result<std::unique_ptr<AuditLog>> AuditLog::open(const fs::path& file,
           ", and a new one begins. See telepalp-keys audit-verify");
     }
   }
-  const mode_t mask = ::umask(0077);  // names and addresses of persons: the owner's alone
+  const mode_t mask = ::umask(0077);  // only the owner may read the names and addresses of persons
   std::unique_ptr<AuditLog> log(new AuditLog(file, position, say));
   ::umask(mask);
   if (!log->stream_)

@@ -89,7 +89,7 @@ void add_force(foxglove::SceneUpdate& scene, const msg::StationState& station) {
   set(*arrow.mutable_color(), kForce);
 }
 
-/// The hand's, as a unit quaternion; the camera's own axes when the station tells none or no rotation.
+/// The hand's attitude as a unit quaternion; the identity when the station sent none, or one that is not a rotation.
 Eigen::Quaterniond attitude(const msg::StationState& station) {
   const msg::Rotation& told = station.hand_attitude_camera();
   const Eigen::Quaterniond q(told.w(), told.x(), told.y(), told.z());

@@ -33,7 +33,7 @@ std::vector<LegendEntry> legend_of(const Chart& chart) {
   return entries;
 }
 
-/// Estimated width of `text` [px], without font metrics: an average letter width, rather too wide.
+/// Estimated width of `text` [px], without font metrics: from an average letter width that is rather too large.
 double width_of(std::string_view text, double size) { return 0.6 * size * static_cast<double>(text.size()); }
 
 double entry_width(const LegendEntry& entry) { return 24.0 + width_of(entry.name, kTextSize) + 14.0; }

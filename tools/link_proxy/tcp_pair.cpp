@@ -15,8 +15,8 @@ using boost::system::error_code;
 using namespace std::chrono_literals;
 
 constexpr std::size_t kSegment_B = 1400;
-constexpr std::size_t kMostOnTheWay_B = std::size_t{4} << 20U;  ///< of a receiver that does not read
-constexpr auto kLookAgain = 1ms;                                ///< for room in the bottleneck's queue
+constexpr std::size_t kMostOnTheWay_B = std::size_t{4} << 20U;  ///< bytes kept for a receiver that does not read
+constexpr auto kLookAgain = 1ms;  ///< pause before the next check for room in the bottleneck's queue
 
 }  // namespace
 

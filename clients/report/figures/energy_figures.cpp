@@ -46,7 +46,7 @@ std::vector<Chart> energy(const Session& session) {
 
 std::vector<Chart> heat(const Session& session) {
   using State = const msg::StationState&;
-  // 0 is what a station says that does not know its heat, and one whose force is lower already.
+  // A station sends 0 when it does not know its motors' heat, and when the force is lowered already.
   const auto left_s = [](State s) { return s.yields_in_s() > 0.0 ? s.yields_in_s() : kUnknown; };
   if (std::none_of(session.states.begin(), session.states.end(), [&](State s) { return std::isfinite(left_s(s)); }))
     return {};

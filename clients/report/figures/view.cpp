@@ -26,7 +26,7 @@ const msg::StationState* state_at(const Session& session, std::int64_t at_ns) {
   return best;
 }
 
-/// nullopt: the tracker tells no attitude, or what it tells is no rotation.
+/// The attitude of the hand; nullopt: the tracker measured none, or it is not a rotation.
 std::optional<Eigen::Quaterniond> attitude_of(const msg::StationState& state) {
   const msg::Rotation& told = state.hand_attitude_camera();
   const Eigen::Quaterniond q(told.w(), told.x(), told.y(), told.z());

@@ -17,7 +17,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 constexpr double kSpacings = 3.0;
 constexpr double kNoises = 4.0;
 constexpr double kCurvature_per_m = 10.0;
-constexpr double kDiscs = 5.0;  // radius of a neighbourhood over its residual, from which on it is a disc
+constexpr double kDiscs = 5.0;  // a neighbourhood whose radius is this many residuals is a disc
 
 /// Root mean square residual of a quadric through points around their mean; nullopt when they are too few.
 std::optional<double> quadric_residual(const std::vector<Vector3d>& near) {

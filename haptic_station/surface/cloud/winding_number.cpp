@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::uint32_t kLeaf = 8;
-constexpr double kFar = 3.5;  // in radii of a group: from there on its dipole stands for it
+constexpr double kFar = 3.5;  // a group farther away than this many of its radii is summed as one dipole
 
 /// The solid angle of a triangle as a share of the whole sphere. Source: Van Oosterom and Strackee 1983.
 double winding_of(const std::array<Vector3d, 3>& corners, const Vector3d& query) {

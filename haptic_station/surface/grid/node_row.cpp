@@ -4,7 +4,8 @@
 
 #include "proto/words/vectorised.h"
 
-// As in filter_rows.cpp.
+// Compiled for several instruction sets, without inline functions of headers that other files compile
+// (filter_rows.cpp).
 
 namespace telepalp::surface {
 namespace {

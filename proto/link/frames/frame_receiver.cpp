@@ -10,7 +10,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Time without a fragment of a frame after which its first round is over: packets overtake each other by less.
+/// After this time without a fragment of a frame, its missing fragments count as lost: packets overtake each other by
+/// less.
 constexpr Nanoseconds kReordering = 5ms;
 
 std::uint16_t bit_of(std::uint8_t channel) noexcept { return static_cast<std::uint16_t>(1U << channel); }

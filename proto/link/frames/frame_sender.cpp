@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kMostKept = 32;         ///< started frames that can be repaired
-constexpr Nanoseconds kReceiverWaits = 15ms;  ///< before a receiver asks: reordering, and the pace of its reports
+constexpr Nanoseconds kReceiverWaits = 15ms;  ///< from a loss to a request: kReordering and the report period
 
 /// A request and its answer fit before the deadline of a frame that is sent now.
 bool repairable(Nanoseconds left, const PathEstimate& path) {

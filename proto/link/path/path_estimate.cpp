@@ -80,7 +80,7 @@ void PathEstimate::measure_loss(const Feedback& feedback) {
   const double settled = static_cast<std::uint32_t>(feedback.settled - before.settled);
   const double lost = static_cast<std::uint32_t>(feedback.lost - before.lost);
   const double bursts = static_cast<std::uint32_t>(feedback.bursts - before.bursts);
-  if (lost > settled || bursts > lost) return;  // a receiver that counts wrongly
+  if (lost > settled || bursts > lost) return;  // the receiver's counts contradict each other
   const double keep = std::exp(-settled / kLossMemory_packets);
   settled_ = settled_ * keep + settled;
   lost_ = lost_ * keep + lost;
