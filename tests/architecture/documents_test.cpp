@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -83,6 +84,31 @@ TEST(Documents, TheArchitecturePageNamesEachDoor) {
     ++checked;
   }
   EXPECT_GT(checked, 50U);
+}
+
+/// The names Suite.Test of all tests in C++.
+std::set<std::string> all_tests() {
+  const std::regex test(R"(TEST(?:_F|_P)?\((\w+),\s*(\w+)\))");
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(root() / "tests")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = text_of(entry.path());
+    for (std::sregex_iterator match(text.begin(), text.end(), test), end; match != end; ++match)
+      names.insert((*match)[1].str() + "." + (*match)[2].str());
+  }
+  return names;
+}
+
+TEST(Documents, EachBadInputHasATestThatExists) {
+  const std::string page = text_of(root() / "docs/bad-input.md");
+  const std::set<std::string> tests = all_tests();
+  for (const std::string& named : matches(page, std::regex(R"(`([A-Z]\w+\.[A-Z]\w+)`)")))
+    EXPECT_TRUE(tests.contains(named)) << "docs/bad-input.md names " << named;
+  const std::string in_browser = text_of(root() / "tests/end_to_end/keys_browser_test.mjs");
+  for (const std::string& number : matches(page, std::regex("`keys_browser`: (bad input [0-9]+)")))
+    EXPECT_NE(in_browser.find(number + ":"), std::string::npos) << number;
+  constexpr std::size_t kRows = 36;
+  EXPECT_EQ(matches(page, std::regex(R"((?:^|\n)\| ([0-9]+) \| [^\n]*`[^\n]*`)")).size(), kRows);
 }
 
 }  // namespace

@@ -1,0 +1,165 @@
+#include "tests/end_to_end/bad_input/running_session.h"
+
+#include <atomic>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "where.h"
+
+namespace telepalp::bad_input {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::filesystem::path kPrograms = TELEPALP_BINARY_DIR "/bin";
+constexpr double kMostServer_MiB = 200.0;
+constexpr double kMostStation_MiB = 300.0;
+
+double seconds_between(SteadyClock::time_point from, SteadyClock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+double longest_gap_s(const std::vector<SteadyClock::time_point>& at, SteadyClock::time_point from,
+                     SteadyClock::time_point to) {
+  double longest = 0.0;
+  for (const auto& one : at) {
+    longest = std::max(longest, seconds_between(from, one));
+    from = one;
+  }
+  return std::max(longest, seconds_between(from, to));
+}
+
+}  // namespace
+
+double most_resident_MiB(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024.0;
+  return 0.0;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+bool comes(const std::filesystem::path& file, const std::string& phrase, std::chrono::milliseconds patience) {
+  const auto until = SteadyClock::now() + patience;
+  while (text_of(file).find(phrase) == std::string::npos) {
+    if (SteadyClock::now() > until) return false;
+    std::this_thread::sleep_for(50ms);
+  }
+  return true;
+}
+
+/// Listens to the station on a thread of its own.
+class RunningSession::Listener {
+ public:
+  Listener(std::uint16_t port, std::shared_ptr<const keys::KeyFile> key)
+      : link_(io_,
+              {.port = port,
+               .name = "listener",
+               .role = "qa",
+               .key = std::move(key),
+               .subscribes = {"/station/state", "/station/surface"}},
+              {.on_message = [this](const wire::Message& message) { hear(message); }}) {
+    link_.start();
+    thread_ = std::thread([this] {
+      while (!ended_) io_.run_for(20ms);
+    });
+  }
+  ~Listener() {
+    ended_ = true;
+    thread_.join();
+  }
+  [[nodiscard]] Felt since(SteadyClock::time_point from) {
+    const std::lock_guard guard(mutex_);
+    const auto now = SteadyClock::now();
+    const auto later = [from](const auto& times) {
+      return std::vector(std::lower_bound(times.begin(), times.end(), from), times.end());
+    };
+    const auto states = later(states_);
+    const auto surfaces = later(surfaces_);
+    return {.states = states.size(),
+            .surfaces = surfaces.size(),
+            .released = later(released_).size(),
+            .faults = later(faults_).size(),
+            .longest_without_state_s = longest_gap_s(states, from, now),
+            .longest_without_surface_s = longest_gap_s(surfaces, from, now),
+            .seconds = seconds_between(from, now)};
+  }
+  [[nodiscard]] bool hears_surfaces() {
+    const std::lock_guard guard(mutex_);
+    return surfaces_.size() > 30;
+  }
+
+ private:
+  void hear(const wire::Message& message) {
+    const std::lock_guard guard(mutex_);
+    if (message.topic.name == wire::kStationSurface.name) surfaces_.push_back(SteadyClock::now());
+    if (message.topic.name != wire::kStationState.name) return;
+    states_.push_back(SteadyClock::now());
+    msg::StationState state;
+    if (!state.ParseFromString(*message.payload)) return;
+    if (state.phase() == msg::PHASE_FAULTED) faults_.push_back(SteadyClock::now());
+    if (state.phase() == msg::PHASE_RELEASED) released_.push_back(SteadyClock::now());
+  }
+
+  boost::asio::io_context io_;
+  std::mutex mutex_;
+  std::vector<SteadyClock::time_point> states_;
+  std::vector<SteadyClock::time_point> surfaces_;
+  std::vector<SteadyClock::time_point> released_;
+  std::vector<SteadyClock::time_point> faults_;
+  wire::ClientLink link_;
+  std::atomic<bool> ended_{false};
+  std::thread thread_;
+};
+
+RunningSession::RunningSession() {
+  const std::filesystem::path key = ring_.server_key(ring_.now);
+  server_.emplace(kPrograms / "telepalp-server",
+                  std::vector<std::string>{"--source", "synthetic", "--port", "0", "--key", key.string(),
+                                           "--ready-file", file("ready").string()},
+                  file("server.log"));
+  const auto port = support::await_ready(file("ready"), "port");
+  if (!port) throw std::runtime_error("the server does not start: " + text_of(file("server.log")));
+  port_ = static_cast<std::uint16_t>(std::stoi(*port));
+  const auto anna = ring_.write(
+      "anna.key", ring_.authority.client_key(
+                      {.name = "anna", .role = keys::Role::Doctor, .now = ring_.now, .valid = std::chrono::days(1)}));
+  station_.emplace(kPrograms / "telepalp-station",
+                   std::vector<std::string>{"--connect", "127.0.0.1:" + *port, "--key", anna.string(), "--control",
+                                            file("control").string(), "--state-dir", file("state").string()},
+                   file("station.log"));
+  listener_ = std::make_unique<Listener>(port_, ring_.key("quentin", keys::Role::Qa));
+  for (int tenth = 0; tenth < 200 && !listener_->hears_surfaces(); ++tenth) std::this_thread::sleep_for(100ms);
+  EXPECT_TRUE(listener_->hears_surfaces()) << text_of(file("station.log"));
+}
+
+RunningSession::~RunningSession() = default;
+
+Felt RunningSession::during(const std::function<void()>& attack) {
+  const auto from = SteadyClock::now();
+  attack();
+  std::this_thread::sleep_for(1s);
+  return listener_->since(from);
+}
+
+void RunningSession::expect_undisturbed_by(const std::function<void()>& attack) {
+  const Felt felt = during(attack);
+  EXPECT_GT(static_cast<double>(felt.states), 50.0 * felt.seconds) << "the station ticks and publishes at 100 Hz";
+  EXPECT_GT(static_cast<double>(felt.surfaces), 10.0 * felt.seconds) << "images still become touchable";
+  EXPECT_LT(felt.longest_without_state_s, 1.0);
+  EXPECT_LT(felt.longest_without_surface_s, 1.0);
+  EXPECT_EQ(felt.faults, 0u);
+  EXPECT_LT(most_resident_MiB(server_->pid()), kMostServer_MiB);
+  EXPECT_LT(most_resident_MiB(station_->pid()), kMostStation_MiB);
+  EXPECT_GT(most_resident_MiB(server_->pid()), 0.0) << "the server is gone: " << text_of(file("server.log"));
+}
+
+}  // namespace telepalp::bad_input

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/server/keyed_site.h"
+#include "tests/support/child_process.h"
+
+namespace telepalp::bad_input {
+
+using SteadyClock = std::chrono::steady_clock;
+
+/// Most memory that a process ever held, in MiB; 0 if it is gone.
+[[nodiscard]] double most_resident_MiB(pid_t process);
+[[nodiscard]] std::string text_of(const std::filesystem::path& file);
+/// True if `file` has `phrase` within `patience`.
+[[nodiscard]] bool comes(const std::filesystem::path& file, const std::string& phrase,
+                         std::chrono::milliseconds patience = std::chrono::seconds(8));
+
+/// What a doctor's station published while something happened.
+struct Felt {
+  std::size_t states = 0;    ///< of /station/state, published at 100 Hz
+  std::size_t surfaces = 0;  ///< of /station/surface, one for each depth image that became touchable
+  std::size_t released = 0;  ///< states in the phase Released: no force
+  std::size_t faults = 0;    ///< states in the phase Faulted
+  double longest_without_state_s = 0.0;
+  double longest_without_surface_s = 0.0;
+  double seconds = 0.0;
+};
+
+/// telepalp-server with keys, and telepalp-station as the doctor anna; both are the real programs on loopback. A member
+/// of QA listens in this process.
+class RunningSession {
+ public:
+  RunningSession();
+  ~RunningSession();
+  RunningSession(const RunningSession&) = delete;
+  RunningSession& operator=(const RunningSession&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
+  [[nodiscard]] const server::KeyRing& ring() const noexcept { return ring_; }
+  [[nodiscard]] support::ChildProcess& server() { return *server_; }
+  [[nodiscard]] support::ChildProcess& station() { return *station_; }
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return ring_.folder.path() / name; }
+  [[nodiscard]] std::string audit() const { return text_of(file("audit.log")); }
+
+  /// What the doctor felt during `attack`, which runs on this thread, and for a second after it.
+  [[nodiscard]] Felt during(const std::function<void()>& attack);
+  /// The same; checks that the session went on as before and that both programs stayed small.
+  void expect_undisturbed_by(const std::function<void()>& attack);
+
+ private:
+  class Listener;
+  server::KeyRing ring_;
+  std::uint16_t port_ = 0;
+  std::optional<support::ChildProcess> server_;
+  std::optional<support::ChildProcess> station_;
+  std::unique_ptr<Listener> listener_;
+};
+
+}  // namespace telepalp::bad_input
