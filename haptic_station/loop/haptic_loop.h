@@ -35,7 +35,7 @@ class HapticLoop {
   HapticLoop(const Settings& settings, const control::EncounteredController& controller) noexcept
       : touch_(settings.touch), body_(settings.touch.follow), hand_(settings.hand), controller_(controller) {}
 
-  /// A newer surface. Its snapshot must stay alive until the next adopt().
+  /// Uses a newer surface from the next tick on. Its snapshot must stay alive until the next adopt().
   void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
 
   /// Takes a sample of the hand tracker, stamped with the time of the measurement. A sample stamped more than 50 ms
@@ -80,7 +80,7 @@ class HapticLoop {
   control::EncounteredController controller_;
   Transform<HapticBase, DepthCamera> haptic_from_camera_;
   Transform<DepthCamera, HapticBase> camera_from_haptic_;
-  Eigen::Quaterniond camera_turn_ = Eigen::Quaterniond::Identity();  ///< of `camera_from_haptic_`
+  Eigen::Quaterniond camera_turn_ = Eigen::Quaterniond::Identity();  ///< rotation of `camera_from_haptic_`
   surface::TouchSample last_touch_;
   tracking::HandPrediction last_hand_;
   control::ControlOutput last_out_;

@@ -13,10 +13,10 @@ struct BreathStyle {
   double rate_hz = 0.25;
   double period_spread = 0.2;     ///< each period lies within this share of the mean
   double amplitude_spread = 0.3;  ///< each amplitude lies within this share of the mean
-  double least_inhale = 0.3;      ///< least share of inhaling; the share is drawn for each breath
+  double least_inhale = 0.3;      ///< least share of inhaling; drawn for each breath up to `most_inhale`
   double most_inhale = 0.45;
-  double most_pause = 0.15;  ///< greatest share of the pause after exhaling; the share is drawn from 0
-  double ripple_m = 0.0;     ///< amplitude of the syllables of a patient who speaks
+  double most_pause = 0.15;  ///< greatest share of the pause after exhaling; drawn for each breath from 0 to this
+  double ripple_m = 0.0;     ///< amplitude of the belly's ripple by syllables while the patient speaks
 };
 
 /// A random sequence of breaths. Each breath has its own period, amplitude, end level, shares of inhale and pause, and
@@ -38,8 +38,8 @@ class BreathSequence {
     double from_m;
     double peak_m;
     double to_m;
-    double inhale;  ///< share
-    double pause;   ///< share
+    double inhale;  ///< share of `period_s`
+    double pause;   ///< share of `period_s`
     double skew;    ///< exponent on the exhale's time: below 1, the exhale begins fast
     double syllables_hz;
   };
