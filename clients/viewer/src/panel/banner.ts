@@ -73,7 +73,7 @@ export function bannerFor(health: Health): Banner | undefined {
 
 const BLAME: Record<Place, (part: string) => string> = {
   site: (part) => `Patient’s site: it sent no newer picture for ${part}. The connection works.`,
-  network: (part) => `Network: ${part} were lost on the way here.`,
+  network: (part) => `Network: ${part} passed between sending and arrival here.`,
   computer: (part) => `This computer: it needs ${part} to decode and draw. Close other programs, or make the window smaller.`,
 };
 

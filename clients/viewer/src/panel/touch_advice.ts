@@ -39,8 +39,8 @@ export function touchAdvice(health: TouchHealth): Banner | undefined {
 /** How well the place of the objects inside the body is known; undefined while it is. */
 function placementAdvice({objectUnseen, objectSlideUnseen}: TouchHealth): Banner | undefined {
   if (objectUnseen)
-    return {level: 'warn', title: 'Inner object not seen', text: 'The skin above it is hidden: it stays where it was.'};
+    return {level: 'warn', title: 'Inner object not seen', text: 'The skin above it is hidden. The object is shown where it last was.'};
   if (objectSlideUnseen)
-    return {level: 'wait', title: 'Sideways motion not seen', text: 'Inner objects follow the skin up and down alone.'};
+    return {level: 'wait', title: 'Sideways motion not seen', text: 'Inner objects follow the skin only up and down.'};
   return undefined;
 }
