@@ -33,7 +33,7 @@ const std::vector<Rule> kRules{
     {"support", {"proto/words", "support"}},
     {"codec", {"proto/words", "codec"}},
     {"server", {"proto", "support", "codec", "server", "messages", "foxglove"}},
-    {"haptic_station/surface", {"proto/words", "support/models", "haptic_station/surface"}},
+    {"haptic_station/surface", {"proto/words", "codec/levels", "support/models", "haptic_station/surface"}},
     {"haptic_station/ports", {"proto/words", "haptic_station/ports"}},
     {"haptic_station/effects", {"proto/words", "haptic_station/ports", "haptic_station/effects"}},
     {"haptic_station/control",

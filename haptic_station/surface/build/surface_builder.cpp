@@ -4,6 +4,7 @@
 
 #include "haptic_station/surface/build/mark_tracker.h"
 #include "haptic_station/surface/cloud/cloud_snapshot.h"
+#include "haptic_station/surface/depth/sample_depths.h"
 #include "haptic_station/surface/grid/grid_snapshot.h"
 #include "haptic_station/surface/paper/paper_surface.h"
 #include "haptic_station/surface/temporal/temporal_filter.h"
@@ -56,6 +57,7 @@ struct SurfaceBuilder::State {
   BuilderCounts counts;
   std::optional<SessionTime> last;
   std::uint64_t sequence = 0;
+  SampleDepths samples;
   std::optional<TemporalFilter> filter;
   MarkTracker marks;
   Intrinsics camera;  // camera of the filter's frames
@@ -78,6 +80,7 @@ void SurfaceBuilder::watch(const MarkLines& lines) { state_->marks.watch(lines);
 void SurfaceBuilder::restart() {
   state_->marks.restart();
   state_->last.reset();
+  state_->samples = {};
   state_->filter.reset();
 }
 
@@ -96,7 +99,7 @@ std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& dep
   const double dt_s = state.last ? to_seconds(captured - *state.last) : 0.0;
   state.last = captured;
   ++state.counts.built;
-  DepthField field = to_depth_field(depth);
+  DepthField field = state.settings.disparity_levels ? state.samples.field_of(depth) : to_depth_field(depth);
   fill_pinholes(field, state.settings.break_m);
   if (state.settings.temporal) {
     if (!state.filter || dt_s > kForgetAfter_s || camera != state.camera)

@@ -26,6 +26,8 @@ struct SurfaceSettings {
   std::string name = "fast";
   Method method = Method::Grid;
 
+  bool disparity_levels = true;  ///< undo the rounding of a disparity sensor's depths, if the images show its levels
+
   // Grid
   int node_step_px = 2;
   double support_nodes = 2.5;  ///< radius of the weights, in nodes

@@ -268,6 +268,7 @@ void Touch::hold(double dt_s, const Vector3d& device) noexcept {
   if (at_foot_.valid && side_ != Side::Inside) return;
   has_foot_ = false;
   side_ = Side::Unknown;
+  anchored_ = false;  // the next contact may begin in the next tick, elsewhere
 }
 
 double Touch::height_of(const Vector3d& device) const noexcept { return normal_.dot(device - foot_); }

@@ -15,6 +15,7 @@ AssertionResult returns(const SeenPatient& patient) {
   return all_of({{got.touched_before, "was in contact"},
                  below("felt again", got.felt_after_s, kFeltWithin_s, 1.0, "s"),
                  below("off the law after 3 s", got.off_after_3_s, 0.05, 100.0, "%"),
+                 below("anchor off the skin", got.anchor_off_m, 0.0005, 1e3, "mm"),
                  below_N("step", got.worst_step_N, kMostStep_N)});
 }
 
@@ -65,6 +66,11 @@ AssertionResult low_foreign_hand_for_3_s() {
       instead_for(3.0, [](int u, int v) { return around_the_device(u, v, 30) ? 0.77 : std::nan(""); });
   patient.depth_m = 0.01;  // 40 mm below the hand
   return returns(patient);
+}
+
+/// The hand is 85 mm below the foreign one: too far for the contact to go on, near enough for another to begin.
+AssertionResult felt_foreign_hand_for_3_s() {
+  return returns(instead_for(3.0, [](int u, int v) { return around_the_device(u, v, 30) ? 0.735 : std::nan(""); }));
 }
 
 /// Two hands at the patient's site, 10 mm to the left and to the right of the touched point.
@@ -169,6 +175,7 @@ std::vector<HardCase> return_rows() {
       {"hole for 3 s", "nothing is seen under the hand", back, hole_for_3_s},
       {"foreign hand for 3 s", "it hides the skin", back, foreign_hand_for_3_s},
       {"foreign hand near the skin", "it looks like risen skin", back, low_foreign_hand_for_3_s},
+      {"foreign hand that is felt", "one contact follows another at once", back, felt_foreign_hand_for_3_s},
       {"between two hands", "silhouettes on both sides", "contact holds, no step", between_two_hands},
       {"camera moved in contact", "the whole image tilts and jumps", back, camera_moved},
       {"at the image's border", "half of the support is missing", "fades, no step", at_the_images_border},

@@ -10,6 +10,8 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> point_rows();
 /// Missing parts of a depth image: holes, silhouettes, rims.
 [[nodiscard]] std::vector<HardCase> image_rows();
+/// Sensors that round: disparity steps, whole millimetres.
+[[nodiscard]] std::vector<HardCase> sensor_rows();
 /// Shapes and approaches without a unique answer.
 [[nodiscard]] std::vector<HardCase> shape_rows();
 /// Meshes and clouds as people have them: parts inside parts, noise, normals that disagree.

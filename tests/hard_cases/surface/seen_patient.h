@@ -32,6 +32,7 @@ struct Returned {
   double felt_after_s = 1e9;   ///< time from well_again_s until a lasting contact with force
   double off_after_3_s = 1e9;  ///< largest relative error of the displayed depth, 3 to 3.5 s after well_again_s
   double worst_off = 0.0;      ///< largest relative error of the displayed depth from 1.5 s on
+  double anchor_off_m = 1e9;   ///< distance of the contact's anchor, moved as told, from the true skin at the end
   double worst_step_N = 0.0;   ///< while the device is at rest or slides at the path's own speed
 };
 
@@ -57,6 +58,16 @@ inline double true_depth_m(const SeenPatient& patient, const Vector3d& device, d
   return (device.z() - (0.8 - patient.lift_m(t)) - tilt * device.x()) / std::sqrt(1.0 + tilt * tilt);
 }
 
+/// The anchor of a contact, as the skin effect follows it.
+struct FollowedAnchor {
+  Vector3d at = Vector3d::Zero();
+  bool known = false;  ///< in contact
+  void step(const TouchSample& felt) {
+    at = known && felt.in_body ? Vector3d(at + kTick_s * felt.anchor_velocity_m_per_s) : felt.foot.m;
+    known = felt.in_body;
+  }
+};
+
 inline Returned press_on(const SeenPatient& patient) {
   constexpr double kDown_s = 0.5;
   constexpr double kJudgedFrom_s = 1.5;
@@ -65,6 +76,7 @@ inline Returned press_on(const SeenPatient& patient) {
   SurfaceBuilder builder{SurfaceSettings{}};
   Snapshot current;
   Touch touch;
+  FollowedAnchor anchor;
   Returned got;
   got.off_after_3_s = 0.0;
   int next_frame = 0;
@@ -84,6 +96,7 @@ inline Returned press_on(const SeenPatient& patient) {
     const double down = std::clamp((t - 0.2) / kDown_s, 0.0, 1.0);
     const Vector3d device(patient.device_x_m(t), 0.0, 0.79 + down * (0.01 + patient.depth_m));
     const TouchSample felt = touch.step({device}, at_s(t), kTick_s);
+    anchor.step(felt);
     const Vector3d spring_N = kStiffness_N_per_m * (felt.proxy.m - device);
     const Vector3d force_N =
         spring_N * std::min(1.0, kPeak_N / std::max(spring_N.norm(), 1e-9));  // as the limiter does
@@ -99,6 +112,7 @@ inline Returned press_on(const SeenPatient& patient) {
     if (t >= patient.well_again_s) felt_since_s = pushes ? std::min(felt_since_s, t) : 1e9;
     if (t >= patient.well_again_s + 3.0) got.off_after_3_s = std::max(got.off_after_3_s, off);
   }
+  if (anchor.known) got.anchor_off_m = std::abs(true_depth_m(patient, anchor.at, until_s));
   got.felt_after_s = felt_since_s - patient.well_again_s;
   return got;
 }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "haptic_station/surface/depth/depth_field.h"
+#include "haptic_station/surface/depth/disparity_levels.h"
+
+namespace telepalp::surface {
+
+/// Converts samples to depth. If the images themselves show that the camera measures disparity in whole steps, each
+/// sample gets the depth of its level, and otherwise its own value. The images are checked again and again, so that
+/// another camera is noticed. Owner: surface thread.
+class SampleDepths {
+ public:
+  /// The depths of the next image of the stream.
+  [[nodiscard]] DepthField field_of(const DepthImage& depth);
+
+  /// The camera's levels; nullopt: none are known.
+  [[nodiscard]] const std::optional<DisparityLevels>& levels() const noexcept { return levels_; }
+
+ private:
+  void check(const DepthImage& depth);
+  void use(const std::optional<DisparityLevels>& levels);
+
+  std::optional<DisparityLevels> levels_;
+  std::vector<float> depth_m_;  ///< by sample; empty: no levels are known
+  double unit_m_ = 0.0;         ///< of the last image
+  int images_ = 0;              ///< since the unit changed
+};
+
+}  // namespace telepalp::surface
