@@ -16,8 +16,8 @@ struct Figure {
 const std::vector<Figure>& figures() {
   using impaired::Impairment;
   static const std::vector<Figure> all{
-      {{"delay-ms", "MS", "one way"}, 60e3, [](Impairment& i, double v) { i.delay = from_seconds(v * 1e-3); }},
-      {{"jitter-ms", "MS", "either way, uniform"},
+      {{"delay-ms", "MS", "delay, one way"}, 60e3, [](Impairment& i, double v) { i.delay = from_seconds(v * 1e-3); }},
+      {{"jitter-ms", "MS", "plus or minus, uniform"},
        60e3,
        [](Impairment& i, double v) { i.jitter = from_seconds(v * 1e-3); }},
       {{"loss-percent", "P", "packets lost"}, 100, [](Impairment& i, double v) { i.loss = v * 1e-2; }},
@@ -31,10 +31,10 @@ const std::vector<Figure>& figures() {
       {{"corrupt-percent", "P", "packets with one inverted bit"},
        100,
        [](Impairment& i, double v) { i.corrupt = v * 1e-2; }},
-      {{"rate-kbit-per-s", "R", "of the bottleneck; 0: unlimited"},
+      {{"rate-kbit-per-s", "R", "rate of the bottleneck; 0: unlimited"},
        1e7,
        [](Impairment& i, double v) { i.rate_B_per_s = v * 125.0; }},
-      {{"queue-kilobytes", "KB", "in front of the bottleneck"},
+      {{"queue-kilobytes", "KB", "queue before the bottleneck"},
        1e6,
        [](Impairment& i, double v) { i.queue_B = static_cast<std::size_t>(v * 1e3); }},
       {{"outage-s", "S", "length of an outage"}, 3600, [](Impairment& i, double v) { i.outage_for = from_seconds(v); }},
@@ -90,10 +90,10 @@ program::Usage usage() {
                   {"connect", "HOST:PORT", "the server", program::kServerAddress},
                   {"profile", "NAME", "lan, lte, satellite or hostile"},
                   {"trace", "FILE.csv", "delay, jitter, loss and rate over time"},
-                  {"seed", "N", "of the random numbers", "1"},
-                  {"seconds", "S", "stop after so long; 0: until Ctrl-C", "0"},
+                  {"seed", "N", "seed of the random numbers", "1"},
+                  {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
                   {"json", "", "at the end, print all counters to stdout"},
-                  {"quiet", "", "no statistics every second"},
+                  {"quiet", "", "print no statistics each second"},
                   {"ready-file", "FILE", "write the port there once it listens"}},
       .example = "telepalp-link --profile lte --seconds 60"};
   for (const Figure& figure : figures()) usage.options.push_back(figure.option);
