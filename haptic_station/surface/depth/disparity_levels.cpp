@@ -10,12 +10,12 @@ namespace telepalp::surface {
 namespace {
 
 constexpr double kFarthest_m = 3.0;      // a patient is nearer; far samples of a stereo camera are often errors
-constexpr std::size_t kFewest = 40;      // levels
+constexpr std::size_t kFewest = 40;      // least number of levels
 constexpr double kLeastOnLevels = 0.95;  // share of the pixels
 constexpr double kLeastMissing = 0.2;    // share of the values of the range that are no level
-constexpr double kLeastBend = 1.5;       // most by which levels in 1/z differ from evenly spaced ones [unit]
+constexpr double kLeastBend = 1.5;       // least deviation of the levels from ones evenly spaced in z [unit]
 constexpr double kNearLevel = 0.7;       // a sample farther from its level does not take part in the fit [unit]
-constexpr int kRounds = 60;              // of Lawson's algorithm
+constexpr int kRounds = 60;              // iterations of Lawson's algorithm
 
 /// A sample and the number of its level.
 struct Numbered {
@@ -83,7 +83,8 @@ bool leaves_gaps(std::span<const std::uint16_t> samples) {
   return static_cast<double>(samples.size()) <= (1.0 - kLeastMissing) * range;
 }
 
-/// True if the levels say something about samples in [nearest, farthest].
+/// True if enough values of [nearest, farthest] have no level, and the levels are spaced unevenly enough in z, that
+/// samples of another sensor would not fit them.
 bool is_telling(const DisparityLevels& levels, double nearest, double farthest) {
   double missing = 0.0;
   for (double value = nearest; value <= farthest; value += 1.0)

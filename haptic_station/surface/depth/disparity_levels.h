@@ -15,21 +15,21 @@ using SampleCounts = std::vector<std::uint32_t>;
 [[nodiscard]] SampleCounts counts_of(const DepthImage& depth);
 
 /// The depths of a camera that measures disparity in whole steps: 1/z grows by the same amount from level to level. The
-/// camera then rounds z to whole units, so that a sample is up to half a unit beside its level, always by the same
-/// amount. An average over frames or pixels does not remove this error; these levels do. In 1/unit of the samples.
+/// camera then rounds z to whole units, so that a sample differs from its level by up to half a unit, in each frame
+/// alike. An average over frames or pixels does not remove this error; these levels do.
 struct DisparityLevels {
-  double farthest_per_unit = 0.0;  ///< 1/z of a level
-  double step_per_unit = 0.0;      ///< from level to level; above 0
+  double farthest_per_unit = 0.0;  ///< 1/z of the farthest level, with z in units of the samples
+  double step_per_unit = 0.0;      ///< increase of 1/z from level to level; above 0
 
   /// The depth that `sample` stands for [unit]: the mean of the levels that round to it. `sample` itself if no level
-  /// does. Never farther than kMostMiss from `sample`.
+  /// rounds to it. Never farther than kMostMiss from `sample`.
   [[nodiscard]] double depth_of(double sample) const noexcept;
   /// Distance of `sample` from the nearest level [unit].
   [[nodiscard]] double miss_of(double sample) const noexcept;
   /// Share of the pixels whose sample is a level.
   [[nodiscard]] double share_on_levels(const SampleCounts& counts) const noexcept;
 
-  static constexpr double kMostMiss = 0.55;  ///< half a unit, and the law's own error
+  static constexpr double kMostMiss = 0.55;  ///< half a unit of rounding, and the error of the fit
 };
 
 /// The levels that explain the samples of an image. Error: below 0.02 mm over the image's own range, for a torso at 0.8

@@ -9,8 +9,8 @@
 namespace telepalp::surface {
 
 /// Converts samples to depth. If the images themselves show that the camera measures disparity in whole steps, each
-/// sample gets the depth of its level, and otherwise its own value. The images are checked again and again, so that
-/// another camera is noticed. Owner: surface thread.
+/// sample gets the depth of its level, and otherwise its own value. One image in 32 is checked again, so that a change
+/// of the camera is noticed. Owner: surface thread.
 class SampleDepths {
  public:
   /// The depths of the next image of the stream.
@@ -25,8 +25,8 @@ class SampleDepths {
 
   std::optional<DisparityLevels> levels_;
   std::vector<float> depth_m_;  ///< by sample; empty: no levels are known
-  double unit_m_ = 0.0;         ///< of the last image
-  int images_ = 0;              ///< since the unit changed
+  double unit_m_ = 0.0;         ///< unit of the last image
+  int images_ = 0;              ///< number of images since the unit changed
 };
 
 }  // namespace telepalp::surface
