@@ -34,7 +34,7 @@ struct Survey {
 wire::SessionInfo session_of(const std::vector<wire::mcap::Metadata>& metadata) {
   for (const wire::mcap::Metadata& record : metadata)
     if (record.name == wire::kSessionMetadata) return wire::session_info(record);
-  return {.program = "telepalp-record --repair",
+  return {.program = "telepalp-record repair",
           .version = program::version(),
           .commit = program::commit(),
           .source = {},
@@ -51,6 +51,11 @@ Result<Survey> survey(const std::filesystem::path& file) {
   });
   if (!read) return read.error();
   found.session = session_of(stream->metadata());
+  // A damaged head can look like a record of a later version, which readers skip: the count of the index shows it.
+  const Result<wire::McapReader> indexed = wire::McapReader::open(file);
+  if (indexed && indexed->summary().statistics.message_count != found.messages)
+    found.damages.push_back("the index counts " + std::to_string(indexed->summary().statistics.message_count) +
+                            " messages, but " + std::to_string(found.messages) + " can be read");
   return found;
 }
 

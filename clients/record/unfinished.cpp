@@ -78,7 +78,7 @@ Result<RepairReport> finish(const fs::path& partial) {
   if (fs::exists(name, ignored))
     return Error{.what = "cannot be finished: " + name.filename().string() + " exists already",
                  .where = partial.string(),
-                 .fix = "move one of the two away, or copy what can be read elsewhere: telepalp-record --repair " +
+                 .fix = "move one of the two away, or copy what can be read elsewhere: telepalp-record repair " +
                         partial.string() + " --out OTHER.mcap"};
   const Result<Lock> lock = Lock::take(partial);
   if (!lock) return lock.error();

@@ -95,7 +95,7 @@ TEST(McapDamage, AFileCutOffAnywhereGivesBackEveryWholeChunkAndSaysWhereItEnds) 
     const Outcome through_index = indexed(cut);
     ASSERT_FALSE(through_index.opened) << "cut to " << length;
     if (length >= mcap::kMagic.size()) {
-      ASSERT_NE(through_index.errors.front().find("fix: telepalp-record --repair session.mcap"), std::string::npos);
+      ASSERT_NE(through_index.errors.front().find("fix: telepalp-record repair session.mcap"), std::string::npos);
     }
   }
 }
@@ -104,7 +104,9 @@ TEST(McapDamage, ACutInAChunkIsAnErrorWithWhatWhereAndFix) {
   const Sample sample = make_sample();
   const Outcome outcome = stream(sample.bytes.substr(0, sample.summary.chunks[3].chunk_start_offset + 100));
   ASSERT_EQ(outcome.errors.size(), 1u);
-  EXPECT_EQ(outcome.errors.front(), "session.mcap: chunk 3: truncated. fix: telepalp-record --repair session.mcap");
+  EXPECT_EQ(outcome.errors.front(), "session.mcap: chunk 3: truncated (at byte " +
+                                        std::to_string(sample.summary.chunks[3].chunk_start_offset) +
+                                        "). fix: telepalp-record repair session.mcap");
 }
 
 TEST(McapDamage, AnyFlippedByteInAChunkLosesThatChunkAloneAndIsNamed) {

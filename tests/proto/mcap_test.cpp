@@ -200,7 +200,7 @@ TEST(Mcap, NoFileOfAnyoneIsOverwritten) {
   std::filesystem::rename(file, file.string() + ".partial");
   const auto over_partial = McapWriter::open(file, kInfo);
   ASSERT_FALSE(over_partial);
-  EXPECT_NE(over_partial.error().fix.find("telepalp-record --repair"), std::string::npos);
+  EXPECT_NE(over_partial.error().fix.find("telepalp-record repair"), std::string::npos);
 }
 
 TEST(Mcap, AFolderThatIsNotThereIsNamed) {

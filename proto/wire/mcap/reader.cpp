@@ -42,7 +42,11 @@ Result<McapReader> McapReader::open(std::unique_ptr<mcap::ByteSource> source) {
 }
 
 Error McapReader::in_chunk(std::size_t chunk, const char* what) const {
-  return mcap::in_chunk(*source_, chunk, {.what = what, .where = {}, .fix = {}});
+  return in_chunk(chunk, Error{.what = what, .where = {}, .fix = {}});
+}
+
+Error McapReader::in_chunk(std::size_t chunk, const Error& error) const {
+  return mcap::in_chunk(*source_, chunk, summary_.chunks[chunk].chunk_start_offset, error);
 }
 
 bool McapReader::wanted(std::size_t chunk) const {
@@ -76,11 +80,12 @@ void McapReader::select(const McapSelection& selection) {
 
 Result<void> McapReader::read_record(std::uint64_t offset, std::uint64_t length, mcap::Opcode opcode,
                                      std::string& into) {
-  if (length > source_->size() || offset > source_->size() - length) return mcap::damaged(*source_, "truncated");
+  if (length > source_->size() || offset > source_->size() - length)
+    return mcap::damaged(*source_, "truncated", offset);
   const Result<mcap::RecordHead> head = mcap::read_head(*source_, offset, offset + length);
   if (!head) return head.error();
   if (head->opcode != opcode || head->end() != offset + length)
-    return mcap::damaged(*source_, "its index does not point at a chunk");
+    return mcap::damaged(*source_, "its index does not point at a chunk", offset);
   return mcap::read_content(*source_, *head, into);
 }
 
@@ -88,20 +93,20 @@ Result<void> McapReader::open_chunk(std::size_t chunk) {
   const ChunkIndex& index = summary_.chunks[chunk];
   std::string content;
   const Result<void> read = read_record(index.chunk_start_offset, index.chunk_length, mcap::Opcode::Chunk, content);
-  if (!read) return mcap::in_chunk(*source_, chunk, read.error());
+  if (!read) return in_chunk(chunk, read.error());
   const auto record = mcap::parse<mcap::ChunkRecord>(content);
   if (!record) return in_chunk(chunk, "its header is damaged");
   if (open_bytes_ + record->uncompressed_size > kMaxOpenBytes)
     return in_chunk(chunk, "overlaps in time with too many others to be put in order");
   Result<std::string> records = mcap::unpack(*record);
-  if (!records) return mcap::in_chunk(*source_, chunk, records.error());
+  if (!records) return in_chunk(chunk, records.error());
 
   auto opened = std::make_unique<OpenChunk>();
   opened->records = std::move(records).value();
   mcap::ChunkWalk walk(opened->records);
   for (;;) {
     const auto entry = walk.next();
-    if (!entry) return mcap::in_chunk(*source_, chunk, entry.error());
+    if (!entry) return in_chunk(chunk, entry.error());
     if (!*entry) break;
     if ((*entry)->opcode != mcap::Opcode::Message) continue;
     const auto message = mcap::parse<MessageRecord>((*entry)->content);
@@ -159,7 +164,7 @@ Result<mcap::Metadata> McapReader::read(const mcap::MetadataIndex& index) {
   if (const Result<void> got = read_record(index.offset, index.length, mcap::Opcode::Metadata, content); !got)
     return got.error();
   auto metadata = mcap::parse<mcap::Metadata>(content);
-  if (!metadata) return mcap::damaged(*source_, "a metadata record is damaged");
+  if (!metadata) return mcap::damaged(*source_, "a metadata record is damaged", index.offset);
   return *std::move(metadata);
 }
 
@@ -168,7 +173,7 @@ Result<mcap::Attachment> McapReader::read(const mcap::AttachmentIndex& index) {
   if (const Result<void> got = read_record(index.offset, index.length, mcap::Opcode::Attachment, content); !got)
     return got.error();
   auto attachment = mcap::parse<mcap::Attachment>(content);
-  if (!attachment) return mcap::damaged(*source_, "an attachment is damaged");
+  if (!attachment) return mcap::damaged(*source_, "an attachment is damaged", index.offset);
   return *std::move(attachment);
 }
 

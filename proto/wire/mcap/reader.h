@@ -57,6 +57,7 @@ class McapReader {
   [[nodiscard]] Result<void> read_record(std::uint64_t offset, std::uint64_t length, mcap::Opcode opcode,
                                          std::string& into);
   [[nodiscard]] Error in_chunk(std::size_t chunk, const char* what) const;
+  [[nodiscard]] Error in_chunk(std::size_t chunk, const Error& error) const;
 
   std::unique_ptr<mcap::ByteSource> source_;
   mcap::Summary summary_;

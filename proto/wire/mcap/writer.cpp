@@ -30,12 +30,15 @@ mcap::Schema schema_of(const Topic& topic) {
 }
 
 mcap::Metadata as_metadata(const SessionInfo& info) {
-  return {std::string(kSessionMetadata),
-          {{"program", info.program},
-           {"version", info.version},
-           {"commit", info.commit},
-           {"source", info.source},
-           {"scene", info.scene}}};
+  mcap::Metadata metadata{std::string(kSessionMetadata),
+                          {{"program", info.program},
+                           {"version", info.version},
+                           {"commit", info.commit},
+                           {"source", info.source},
+                           {"scene", info.scene}}};
+  if (!info.recorded_by.empty()) metadata.values["recorded_by"] = info.recorded_by;
+  if (!info.consent.empty()) metadata.values["consent"] = info.consent;
+  return metadata;
 }
 
 std::string value_or_empty(const mcap::TextMap& values, const char* key) {
@@ -51,7 +54,9 @@ SessionInfo session_info(const mcap::Metadata& metadata) {
           .version = value_or_empty(values, "version"),
           .commit = value_or_empty(values, "commit"),
           .source = value_or_empty(values, "source"),
-          .scene = value_or_empty(values, "scene")};
+          .scene = value_or_empty(values, "scene"),
+          .recorded_by = value_or_empty(values, "recorded_by"),
+          .consent = value_or_empty(values, "consent")};
 }
 
 Result<McapWriter> McapWriter::open(const std::filesystem::path& name, const SessionInfo& info,

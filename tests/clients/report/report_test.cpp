@@ -481,7 +481,7 @@ TEST(SessionFile, OneThatWasCutOffSaysHowToRepairIt) {
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   const auto session = read_session(file);
   ASSERT_FALSE(session.ok());
-  EXPECT_NE(to_string(session.error()).find("telepalp-record --repair"), std::string::npos)
+  EXPECT_NE(to_string(session.error()).find("telepalp-record repair"), std::string::npos)
       << to_string(session.error());
 }
 

@@ -20,6 +20,11 @@ class File : public ByteSource {
 
   [[nodiscard]] const std::string& name() const noexcept override { return name_; }
   [[nodiscard]] std::uint64_t size() const noexcept override { return size_; }
+  [[nodiscard]] std::uint64_t next_data(std::uint64_t offset) const noexcept override {
+    const off_t found = ::lseek(descriptor_, static_cast<off_t>(offset), SEEK_DATA);
+    if (found >= 0) return static_cast<std::uint64_t>(found);
+    return errno == ENXIO ? size_ : offset;  // other errors: the file system does not tell holes from data
+  }
   [[nodiscard]] bool read(std::uint64_t offset, std::size_t length, std::string& into) override {
     into.resize(length);
     std::size_t have = 0;

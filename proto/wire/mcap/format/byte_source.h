@@ -17,6 +17,8 @@ class ByteSource {
   [[nodiscard]] virtual std::uint64_t size() const noexcept = 0;
   /// Reads exactly `length` bytes at `offset`; the caller has checked both against size(). False on an I/O error.
   [[nodiscard]] virtual bool read(std::uint64_t offset, std::size_t length, std::string& into) = 0;
+  /// The first offset at or after `offset` that is not in a hole of a sparse file; size() if there is none.
+  [[nodiscard]] virtual std::uint64_t next_data(std::uint64_t offset) const noexcept { return offset; }
 };
 
 [[nodiscard]] Result<std::unique_ptr<ByteSource>> open_file(const std::filesystem::path& file);

@@ -14,6 +14,9 @@ namespace telepalp::wire::mcap {
 /// allocations that a malicious file can cause. telepalp's own chunks hold 1 MiB plus at most one message.
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{64} << 20;
 
+/// Upper limit of a record's content: a chunk of that size and its header.
+inline constexpr std::uint64_t kMaxRecordBytes = kMaxChunkBytes + 4096;
+
 struct RecordHead {
   Opcode opcode{};
   std::uint64_t offset = 0;  // of the record's head
@@ -22,8 +25,9 @@ struct RecordHead {
   [[nodiscard]] std::uint64_t end() const noexcept { return content() + length; }
 };
 
-/// An error about damage in `source` that `telepalp-record --repair` can skip.
+/// An error about damage in `source` that `telepalp-record repair` can skip. `offset`: of the damage in the file.
 [[nodiscard]] Error damaged(const ByteSource& source, std::string what);
+[[nodiscard]] Error damaged(const ByteSource& source, std::string what, std::uint64_t offset);
 /// An error about `source` that a repair cannot solve.
 [[nodiscard]] Error refused(const ByteSource& source, std::string what, std::string fix);
 
@@ -33,10 +37,11 @@ struct RecordHead {
 /// Reads the content of a record. Error: larger than kMaxChunkBytes plus a chunk's header.
 [[nodiscard]] Result<void> read_content(ByteSource& source, const RecordHead& head, std::string& into);
 
-/// Error: `source` does not start with MCAP's magic bytes.
+/// Error: `source` does not start with the magic bytes of MCAP version 0.
 [[nodiscard]] Result<void> check_magic(ByteSource& source);
 
-/// Prefixes `error` with the file's name and the chunk's number: "session.mcap: chunk 812: truncated".
-[[nodiscard]] Error in_chunk(const ByteSource& source, std::uint64_t number, const Error& error);
+/// Adds the file's name and the chunk's number and offset to `error`: "session.mcap: chunk 812: truncated (at byte
+/// 90210)".
+[[nodiscard]] Error in_chunk(const ByteSource& source, std::uint64_t number, std::uint64_t offset, const Error& error);
 
 }  // namespace telepalp::wire::mcap

@@ -2,11 +2,28 @@
 
 #include <utility>
 
+#include "proto/wire/mcap/reading/chunk_search.h"
+#include "proto/wire/mcap/reading/summary.h"
+
 namespace telepalp::wire {
 
 using mcap::Opcode;
 using mcap::RecordHead;
 using mcap::StoredMessage;
+
+namespace {
+
+/// False for the opcode 0, which the specification reserves, and for ends of the data of a wrong length: a damaged head
+/// would otherwise hide the rest of the file.
+bool is_plausible(const RecordHead& head) noexcept {
+  constexpr std::uint64_t kDataEndBytes = 4;
+  constexpr std::uint64_t kFooterBytes = 20;
+  if (head.opcode == Opcode::DataEnd) return head.length >= kDataEndBytes && head.length < 2 * kFooterBytes;
+  if (head.opcode == Opcode::Footer) return head.length >= kFooterBytes && head.length < 2 * kFooterBytes;
+  return head.opcode != Opcode{0};
+}
+
+}  // namespace
 
 Result<McapStreamReader> McapStreamReader::open(const std::filesystem::path& file) {
   Result<std::unique_ptr<mcap::ByteSource>> source = mcap::open_file(file);
@@ -19,21 +36,48 @@ Result<McapStreamReader> McapStreamReader::open(std::unique_ptr<mcap::ByteSource
   return McapStreamReader(std::move(source));
 }
 
-Error McapStreamReader::in_chunk(const Error& error) const { return mcap::in_chunk(*source_, chunks_ - 1, error); }
+Error McapStreamReader::in_chunk(const Error& error) const {
+  return mcap::in_chunk(*source_, chunks_ - 1, chunk_offset_, error);
+}
 
 Error McapStreamReader::cut_off() const {
   std::string opcode;
   const bool in_a_chunk = source_->size() > offset_ && source_->read(offset_, 1, opcode) &&
                           static_cast<Opcode>(opcode.front()) == Opcode::Chunk;
-  if (in_a_chunk) return mcap::in_chunk(*source_, chunks_, {.what = "truncated", .where = {}, .fix = {}});
-  return mcap::damaged(*source_, "truncated after " + std::to_string(chunks_) + " chunks");
+  if (in_a_chunk) return mcap::in_chunk(*source_, chunks_, offset_, {.what = "truncated", .where = {}, .fix = {}});
+  return mcap::damaged(*source_, "truncated after " + std::to_string(chunks_) + " chunks", offset_);
+}
+
+/// Continues after a place without a valid record at the next chunk, if there is one.
+Error McapStreamReader::skip_to_next_chunk() {
+  const std::optional<std::uint64_t> found = mcap::find_chunk(*source_, trusted_end_);
+  ended_ = !found;
+  if (!found) return cut_off();
+  const Error skipped =
+      mcap::damaged(*source_, "no valid record; reading continues at byte " + std::to_string(*found), offset_);
+  offset_ = *found;
+  trusted_end_ = *found + 1;  // the next search begins behind this chunk, so that reading always ends
+  learn_channels_from_summary();
+  return skipped;
+}
+
+/// The skipped bytes may have defined channels. A complete file repeats all definitions in its summary.
+void McapStreamReader::learn_channels_from_summary() {
+  const Result<mcap::Summary> summary = mcap::read_summary(*source_);
+  if (!summary) return;
+  for (const auto& [id, stored] : summary->channels.all()) {
+    if (stored.schema != nullptr) (void)channels_.add(*stored.schema);  // false: contradicts a definition before
+    (void)channels_.add(stored.channel);
+  }
 }
 
 Result<void> McapStreamReader::enter_chunk(const RecordHead& head) {
   ++chunks_;
+  chunk_offset_ = head.offset;
   if (const Result<void> read = mcap::read_content(*source_, head, content_); !read) return in_chunk(read.error());
   const auto chunk = mcap::parse<mcap::ChunkRecord>(content_);
   if (!chunk) return in_chunk({.what = "its header is damaged", .where = {}, .fix = {}});
+  trusted_end_ = head.end();
   Result<std::string> records = mcap::unpack(*chunk);
   if (!records) return in_chunk(records.error());
   records_ = std::make_unique<const std::string>(std::move(records).value());
@@ -44,10 +88,8 @@ Result<void> McapStreamReader::enter_chunk(const RecordHead& head) {
 /// Reads one record of the data section; true while more may follow.
 Result<bool> McapStreamReader::enter_next_record() {
   const Result<RecordHead> head = mcap::read_head(*source_, offset_, source_->size());
-  if (!head) {
-    ended_ = true;
-    return cut_off();
-  }
+  if (!head || !is_plausible(*head)) return skip_to_next_chunk();
+  record_offset_ = offset_;
   offset_ = head->end();
   switch (head->opcode) {
     case Opcode::Chunk:
@@ -59,6 +101,7 @@ Result<bool> McapStreamReader::enter_next_record() {
     case Opcode::Metadata:
       if (const Result<void> read = mcap::read_content(*source_, *head, content_); !read) return read.error();
       waiting_ = head->opcode;
+      trusted_end_ = head->end();
       return true;
     case Opcode::Attachment:
       attachments_.push_back(*head);
@@ -77,18 +120,21 @@ Result<std::optional<StoredMessage>> McapStreamReader::take(Opcode opcode, std::
   std::optional<StoredMessage> none;
   if (opcode == Opcode::Schema) {
     auto schema = mcap::parse<mcap::Schema>(content);
-    if (!schema || !channels_.add(*std::move(schema))) return mcap::damaged(*source_, "a schema is damaged");
+    if (!schema || !channels_.add(*std::move(schema)))
+      return mcap::damaged(*source_, "a schema is damaged", record_offset_);
   } else if (opcode == Opcode::Channel) {
     auto channel = mcap::parse<mcap::Channel>(content);
-    if (!channel || !channels_.add(*std::move(channel))) return mcap::damaged(*source_, "a channel is damaged");
+    if (!channel || !channels_.add(*std::move(channel)))
+      return mcap::damaged(*source_, "a channel is damaged", record_offset_);
   } else if (opcode == Opcode::Metadata) {
     auto metadata = mcap::parse<mcap::Metadata>(content);
-    if (!metadata) return mcap::damaged(*source_, "a metadata record is damaged");
+    if (!metadata) return mcap::damaged(*source_, "a metadata record is damaged", record_offset_);
     metadata_.push_back(*std::move(metadata));
   } else if (opcode == Opcode::Message) {
     const auto record = mcap::parse<mcap::MessageRecord>(content);
     const mcap::StoredChannel* const channel = record ? channels_.find(record->channel_id) : nullptr;
-    if (channel == nullptr) return mcap::damaged(*source_, "a message is damaged, or its channel is not known");
+    if (channel == nullptr)
+      return mcap::damaged(*source_, "a message is damaged, or its channel is not known", record_offset_);
     return std::optional{StoredMessage{channel, *record}};
   }
   return none;
@@ -121,7 +167,7 @@ Result<mcap::Attachment> McapStreamReader::read(const RecordHead& attachment) {
   std::string content;
   if (const Result<void> got = mcap::read_content(*source_, attachment, content); !got) return got.error();
   auto parsed = mcap::parse<mcap::Attachment>(content);
-  if (!parsed) return mcap::damaged(*source_, "an attachment is damaged");
+  if (!parsed) return mcap::damaged(*source_, "an attachment is damaged", attachment.offset);
   return *std::move(parsed);
 }
 

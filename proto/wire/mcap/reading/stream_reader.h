@@ -20,8 +20,8 @@ class McapStreamReader {
   [[nodiscard]] static Result<McapStreamReader> open(const std::filesystem::path& file);
   [[nodiscard]] static Result<McapStreamReader> open(std::unique_ptr<mcap::ByteSource> source);
 
-  /// The next message; nullopt at the end. An error concerns one place (a chunk with a wrong CRC, or the point of
-  /// truncation); the next call continues after it, if possible.
+  /// The next message; nullopt at the end. An error concerns one place (a chunk with a wrong CRC, bytes that are no
+  /// record, or the point of truncation) and names its offset; the next call continues with the next readable chunk.
   [[nodiscard]] Result<std::optional<mcap::StoredMessage>> next();
 
   /// Channels read so far.
@@ -40,13 +40,18 @@ class McapStreamReader {
   [[nodiscard]] Result<void> enter_chunk(const mcap::RecordHead& head);
   [[nodiscard]] Result<std::optional<mcap::StoredMessage>> take(mcap::Opcode opcode, std::string_view content);
   [[nodiscard]] Error cut_off() const;
+  [[nodiscard]] Error skip_to_next_chunk();
+  void learn_channels_from_summary();
   [[nodiscard]] Error in_chunk(const Error& error) const;
 
   std::unique_ptr<mcap::ByteSource> source_;
   std::uint64_t offset_ = mcap::kMagic.size();
   bool ended_ = false;
   bool complete_ = false;
-  std::uint64_t chunks_ = 0;                    // number read so far, including damaged ones
+  std::uint64_t chunk_offset_ = 0;                   // of the chunk read last
+  std::uint64_t trusted_end_ = mcap::kMagic.size();  // no damaged length can have skipped a chunk before this offset
+  std::uint64_t record_offset_ = 0;                  // of the record outside chunks, or the chunk, read last
+  std::uint64_t chunks_ = 0;                         // number read so far, including damaged ones
   std::unique_ptr<const std::string> records_;  // records of walk_'s chunk; on the heap, so that views survive a move
   std::optional<mcap::ChunkWalk> walk_;
   std::string content_;                  // content of the last record outside chunks

@@ -47,7 +47,7 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& name) {
   if (errno == EEXIST)
     return Error{.what = "exists already: a recording that was cut off, or one that is running",
                  .where = partial(name).string(),
-                 .fix = "telepalp-record --repair " + partial(name).string() + ", then choose another name"};
+                 .fix = "telepalp-record repair " + partial(name).string() + ", then choose another name"};
   return Error{.what = std::string("cannot be created: ") + std::strerror(errno),
                .where = name.string(),
                .fix = "check that the folder exists and may be written"};

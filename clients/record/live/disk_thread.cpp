@@ -1,11 +1,11 @@
-#include "clients/record/disk_thread.h"
+#include "clients/record/live/disk_thread.h"
 
 #include <utility>
 
 namespace telepalp::record {
 namespace {
 
-constexpr auto kFlushAfter = std::chrono::seconds(1);
+constexpr auto kFlushEvery = std::chrono::milliseconds(200);
 
 /// Approximate memory of a queued message; an empty one takes memory, too.
 std::size_t weight(const wire::Message& message) { return message.payload->size() + 128; }
@@ -49,12 +49,15 @@ DiskThread::Counts DiskThread::counts() const {
 }
 
 void DiskThread::run() {
+  using Clock = std::chrono::steady_clock;
   std::unique_lock lock(mutex_);
-  for (bool flushed = true;;) {
-    changed_.wait_for(lock, kFlushAfter, [&] { return finishing_ || !waiting_.empty(); });
+  auto flushed_at = Clock::now();
+  for (bool has_unflushed = false;;) {
+    changed_.wait_for(lock, kFlushEvery, [&] { return finishing_ || !waiting_.empty(); });
     if (finishing_ && waiting_.empty()) return;
     const std::deque<wire::Message> taken = std::exchange(waiting_, {});
-    if (taken.empty() && flushed) continue;
+    const bool is_due = Clock::now() - flushed_at >= kFlushEvery && (has_unflushed || !taken.empty());
+    if (taken.empty() && !is_due) continue;
     lock.unlock();
     Result<void> done;
     std::size_t bytes = 0;
@@ -65,8 +68,11 @@ void DiskThread::run() {
       bytes += message.payload->size();
       ++stored;
     }
-    if (taken.empty()) done = store_.flush();
-    flushed = taken.empty();
+    if (done && is_due) {
+      done = store_.flush();
+      flushed_at = Clock::now();
+    }
+    has_unflushed = !is_due;
     lock.lock();
     counts_.stored += stored;
     counts_.stored_bytes += bytes;

@@ -19,7 +19,7 @@ namespace telepalp::record {
 /// Storage for messages. Both functions are called only on the disk thread and may block.
 struct Store {
   std::function<Result<void>(const wire::Message&)> write;
-  std::function<Result<void>()> flush;  ///< called after 1 s without messages: written data shall survive a crash
+  std::function<Result<void>()> flush;  ///< called within 0.2 s of a write: written data shall survive a crash
 };
 
 /// Takes messages from the network thread and stores them on a separate thread, so that a slow disk never blocks the

@@ -1,7 +1,8 @@
-#include "clients/record/recording.h"
+#include "clients/record/live/recording.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
@@ -10,14 +11,15 @@
 #include <set>
 #include <utility>
 
-#include "clients/record/disk_thread.h"
+#include "clients/record/live/disk_room.h"
+#include "clients/record/live/disk_thread.h"
+#include "clients/record/live/recording_plan.h"
 #include "proto/wire/client_link.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/writer.h"
 #include "support/program/ending.h"
 #include "support/program/files/ready_file.h"
 #include "support/program/log.h"
-#include "support/program/version.h"
 
 namespace telepalp::record {
 namespace {
@@ -28,11 +30,8 @@ using boost::system::error_code;
 constexpr const char* kProgram = "telepalp-record";
 constexpr const char* kNotFinished =
     "telepalp-record: the disk did not store the remaining messages in time; the file stays as NAME.partial. fix: "
-    "telepalp-record "
-    "--repair NAME.partial";
+    "telepalp-record repair NAME.partial";
 constexpr auto kProgressEvery = std::chrono::milliseconds(500);
-
-std::string address_text(const program::Address& address) { return address.host + ":" + std::to_string(address.port); }
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -48,12 +47,13 @@ std::uint64_t total(const std::map<std::string_view, std::uint64_t>& by_topic) {
   return sum;
 }
 
-/// Metadata for the file: the gaps of the recording and the accuracy of its depth.
+/// Metadata for the file: the gaps of the recording, the accuracy of its depth and of its clock.
 wire::mcap::Metadata what_was_found(const RecordingReport& report,
                                     const std::map<std::string_view, std::uint64_t>& dropped,
-                                    const std::set<std::string>& depth) {
+                                    const std::set<std::string>& depth, Nanoseconds clock_uncertainty) {
   wire::mcap::Metadata metadata{std::string(wire::kRecordingMetadata),
                                 {{"gaps", std::to_string(report.gaps)}, {"gap_s", fixed(report.gap_s, 3)}}};
+  metadata.values["clock_uncertainty_us"] = fixed(static_cast<double>(clock_uncertainty.count()) / 1e3, 1);
   if (!depth.empty()) metadata.values["depth"] = boost::algorithm::join(depth, "; ");
   for (const auto& [topic, count] : dropped) metadata.values["dropped" + std::string(topic)] = std::to_string(count);
   return metadata;
@@ -62,20 +62,34 @@ wire::mcap::Metadata what_was_found(const RecordingReport& report,
 /// One recording in progress. Everything runs on the network thread, except for the functions that `disk_` calls.
 class Recording {
  public:
-  Recording(const RecordingOptions& options, wire::McapWriter writer)
+  /// `files` calls on_alarm() of this object, on the disk thread.
+  Recording(const RecordingOptions& options, std::unique_ptr<SessionFiles>& files)
       : options_(options),
-        writer_(std::move(writer)),
-        disk_({.write = [this](const wire::Message& message) { return writer_.write(message); },
-               .flush = [this] { return writer_.flush(); }}),
+        files_(files),
+        room_(options.file),
+        disk_({.write =
+                   [this](const wire::Message& message) {
+                     files_->write(message);
+                     return Result<void>{};
+                   },
+               .flush =
+                   [this] {
+                     files_->flush();
+                     return Result<void>{};
+                   }}),
         link_(io_,
               {.host = options.server.host,
                .port = options.server.port,
                .name = kProgram,
                .role = "recorder",
                .key = options.key,
-               .subscribes = options.topics},
+               .subscribes = options.topics.subscription()},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
                .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); }}) {}
+
+  void on_alarm(const std::string& text) {
+    boost::asio::post(io_, [this, text] { say(text); });
+  }
 
   Result<RecordingReport> run() {
     signals_.async_wait([this](const error_code& cancelled, int) {
@@ -97,9 +111,11 @@ class Recording {
  private:
   /// After a dropped depth frame, the frames that depend on it are useless in the file, so a key frame is requested.
   void on_message(const wire::Message& message) {
+    if (!options_.topics.matches(message.topic.name)) return;
     const bool taken = disk_.offer(message);
     if (message.topic.name != wire::kCameraDepth.name) return;
-    if (!taken) return link_.request_key_frame(message);
+    if (!taken || files_->needs_key_frame()) link_.request_key_frame(message);
+    if (!taken) return;
     note_depth(message);
   }
 
@@ -147,6 +163,7 @@ class Recording {
       if (cancelled || stopping_) return;
       const DiskThread::Counts counts = disk_.counts();
       if (counts.failed) return fail(*counts.failed);
+      if (const auto alarm = room_.alarm(counts.stored_bytes)) say(*alarm);
       const std::uint64_t dropped = total(counts.dropped);
       if (dropped > dropped_reported_)
         say("the disk does not keep up: " + std::to_string(dropped) + " messages dropped so far");
@@ -160,7 +177,8 @@ class Recording {
     std::fprintf(stderr, "\r\x1b[K%s s  %s MB  %llu messages  %llu dropped%s",
                  fixed(seconds_since(*started_), 1).c_str(),
                  fixed(static_cast<double>(counts.stored_bytes) / 1e6, 1).c_str(),
-                 static_cast<unsigned long long>(counts.stored), static_cast<unsigned long long>(total(counts.dropped)),
+                 static_cast<unsigned long long>(counts.stored),
+                 static_cast<unsigned long long>(total(counts.dropped) + files_->dropped()),
                  away_since_ ? "  (server away)" : "");
     line_shown_ = true;
   }
@@ -190,28 +208,31 @@ class Recording {
     if (std::exchange(line_shown_, false)) std::fputs("\n", stderr);
     const Result<void> stored = disk_.finish();
     if (!stored && !failed_) failed_ = stored.error();
-    const DiskThread::Counts counts = disk_.counts();
-    if (!started_) {
-      writer_.discard();
-    } else {
-      report_.seconds = seconds_since(*started_);
-      report_.dropped = total(counts.dropped);
-      if (stored)
-        if (const Result<void> written = writer_.add(what_was_found(report_, counts.dropped, depth_));
-            !written && !failed_)
-          failed_ = written.error();
-      if (const Result<void> closed = writer_.close(); !closed && !failed_) failed_ = closed.error();
-      report_.messages = writer_.messages();
-      report_.file_bytes = writer_.bytes();
-    }
+    started_ ? complete_files() : files_->discard();
+    io_.restart();
+    io_.poll();  // alarms of the disk thread that are still to be shown
     program::work_is_done();
     if (!failed_) return report_;
     if (started_) say("until then: " + describe(report_));
     return *failed_;
   }
 
+  void complete_files() {
+    const DiskThread::Counts counts = disk_.counts();
+    report_.seconds = seconds_since(*started_);
+    const Result<void> closed =
+        files_->close(what_was_found(report_, counts.dropped, depth_, link_.clock_uncertainty()));
+    if (!closed && !failed_) failed_ = closed.error();
+    const SessionFiles::Counts written = files_->counts();
+    report_.dropped = total(counts.dropped) + files_->dropped();
+    report_.messages = written.messages;
+    report_.file_bytes = written.bytes;
+    report_.files = written.files.size();
+  }
+
   const RecordingOptions& options_;
-  wire::McapWriter writer_;  // disk thread, until finish()
+  std::unique_ptr<SessionFiles>& files_;  // disk thread, until finish()
+  DiskRoom room_;
   DiskThread disk_;
   boost::asio::io_context io_;
   boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
@@ -234,19 +255,22 @@ class Recording {
 std::string describe(const RecordingReport& report) {
   std::string text = fixed(report.seconds, 1) + " s, " + std::to_string(report.messages) + " messages, " +
                      fixed(static_cast<double>(report.file_bytes) / 1e6, 1) + " MB";
-  if (report.dropped > 0) text += ", " + std::to_string(report.dropped) + " messages dropped by a slow disk";
+  if (report.files > 1) text += " in " + std::to_string(report.files) + " files";
+  if (report.dropped > 0)
+    text += ", " + std::to_string(report.dropped) + " messages dropped because the disk was slow or full";
   if (report.gaps > 0) text += ", the server was away " + fixed(report.gap_s, 1) + " s";
   return text;
 }
 
 Result<RecordingReport> record(const RecordingOptions& options) {
-  Result<wire::McapWriter> writer = wire::McapWriter::open(options.file, {.program = kProgram,
-                                                                          .version = program::version(),
-                                                                          .commit = program::commit(),
-                                                                          .source = address_text(options.server),
-                                                                          .scene = {}});
-  if (!writer) return writer.error();
-  Recording recording(options, std::move(writer).value());
+  Result<SessionFiles::Plan> plan = plan_of(options);
+  if (!plan) return plan.error();
+  Recording* recorder = nullptr;  // set before the disk thread can raise an alarm
+  Result<std::unique_ptr<SessionFiles>> files =
+      SessionFiles::open(std::move(*plan), [&recorder](const std::string& text) { recorder->on_alarm(text); });
+  if (!files) return files.error();
+  Recording recording(options, *files);
+  recorder = &recording;
   return recording.run();
 }
 

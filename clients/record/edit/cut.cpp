@@ -1,0 +1,123 @@
+#include "clients/record/edit/cut.h"
+
+#include <algorithm>
+#include <map>
+
+#include "clients/record/edit/session_copy.h"
+#include "codec/depth.h"
+#include "messages/camera.pb.h"
+
+namespace telepalp::record {
+namespace {
+
+constexpr std::size_t kMostDamages = 100;
+constexpr std::uint64_t kPreludeNs = 10'000'000'000;  // key frames and camera models come more often than this
+constexpr std::string_view kLatched[] = {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraStatus.name,
+                                         wire::kHandHolder.name};
+
+bool is_key_frame(const wire::mcap::MessageRecord& record) {
+  msg::DepthImage image;
+  return image.ParseFromArray(record.data.data(), static_cast<int>(record.data.size())) &&
+         codec::is_key_frame(std::as_bytes(std::span(image.data())));
+}
+
+std::vector<std::string> chosen_topics(const wire::mcap::Summary& summary, const TopicFilter& filter) {
+  std::vector<std::string> topics;
+  for (const auto& [id, stored] : summary.channels.all())
+    if (filter.matches(stored.channel.topic)) topics.push_back(stored.channel.topic);
+  return topics;
+}
+
+wire::McapSelection between(std::vector<std::string> topics, std::uint64_t from, std::uint64_t until) {
+  return {.topics = std::move(topics),
+          .from = session_time(static_cast<std::int64_t>(from)),
+          .until = session_time(static_cast<std::int64_t>(std::min<std::uint64_t>(until, INT64_MAX)))};
+}
+
+/// Gives each selected message to `take`; damaged places are noted and passed over.
+template <class Take>
+Result<void> for_each(wire::McapReader& reader, std::vector<std::string>& damages, Take take) {
+  for (;;) {
+    const auto next = reader.next_stored();
+    if (!next && damages.size() < kMostDamages) damages.push_back(next.error().what);
+    if (!next) continue;
+    if (!*next) return {};
+    if (const Result<void> taken = take(**next); !taken) return taken;
+  }
+}
+
+/// The messages before `from` that a player needs at `from`, in order of time.
+std::vector<KeptMessage> prelude(wire::McapReader& reader, std::uint64_t from, const TopicFilter& filter,
+                                 std::vector<std::string>& damages) {
+  std::vector<std::string> topics;
+  for (const std::string_view topic : kLatched) topics.emplace_back(topic);
+  topics.emplace_back(wire::kCameraDepth.name);
+  std::erase_if(topics, [&](const std::string& topic) { return !filter.matches(topic); });
+  std::map<std::string, std::vector<KeptMessage>> kept;
+  if (topics.empty()) return {};
+  reader.select(between(topics, from > kPreludeNs ? from - kPreludeNs : 0, from));
+  (void)for_each(reader, damages, [&](const wire::mcap::StoredMessage& message) -> Result<void> {
+    std::vector<KeptMessage>& of_topic = kept[message.channel->channel.topic];
+    if (message.channel->channel.topic != wire::kCameraDepth.name || is_key_frame(message.record)) of_topic.clear();
+    of_topic.emplace_back(message);
+    return {};
+  });
+  std::vector<KeptMessage> all;
+  for (auto& [topic, messages] : kept) all.insert(all.end(), messages.begin(), messages.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const KeptMessage& a, const KeptMessage& b) { return a.log_time() < b.log_time(); });
+  return all;
+}
+
+wire::mcap::Metadata note_of(const std::filesystem::path& file, const CutOptions& options) {
+  wire::mcap::Metadata note{"telepalp.cut",
+                            {{"file", file.filename().string()}, {"from_s", std::to_string(to_seconds(options.from))}}};
+  if (options.to) note.values["to_s"] = std::to_string(to_seconds(*options.to));
+  return note;
+}
+
+Error nothing_there(const std::filesystem::path& file, const wire::mcap::Statistics& statistics) {
+  const double seconds = static_cast<double>(statistics.message_end_time - statistics.message_start_time) * 1e-9;
+  return {
+      .what = "no message lies in that time or on these topics; the session lasts " + std::to_string(seconds) + " s",
+      .where = file.string(),
+      .fix = "see telepalp-record info " + file.string() + ", and give --from, --to or --topics inside it"};
+}
+
+}  // namespace
+
+Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem::path& out, const CutOptions& options) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  const Result<wire::SessionInfo> session = reader->session();
+  if (!session) return session.error();
+  const wire::mcap::Statistics& statistics = reader->summary().statistics;
+  const std::uint64_t from = statistics.message_start_time + static_cast<std::uint64_t>(options.from.count());
+  const std::uint64_t until =
+      options.to ? statistics.message_start_time + static_cast<std::uint64_t>(options.to->count()) : INT64_MAX;
+  const std::vector<std::string> topics = chosen_topics(reader->summary(), options.topics);
+  if (topics.empty() || from > statistics.message_end_time || until <= from) return nothing_there(file, statistics);
+
+  EditReport report;
+  const std::vector<KeptMessage> before = prelude(*reader, from, options.topics, report.damages);
+  Result<wire::McapWriter> writer = wire::McapWriter::open(out, *session);
+  if (!writer) return writer.error();
+  Result<void> copied = copy_notes(*reader, *writer);
+  if (copied) copied = writer->add(note_of(file, options));
+  for (const KeptMessage& message : before)
+    if (copied) copied = message.copy_to(*writer);
+  report.messages = before.size();
+  reader->select(between(topics, from, until));
+  if (copied)
+    copied = for_each(*reader, report.damages, [&](const wire::mcap::StoredMessage& message) {
+      ++report.messages;
+      return writer->copy(message.channel->schema, message.channel->channel, message.record);
+    });
+  if (copied && report.messages == 0) copied = nothing_there(file, statistics);
+  if (copied) copied = writer->close();
+  if (copied) return report;
+  writer->discard();
+  return copied.error();
+}
+
+}  // namespace telepalp::record

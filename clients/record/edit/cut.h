@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/record/selection/topic_filter.h"
+#include "proto/words/result.h"
+#include "proto/words/time.h"
+
+namespace telepalp::record {
+
+struct CutOptions {
+  Nanoseconds from{0};                 ///< since the session's first message
+  std::optional<Nanoseconds> to = {};  ///< since the session's first message; nullopt: its end
+  TopicFilter topics{"*"};
+};
+
+struct EditReport {
+  std::uint64_t messages = 0;        ///< written
+  std::uint64_t left_out = 0;        ///< duplicates that merge() did not repeat
+  std::vector<std::string> damages;  ///< places that could not be read, at most 100
+};
+
+/// Writes the messages of `file` from `from` until `to` to `out`, with all metadata and attachments. What a player
+/// needs at the first instant comes before it with its own time: the camera models and states, and the depth images
+/// since the last key frame. Error: no message lies in that time, or a file cannot be read or written.
+[[nodiscard]] Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem::path& out,
+                                     const CutOptions& options);
+
+}  // namespace telepalp::record

@@ -1,0 +1,115 @@
+#include "clients/record/facts/session_facts.h"
+
+#include "clients/record/facts/session_survey.h"
+#include "proto/wire/depth_loss.h"
+#include "proto/wire/mcap/reader.h"
+
+namespace telepalp::record {
+namespace {
+
+double duration_s(const wire::mcap::Statistics& statistics) {
+  if (statistics.message_end_time < statistics.message_start_time) return 0.0;
+  return static_cast<double>(statistics.message_end_time - statistics.message_start_time) * 1e-9;
+}
+
+void note_damage(SessionFacts& facts, std::string what) {
+  ++facts.damages_in_all;
+  if (facts.damages.size() < kMostDamages) facts.damages.push_back(std::move(what));
+}
+
+/// The bound on the error of the depth in the file: the recorder's note at the end of the file or, without it (an
+/// encoded or repaired file), the bound in the first image.
+std::string depth_of(wire::McapReader& reader, const SessionFacts& facts) {
+  if (const auto noted = facts.recording.find("depth"); noted != facts.recording.end()) return noted->second;
+  reader.select({.topics = {std::string(wire::kCameraDepth.name)}});
+  const auto first = reader.next();
+  msg::DepthImage image;
+  if (!first || !*first || !image.ParseFromString(*(*first)->payload)) return {};
+  return wire::in_words(wire::depth_fidelity(image));
+}
+
+void read_notes(wire::McapReader& reader, SessionFacts& facts) {
+  for (const wire::mcap::MetadataIndex& index : reader.summary().metadata) {
+    const Result<wire::mcap::Metadata> metadata = reader.read(index);
+    if (!metadata) note_damage(facts, metadata.error().what);
+    if (metadata && index.name == wire::kRecordingMetadata) facts.recording = metadata->values;
+  }
+  for (const wire::mcap::AttachmentIndex& index : reader.summary().attachments) {
+    facts.attachments.push_back(index.name + ", " + std::to_string(index.data_size) + " bytes");
+    if (const auto attachment = reader.read(index); !attachment) note_damage(facts, attachment.error().what);
+  }
+}
+
+Result<void> read_messages(const std::filesystem::path& file, SessionFacts& facts) {
+  Result<wire::McapStreamReader> stream = wire::McapStreamReader::open(file);
+  if (!stream) return stream.error();
+  SessionSurvey survey;
+  std::uint64_t read = 0;
+  for (;;) {
+    const auto next = stream->next();
+    if (!next) {
+      note_damage(facts, next.error().what);
+      continue;
+    }
+    if (!*next) break;
+    survey.add(**next);
+    ++read;
+  }
+  if (read != facts.messages)
+    note_damage(facts, "the index counts " + std::to_string(facts.messages) + " messages, but " + std::to_string(read) +
+                           " can be read");
+  survey.finish(facts);
+  for (const SessionFacts::Topic& topic : facts.topics)
+    if (topic.unreadable > 0)
+      note_damage(facts, topic.name + ": " + std::to_string(topic.unreadable) + " messages are no " + topic.type);
+  return {};
+}
+
+}  // namespace
+
+Result<SessionFacts> inspect(const std::filesystem::path& file) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  const Result<wire::SessionInfo> session = reader->session();
+  if (!session) return session.error();
+  std::error_code ignored;
+  const wire::mcap::Summary& summary = reader->summary();
+  SessionFacts facts;
+  facts.seconds = duration_s(summary.statistics);
+  facts.messages = summary.statistics.message_count;
+  facts.chunks = summary.chunks.size();
+  facts.bytes = std::filesystem::file_size(file, ignored);
+  facts.program = session->program;
+  facts.version = session->version;
+  facts.commit = session->commit;
+  facts.source = session->source;
+  facts.recorded_by = session->recorded_by;
+  facts.consent = session->consent;
+  read_notes(*reader, facts);
+  facts.depth = depth_of(*reader, facts);
+  if (const Result<void> read = read_messages(file, facts); !read) return read.error();
+  return facts;
+}
+
+std::vector<std::string> notes_on(const SessionFacts& facts) {
+  std::vector<std::string> notes;
+  const auto count = [](std::uint64_t number, const char* what) { return std::to_string(number) + " " + what; };
+  for (const SessionFacts::Topic& topic : facts.topics) {
+    if (!topic.is_ours)
+      notes.push_back(topic.name + ": not a topic of telepalp with its type; it is kept, not checked");
+    if (topic.has_other_version)
+      notes.push_back(topic.name + ": recorded by another version of telepalp; fields may differ");
+    if (topic.lost > 0) notes.push_back(topic.name + ": " + count(topic.lost, "messages were lost before the file"));
+    if (topic.back_in_time > 0) notes.push_back(topic.name + ": time goes back " + count(topic.back_in_time, "times"));
+  }
+  if (!facts.begins_with_key_frame)
+    notes.emplace_back(
+        "/camera/depth: begins with a predicted frame; depth cannot be decoded before the next key frame");
+  for (const auto& [key, value] : facts.recording)
+    if (key.starts_with("dropped/"))
+      notes.push_back(key.substr(7) + ": the recorder dropped " + value +
+                      " messages, because its disk was slow or full");
+  return notes;
+}
+
+}  // namespace telepalp::record

@@ -1,0 +1,195 @@
+#include "clients/record/file_commands.h"
+
+#include <cstdio>
+
+#include "clients/record/edit/merge.h"
+#include "clients/record/facts/session_facts.h"
+#include "clients/record/live/amounts.h"
+#include "clients/record/repair.h"
+#include "clients/record/unfinished.h"
+#include "support/program/log.h"
+#include "support/program/options.h"
+
+namespace telepalp::record {
+namespace {
+
+constexpr const char* kProgram = "telepalp-record";
+
+program::Usage info_usage() {
+  return {.program = "telepalp-record info",
+          .purpose = "describes a session: origin, topics, rates, bytes, gaps, drops, clock",
+          .positional = "FILE",
+          .options = {{"json", "", "print JSON instead of a table"}},
+          .example = "telepalp-record info session.mcap"};
+}
+
+program::Usage verify_usage() {
+  return {.program = "telepalp-record verify",
+          .purpose = "reads all of a session and checks each chunk, message and count",
+          .positional = "FILE",
+          .options = {},
+          .example = "telepalp-record verify session.mcap"};
+}
+
+program::Usage repair_usage() {
+  return {.program = "telepalp-record repair",
+          .purpose = "finishes a recording that was cut off, or copies what can be read of a damaged file",
+          .positional = "FILE",
+          .options = {{"out", "FILE.mcap", "file for the copy; default: beside FILE"}},
+          .example = "telepalp-record repair session.mcap"};
+}
+
+program::Usage cut_usage() {
+  return {.program = "telepalp-record cut",
+          .purpose = "copies a part of a session to a new file",
+          .positional = "FILE",
+          .options = {{"out", "FILE.mcap", "the new file"},
+                      {"from", "TIME", "since the session's beginning: 90, 90s, 1.5min", "0s"},
+                      {"to", "TIME", "since the session's beginning; default: the end"},
+                      {"topics", "LIST", "patterns as of a shell, comma-separated; !PATTERN leaves out", "*"}},
+          .example = "telepalp-record cut session.mcap --from 12s --to 1.5min --out part.mcap"};
+}
+
+program::Usage merge_usage() {
+  return {.program = "telepalp-record merge",
+          .purpose = "joins sessions, or the parts of one, to a new file in order of time",
+          .positional = "FILE...",
+          .options = {{"out", "FILE.mcap", "the new file"}},
+          .example = "telepalp-record merge session.0001.mcap session.0002.mcap --out session.mcap"};
+}
+
+Error asked_wrongly(std::string what, const program::Usage& usage) {
+  return {.what = std::move(what),
+          .where = std::string(usage.program),
+          .fix = "see " + std::string(usage.program) + " --help"};
+}
+
+/// The one file of a command.
+Result<std::string> file_of(const program::Arguments& arguments, const program::Usage& usage) {
+  if (arguments.positional().size() == 1) return arguments.positional().front();
+  return asked_wrongly("name one session file", usage);
+}
+
+/// Reads the arguments of a command and runs it: an exit code, also after --help or a wrong option.
+template <class Run>
+int with_arguments(const program::Usage& usage, int argc, const char* const* argv, Run run) {
+  const auto arguments = program::read_arguments(usage, argc, argv);
+  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
+  return *arguments ? run(**arguments) : program::kDone;
+}
+
+/// The same for a command with one file.
+template <class Run>
+int with_file(const program::Usage& usage, int argc, const char* const* argv, Run run) {
+  return with_arguments(usage, argc, argv, [&](const program::Arguments& arguments) {
+    const Result<std::string> file = file_of(arguments, usage);
+    return file ? run(*file, arguments) : program::fail(file.error(), program::kAskedWrongly);
+  });
+}
+
+int run_finish(const std::filesystem::path& partial) {
+  const Result<RepairReport> report = finish(partial);
+  if (!report) return program::fail(report.error());
+  for (const std::string& damage : report->damages) program::log(kProgram, partial.string() + ": " + damage);
+  program::log(kProgram, in_words(*report));
+  return program::kDone;
+}
+
+int verify(const std::string& file) {
+  const Result<SessionFacts> facts = inspect(file);
+  if (!facts) return program::fail(facts.error());
+  const auto print = [&](const char* kind, const std::string& text) {
+    std::printf("%s: %s%s\n", program::escaped(file).c_str(), kind, program::escaped(text).c_str());
+  };
+  for (const std::string& note : notes_on(*facts)) print("note: ", note);
+  for (const std::string& damage : facts->damages) print("damage: ", damage);
+  if (facts->damages_in_all > 0)
+    return program::fail({.what = std::to_string(facts->damages_in_all) + " places are damaged",
+                          .where = file,
+                          .fix = "telepalp-record repair " + file});
+  print("", "whole: " + std::to_string(facts->messages) + " messages in " + std::to_string(facts->chunks) +
+                " chunks on " + std::to_string(facts->topics.size()) + " topics can be read");
+  return program::kDone;
+}
+
+int show_edit(const Result<EditReport>& report, const std::string& out) {
+  if (!report) return program::fail(report.error());
+  for (const std::string& damage : report->damages) program::log(kProgram, "not copied: " + damage);
+  std::string text = out + ": " + std::to_string(report->messages) + " messages";
+  if (report->left_out > 0) text += "; " + std::to_string(report->left_out) + " were in several files";
+  program::log(kProgram, text);
+  return program::kDone;
+}
+
+Result<CutOptions> cut_options(const program::Arguments& arguments) {
+  const Result<Nanoseconds> from = parse_duration(arguments.text("from"), "from");
+  if (!from) return from.error();
+  CutOptions options{.from = *from, .to = {}, .topics = TopicFilter(arguments.text("topics"))};
+  if (!arguments.has("to")) return options;
+  const Result<Nanoseconds> to = parse_duration(arguments.text("to"), "to");
+  if (!to) return to.error();
+  if (*to <= *from) return Error{.what = "the end is not after --from", .where = "--to", .fix = "give a later time"};
+  options.to = *to;
+  return options;
+}
+
+int show_info(const std::string& file, bool json) {
+  const Result<SessionFacts> facts = inspect(file);
+  if (!facts) return program::fail(facts.error());
+  std::fputs((json ? in_json(*facts) : in_words(*facts)).c_str(), stdout);
+  return program::kDone;
+}
+
+int run_repair(const std::string& file, const std::string& out) {
+  if (const auto partial = unfinished(file); partial && out.empty()) return run_finish(*partial);
+  const Result<RepairReport> report = repair(file, out.empty() ? repaired_name(file) : std::filesystem::path(out));
+  if (!report) return program::fail(report.error());
+  if (report->was_whole) {
+    program::log(kProgram, file + " is whole: all its " + std::to_string(report->messages) + " messages can be read");
+    return program::kDone;
+  }
+  for (const std::string& damage : report->damages) program::log(kProgram, file + ": " + damage);
+  program::log(kProgram, "recovered " + std::to_string(report->messages) + " messages to " + report->file.string());
+  return program::kDone;
+}
+
+}  // namespace
+
+int info_command(int argc, const char* const* argv) {
+  return with_file(info_usage(), argc, argv, [](const std::string& file, const program::Arguments& arguments) {
+    return show_info(file, arguments.has("json"));
+  });
+}
+
+int verify_command(int argc, const char* const* argv) {
+  return with_file(verify_usage(), argc, argv,
+                   [](const std::string& file, const program::Arguments&) { return verify(file); });
+}
+
+int repair_command(int argc, const char* const* argv) {
+  return with_file(repair_usage(), argc, argv, [](const std::string& file, const program::Arguments& arguments) {
+    return run_repair(file, arguments.text("out"));
+  });
+}
+
+int cut_command(int argc, const char* const* argv) {
+  return with_file(cut_usage(), argc, argv, [](const std::string& file, const program::Arguments& arguments) {
+    if (!arguments.has("out"))
+      return program::fail(asked_wrongly("name the new file with --out", cut_usage()), program::kAskedWrongly);
+    const Result<CutOptions> options = cut_options(arguments);
+    if (!options) return program::fail(options.error(), program::kAskedWrongly);
+    return show_edit(cut(file, arguments.text("out"), *options), arguments.text("out"));
+  });
+}
+
+int merge_command(int argc, const char* const* argv) {
+  return with_arguments(merge_usage(), argc, argv, [](const program::Arguments& arguments) {
+    const std::vector<std::filesystem::path> files(arguments.positional().begin(), arguments.positional().end());
+    if (files.size() < 2 || files.size() > kMostMerged || !arguments.has("out"))
+      return program::fail(asked_wrongly("name 2 to 256 session files, and the new file with --out", merge_usage()),
+                           program::kAskedWrongly);
+    return show_edit(merge(files, arguments.text("out")), arguments.text("out"));
+  });
+}
+
+}  // namespace telepalp::record

@@ -1,0 +1,25 @@
+#include "clients/record/live/disk_room.h"
+
+#include <system_error>
+#include <utility>
+
+namespace telepalp::record {
+
+DiskRoom::DiskRoom(const std::filesystem::path& file)
+    : folder_(file.has_parent_path() ? file.parent_path() : std::filesystem::path(".")) {}
+
+std::optional<std::string> DiskRoom::alarm(std::uint64_t stored_bytes) {
+  constexpr double kShort_s = 60.0;
+  constexpr double kLeast_s = 2.0;  // before that, the rate is not known
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  std::error_code unknown;
+  const auto room = std::filesystem::space(folder_, unknown);
+  if (unknown || seconds < kLeast_s || stored_bytes == 0) return std::nullopt;
+  const double left_s = static_cast<double>(room.available) * seconds / static_cast<double>(stored_bytes);
+  const bool was_alarmed = std::exchange(alarmed_, left_s < kShort_s);
+  if (!alarmed_ || was_alarmed) return std::nullopt;
+  return "ALARM: the disk will be full in " + std::to_string(static_cast<int>(left_s)) + " s. fix: free space in " +
+         folder_.string();
+}
+
+}  // namespace telepalp::record

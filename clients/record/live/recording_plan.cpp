@@ -1,0 +1,45 @@
+#include "clients/record/live/recording_plan.h"
+
+#include <pwd.h>
+#include <unistd.h>
+
+#include "clients/record/live/attached_files.h"
+#include "support/program/version.h"
+
+namespace telepalp::record {
+namespace {
+
+/// The key's owner, or the account on this machine.
+std::string recorded_by(const RecordingOptions& options) {
+  if (options.key) return keys::describe(options.key->identity);
+  const ::passwd* const account = ::getpwuid(::getuid());
+  return "account " + (account == nullptr ? std::to_string(::getuid()) : std::string(account->pw_name));
+}
+
+}  // namespace
+
+std::string address_text(const program::Address& address) { return address.host + ":" + std::to_string(address.port); }
+
+Result<SessionFiles::Plan> plan_of(const RecordingOptions& options) {
+  SessionFiles::Plan plan{.name = options.file,
+                          .session = {.program = "telepalp-record",
+                                      .version = program::version(),
+                                      .commit = program::commit(),
+                                      .source = address_text(options.server),
+                                      .scene = {},
+                                      .recorded_by = recorded_by(options),
+                                      .consent = options.consent},
+                          .attachments = {},
+                          .splitting = options.splitting};
+  std::vector<std::filesystem::path> attached = options.attachments;
+  if (!options.scene.empty()) attached.insert(attached.begin(), options.scene);
+  for (const std::filesystem::path& file : attached) {
+    Result<wire::mcap::Attachment> attachment = attach(file);
+    if (!attachment) return attachment.error();
+    plan.attachments.push_back(std::move(*attachment));
+  }
+  if (!options.scene.empty()) plan.session.scene = plan.attachments.front().data;
+  return plan;
+}
+
+}  // namespace telepalp::record

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "clients/record/live/recording.h"
+#include "clients/record/live/session_files.h"
+
+namespace telepalp::record {
+
+/// What is known before the recording begins: names, origin, consent and attachments. Error: a file to attach cannot be
+/// read.
+[[nodiscard]] Result<SessionFiles::Plan> plan_of(const RecordingOptions& options);
+
+/// "127.0.0.1:7400"
+[[nodiscard]] std::string address_text(const program::Address& address);
+
+}  // namespace telepalp::record

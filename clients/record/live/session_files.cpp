@@ -1,0 +1,185 @@
+#include "clients/record/live/session_files.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "codec/depth.h"
+#include "messages/camera.pb.h"
+
+namespace telepalp::record {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kTryAgainAfter = 1s;
+constexpr std::uintmax_t kRoomToBegin = std::uintmax_t{256} << 20;
+/// A new part waits at most this long for a key frame to begin with.
+constexpr Nanoseconds kLongestWaitForKeyFrame = 2s;
+constexpr wire::mcap::ChunkLimits kChunks{.bytes = std::size_t{1} << 20, .span_ns = 500'000'000};
+
+bool is_latched(std::string_view topic) {
+  return topic == wire::kCameraInfo.name || topic == wire::kCameraColorInfo.name || topic == wire::kCameraStatus.name ||
+         topic == wire::kHandHolder.name;
+}
+
+bool is_key_frame(const wire::Message& message) {
+  msg::DepthImage image;
+  return image.ParseFromString(*message.payload) && codec::is_key_frame(std::as_bytes(std::span(image.data())));
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SessionFiles>> SessionFiles::open(Plan plan, Alarm alarm) {
+  std::unique_ptr<SessionFiles> files(new SessionFiles(std::move(plan), std::move(alarm)));
+  if (const Result<void> begun = files->begin_part(); !begun) return begun.error();
+  return files;
+}
+
+/// One file has the asked name. Parts are numbered: session.0001.mcap.
+std::filesystem::path SessionFiles::next_name() {
+  const Splitting& splitting = plan_.splitting;
+  const bool in_parts = splitting.bytes || splitting.time || splitting.keep_last;
+  ++part_number_;
+  if (part_number_ == 1 && !in_parts) return plan_.name;
+  char number[16];
+  std::snprintf(number, sizeof number, ".%04d", part_number_);
+  std::filesystem::path name = plan_.name;
+  return name.replace_extension(number + plan_.name.extension().string());
+}
+
+Result<void> SessionFiles::begin_part() {
+  Result<wire::McapWriter> writer = wire::McapWriter::open(next_name(), plan_.session, kChunks);
+  if (!writer) return writer.error();
+  Result<void> written;
+  for (const wire::mcap::Attachment& attachment : plan_.attachments)
+    if (written) written = writer->add(attachment);
+  for (const auto& [topic, message] : latched_)
+    if (written) written = writer->write(message);
+  if (!written) {
+    writer->discard();
+    return written;
+  }
+  writer_.emplace(std::move(*writer));
+  offered_to_part_ = latched_.size();
+  part_began_.reset();
+  return {};
+}
+
+Result<void> SessionFiles::end_part(const wire::mcap::Metadata* notes) {
+  Result<void> done;
+  if (notes != nullptr) done = writer_->add(*notes);
+  const Result<void> closed = writer_->close();
+  messages_ += writer_->messages();
+  dropped_ += offered_to_part_ - std::min(offered_to_part_, writer_->messages());
+  parts_.push_back({writer_->name(), writer_->bytes(), newest_});
+  writer_.reset();
+  return done ? closed : done;
+}
+
+void SessionFiles::write(const wire::Message& message) {
+  newest_ = std::max(newest_, message.published);
+  has_depth_ = has_depth_ || message.topic.name == wire::kCameraDepth.name;
+  if (!writer_ || is_full(message)) go_on_in_new_part(message);
+  if (writer_) {
+    if (!part_began_) part_began_ = message.published;
+    ++offered_to_part_;
+    if (const Result<void> written = writer_->write(message); !written) fail(written.error());
+  } else {
+    ++dropped_;
+  }
+  if (is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
+}
+
+bool SessionFiles::is_full(const wire::Message& message) const {
+  if (!part_began_) return false;
+  const Splitting& splitting = plan_.splitting;
+  const Nanoseconds length = message.published - *part_began_;
+  // Ten parts hold what shall be kept, so that at most a tenth more is stored.
+  if (splitting.keep_last && length >= std::max<Nanoseconds>(*splitting.keep_last / 10, 1s)) return true;
+  if (splitting.time && length >= *splitting.time) return true;
+  return splitting.bytes && writer_->bytes() >= *splitting.bytes;
+}
+
+void SessionFiles::go_on_in_new_part(const wire::Message& message) {
+  if (!writer_ && !may_try_again()) return;
+  if (!waiting_since_) waiting_since_ = message.published;
+  const bool begins = !has_depth_ || (message.topic.name == wire::kCameraDepth.name && is_key_frame(message));
+  const bool waits = !begins && message.published - *waiting_since_ < kLongestWaitForKeyFrame;
+  needs_key_frame_ = waits && !writer_;  // a part that is still written needs the images until the key frame
+  if (waits) return;
+  waiting_since_.reset();
+  if (writer_)
+    if (const Result<void> ended = end_part(nullptr); !ended) return fail(ended.error());
+  remove_old_parts(message.published);
+  if (const Result<void> begun = begin_part(); !begun) return fail(begun.error());
+  if (std::exchange(is_failing_, false))
+    alarm_("the recording goes on in " + writer_->name().string() + "; " + std::to_string(dropped_) +
+           " messages were not recorded");
+}
+
+void SessionFiles::remove_old_parts(SessionTime now) {
+  std::error_code ignored;
+  while (plan_.splitting.keep_last && !parts_.empty() && now - parts_.front().end > *plan_.splitting.keep_last) {
+    std::filesystem::remove(parts_.front().file, ignored);
+    parts_.pop_front();
+  }
+}
+
+void SessionFiles::flush() {
+  if (!writer_) return;
+  if (const Result<void> flushed = writer_->flush(); !flushed) fail(flushed.error());
+}
+
+/// Completes the part with what it holds. The stream goes on: the recorder keeps reading, so that the server's queue to
+/// it does not fill, and tries again.
+void SessionFiles::fail(const Error& error) {
+  failed_at_ = Clock::now();
+  if (!failed_) failed_ = error;
+  if (!std::exchange(is_failing_, true)) alarm_("ALARM: " + to_string(error));
+  if (!writer_) return;
+  const std::filesystem::path name = writer_->name();
+  (void)end_part(nullptr);  // its error is the one above, or that the index does not fit
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored))
+    alarm_("ALARM: " + name.string() + ".partial is not complete. fix: telepalp-record repair " + name.string());
+}
+
+bool SessionFiles::may_try_again() const {
+  if (Clock::now() - failed_at_ < kTryAgainAfter) return false;
+  std::error_code unknown;
+  const auto room = std::filesystem::space(folder_of(plan_.name), unknown);
+  return unknown || room.available >= kRoomToBegin;
+}
+
+Result<void> SessionFiles::close(const wire::mcap::Metadata& notes) {
+  if (writer_)
+    if (const Result<void> ended = end_part(&notes); !ended && !failed_) failed_ = ended.error();
+  remove_old_parts(newest_);
+  if (!failed_) return {};
+  Error error = *failed_;
+  if (dropped_ > 0) error.what += "; " + std::to_string(dropped_) + " messages were not recorded";
+  return error;
+}
+
+void SessionFiles::discard() {
+  if (writer_) writer_->discard();
+  writer_.reset();
+}
+
+SessionFiles::Counts SessionFiles::counts() const {
+  Counts counts{.messages = messages_ + (writer_ ? writer_->messages() : 0), .bytes = 0, .files = {}};
+  for (const Part& part : parts_) {
+    counts.bytes += part.bytes;
+    counts.files.push_back(part.file);
+  }
+  return counts;
+}
+
+}  // namespace telepalp::record

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proto/wire/mcap/writer.h"
+#include "proto/wire/message.h"
+#include "proto/words/result.h"
+
+namespace telepalp::record {
+
+/// When a recording goes on in another file.
+struct Splitting {
+  std::optional<std::uint64_t> bytes;    ///< a file's size
+  std::optional<Nanoseconds> time;       ///< a file's duration
+  std::optional<Nanoseconds> keep_last;  ///< older files are removed; at least this much stays
+};
+
+/// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session: it
+/// begins with a depth key frame and repeats the camera models and states that were published last. When the disk does
+/// not take a part, the part is completed with what it holds, messages are dropped and counted, and a new part begins
+/// once there is room. Owner: the disk thread, except where a comment says otherwise.
+class SessionFiles {
+ public:
+  struct Plan {
+    std::filesystem::path name;
+    wire::SessionInfo session;
+    std::vector<wire::mcap::Attachment> attachments;
+    Splitting splitting;
+  };
+  using Alarm = std::function<void(const std::string&)>;
+
+  /// `alarm` is called on the disk thread. Error: the first file cannot be created.
+  [[nodiscard]] static Result<std::unique_ptr<SessionFiles>> open(Plan plan, Alarm alarm);
+
+  void write(const wire::Message& message);
+  /// Passes all messages to the operating system, so that they survive the end of this process.
+  void flush();
+  /// Completes the last part with `notes`. Call it when the disk thread has ended. Error: messages were lost because
+  /// the disk failed or was full, or the last part could not be completed.
+  [[nodiscard]] Result<void> close(const wire::mcap::Metadata& notes);
+  /// Removes the first file, which holds no message.
+  void discard();
+
+  struct Counts {
+    std::uint64_t messages = 0;  ///< written
+    std::uint64_t bytes = 0;     ///< of all parts that were not removed
+    std::vector<std::filesystem::path> files;
+  };
+  [[nodiscard]] Counts counts() const;
+  /// Messages dropped because the disk failed or was full. Any thread.
+  [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
+  /// True while nothing is written until a key frame comes. Any thread.
+  [[nodiscard]] bool needs_key_frame() const noexcept { return needs_key_frame_; }
+
+ private:
+  struct Part {
+    std::filesystem::path file;
+    std::uint64_t bytes = 0;
+    SessionTime end;
+  };
+  SessionFiles(Plan plan, Alarm alarm) : plan_(std::move(plan)), alarm_(std::move(alarm)) {}
+  [[nodiscard]] std::filesystem::path next_name();
+  [[nodiscard]] Result<void> begin_part();
+  [[nodiscard]] Result<void> end_part(const wire::mcap::Metadata* notes);
+  [[nodiscard]] bool is_full(const wire::Message& message) const;
+  void go_on_in_new_part(const wire::Message& message);
+  void remove_old_parts(SessionTime now);
+  void fail(const Error& error);
+  [[nodiscard]] bool may_try_again() const;
+
+  Plan plan_;
+  Alarm alarm_;
+  std::optional<wire::McapWriter> writer_;  // nullopt: the disk has failed
+  std::deque<Part> parts_;                  // completed
+  std::map<std::string_view, wire::Message> latched_;
+  int part_number_ = 0;
+  std::uint64_t messages_ = 0;
+  std::uint64_t offered_to_part_ = 0;         // messages; those of an unwritten chunk are lost when the disk fails
+  std::optional<SessionTime> part_began_;     // time of the part's first message
+  std::optional<SessionTime> waiting_since_;  // when a new part was due that waits for a key frame
+  SessionTime newest_{};
+  std::optional<Error> failed_;  // the first failure
+  bool has_depth_ = false;       // without depth, no part waits for a key frame
+  bool is_failing_ = false;
+  std::chrono::steady_clock::time_point failed_at_{};
+  std::atomic<std::uint64_t> dropped_{0};
+  std::atomic<bool> needs_key_frame_{false};
+};
+
+}  // namespace telepalp::record

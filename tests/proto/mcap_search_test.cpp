@@ -1,0 +1,141 @@
+// Session files with damaged record heads: reading continues at the next chunk, names the offset, and stays bounded.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "proto/wire/mcap/reader.h"
+#include "proto/wire/mcap/reading/chunk_search.h"
+#include "proto/wire/mcap/reading/stream_reader.h"
+#include "tests/proto/mcap_samples.h"
+
+namespace telepalp::wire {
+namespace {
+
+struct Outcome {
+  std::size_t messages = 0;
+  std::vector<std::string> errors;
+};
+
+Outcome read_to_end(Result<McapStreamReader> reader) {
+  Outcome outcome;
+  if (!reader) return {0, {to_string(reader.error())}};
+  for (;;) {
+    const auto next = reader->next();
+    if (next && !*next) return outcome;
+    if (next) ++outcome.messages;
+    if (!next) outcome.errors.push_back(to_string(next.error()));
+  }
+}
+
+Outcome read_bytes(std::string bytes) {
+  return read_to_end(McapStreamReader::open(mcap::in_memory(std::move(bytes), "session.mcap")));
+}
+
+/// A session in chunks of about 2000 bytes.
+struct Sample {
+  std::string bytes;
+  std::vector<mcap::ChunkIndex> chunks;
+  std::size_t messages = 0;
+};
+
+Sample sample() {
+  const auto file = samples::fresh_file("search_" + std::to_string(::getpid()) + ".mcap");
+  EXPECT_TRUE(samples::write_file(file, samples::session(1, 1000), {.bytes = 2000}));
+  auto reader = McapReader::open(file);
+  Sample made{samples::bytes_of(file), reader->summary().chunks, reader->summary().statistics.message_count};
+  std::filesystem::remove(file);
+  return made;
+}
+
+TEST(McapSearch, FindsEachChunkFromAnyByteBeforeIt) {
+  const Sample whole = sample();
+  const auto source = mcap::in_memory(whole.bytes, "session.mcap");
+  std::uint64_t from = 0;
+  for (const mcap::ChunkIndex& chunk : whole.chunks)
+    for (; from <= chunk.chunk_start_offset; ++from)
+      ASSERT_EQ(mcap::find_chunk(*source, from), chunk.chunk_start_offset) << "from byte " << from;
+  EXPECT_EQ(mcap::find_chunk(*source, from), std::nullopt);
+}
+
+TEST(McapSearch, ADamagedLengthOfAnyRecordLosesThatRecordAloneAndNamesTheOffset) {
+  const Sample whole = sample();
+  for (std::size_t number = 1; number + 1 < whole.chunks.size(); ++number) {
+    std::string hurt = whole.bytes;
+    hurt[whole.chunks[number].chunk_start_offset + 6] = '\x7f';  // of the eight bytes that hold the record's length
+    const Outcome outcome = read_bytes(hurt);
+    ASSERT_EQ(outcome.errors.size(), 1u) << number;
+    EXPECT_NE(outcome.errors[0].find("no valid record; reading continues at byte " +
+                                     std::to_string(whole.chunks[number + 1].chunk_start_offset) + " (at byte " +
+                                     std::to_string(whole.chunks[number].chunk_start_offset) + ")"),
+              std::string::npos)
+        << outcome.errors[0];
+    EXPECT_LT(outcome.messages, whole.messages);
+    EXPECT_GT(outcome.messages, whole.messages * 3 / 4);
+  }
+}
+
+TEST(McapSearch, EveryHundredthByteSetToZeroNeverLosesMoreThanItsNeighbourhood) {
+  const Sample whole = sample();
+  const std::size_t per_chunk = whole.messages / whole.chunks.size() + 8;
+  for (std::size_t at = mcap::kMagic.size(); at < whole.bytes.size(); at += 100) {
+    std::string hurt = whole.bytes;
+    hurt[at] = '\0';
+    const Outcome outcome = read_bytes(hurt);
+    ASSERT_GE(outcome.messages + 2 * per_chunk, whole.messages) << "byte " << at;
+    for (const std::string& error : outcome.errors) ASSERT_NE(error.find("(at byte "), std::string::npos) << error;
+  }
+}
+
+TEST(McapSearch, ADefinitionLostWithTheDamageIsLearntFromTheSummary) {
+  const Sample whole = sample();
+  std::string hurt = whole.bytes;
+  const std::size_t first = whole.chunks.front().chunk_start_offset;
+  std::fill(hurt.begin() + mcap::kMagic.size(), hurt.begin() + static_cast<std::ptrdiff_t>(first), '\0');
+  const Outcome outcome = read_bytes(hurt);
+  EXPECT_EQ(outcome.messages, whole.messages);
+  EXPECT_EQ(outcome.errors.size(), 1u);
+}
+
+TEST(McapSearch, AFalseEndOfTheDataDoesNotHideTheChunksBehindIt) {
+  const Sample whole = sample();
+  for (const char end : {'\x02', '\x0f'}) {
+    std::string hurt = whole.bytes;
+    hurt[whole.chunks[3].chunk_start_offset] = end;
+    const Outcome outcome = read_bytes(hurt);
+    EXPECT_EQ(outcome.errors.size(), 1u);
+    EXPECT_GT(outcome.messages, whole.messages * 3 / 4);
+  }
+}
+
+TEST(McapSearch, AnotherVersionOfMcapIsNamed) {
+  std::string other = sample().bytes;
+  other[5] = '1';
+  const Outcome outcome = read_bytes(other);
+  ASSERT_EQ(outcome.errors.size(), 1u);
+  EXPECT_NE(outcome.errors[0].find("is of MCAP version 1; version 0 is read"), std::string::npos) << outcome.errors[0];
+}
+
+TEST(McapSearch, ASparseFileOfAHundredGigabytesIsReadToItsLastChunkInBoundedTime) {
+  const Sample whole = sample();
+  const auto file = samples::fresh_file("sparse_" + std::to_string(::getpid()) + ".mcap");
+  constexpr std::uint64_t kHuge = std::uint64_t{100} << 30;
+  const std::uint64_t half = whole.chunks[whole.chunks.size() / 2].chunk_start_offset;
+  {
+    std::ofstream out(file, std::ios::binary);
+    out << whole.bytes.substr(0, half);
+    out.seekp(static_cast<std::streamoff>(kHuge));
+    out << whole.bytes.substr(half);
+  }
+  if (std::filesystem::file_size(file) < kHuge) GTEST_SKIP() << "this file system has no sparse files";
+  const auto started = std::chrono::steady_clock::now();
+  const Outcome outcome = read_to_end(McapStreamReader::open(file));
+  EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(20));
+  EXPECT_EQ(outcome.messages, whole.messages);
+  ASSERT_EQ(outcome.errors.size(), 1u);
+  EXPECT_NE(outcome.errors[0].find("(at byte " + std::to_string(half) + ")"), std::string::npos) << outcome.errors[0];
+  EXPECT_FALSE(McapReader::open(file)) << "its summary's offsets lie";
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace telepalp::wire
