@@ -29,7 +29,7 @@ struct Slicing {
 
 /// The reference frame that a frame is predicted from.
 struct FrameBefore {
-  std::span<const std::uint16_t> samples;  ///< of the same size; empty: a key frame
+  std::span<const std::uint16_t> samples;  ///< samples of a frame of the same size; empty: a key frame
   const LevelPalette* palette = nullptr;   ///< of `samples`; nullptr: not known
 };
 

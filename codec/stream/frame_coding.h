@@ -16,7 +16,7 @@ struct Reference {
   const DepthImage* depth = nullptr;      ///< nullptr: the predicted frame is a key frame
   const LevelPalette* palette = nullptr;  ///< of `depth`; nullptr: not known
   std::uint32_t crc = 0;
-  std::uint16_t since_key = 0;  ///< of the frame that is predicted
+  std::uint16_t since_key = 0;  ///< frames from the key frame to the predicted frame
 };
 
 /// Packs `depth` unchanged, in any mode.

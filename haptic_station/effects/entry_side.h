@@ -14,9 +14,9 @@ struct SolidDepth {
 
 /// What is felt of a shape at one tick.
 struct FeltSolid {
-  double depth_m = 0.0;                                ///< of the proxy; 0: the shape is not touched
+  double depth_m = 0.0;                                ///< depth of the proxy; 0: the shape is not touched
   Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< at the proxy, as in SolidDepth
-  double share = 0.0;                                  ///< of the shape's stiffness that is shown
+  double share = 0.0;                                  ///< share of the shape's stiffness that is shown
 };
 
 /// The god-object (proxy) of a shape inside the body: remembers from which side the device pushes into the shape, and
@@ -112,7 +112,7 @@ class EntrySide {
   Eigen::Vector3d face_ = Eigen::Vector3d::Zero();     ///< unit, outwards where the device left the surface's vicinity
   Eigen::Vector3d trail_ = Eigen::Vector3d::Zero();    ///< follows the device on a leash
   double middle_m_ = 0.0;                              ///< coordinate of the proxy along `towards_`
-  double share_ = 0.0;                                 ///< of the stiffness; 0: the shape is not touched
+  double share_ = 0.0;                                 ///< shown share of the stiffness; 0: the shape is not touched
   bool has_trail_ = false;
 };
 

@@ -24,7 +24,7 @@ struct CloudOptions {
   double unit_m = 1.0;        ///< metres for one unit of the file
   std::size_t samples = 0;    ///< number of points sampled from a mesh; 0: `spacing_m` decides
   double spacing_m = 0.0;     ///< between a mesh's samples; 0: its area and smallest features decide
-  bool flip_normals = false;  ///< of a mesh or an unorganised cloud
+  bool flip_normals = false;  ///< reverse the normals of a mesh or an unorganised cloud
   bool anyway = false;        ///< see surface::StaticModelSettings
 };
 

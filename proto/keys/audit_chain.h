@@ -14,7 +14,7 @@ namespace telepalp::keys {
 /// hash kept elsewhere detects that, too.
 struct AuditPosition {
   std::uint64_t lines = 0;
-  std::string hash = std::string(64, '0');  ///< of the last line
+  std::string hash = std::string(64, '0');  ///< hash of the last line
 };
 
 /// The next line of the log, with its newline; advances `position` to it. Control characters in `text` are escaped.

@@ -31,7 +31,7 @@ class Authority {
   Authority& operator=(Authority&&) noexcept;
   ~Authority();
 
-  [[nodiscard]] std::string file_text() const;    ///< with the private key
+  [[nodiscard]] std::string file_text() const;    ///< text of the authority's file, with its private key
   [[nodiscard]] std::string certificate() const;  ///< PEM, for browsers and other programs: nothing secret
   [[nodiscard]] std::string name() const;
 

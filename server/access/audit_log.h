@@ -23,13 +23,13 @@ enum class AuditEvent { Started, Stopped, Joined, Left, Records, TookTouch, Gave
 /// thread.
 class AuditLog {
  public:
-  /// Opens `file` and continues its chain. A file whose chain is broken is renamed to FILE.damaged-N, and `say` is
-  /// told.
+  /// Opens `file` and continues its chain. A file whose chain is broken is renamed to FILE.damaged-N, and `say` gets a
+  /// message.
   [[nodiscard]] static Result<std::unique_ptr<AuditLog>> open(const std::filesystem::path& file,
                                                               const std::function<void(const std::string&)>& say);
 
   /// Writes one line. It never fails, because a full disk must not stop the patient's stream: lines that could not be
-  /// written are counted, and `say` is told once. In 10 s at most 20 refusals of strangers and 200 of others are
+  /// written are counted, and `say` gets one message. In 10 s at most 20 refusals of strangers and 200 of others are
   /// written, so that nobody can fill the disk; the next line gives the number of the rest.
   void note(AuditEvent event, const std::string& text, keys::WallTime now);
 

@@ -65,7 +65,7 @@ class Hub {
   [[nodiscard]] std::size_t waiting_bytes() const noexcept { return waiting_bytes_; }
 
   struct TopicCount {
-    std::uint64_t published = 0;  ///< for one subscriber: offered to it
+    std::uint64_t published = 0;  ///< messages published; for one subscriber: messages offered to it
     std::uint64_t sent = 0;       ///< taken with next(); published = sent + dropped + still queued
     std::uint64_t dropped = 0;    ///< dropped from a queue, left in it by a leaving subscriber, or not decodable
     std::uint64_t bytes = 0;      ///< published bytes; for one subscriber: bytes sent to it

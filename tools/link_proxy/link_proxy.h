@@ -15,7 +15,7 @@ struct ProxyOptions {
   program::Address server;
   impaired::Impairment down;
   impaired::Impairment up;
-  impaired::Trace trace;  ///< of both directions; empty: none
+  impaired::Trace trace;  ///< trace for both directions; empty: none
   std::uint64_t seed = 1;
 };
 

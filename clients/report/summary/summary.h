@@ -66,7 +66,7 @@ struct Summary {
   std::vector<Dwell> dwells;  ///< in the order of kPhases
   std::uint64_t touches = 0;  ///< number of contacts
   double contact_s = 0.0;
-  double force_max_N = kUnknown;  ///< in any state; outside the body, force moves the free device
+  double force_max_N = kUnknown;  ///< largest force in any state; outside the body, it moves the free device
   double force_in_contact_max_N = kUnknown;
   double indentation_max_mm = kUnknown;
   double display_least_mJ = kUnknown;     ///< least balance of the display's ledger; below zero it gave energy

@@ -24,8 +24,8 @@ struct SkinMark {
   bool seen = false;        ///< the skin around the mark was measured; false: the last values are held
   bool slide_seen = false;  ///< the skin has enough shape to measure its slide; false: the last slide is held
   Eigen::Vector3d at = Eigen::Vector3d::Zero();       ///< the mark
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< of the skin there, unit, out of the body
-  Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();  ///< since the first images
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< normal of the skin there, unit, out of the body
+  Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();  ///< displacement since the first images
   double sigma_normal_m = 0.0;                        ///< 1-sigma of `moved_m` along the normal
   double sigma_slide_m = 0.0;  ///< 1-sigma of `moved_m` along the skin, in the least certain direction
 };

@@ -49,7 +49,7 @@ struct FragmentHeader {
   std::uint32_t frame_bytes = 0;  ///< 1 to kMostFrameBytes
   std::uint8_t block = 0;
   std::uint8_t shard = 0;          ///< below the block's data shards: data; above: repair
-  std::uint8_t repair_shards = 0;  ///< of each block, sent with the data
+  std::uint8_t repair_shards = 0;  ///< number of repair shards per block that are sent with the data
 };
 
 /// A fragment that was received; `shard` has exactly the layout's size.
@@ -76,11 +76,11 @@ struct Feedback {
   std::uint64_t highest_sequence = 0;
   std::uint64_t received_bytes = 0;
   std::int64_t reported_ns = 0;         ///< session time, which is never negative
-  std::uint32_t held_us = 0;            ///< from the arrival of the highest sequence until this report
+  std::uint32_t held_us = 0;            ///< time from the arrival of the highest sequence until this report
   std::uint32_t settled = 0;            ///< packets that have arrived or are counted as lost
   std::uint32_t lost = 0;               ///< packets that are counted as lost
   std::uint32_t bursts = 0;             ///< runs of lost packets
-  std::uint32_t age_us = 0;             ///< of the newest frame when it was complete
+  std::uint32_t age_us = 0;             ///< age of the newest frame when it was complete
   std::uint16_t key_frames_wanted = 0;  ///< bit n: channel n needs a key frame
   std::vector<Missing> missing{};       ///< at most kMostMissing
   bool operator==(const Feedback&) const = default;

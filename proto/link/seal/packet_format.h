@@ -17,7 +17,7 @@ inline constexpr std::uint8_t kSealVersion = 1;
 
 /// The header of a sealed datagram, authenticated and not encrypted. All numbers are little-endian.
 struct SealHeader {
-  std::uint16_t epoch = 0;     ///< of the key
+  std::uint16_t epoch = 0;     ///< number of the key
   std::uint32_t session = 0;   ///< random number by which the server names the session, and thereby its keys
   std::uint64_t sequence = 0;  ///< counts each sender's datagrams, across epochs
 };

@@ -80,7 +80,7 @@ class Opener {
   void adopt(const Epoch& used);
 
   SealSettings settings_;
-  std::optional<Epoch> previous_;  ///< for packets that were overtaken by the change of key
+  std::optional<Epoch> previous_;  ///< kept for packets that the change of key has overtaken
   Epoch current_;
   Epoch next_;
   ReplayWindow window_;

@@ -25,7 +25,7 @@ class SensorModel {
  private:
   /// Per-pixel tables for a body that has slid or risen.
   struct Moved {
-    std::vector<float> depth_m;  ///< without the breath
+    std::vector<float> depth_m;  ///< depth without the breath
     std::vector<float> lift_share;
     std::vector<std::uint8_t> hole_of_256;
   };
