@@ -19,14 +19,14 @@ struct CutOptions {
 };
 
 struct EditReport {
-  std::uint64_t messages = 0;        ///< written
+  std::uint64_t messages = 0;        ///< number of messages written
   std::uint64_t left_out = 0;        ///< duplicates that merge() did not repeat
   std::vector<std::string> damages;  ///< places that could not be read, at most 100
 };
 
-/// Writes the messages of `file` from `from` until `to` to `out`, with all metadata and attachments. What a player
-/// needs at the first instant comes before it with its own time: the camera models and states, and the depth images
-/// since the last key frame. Error: no message lies in that time, or a file cannot be read or written.
+/// Writes the messages of `file` from `from` until `to` to `out`, with all metadata and attachments. `out` begins with
+/// the messages that a player needs for the first instant, with their own times: the last camera models and states, and
+/// the depth images since the last key frame. Error: no message lies in that time, or a file cannot be read or written.
 [[nodiscard]] Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem::path& out,
                                      const CutOptions& options);
 

@@ -11,7 +11,8 @@
 
 namespace telepalp::record {
 
-/// What one pass over a session file finds. Its texts come unchecked from the file: escape them before printing.
+/// Facts about a session file, found in one pass over it. Its texts come unchecked from the file: escape them before
+/// printing.
 struct SessionFacts {
   struct Topic {
     std::string name;
@@ -32,8 +33,8 @@ struct SessionFacts {
     std::string name;          ///< from /server/stats; empty: not there
     std::string address;
     std::uint64_t messages = 0;           ///< published by it, in the file
-    std::uint64_t dropped_before_it = 0;  ///< the server dropped these for it, as it read too slowly
-    std::uint64_t dropped_by_it = 0;      ///< frames and ticks that it says it dropped
+    std::uint64_t dropped_before_it = 0;  ///< messages that the server dropped for the peer, which read too slowly
+    std::uint64_t dropped_by_it = 0;      ///< frames and ticks that the peer reported as dropped
   };
   /// The server's wall clock beside its session clock.
   struct Clock {
@@ -50,7 +51,7 @@ struct SessionFacts {
   std::string commit;
   std::string source;       ///< the recorded server or file
   std::string recorded_by;  ///< "doctor anna"; empty: not stated
-  std::string consent;      ///< what the recorder was told of the patient's consent; empty: not stated
+  std::string consent;      ///< the patient's consent, as the operator stated it; empty: not stated
   std::string depth;        ///< bound on the depth error, as text; empty: no depth
   std::map<std::string, std::string> recording;  ///< the recorder's notes: gaps, dropped messages, clock
   std::vector<std::string> attachments;
@@ -72,7 +73,7 @@ inline constexpr std::size_t kMostDamages = 100;
 /// The description as JSON.
 [[nodiscard]] std::string in_json(const SessionFacts& facts);
 
-/// What a reader of the session should know: lost messages, time that goes back, other versions. One line each.
+/// Notes for a reader of the session, one line each: lost messages, time that goes back, other versions.
 [[nodiscard]] std::vector<std::string> notes_on(const SessionFacts& facts);
 
 }  // namespace telepalp::record

@@ -7,8 +7,8 @@
 
 namespace telepalp::record {
 
-/// What is known before the recording begins: names, origin, consent and attachments. Error: a file to attach cannot be
-/// read.
+/// The plan of a recording, made before it begins: names, origin, consent and attachments. Error: a file to attach
+/// cannot be read.
 [[nodiscard]] Result<SessionFiles::Plan> plan_of(const RecordingOptions& options);
 
 /// "127.0.0.1:7400"

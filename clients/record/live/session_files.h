@@ -17,11 +17,11 @@
 
 namespace telepalp::record {
 
-/// When a recording goes on in another file.
+/// When a recording begins a new file, and which files it keeps.
 struct Splitting {
   std::optional<std::uint64_t> bytes;    ///< a file's size
   std::optional<Nanoseconds> time;       ///< a file's duration
-  std::optional<Nanoseconds> keep_last;  ///< older files are removed; at least this much stays
+  std::optional<Nanoseconds> keep_last;  ///< older files are removed; the last files with at least this duration stay
 };
 
 /// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session: it
@@ -52,7 +52,7 @@ class SessionFiles {
 
   struct Counts {
     std::uint64_t messages = 0;  ///< written
-    std::uint64_t bytes = 0;     ///< of all parts that were not removed
+    std::uint64_t bytes = 0;     ///< size of all parts that were not removed
     std::vector<std::filesystem::path> files;
   };
   [[nodiscard]] Counts counts() const;
@@ -86,7 +86,7 @@ class SessionFiles {
   std::uint64_t messages_ = 0;
   std::uint64_t offered_to_part_ = 0;         // messages; those of an unwritten chunk are lost when the disk fails
   std::optional<SessionTime> part_began_;     // time of the part's first message
-  std::optional<SessionTime> waiting_since_;  // when a new part was due that waits for a key frame
+  std::optional<SessionTime> waiting_since_;  // when a new part became due; it waits for a key frame
   SessionTime newest_{};
   std::optional<Error> failed_;  // the first failure
   bool has_depth_ = false;       // without depth, no part waits for a key frame

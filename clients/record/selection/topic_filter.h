@@ -13,7 +13,7 @@ class TopicFilter {
   explicit TopicFilter(const std::string& comma_separated);
 
   [[nodiscard]] bool matches(std::string_view topic) const;
-  /// What to subscribe to at a server, which knows full names and prefixes ("/station/*") only.
+  /// The names to subscribe to at a server, which knows only full names and prefixes ("/station/*").
   [[nodiscard]] std::vector<std::string> subscription() const;
 
  private:

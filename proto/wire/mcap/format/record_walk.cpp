@@ -5,7 +5,7 @@
 namespace telepalp::wire::mcap {
 namespace {
 
-constexpr std::size_t kVersionPlace = 5;  // of the version's digit in the magic bytes
+constexpr std::size_t kVersionPlace = 5;  // place of the version's digit in the magic bytes
 
 std::string at_byte(std::uint64_t offset) { return " (at byte " + std::to_string(offset) + ")"; }
 
