@@ -7,6 +7,7 @@
 #include "tests/bench/depth_bench.h"
 #include "tests/bench/hand/hand_bench.h"
 #include "tests/bench/link/link_bench.h"
+#include "tests/bench/link/subscribers_bench.h"
 #include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
 #include "tests/bench/station_bench.h"
@@ -28,6 +29,8 @@ constexpr std::array kBenches{
     bench::Bench{"depth", "ratio and time of each depth mode and of other codecs", bench::run_depth},
     bench::Bench{"hand", "force at the hand against the true skin: moving patients, bad links", bench::run_hand},
     bench::Bench{"link", "frames over bad networks, compared with plain UDP, plain TCP and SRT", bench::run_link},
+    bench::Bench{"subscribers", "cost of each further subscriber, shares of 200 subscribers, effect of stalled ones",
+                 bench::run_subscribers},
     bench::Bench{"pipeline", "latency of a frame from camera to hand, and timing of the 2 kHz loop",
                  bench::run_pipeline},
     bench::Bench{"station", "jitter of the 2 kHz thread, and calibration under noise", bench::run_station},
