@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace telepalp::plot {
+
+/// A table of values as coloured cells, each with its number. Darker is larger.
+struct HeatMap {
+  std::string title;
+  std::string x_label;  ///< with the unit
+  std::string y_label;
+  std::vector<std::string> columns;
+  std::vector<std::string> rows;  ///< the first is drawn at the top
+  std::vector<double> values;     ///< row by row; one that is not finite is an empty cell
+  double width_px = 720.0;
+};
+
+/// The map as a self-contained SVG element. The colours go from white to blue, so that they can be told apart in grey.
+[[nodiscard]] std::string to_svg(const HeatMap& map);
+
+}  // namespace telepalp::plot
