@@ -46,6 +46,10 @@ const std::vector<Rule> kRules{
     {"clients", {"proto", "support", "codec", "clients", "messages", "foxglove"}},
     // It reads recordings as the server does, and it needs no camera.
     {"tools", {"proto", "support", "codec", "server/capture", "server/pipeline", "tools", "messages"}},
+    // It runs the code of both sites.
+    {"tools/replay",
+     {"proto", "support", "codec", "server/capture", "server/pipeline", "haptic_station", "tools/replay", "messages",
+      "foxglove"}},
 };
 
 /// Headers that the real-time part must not include: those of functions that can wait, and those of libraries that it

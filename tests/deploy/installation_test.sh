@@ -9,7 +9,7 @@ fail() { echo "FAILED: $1" >&2; exit 1; }
 prefix=$work/prefix
 "$cmake" --install "$build" --prefix "$prefix" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "cmake --install"; }
 
-for program in server station record report codec probe keys link demo; do
+for program in server station record report codec probe keys link replay demo; do
   [ -x "$prefix/bin/telepalp-$program" ] || fail "telepalp-$program is not installed"
   [ -s "$prefix/share/man/man1/telepalp-$program.1" ] || fail "telepalp-$program has no man page"
   grep -q " telepalp-$program\$" "$prefix/share/bash-completion/completions/telepalp-$program" ||

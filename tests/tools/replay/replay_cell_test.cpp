@@ -1,0 +1,146 @@
+// Runs of a replay: what a network does to them, and that nothing else does.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "support/program/files/shipped.h"
+#include "tools/replay/run/session_run.h"
+
+namespace telepalp::replay {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kSource = "synthetic:torso,motion=irregular";
+
+const scenes::Scene& skin_scene() {
+  static const scenes::Scene scene =
+      scenes::read_scene(*program::shipped_file("haptic_station/scenes/skin.scene.textproto")).value();
+  return scene;
+}
+
+/// Everything that a station published, in order.
+std::string record(wire::Message message) {
+  return std::string(message.topic.name) + std::to_string(to_nanoseconds(message.published)) + *message.payload;
+}
+
+struct Ran {
+  RunResults results;
+  std::string published;  ///< by the last run
+};
+
+Ran run(const Scenario& scenario, double seconds, int threads = 2, codec::DepthMode mode = codec::DepthMode::Fast,
+        const RecordedHand* recorded = nullptr) {
+  Ran ran;
+  Result<Tape> tape = Tape::open(kSource, {.depth = {.mode = mode, .key_every = 12}, .color = false});
+  EXPECT_TRUE(tape.ok());
+  Result<RunResults> results = run_session(
+      *tape, {.scene = skin_scene(), .surface = {}, .recorded = recorded, .seconds = seconds, .threads = threads},
+      {{.scenario = unimpaired(scenario)},
+       {.scenario = scenario, .publish = [&](wire::Message message) { ran.published += record(message); }}});
+  EXPECT_TRUE(results.ok()) << (results ? "" : to_string(results.error()));
+  ran.results = std::move(*results);
+  return ran;
+}
+
+Scenario network(Nanoseconds delay, double loss = 0.0) {
+  Scenario scenario;
+  scenario.down = scenario.up = {.delay = delay, .jitter = delay / 4, .loss = loss, .burst_packets = 4.0};
+  scenario.deadline = 100ms + delay;
+  return scenario;
+}
+
+const Figures& last(const Ran& ran) { return ran.results.runs.back().figures; }
+
+TEST(ReplayCell, GivesTheSameBytesOnOneAndOnSeveralThreads) {
+  const Scenario scenario = network(60ms, 0.1);
+  const Ran one = run(scenario, 3.0, 1);
+  const Ran again = run(scenario, 3.0, 1);
+  const Ran several = run(scenario, 3.0, 4);
+  ASSERT_GT(one.published.size(), 100'000U);
+  EXPECT_TRUE(one.published == again.published);
+  EXPECT_TRUE(one.published == several.published);
+  EXPECT_EQ(last(one).force_rmse_N, last(several).force_rmse_N);
+}
+
+TEST(ReplayCell, GivesOtherBytesWithAnotherSeed) {
+  Scenario other = network(60ms, 0.1);
+  other.seed = 2;
+  EXPECT_FALSE(run(network(60ms, 0.1), 2.0).published == run(other, 2.0).published);
+}
+
+TEST(ReplayCell, ARunOverAnUnimpairedNetworkDiffersByNothing) {
+  const Ran ran = run(Scenario{}, 4.0);
+  EXPECT_EQ(last(ran).force_rmse_N, 0.0);
+  EXPECT_EQ(last(ran).phase_differs_pct, 0.0);
+  EXPECT_EQ(last(ran).frames_in_time_pct, 100.0);
+  EXPECT_EQ(last(ran).datagrams_lost, 0.0);
+  EXPECT_EQ(last(ran).frames, 120.0);
+}
+
+TEST(ReplayCell, TheHandFeelsTheSkinAndTheDelay) {
+  const Ran ran = run(network(150ms), 6.0);
+  const Figures& unimpaired = ran.results.runs.front().figures;
+  EXPECT_GT(unimpaired.force_max_N, 0.5);
+  EXPECT_LT(unimpaired.contact_lost_pct, 5.0);
+  EXPECT_LT(unimpaired.surface_error_rms_m, 0.001);
+  EXPECT_GT(last(ran).force_rmse_N, 0.0);
+  EXPECT_NEAR(last(ran).surface_age_p50_s - unimpaired.surface_age_p50_s, 0.15, 0.04);
+  EXPECT_NEAR(last(ran).network_p50_s - unimpaired.network_p50_s, 0.15, 0.04);
+}
+
+TEST(ReplayCell, RepairsLossesAndCountsWhatTheyCost) {
+  const Ran ran = run(network(20ms, 0.05), 4.0);
+  EXPECT_GT(last(ran).datagrams_lost, 100.0);
+  EXPECT_GT(last(ran).frames_in_time_pct, 90.0);
+  EXPECT_GT(last(ran).sent_B, 1.05 * last(ran).content_B);
+}
+
+TEST(ReplayCell, LetsGoInALongOutageAndFeelsAgain) {
+  Scenario scenario = network(10ms);
+  scenario.faults.outages = {{2500ms, 2500ms}};
+  const Ran ran = run(scenario, 9.0);
+  EXPECT_GT(last(ran).released_pct, 5.0);
+  EXPECT_LT(ran.results.runs.front().figures.released_pct, 5.0);
+  EXPECT_GT(last(ran).surface_age_p99_s, 1.0);
+  EXPECT_GT(last(ran).frames_touched_pct, 50.0);
+}
+
+TEST(ReplayCell, AServerThatRestartsIsHeardAgain) {
+  Scenario scenario = network(10ms);
+  scenario.faults.restarts = {{1s, 500ms}};
+  const Figures figures = last(run(scenario, 4.0));
+  EXPECT_NEAR(figures.frames, 105.0, 1.0);
+  EXPECT_GT(figures.frames_touched_pct, 95.0);
+}
+
+TEST(ReplayCell, PredictedFramesAreEncodedAsTheirOwnLossesAsk) {
+  const Figures figures = last(run(network(20ms, 0.1), 4.0, 2, codec::DepthMode::Temporal));
+  EXPECT_EQ(figures.frames, 120.0);
+  EXPECT_GT(figures.frames_touched_pct, 60.0);
+  EXPECT_LT(figures.surface_error_rms_m, 0.001);
+}
+
+TEST(ReplayCell, ARecordedHandMovesAsItWasRecorded) {
+  RecordedHand hand;
+  for (int i = 0; i <= 4000; ++i) {
+    const double height_m = 0.08 - 0.09 * i / 4000.0;
+    hand.push_back({kBegin + i * kTick, {{0.0, height_m, 0.0}}, {{0.0, height_m, 0.0}}});
+  }
+  const Ran ran = run(network(30ms), 3.0, 2, codec::DepthMode::Fast, &hand);
+  EXPECT_GT(last(ran).force_max_N, 0.05);
+  EXPECT_EQ(last(ran).contact_lost_pct, last(ran).contact_lost_pct);  // known: there is a true skin
+}
+
+TEST(ReplayCell, ASourceWithoutAPatientIsRefused) {
+  const Result<Tape> none = Tape::open("openni2", {});
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.error().what.find("not a kind of source"), std::string::npos);
+  EXPECT_FALSE(Tape::open("synthetic:torso,motion=dancing", {}).ok());
+}
+
+}  // namespace
+}  // namespace telepalp::replay

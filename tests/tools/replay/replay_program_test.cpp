@@ -1,0 +1,107 @@
+// telepalp-replay as its user runs it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "tests/support/child_process.h"
+#include "where.h"
+
+namespace {
+
+using namespace telepalp;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class ReplayProgram : public testing::Test {
+ protected:
+  std::string in(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  /// Exit code and output of a program.
+  std::pair<int, std::string> run(const std::string& program, std::vector<std::string> words) const {
+    words.insert(words.begin(), {"-c", "exec \"$0\" \"$@\" >&2", TELEPALP_BINARY_DIR "/bin/" + program});
+    support::ChildProcess process("/bin/sh", words, in("log"));
+    const std::optional<int> code = process.wait(120s);
+    return {code.value_or(-1), bytes_of(in("log"))};
+  }
+  std::pair<int, std::string> replay(std::vector<std::string> words) const {
+    words.insert(words.begin(), {"synthetic:torso,motion=irregular", "--seconds", "2"});
+    return run("telepalp-replay", words);
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(ReplayProgram, WritesTheSameBytesTwiceAndFindsWhereTwoRunsDiffer) {
+  const std::vector<std::string> network{"--delay-ms", "80", "--jitter-ms", "15", "--loss", "5%", "--burst", "4"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), network.begin(), network.end());
+    return more;
+  };
+  const auto [first, said] = replay(with({"--out", in("a"), "--threads", "1"}));
+  ASSERT_EQ(first, 0) << said;
+  ASSERT_EQ(replay(with({"--out", in("b"), "--threads", "2"})).first, 0);
+  for (const char* file : {"session.mcap", "unimpaired.mcap", "report.txt", "report.json"}) {
+    EXPECT_GT(fs::file_size(in("a") + "/" + file), 100U);
+    EXPECT_TRUE(bytes_of(in("a") + "/" + file) == bytes_of(in("b") + "/" + file)) << file;
+  }
+  EXPECT_EQ(run("telepalp-replay", {"diff", in("a/session.mcap"), in("b/session.mcap")}).first, 0);
+  const auto [differs, where] = run("telepalp-replay", {"diff", in("a/unimpaired.mcap"), in("a/session.mcap")});
+  EXPECT_EQ(differs, 1);
+  EXPECT_NE(where.find("message "), std::string::npos) << where;
+}
+
+TEST_F(ReplayProgram, ItsSessionIsAReportsInput) {
+  ASSERT_EQ(replay({"--delay-ms", "40", "--out", in("a")}).first, 0);
+  const auto [code, said] = run("telepalp-report", {in("a/session.mcap"), "--out", in("report.html")});
+  EXPECT_EQ(code, 0) << said;
+}
+
+TEST_F(ReplayProgram, IsAGateWithReasons) {
+  const auto [failed, said] =
+      replay({"--delay-ms", "200", "--assert", "surface_age_p50_s<0.1,frames>10", "--junit", in("junit.xml")});
+  EXPECT_EQ(failed, 1);
+  EXPECT_NE(said.find("FAILS: surface_age_p50_s<0.1  (surface_age_p50_s is 0."), std::string::npos) << said;
+  const std::string junit = bytes_of(in("junit.xml"));
+  EXPECT_NE(junit.find("tests=\"2\" failures=\"1\""), std::string::npos) << junit;
+  EXPECT_EQ(replay({"--assert", "frames>10"}).first, 0);
+}
+
+TEST_F(ReplayProgram, SaysWhatIsMisspeltBeforeItRuns) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--assert", "force_rsme_N<1"},
+                                                {"--sweep", "dealy=0,1"},
+                                                {"--loss", "500%"},
+                                                {"--outage", "10s"},
+                                                {"--profile", "moon"},
+                                                {"--hand", "left"},
+                                                {"--depth-mode", "zip"},
+                                                {"more"},
+                                                {"--hand", "recorded"},
+                                                {"--scene", in("none.textproto")}}) {
+    const auto [code, said] = replay(wrong);
+    EXPECT_EQ(code, 2) << wrong.front() << said;
+    EXPECT_NE(said.find("fix: "), std::string::npos) << said;
+  }
+}
+
+TEST_F(ReplayProgram, SweepsAGridIntoOneTable) {
+  const auto [code, said] = replay({"--sweep", "delay=0,100", "loss=0,10%", "--out", in("sweep")});
+  ASSERT_EQ(code, 0) << said;
+  const std::string csv = bytes_of(in("sweep/sweep.csv"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  EXPECT_TRUE(csv.starts_with("delay,loss,force_rmse_N,"));
+  for (const char* file : {"sweep.txt", "sweep.json", "force_rmse_N.svg", "cells/000.json", "cells/003.json"})
+    EXPECT_TRUE(fs::exists(in("sweep") + "/" + file)) << file;
+}
+
+}  // namespace

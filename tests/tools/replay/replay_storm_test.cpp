@@ -1,0 +1,86 @@
+// Storms: the invariants hold in every drawn case, a planted defect is found, and its case becomes short.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tools/replay/storm/storm.h"
+
+namespace telepalp::replay {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A station that does not let go when its surface is too old: it keeps the last force.
+Spoil keeps_pushing() {
+  return [last = Eigen::Vector3f(Eigen::Vector3f::Zero())](TickRecord& tick) mutable {
+    if (tick.surface_age_s > 1.0F && std::isfinite(tick.surface_age_s)) {
+      tick.force_N = last;
+      tick.phase = control::Phase::InBody;
+    }
+    last = tick.force_N;
+  };
+}
+
+StormCase with_outage() {
+  StormCase storm{.motion = "speech", .patient_seed = 7, .scene = "palpation", .scenario = {}, .seconds = 6.0};
+  storm.scenario.down = storm.scenario.up = {.delay = 120ms, .jitter = 20ms, .loss = 0.1, .burst_packets = 4.0};
+  storm.scenario.deadline = 220ms;
+  storm.scenario.faults = {.outages = {{1s, 3s}}, .tracker_lost = {{500ms, 300ms}}, .glitches = {{{800ms, 3ms}, 0.02}}};
+  storm.scenario.seed = 5;
+  return storm;
+}
+
+TEST(ReplayStorm, APlantedDefectIsFoundAndItsCaseIsShrunk) {
+  const auto holds = run_case(with_outage());
+  ASSERT_TRUE(holds.ok()) << to_string(holds.error());
+  ASSERT_FALSE(holds->violation) << in_words(*holds->violation);
+  const auto planted = run_case(with_outage(), keeps_pushing());
+  ASSERT_TRUE(planted->violation);
+  EXPECT_NE(planted->violation->what.find("still gives force"), std::string::npos) << planted->violation->what;
+  const auto simplest = shrunk(with_outage(), keeps_pushing());
+  ASSERT_TRUE(simplest.ok());
+  const std::string line = command_line(*simplest);
+  EXPECT_NE(line.find("--outage 1000ms+3000ms"), std::string::npos) << line;
+  for (const char* gone : {"--tracker-lost", "--glitch", "--loss", "--jitter-ms", "speech", "palpation"})
+    EXPECT_EQ(line.find(gone), std::string::npos) << line;
+}
+
+TEST(ReplayStorm, EveryInvariantCanFail) {
+  const auto fails_with = [](const std::vector<TickRecord>& ticks, const char* what) {
+    Invariants invariants({}, {});
+    for (const TickRecord& tick : ticks) invariants.add(tick);
+    ASSERT_TRUE(invariants.violation()) << what;
+    EXPECT_NE(invariants.violation()->what.find(what), std::string::npos) << invariants.violation()->what;
+  };
+  const auto pushing = [](float force_N) { return TickRecord{.force_N = {0.0F, force_N, 0.0F}}; };
+  fails_with({pushing(std::numeric_limits<float>::quiet_NaN())}, "not finite");
+  fails_with({pushing(0.0F), pushing(1.1F)}, "slew");
+  std::vector<TickRecord> rising;
+  for (int i = 0; i <= 22; ++i) rising.push_back(pushing(0.5F * static_cast<float>(i)));
+  fails_with(rising, "above the scene's peak");
+  fails_with({{.passivity_J = -0.006F}}, "display's ledger");
+  fails_with({{.hand_excess_J = 0.2F}}, "hand's ledger");
+  fails_with({{.phase = control::Phase::InBody, .surface_age_s = 2.6F}}, "still gives force");
+  fails_with(std::vector<TickRecord>(9100, {.depth_m = 0.006F}), "feels nothing");
+}
+
+TEST(ReplayStorm, ASilentOrDisorderedTopicIsSeen) {
+  Invariants invariants({}, {});
+  invariants.add({.topic = wire::kStationState, .published = kBegin + 10ms, .payload = {}});
+  EXPECT_FALSE(invariants.violation());
+  invariants.add({.topic = wire::kStationEvents, .published = kBegin, .payload = {}});
+  EXPECT_FALSE(invariants.violation());
+  invariants.add({.topic = wire::kStationState, .published = kBegin, .payload = {}});
+  EXPECT_TRUE(invariants.violation());
+}
+
+TEST(ReplayStorm, ACaseIsRepeatedByItsSeed) {
+  for (std::uint64_t seed = 1; seed < 50; ++seed)
+    EXPECT_EQ(command_line(draw_case(seed)), command_line(draw_case(seed)));
+  EXPECT_NE(command_line(draw_case(1)), command_line(draw_case(2)));
+}
+
+}  // namespace
+}  // namespace telepalp::replay

@@ -1,0 +1,71 @@
+#include "tools/replay/cell/camera_path.h"
+
+#include <array>
+#include <cstring>
+#include <utility>
+
+namespace telepalp::replay {
+namespace {
+
+/// The secret differs for each link session. It protects nothing here: both ends are in this process.
+link::DatagramLinkSettings settings_of(const Scenario& scenario, std::uint32_t link_session) {
+  std::array<std::byte, link::Secret::kBytes> secret{};
+  std::memcpy(secret.data(), &scenario.seed, sizeof scenario.seed);
+  std::memcpy(secret.data() + sizeof scenario.seed, &link_session, sizeof link_session);
+  return {.seal = {.session = link::Secret(secret), .number = link_session, .cipher = link::Cipher::Aes256Gcm},
+          .deadline = scenario.deadline};
+}
+
+Nanoseconds since_begin(SessionTime now) noexcept { return now - kBegin; }
+
+}  // namespace
+
+CameraPath::CameraPath(const Scenario& scenario)
+    : scenario_(scenario), down_(scenario.down, 2 * scenario.seed), up_(scenario.up, 2 * scenario.seed + 1) {
+  begin_link_session();
+}
+
+void CameraPath::begin_link_session() {
+  const link::DatagramLinkSettings settings = settings_of(scenario_, link_sessions_++);
+  ends_ =
+      std::make_unique<Ends>(Ends{.server = {settings, link::End::Server}, .station = {settings, link::End::Client}});
+}
+
+bool CameraPath::server_is_away(SessionTime now) const noexcept {
+  return any_contains(scenario_.faults.restarts, since_begin(now));
+}
+
+bool CameraPath::offer(link::Frame frame) { return ends_->server.offer(std::move(frame)).has_value(); }
+
+void CameraPath::exchange(SessionTime now) {
+  const bool away = server_is_away(now);
+  if (std::exchange(was_away_, away) && !away) begin_link_session();
+  deliver(up_, ends_->server, now);
+  deliver(down_, ends_->station, now);
+  if (!away) counts_.sent_B += transmit(ends_->server, down_, now);
+  counts_.answered_B += transmit(ends_->station, up_, now);
+  const impaired::LinkStatistics& down = down_.statistics();
+  counts_.lost = down.lost + down.dropped;
+}
+
+/// Datagrams of an ended link session arrive too, and are refused by their seal.
+void CameraPath::deliver(impaired::ImpairedLink& from, link::DatagramLink& to, SessionTime now) {
+  while (const auto packet = from.receive(since_begin(now))) (void)to.received(packet->bytes, now);
+}
+
+std::uint64_t CameraPath::transmit(link::DatagramLink& from, impaired::ImpairedLink& to, SessionTime now) {
+  const bool cut = any_contains(scenario_.faults.outages, since_begin(now));
+  std::uint64_t bytes = 0;
+  while (const std::optional<link::Datagram> datagram = from.next(now)) {
+    const auto span = datagram->bytes();
+    bytes += span.size();
+    if (!cut) to.send(since_begin(now), {.bytes = {span.begin(), span.end()}});
+  }
+  return bytes;
+}
+
+std::optional<link::Frame> CameraPath::take(SessionTime now) { return ends_->station.take(now); }
+
+bool CameraPath::key_frame_wanted() { return (ends_->server.key_frames_wanted() & (1U << kDepthChannel)) != 0; }
+
+}  // namespace telepalp::replay

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "proto/impaired/impaired_link.h"
+#include "proto/link/datagram_link.h"
+#include "tools/replay/scenario/scenario.h"
+
+namespace telepalp::replay {
+
+enum Channel : std::uint8_t { kDepthChannel, kColorChannel };
+
+/// Counters of one run's network.
+struct PathCounts {
+  std::uint64_t sent_B = 0;      ///< from the server to the station, without IP and UDP headers
+  std::uint64_t answered_B = 0;  ///< in the other direction
+  std::uint64_t lost = 0;        ///< datagrams from the server that did not arrive
+};
+
+/// Both ends of the datagram link and the impaired network between them. Times are session times from kBegin on.
+/// Owner: one run.
+class CameraPath {
+ public:
+  explicit CameraPath(const Scenario& scenario);
+
+  /// Queues a frame at the server. True: it replaced a frame that was not sent.
+  bool offer(link::Frame frame);
+  /// Moves what has arrived, and sends what is due. Call it once a tick.
+  void exchange(SessionTime now);
+  /// The next frame that is complete at the station.
+  [[nodiscard]] std::optional<link::Frame> take(SessionTime now);
+  /// True if the station needs a depth frame that stands alone. Reading clears it.
+  [[nodiscard]] bool key_frame_wanted();
+  /// True while the server is away.
+  [[nodiscard]] bool server_is_away(SessionTime now) const noexcept;
+  [[nodiscard]] const PathCounts& counts() const noexcept { return counts_; }
+
+ private:
+  struct Ends {
+    link::DatagramLink server;
+    link::DatagramLink station;
+  };
+  void begin_link_session();
+  void deliver(impaired::ImpairedLink& from, link::DatagramLink& to, SessionTime now);
+  std::uint64_t transmit(link::DatagramLink& from, impaired::ImpairedLink& to, SessionTime now);
+
+  const Scenario scenario_;
+  impaired::ImpairedLink down_;
+  impaired::ImpairedLink up_;
+  std::unique_ptr<Ends> ends_;
+  std::uint32_t link_sessions_ = 0;
+  bool was_away_ = false;
+  PathCounts counts_;
+};
+
+}  // namespace telepalp::replay

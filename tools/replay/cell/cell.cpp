@@ -1,0 +1,69 @@
+#include "tools/replay/cell/cell.h"
+
+#include <utility>
+
+namespace telepalp::replay {
+namespace {
+
+constexpr std::size_t kMostRecent = 256;
+
+const effects::SkinLaw* law_of(const scenes::Scene& scene) {
+  return scene.effects.skin() == nullptr ? nullptr : &scene.effects.skin()->law();
+}
+
+}  // namespace
+
+Cell::Cell(const StationSetup& setup, const Scenario& scenario, const TapeSettings& tape, TruthAt truth,
+           Publish publish)
+    : setup_(setup),
+      scenario_(scenario),
+      truth_(std::move(truth)),
+      watch_(tape.clock),
+      sender_(scenario, tape),
+      path_(scenario),
+      station_(setup, scenario, std::move(publish)) {}
+
+FrameCounts Cell::frames() const noexcept {
+  FrameCounts counts = counts_;
+  counts.offered = sender_.offered();
+  counts.offered_B = sender_.offered_B();
+  counts.undecodable = station_.undecodable();
+  return counts;
+}
+
+void Cell::count_complete(const link::Frame& frame, bool has_color, SessionTime now) {
+  if (now - frame.captured > scenario_.deadline) return;
+  int& complete = complete_[frame.number];
+  if (++complete == (has_color ? 2 : 1)) ++counts_.in_time;
+  if (complete_.size() > kMostRecent) complete_.erase(complete_.begin());
+}
+
+void Cell::receive(const link::Frame& frame, SessionTime now) {
+  const std::shared_ptr<const TapeFrame> taped = sender_.sent(frame.number);
+  count_complete(frame, taped && !taped->color.empty(), now);
+  if (frame.channel == kDepthChannel && frame.newest)
+    station_.arrived({.number = frame.number, .bytes = frame.bytes, .taped = taped, .received = now});
+}
+
+TickRecord Cell::tick() {
+  sender_.step(now_, path_, watch_);
+  watch_.time(Part::Link, [&] { path_.exchange(now_); });
+  while (const auto frame = path_.take(now_)) receive(*frame, now_);
+  const TickOutcome outcome = station_.tick(now_, watch_);
+  if (auto times = station_.touchable()) {
+    ++counts_.touched;
+    touchable_.push_back(*times);
+  }
+  return watch_.time(Part::Judge, [&] {
+    return judged(outcome, setup_.haptic_from_camera, truth_ ? std::optional(truth_(now_)) : std::nullopt,
+                  law_of(setup_.scene), setup_.scene.control.limits.peak_N);
+  });
+}
+
+void Cell::run_until(SessionTime until, const TapeFrames& frames, std::vector<TickRecord>& ticks) {
+  touchable_.clear();
+  for (const auto& frame : frames) sender_.captured(frame);
+  for (; now_ < until; now_ += kTick) ticks.push_back(tick());
+}
+
+}  // namespace telepalp::replay

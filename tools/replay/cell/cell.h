@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "tools/replay/cell/frame_sender.h"
+#include "tools/replay/cell/true_skin.h"
+
+namespace telepalp::replay {
+
+/// Counters of one run's frames.
+struct FrameCounts {
+  std::uint64_t offered = 0;  ///< captured while the server was there
+  std::uint64_t in_time = 0;  ///< depth, and colour if there is one, complete by the deadline
+  std::uint64_t touched = 0;  ///< became a surface
+  std::uint64_t undecodable = 0;
+  std::uint64_t offered_B = 0;
+};
+
+/// One run of the source over one network: the server's sender, the network and the station, in virtual time. Two cells
+/// share nothing that one of them writes, so that they may run on different threads. Pure but for `publish`.
+class Cell {
+ public:
+  /// `truth`: empty for a recording.
+  Cell(const StationSetup& setup, const Scenario& scenario, const TapeSettings& tape, TruthAt truth, Publish publish);
+
+  /// Runs all ticks before `until`. `frames`: those captured in this window. Appends a record of each tick to `ticks`.
+  void run_until(SessionTime until, const TapeFrames& frames, std::vector<TickRecord>& ticks);
+
+  [[nodiscard]] FrameCounts frames() const noexcept;
+  [[nodiscard]] const PathCounts& path() const noexcept { return path_.counts(); }
+  /// Times of the frames that became touchable in the last run_until().
+  [[nodiscard]] const std::vector<FrameTimes>& touchable() const noexcept { return touchable_; }
+  [[nodiscard]] const Scenario& scenario() const noexcept { return scenario_; }
+  [[nodiscard]] const Stopwatch& costs() const noexcept { return watch_; }
+
+ private:
+  void receive(const link::Frame& frame, SessionTime now);
+  void count_complete(const link::Frame& frame, bool has_color, SessionTime now);
+  [[nodiscard]] TickRecord tick();
+
+  const StationSetup setup_;
+  const Scenario scenario_;
+  TruthAt truth_;
+  Stopwatch watch_;
+  FrameSender sender_;
+  CameraPath path_;
+  ReplayedStation station_;
+  SessionTime now_ = kBegin;
+  FrameCounts counts_;
+  std::map<std::uint32_t, int> complete_;  ///< images in time of recent frames, by number
+  std::vector<FrameTimes> touchable_;
+};
+
+}  // namespace telepalp::replay

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+
+#include "haptic_station/ports/rig.h"
+#include "haptic_station/scenes/scene.h"
+#include "tools/replay/source/recorded_hand.h"
+
+namespace telepalp::replay {
+
+/// A simulated person at the scene's simulated device who examines the skin again and again: approaches, presses,
+/// holds, rubs to both sides, leaves. One round takes 10 s.
+[[nodiscard]] std::unique_ptr<ports::Rig> examining_hand(const scenes::Scene& scene, std::uint64_t seed);
+
+/// A device and a hand that repeat what was recorded, whatever the force is. Before and after the recording they rest
+/// at its ends. `recorded` is not empty and outlives the rig.
+[[nodiscard]] std::unique_ptr<ports::Rig> recorded_hand(const RecordedHand& recorded);
+
+}  // namespace telepalp::replay

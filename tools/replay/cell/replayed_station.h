@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "foxglove/CameraCalibration.pb.h"
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/telemetry/telemetry_publisher.h"
+#include "tools/replay/cell/hands.h"
+#include "tools/replay/cell/surface_stage.h"
+
+namespace telepalp::replay {
+
+/// What all stations of a replay share.
+struct StationSetup {
+  const scenes::Scene& scene;
+  surface::SurfaceSettings surface;
+  Transform<HapticBase, DepthCamera> haptic_from_camera;
+  const RecordedHand* recorded = nullptr;  ///< nullptr: examining_hand()
+};
+
+/// The outcome of one tick.
+struct TickOutcome {
+  SessionTime at;
+  Point<HapticBase> device{};  ///< as it is, without an encoder's glitch
+  loop::HapticLoop::Act act{};
+  bool tracker_lost = false;
+};
+
+/// The station without its clock, sockets and threads: surface stage, haptic loop, rig and telemetry, tick by tick.
+/// Owner: one run.
+class ReplayedStation {
+ public:
+  ReplayedStation(const StationSetup& setup, const Scenario& scenario, Publish publish);
+  ~ReplayedStation();
+
+  void arrived(ArrivedDepth frame);
+  [[nodiscard]] TickOutcome tick(SessionTime now, Stopwatch& watch);
+
+  /// Times of a frame that became touchable at the last tick.
+  [[nodiscard]] const std::optional<FrameTimes>& touchable() const noexcept { return touchable_; }
+  [[nodiscard]] std::uint64_t undecodable() const noexcept { return surfaces_.undecodable(); }
+
+ private:
+  class Telemetry;
+  [[nodiscard]] SessionTime clock(SessionTime now) const noexcept;
+  [[nodiscard]] ports::DeviceReading spoiled(ports::DeviceReading reading, Nanoseconds since) const noexcept;
+  void adopt(BuiltSurface built, SessionTime now);
+
+  Scenario scenario_;
+  std::unique_ptr<ports::Rig> rig_;
+  loop::HapticLoop loop_;
+  SurfaceStage surfaces_;
+  std::optional<FrameTimes> touchable_;
+  std::shared_ptr<const surface::SurfaceSnapshot> touched_;  // the loop borrows it
+  std::unique_ptr<Telemetry> telemetry_;                     // nullptr: nobody listens
+  Point<HapticBase> device_;
+};
+
+}  // namespace telepalp::replay

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "codec/depth_stream.h"
+#include "haptic_station/effects/effect_bank.h"
+#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/surface/build/surface_builder.h"
+#include "tools/replay/cell/station_output.h"
+#include "tools/replay/scenario/scenario.h"
+#include "tools/replay/scenario/stopwatch.h"
+#include "tools/replay/source/tape.h"
+
+namespace telepalp::replay {
+
+/// A depth frame that has arrived at the station.
+struct ArrivedDepth {
+  std::uint32_t number = 0;
+  std::vector<std::byte> bytes{};                    ///< a serialised DepthImage
+  std::shared_ptr<const TapeFrame> taped = nullptr;  ///< what was sent; nullptr: unknown
+  SessionTime received{};
+};
+
+/// A surface and the frame that it was made from.
+struct BuiltSurface {
+  loop::TouchableSurface surface;
+  FrameTimes times;
+  double build_s = 0.0;
+};
+
+/// The station's surface thread in virtual time: while it works on a frame others wait, then it takes the newest, as
+/// the station does. Decoding and building take the time that the scenario gives them.
+class SurfaceStage {
+ public:
+  SurfaceStage(const StageTimes& stages, const surface::SurfaceSettings& settings,
+               const Transform<HapticBase, DepthCamera>& haptic_from_camera, const effects::EffectBank& effects);
+
+  void arrived(ArrivedDepth frame) { waiting_.push_back(std::move(frame)); }
+  /// Works until `now`. `device`: the middle of what the hand can reach. Returns a surface that becomes touchable now.
+  [[nodiscard]] std::optional<BuiltSurface> step(SessionTime now, const Point<HapticBase>& device, Stopwatch& watch);
+  /// Frames that could not be decoded.
+  [[nodiscard]] std::uint64_t undecodable() const noexcept { return undecodable_; }
+
+ private:
+  void begin_newest(SessionTime now, const Point<HapticBase>& device, Stopwatch& watch);
+  [[nodiscard]] const DepthImage* depth_of(const ArrivedDepth& frame, Stopwatch& watch);
+
+  StageTimes stages_;
+  Transform<HapticBase, DepthCamera> haptic_from_camera_;
+  codec::DepthReader reader_;
+  DepthImage decoded_;
+  surface::SurfaceBuilder builder_;
+  std::deque<ArrivedDepth> waiting_;
+  std::optional<BuiltSurface> in_work_;  ///< done at its touchable_ns
+  SessionTime busy_until_{};
+  std::uint64_t undecodable_ = 0;
+};
+
+}  // namespace telepalp::replay

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "haptic_station/effects/skin_law.h"
+#include "haptic_station/scenes/scene.h"
+#include "server/capture/synthetic/synthetic_patient.h"
+#include "tools/replay/cell/replayed_station.h"
+
+namespace telepalp::replay {
+
+inline constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+/// What figures need to know of one tick.
+struct TickRecord {
+  Eigen::Vector3f force_N = Eigen::Vector3f::Zero();  ///< in H
+  control::Phase phase = control::Phase::Released;
+  bool felt = false;               ///< the controller displays the skin or an object in it
+  float depth_m = kUnknown;        ///< of the device below the true skin; negative: outside
+  float off_truth_N = kUnknown;    ///< force along the true normal beyond the force of the true skin
+  float surface_off_m = kUnknown;  ///< the displayed surface's distance from the device, beyond the true one's
+  float surface_age_s = kUnknown;
+  float passivity_J = 0.0F;
+  float hand_excess_J = 0.0F;
+};
+
+/// Compares a tick with the true skin of the same instant. `surface`: nullopt: unknown. `law`: nullptr: the scene has
+/// no skin. The force at an object inside the body is not compared: the law is the skin's alone.
+[[nodiscard]] TickRecord judged(const TickOutcome& tick, const Transform<HapticBase, DepthCamera>& haptic_from_camera,
+                                const std::optional<capture::TrueSurface>& surface, const effects::SkinLaw* law,
+                                double peak_N);
+
+}  // namespace telepalp::replay

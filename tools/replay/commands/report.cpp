@@ -1,0 +1,124 @@
+#include "tools/replay/commands/report.h"
+
+#include <array>
+#include <cstdio>
+
+#include "support/plot/svg.h"
+#include "support/program/json.h"
+#include "support/program/version.h"
+#include "tools/replay/words/words.h"
+
+namespace telepalp::replay {
+namespace {
+
+std::string number(double value, const char* form = "%.6g") {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), form, value);
+  return text.data();
+}
+
+std::string assertions_text(const std::vector<Judgement>& judgements) {
+  std::string text;
+  for (const Judgement& judgement : judgements)
+    text += (judgement.holds ? "holds: " : "FAILS: ") + judgement.text +
+            (judgement.holds ? "" : "  (" + judgement.reason + ")") + "\n";
+  return text;
+}
+
+void add_figures(program::Json& json, std::string_view key, const Figures& figures) {
+  json.begin_object(key);
+  for (const Metric& metric : metrics()) json.add(metric.name, figures.*metric.value);
+  json.end_object();
+}
+
+std::string windows_in_words(const std::vector<Window>& windows) {
+  std::string text;
+  for (const Window& window : windows) text += (text.empty() ? "" : ",") + window_in_words(window);
+  return text;
+}
+
+}  // namespace
+
+std::string in_words(const Scenario& scenario) {
+  const impaired::Impairment& down = scenario.down;
+  std::string text = number(to_milliseconds(down.delay)) + " ms one way";
+  if (down.jitter > Nanoseconds{0}) text += " ± " + number(to_milliseconds(down.jitter)) + " ms";
+  if (down.loss > 0.0) text += ", " + number(100.0 * down.loss) + " % lost in bursts of " + number(down.burst_packets);
+  if (down.reorder > 0.0) text += ", " + number(100.0 * down.reorder) + " % overtaken";
+  if (down.rate_B_per_s > 0.0) text += ", " + number(down.rate_B_per_s / 125.0) + " kbit/s";
+  const Faults& faults = scenario.faults;
+  if (!faults.outages.empty()) text += ", outage " + windows_in_words(faults.outages);
+  if (!faults.restarts.empty()) text += ", server away " + windows_in_words(faults.restarts);
+  if (!faults.tracker_lost.empty()) text += ", tracker lost " + windows_in_words(faults.tracker_lost);
+  if (!faults.glitches.empty()) text += ", " + std::to_string(faults.glitches.size()) + " encoder glitches";
+  if (!faults.clock_steps.empty()) text += ", " + std::to_string(faults.clock_steps.size()) + " clock steps";
+  return text + "; seed " + std::to_string(scenario.seed);
+}
+
+std::string report_text(const Request& request, const RunResults& results, const std::vector<Judgement>& judgements) {
+  return "source:  " + request.source + "\nscene:   " + request.scene->name +
+         "\nhand:    " + (request.recorded.empty() ? "scripted: press, hold, rub, leave" : "as recorded") +
+         "\nnetwork: " + in_words(request.scenario) + "\nlength:  " + number(results.seconds) + " s\n\n" +
+         text_table(results.runs.front().figures, results.runs.back().figures) + (judgements.empty() ? "" : "\n") +
+         assertions_text(judgements);
+}
+
+std::string report_json(const Request& request, const Scenario& scenario, const RunResults& results,
+                        const std::vector<Judgement>& judgements) {
+  program::Json json;
+  json.begin_object();
+  json.add("program", "telepalp-replay");
+  json.add("version", program::version());
+  json.add("source", request.source);
+  json.add("scene", request.scene->name);
+  json.add("hand", request.recorded.empty() ? "examine" : "recorded");
+  json.add("network", in_words(scenario));
+  json.add("seed", scenario.seed);
+  json.add("seconds", results.seconds);
+  add_figures(json, "unimpaired", results.runs.front().figures);
+  add_figures(json, "run", results.runs.back().figures);
+  json.begin_list("assertions");
+  for (const Judgement& judgement : judgements) {
+    json.begin_object();
+    json.add("text", judgement.text);
+    json.add("holds", judgement.holds);
+    json.add("reason", judgement.reason);
+    json.end_object();
+  }
+  json.end_list();
+  json.end_object();
+  return std::move(json).finish();
+}
+
+std::string junit_xml(const std::string& suite, const std::vector<Judgement>& judgements) {
+  std::size_t failures = 0;
+  std::string cases;
+  for (const Judgement& judgement : judgements) {
+    cases += "  <testcase classname=\"telepalp-replay\" name=\"" + plot::escaped(judgement.text) + "\"";
+    if (!judgement.holds) {
+      ++failures;
+      cases += ">\n    <failure message=\"" + plot::escaped(judgement.reason) + "\"/>\n  </testcase>\n";
+    } else {
+      cases += "/>\n";
+    }
+  }
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"" + plot::escaped(suite) + "\" tests=\"" +
+         std::to_string(judgements.size()) + "\" failures=\"" + std::to_string(failures) + "\">\n" + cases +
+         "</testsuite>\n";
+}
+
+std::string cost_in_words(const RunResults& results, double wall_s) {
+  Stopwatch total = results.tape_costs;
+  for (const RunResult& run : results.runs) total.add(run.costs);
+  double all_ns = 0.0;
+  for (std::size_t i = 0; i < kPartCount; ++i) all_ns += static_cast<double>(total.cost_ns(static_cast<Part>(i)));
+  std::string text = number(results.seconds, "%.1f") + " s of session in " + number(wall_s, "%.2f") +
+                     " s: " + number(results.seconds / wall_s, "%.1f") + " times real time, " +
+                     std::to_string(results.runs.size()) + " runs;";
+  for (std::size_t i = 0; i < kPartCount; ++i)
+    text += (i == 0 ? " " : ", ") + std::string(kPartNames[i]) + " " +
+            number(100.0 * static_cast<double>(total.cost_ns(static_cast<Part>(i))) / all_ns, "%.0f") + " %";
+  return text;
+}
+
+}  // namespace telepalp::replay

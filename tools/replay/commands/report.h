@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/replay/commands/request.h"
+
+namespace telepalp::replay {
+
+/// What the run was, its metrics beside the unimpaired run's, and the assertions: report.txt. The same run gives the
+/// same text.
+[[nodiscard]] std::string report_text(const Request& request, const RunResults& results,
+                                      const std::vector<Judgement>& judgements);
+
+/// The same for programs: report.json. `scenario`: of the last run.
+[[nodiscard]] std::string report_json(const Request& request, const Scenario& scenario, const RunResults& results,
+                                      const std::vector<Judgement>& judgements);
+
+/// The assertions in the form that continuous integration servers read (JUnit's XML). `suite`: name of the run.
+[[nodiscard]] std::string junit_xml(const std::string& suite, const std::vector<Judgement>& judgements);
+
+/// Speed, and the share of each part in the processor time. Unlike the reports it differs from run to run.
+[[nodiscard]] std::string cost_in_words(const RunResults& results, double wall_s);
+
+/// The network and the faults in one line: "80 ms ± 15 ms, 5 % lost in bursts of 4".
+[[nodiscard]] std::string in_words(const Scenario& scenario);
+
+}  // namespace telepalp::replay

@@ -1,0 +1,176 @@
+#include "tools/replay/commands/request.h"
+
+#include "codec/depth.h"
+#include "support/program/parallel.h"
+#include "tools/replay/commands/diff_command.h"
+#include "tools/replay/source/session_hand.h"
+#include "tools/replay/words/network_options.h"
+#include "tools/replay/words/shipped_scene.h"
+
+namespace telepalp::replay {
+namespace {
+
+constexpr double kSyntheticSeconds = 20.0;
+constexpr double kMostSeconds = 86400.0;
+constexpr std::int64_t kMostThreads = 256;
+constexpr std::int64_t kMostSeeds = 1'000'000;
+
+Result<void> read_scene(const program::Arguments& arguments, Request& request) {
+  const Result<std::filesystem::path> file = scene_file(arguments.text("scene"));
+  if (!file) return file.error();
+  request.scene_file = *file;
+  Result<scenes::Scene> scene = scenes::read_scene(*file);
+  if (!scene) return scene.error();
+  if (scene->message.patient_surface().has_static_model())
+    return Error{.what = "the scene touches a static model, which no network reaches",
+                 .where = file->string(),
+                 .fix = "give a scene whose patient_surface is streamed"};
+  const std::string& name = scene->message.surface().name();
+  const Result<surface::SurfaceSettings> surface =
+      name.empty() ? surface::SurfaceSettings{} : surface::surface_settings(name);
+  if (!surface) return surface.error();
+  if (!surface::runs_in_tick(*surface))
+    return Error{.what = "the surface setting " + name + " needs a collision thread, which has no virtual time",
+                 .where = file->string(),
+                 .fix = "give a scene with another surface setting"};
+  request.surface = *surface;
+  request.scene = std::make_unique<const scenes::Scene>(std::move(*scene));
+  return {};
+}
+
+Result<void> read_depth_mode(const program::Arguments& arguments, Request& request) {
+  const std::string text = arguments.text("depth-mode");
+  const std::optional<codec::DepthMode> mode = codec::depth_mode(text);
+  if (!mode)
+    return Error{.what = "'" + text + "' is no depth mode",
+                 .where = "--depth-mode",
+                 .fix = "say fast, intra, temporal or bounded"};
+  request.tape.depth.mode = *mode;
+  return {};
+}
+
+/// The recorded hand of a session that has one, unless another is asked for.
+Result<void> read_hand(const program::Arguments& arguments, Request& request) {
+  const std::string asked = arguments.text("hand");
+  if (!asked.empty() && asked != "recorded" && asked != "examine")
+    return Error{.what = "'" + asked + "' is no hand", .where = "--hand", .fix = "say recorded or examine"};
+  const std::string session = session_file_of(request.source);
+  if (asked == "examine" || (session.empty() && asked.empty())) return {};
+  if (session.empty())
+    return Error{
+        .what = "a hand is recorded only in a session", .where = "--hand recorded", .fix = "say --hand examine"};
+  Result<RecordedHand> hand = read_session_hand(session);
+  if (!hand) return hand.error();
+  if (hand->empty() && asked == "recorded")
+    return Error{.what = "holds no ticks of a station", .where = session, .fix = "say --hand examine"};
+  request.recorded = std::move(*hand);
+  return {};
+}
+
+Result<void> read_length(const program::Arguments& arguments, Request& request) {
+  const Result<double> seconds = arguments.number("seconds", 0.0, kMostSeconds);
+  if (!seconds) return seconds.error();
+  const Result<std::int64_t> threads = arguments.whole("threads", 0, kMostThreads);
+  if (!threads) return threads.error();
+  request.threads = *threads == 0 ? program::processors() : static_cast<int>(*threads);
+  request.seconds = *seconds;
+  request.tape.repeat = request.seconds > 0.0;
+  if (request.seconds == 0.0 && request.source.starts_with("synthetic")) request.seconds = kSyntheticSeconds;
+  return {};
+}
+
+Result<void> read_source(const program::Arguments& arguments, Request& request) {
+  if (arguments.positional().empty())
+    return Error{.what = "no source is named",
+                 .where = "telepalp-replay",
+                 .fix = "give a session, a recording or synthetic:torso,motion=irregular"};
+  request.source = arguments.positional().front();
+  return {};
+}
+
+/// The axes of a sweep: --sweep's own value, and the words after the source.
+Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
+  std::vector<std::string> words(arguments.positional().begin() + 1, arguments.positional().end());
+  if (!arguments.has("sweep")) {
+    if (words.empty()) return {};
+    return Error{
+        .what = "'" + words.front() + "' follows the source", .where = "telepalp-replay", .fix = "leave it out"};
+  }
+  words.insert(words.begin(), arguments.text("sweep"));
+  Result<std::vector<SweepAxis>> axes = parse_axes(words);
+  if (!axes) return axes.error();
+  Result<std::vector<SweepCell>> cells = sweep_cells(*axes, request.scenario, !arguments.has("deadline-ms"));
+  if (!cells) return cells.error();
+  request.axes = std::move(*axes);
+  request.cells = std::move(*cells);
+  return {};
+}
+
+/// A storm draws its own sources.
+Result<void> read_storm(const program::Arguments& arguments, Request& request) {
+  request.check = arguments.has("check");
+  if (!arguments.has("storm")) return {};
+  const Result<std::int64_t> seeds = arguments.whole("storm", 1, kMostSeeds);
+  if (!seeds) return seeds.error();
+  request.storm_seeds = static_cast<int>(*seeds);
+  return {};
+}
+
+Result<void> read_outputs(const program::Arguments& arguments, Request& request) {
+  request.out = arguments.text("out");
+  request.junit = arguments.text("junit");
+  request.json = arguments.has("json");
+  Result<std::vector<Assertion>> assertions = parse_assertions(arguments.text("assert"));
+  if (!assertions) return assertions.error();
+  request.assertions = std::move(*assertions);
+  if (!request.junit.empty() && request.assertions.empty())
+    return Error{.what = "a JUnit report needs assertions", .where = "--junit", .fix = "give --assert as well"};
+  return {};
+}
+
+}  // namespace
+
+program::Usage usage() {
+  program::Usage usage{
+      .program = "telepalp-replay",
+      .purpose = "runs a recording or a simulated patient through a worse network",
+      .positional = "SOURCE",
+      .options = {{"scene", "FILE|NAME", "a *.scene.textproto, or one that ships", "palpation"}},
+      .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
+      .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
+  for (const program::Option& option : network_options()) usage.options.push_back(option);
+  usage.options.insert(usage.options.end(), {{"hand", "recorded|examine", "default: the session's, if it has one"},
+                                             {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
+                                             {"seconds", "S", "0: a recording once, or 20 s of a patient", "0"},
+                                             {"threads", "N", "0: all cores; changes no result", "0"},
+                                             {"sweep", "AXIS=… AXIS=…", "a grid: delay=0:50:300 loss=0,1,5,10%"},
+                                             {"storm", "SEEDS", "draw so many cases from seeds, and check each tick"},
+                                             {"check", "", "check each tick as a storm does"},
+                                             {"out", "DIR", "for sessions, reports, tables and heat maps"},
+                                             {"assert", "LIST", "METRIC<NUMBER,…; exit 1 if one does not hold"},
+                                             {"junit", "FILE", "the assertions as a JUnit report"},
+                                             {"json", "", "print report.json instead of the table"}});
+  return usage;
+}
+
+Result<Request> read_request(const program::Arguments& arguments) {
+  Request request;
+  if (const Result<void> read = read_storm(arguments, request); !read) return read.error();
+  if (request.storm_seeds) {
+    if (const Result<void> read = read_length(arguments, request); !read) return read.error();
+    return request;
+  }
+  if (const Result<void> read = read_source(arguments, request); !read) return read.error();
+  if (const Result<void> read = read_outputs(arguments, request); !read) return read.error();
+  const Result<Scenario> scenario = read_scenario(arguments);
+  if (!scenario) return scenario.error();
+  request.scenario = *scenario;
+  if (const Result<void> read = read_sweep(arguments, request); !read) return read.error();
+  if (const Result<void> read = read_depth_mode(arguments, request); !read) return read.error();
+  if (const Result<void> read = read_length(arguments, request); !read) return read.error();
+  if (const Result<void> read = read_scene(arguments, request); !read) return read.error();
+  if (const Result<void> read = read_hand(arguments, request); !read) return read.error();
+  return request;
+}
+
+}  // namespace telepalp::replay

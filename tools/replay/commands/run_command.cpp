@@ -1,0 +1,101 @@
+#include "tools/replay/commands/run_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "support/program/files/whole_file.h"
+#include "support/program/log.h"
+#include "tools/replay/commands/report.h"
+#include "tools/replay/commands/station_file.h"
+#include "tools/replay/storm/invariants.h"
+
+namespace telepalp::replay {
+namespace {
+
+constexpr const char* kName = "telepalp-replay";
+
+/// The two session files of --out.
+struct SessionFiles {
+  std::unique_ptr<StationFile> unimpaired;
+  std::unique_ptr<StationFile> run;
+};
+
+Result<SessionFiles> open_files(const Request& request) {
+  if (request.out.empty()) return SessionFiles{};
+  if (const Result<void> made = program::make_folder(request.out, program::Readers::Group); !made) return made.error();
+  Result<std::unique_ptr<StationFile>> unimpaired = StationFile::open(request.out / "unimpaired.mcap", request);
+  if (!unimpaired) return unimpaired.error();
+  Result<std::unique_ptr<StationFile>> run = StationFile::open(request.out / "session.mcap", request);
+  if (!run) return run.error();
+  return SessionFiles{std::move(*unimpaired), std::move(*run)};
+}
+
+Result<void> close_files(const SessionFiles& files) {
+  for (StationFile* file : {files.unimpaired.get(), files.run.get()})
+    if (file != nullptr)
+      if (const Result<void> closed = file->close(); !closed) return closed;
+  return {};
+}
+
+Publish into(StationFile* file) {
+  if (file == nullptr) return {};
+  return [file](const wire::Message& message) { file->write(message); };
+}
+
+Result<void> write_reports(const Request& request, const std::string& text, const std::string& json,
+                           const std::vector<Judgement>& judgements) {
+  if (!request.out.empty()) {
+    for (const auto& [name, content] : {std::pair{"report.txt", &text}, {"report.json", &json}})
+      if (const Result<void> written = program::write_whole_file(request.out / name, *content, program::Readers::Group);
+          !written)
+        return written;
+  }
+  if (request.junit.empty()) return {};
+  return program::write_whole_file(request.junit, junit_xml(request.source, judgements), program::Readers::Anyone);
+}
+
+/// Lets the invariants see what the run does.
+void check_with(Invariants& invariants, RunOrder& order) {
+  order.publish = [&invariants, publish = order.publish](const wire::Message& message) {
+    invariants.add(message);
+    if (publish) publish(message);
+  };
+  order.on_ticks = [&invariants](const std::vector<TickRecord>& ticks) {
+    for (const TickRecord& tick : ticks) invariants.add(tick);
+  };
+}
+
+}  // namespace
+
+std::int64_t steady_ns() noexcept {
+  return std::chrono::duration_cast<Nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Result<bool> run_once(const Request& request) {
+  Result<Tape> tape = Tape::open(request.source, request.tape);
+  if (!tape) return tape.error();
+  const Result<SessionFiles> files = open_files(request);
+  if (!files) return files.error();
+  const std::int64_t began_ns = steady_ns();
+  Invariants invariants(request.scenario, request.scene->control);
+  RunOrder order{.scenario = request.scenario, .publish = into(files->run.get())};
+  if (request.check) check_with(invariants, order);
+  const Result<RunResults> results =
+      run_session(*tape, request.run_settings(),
+                  {{.scenario = unimpaired(request.scenario), .publish = into(files->unimpaired.get())}, order});
+  if (!results) return results.error();
+  if (const Result<void> closed = close_files(*files); !closed) return closed.error();
+  const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
+  const std::vector<Judgement> judgements = judge(request.assertions, results->runs.back().figures);
+  const std::string text = report_text(request, *results, judgements);
+  const std::string json = report_json(request, request.scenario, *results, judgements);
+  std::fputs((request.json ? json : text).c_str(), stdout);
+  program::log(kName, cost_in_words(*results, wall_s));
+  if (const Result<void> written = write_reports(request, text, json, judgements); !written) return written.error();
+  if (invariants.violation()) std::printf("VIOLATED: %s\n", in_words(*invariants.violation()).c_str());
+  return !invariants.violation() &&
+         std::all_of(judgements.begin(), judgements.end(), [](const Judgement& one) { return one.holds; });
+}
+
+}  // namespace telepalp::replay

@@ -1,0 +1,79 @@
+#include "tools/replay/commands/storm_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+
+#include "support/program/log.h"
+#include "support/program/parallel.h"
+#include "tools/replay/commands/progress_bar.h"
+#include "tools/replay/commands/run_command.h"
+#include "tools/replay/storm/storm.h"
+
+namespace telepalp::replay {
+namespace {
+
+constexpr const char* kName = "telepalp-replay";
+
+/// What the threads of a storm find.
+class Findings {
+ public:
+  explicit Findings(int seeds) : bar_(seeds) {}
+
+  void add(std::uint64_t seed, const Result<StormOutcome>& outcome) {
+    const std::lock_guard lock(mutex_);
+    if (!outcome)
+      error_ = outcome.error();
+    else if (outcome->violation)
+      failed_.push_back(seed);
+    if (outcome) seconds_ += outcome->seconds;
+    bar_.show(++done_, "seeds");
+  }
+  [[nodiscard]] const std::vector<std::uint64_t>& failed() const noexcept { return failed_; }
+  [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
+  [[nodiscard]] double seconds() const noexcept { return seconds_; }
+
+ private:
+  std::mutex mutex_;
+  ProgressBar bar_;
+  int done_ = 0;
+  double seconds_ = 0.0;
+  std::vector<std::uint64_t> failed_;
+  std::optional<Error> error_;
+};
+
+Result<void> print_shrunk(std::uint64_t seed) {
+  const Result<StormCase> simplest = shrunk(draw_case(seed));
+  if (!simplest) return simplest.error();
+  const Result<StormOutcome> outcome = run_case(*simplest);
+  if (!outcome) return outcome.error();
+  std::printf("seed %llu: %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
+              outcome->violation ? in_words(*outcome->violation).c_str() : "holds when it runs alone",
+              command_line(*simplest).c_str());
+  return {};
+}
+
+}  // namespace
+
+Result<bool> run_storm(const Request& request) {
+  const int seeds = *request.storm_seeds;
+  const std::int64_t began_ns = steady_ns();
+  Findings findings(seeds);
+  program::for_each_parallel(seeds, request.threads, [&](int i) {
+    const auto seed = static_cast<std::uint64_t>(i) + 1;
+    findings.add(seed, run_case(draw_case(seed)));
+  });
+  if (findings.error()) return *findings.error();
+  std::vector<std::uint64_t> failed = findings.failed();
+  std::sort(failed.begin(), failed.end());
+  for (const std::uint64_t seed : failed)
+    if (const Result<void> printed = print_shrunk(seed); !printed) return printed.error();
+  std::printf("%d seeds, %zu fail, %.0f s of session\n", seeds, failed.size(), findings.seconds());
+  const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f times real time", findings.seconds() / wall_s);
+  program::log(kName, text);
+  return failed.empty();
+}
+
+}  // namespace telepalp::replay

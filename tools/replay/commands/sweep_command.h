@@ -1,0 +1,13 @@
+#pragma once
+
+#include "tools/replay/commands/request.h"
+#include "tools/replay/words/sweep_axes.h"
+
+namespace telepalp::replay {
+
+/// Runs the source over each cell's network, on all threads; prints the table, and writes sweep.txt, sweep.csv,
+/// sweep.json, heat maps (two axes or more) and cells/NNN.json to --out. True: the assertions hold in every cell.
+[[nodiscard]] Result<bool> run_sweep(const Request& request, const std::vector<SweepAxis>& axes,
+                                     const std::vector<SweepCell>& cells);
+
+}  // namespace telepalp::replay

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/replay/figures/metrics.h"
+#include "tools/replay/words/sweep_axes.h"
+
+namespace telepalp::replay {
+
+/// The figures of a sweep: those of `cells[i]` are `figures[i]`.
+struct SweepResult {
+  const std::vector<SweepAxis>& axes;
+  const std::vector<SweepCell>& cells;
+  std::vector<Figures> figures;
+};
+
+/// One line a cell with the metrics that matter first.
+[[nodiscard]] std::string sweep_text(const SweepResult& result);
+/// One line a cell with all metrics; the first line names the columns.
+[[nodiscard]] std::string sweep_csv(const SweepResult& result);
+[[nodiscard]] std::string sweep_json(const SweepResult& result, const std::string& source);
+/// The metric over the first two axes, at the first value of all others, as SVG.
+[[nodiscard]] std::string sweep_map(const SweepResult& result, const Metric& metric);
+
+}  // namespace telepalp::replay

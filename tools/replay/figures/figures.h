@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tools/replay/cell/cell.h"
+
+namespace telepalp::replay {
+
+/// What one run did to the hand, in plain numbers. A figure that cannot be known is NaN: without a true skin, or where
+/// nothing was touched.
+struct Figures {
+  double seconds = 0.0;
+  double force_rmse_N = 0.0;       ///< against the unimpaired run, tick by tick, over all ticks
+  double force_p99_N = 0.0;        ///< of the same difference
+  double force_max_N = 0.0;        ///< largest force
+  double force_step_N = 0.0;       ///< largest change of the force from one tick to the next
+  double true_force_rmse_N = 0.0;  ///< against the force of the true skin, along its normal, while either is felt
+  double true_force_p99_N = 0.0;
+  double contact_lost_pct = 0.0;     ///< of the ticks that should feel the skin: those at which nothing is felt
+  double phase_differs_pct = 0.0;    ///< of all ticks: those with another phase than in the unimpaired run
+  double phase_changes = 0.0;        ///< transitions of the controller
+  double released_pct = 0.0;         ///< of all ticks: those at which the station has let go
+  double surface_error_rms_m = 0.0;  ///< of the displayed surface against the true one, near the skin
+  double surface_error_p99_m = 0.0;
+  double surface_age_p50_s = 0.0;
+  double surface_age_p99_s = 0.0;
+  double energy_J = 0.0;       ///< least balance of the display's ledger; below zero the display was active
+  double hand_excess_J = 0.0;  ///< largest work on the hand in a contact beyond the measured skin's
+  double frames = 0.0;         ///< offered to the network
+  double frames_in_time_pct = 0.0;
+  double frames_touched_pct = 0.0;
+  double network_p50_s = 0.0;  ///< from encoded to received, of touched frames
+  double network_p99_s = 0.0;
+  double station_p50_s = 0.0;  ///< from received to touchable
+  double total_p50_s = 0.0;    ///< from captured to touchable
+  double total_p99_s = 0.0;
+  double content_B = 0.0;   ///< of the encoded frames
+  double sent_B = 0.0;      ///< by the server, repairs included
+  double answered_B = 0.0;  ///< by the station
+  double datagrams_lost = 0.0;
+};
+
+/// Accumulates the figures of a run, window by window.
+class FigureSum {
+ public:
+  /// `ticks`: of this run. `unimpaired`: the same ticks of the unimpaired run; the run itself for the unimpaired one.
+  void add(std::span<const TickRecord> ticks, std::span<const TickRecord> unimpaired);
+  void add(const std::vector<FrameTimes>& touchable);
+  [[nodiscard]] Figures figures(const Cell& cell) const;
+
+ private:
+  void add_force(const TickRecord& tick, const TickRecord& unimpaired);
+  void add_contact(const TickRecord& tick, const TickRecord& unimpaired);
+  void add_surface(const TickRecord& tick);
+
+  std::uint64_t ticks_ = 0;
+  std::uint64_t phase_differs_ = 0;
+  std::uint64_t phase_changes_ = 0;
+  std::uint64_t released_ = 0;
+  std::uint64_t should_feel_ = 0;
+  std::uint64_t lost_ = 0;
+  double force_max_N_ = 0.0;
+  double force_step_N_ = 0.0;
+  double least_passivity_J_ = 0.0;
+  double largest_excess_J_ = 0.0;
+  Eigen::Vector3f last_force_N_ = Eigen::Vector3f::Zero();
+  control::Phase last_phase_ = control::Phase::Released;
+  std::vector<float> force_off_N_;  // one a tick, for quantiles: 8 kB for a second of session
+  std::vector<float> off_truth_N_;
+  std::vector<float> surface_off_m_;
+  std::vector<float> surface_age_s_;
+  std::vector<float> network_s_;
+  std::vector<float> station_s_;
+  std::vector<float> total_s_;
+};
+
+}  // namespace telepalp::replay

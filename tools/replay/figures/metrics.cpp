@@ -1,0 +1,76 @@
+#include "tools/replay/figures/metrics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace telepalp::replay {
+namespace {
+
+constexpr auto kMetrics = std::to_array<Metric>({
+    {"force_rmse_N", "force, against the unimpaired run, all ticks", &Figures::force_rmse_N},
+    {"force_p99_N", "the same difference, 99 % of ticks", &Figures::force_p99_N},
+    {"force_max_N", "largest force", &Figures::force_max_N},
+    {"force_step_N", "largest change of force from tick to tick", &Figures::force_step_N},
+    {"true_force_rmse_N", "force along the normal, against the true skin", &Figures::true_force_rmse_N},
+    {"true_force_p99_N", "the same difference, 99 % of ticks", &Figures::true_force_p99_N},
+    {"contact_lost_pct", "of ticks that should feel the skin: nothing felt", &Figures::contact_lost_pct},
+    {"phase_differs_pct", "of all ticks: another phase than unimpaired", &Figures::phase_differs_pct},
+    {"phase_changes", "transitions of the controller", &Figures::phase_changes},
+    {"released_pct", "of all ticks: the station has let go", &Figures::released_pct},
+    {"surface_error_rms_m", "displayed surface against the true one", &Figures::surface_error_rms_m},
+    {"surface_error_p99_m", "the same difference, 99 % of ticks", &Figures::surface_error_p99_m},
+    {"surface_age_p50_s", "age of the touched surface, median", &Figures::surface_age_p50_s},
+    {"surface_age_p99_s", "the same, 99 % of ticks", &Figures::surface_age_p99_s},
+    {"energy_J", "least balance of the display's ledger", &Figures::energy_J},
+    {"hand_excess_J", "largest excess work on the hand in a contact", &Figures::hand_excess_J},
+    {"frames", "offered to the network", &Figures::frames},
+    {"frames_in_time_pct", "complete by the deadline", &Figures::frames_in_time_pct},
+    {"frames_touched_pct", "became a surface", &Figures::frames_touched_pct},
+    {"network_p50_s", "encoded to received, median", &Figures::network_p50_s},
+    {"network_p99_s", "the same, 99 % of frames", &Figures::network_p99_s},
+    {"station_p50_s", "received to touchable, median", &Figures::station_p50_s},
+    {"total_p50_s", "captured to touchable, median", &Figures::total_p50_s},
+    {"total_p99_s", "the same, 99 % of frames", &Figures::total_p99_s},
+    {"content_B", "encoded frames", &Figures::content_B},
+    {"sent_B", "sent by the server, repairs included", &Figures::sent_B},
+    {"answered_B", "sent by the station", &Figures::answered_B},
+    {"datagrams_lost", "of those from the server", &Figures::datagrams_lost},
+});
+
+std::string number(double value) {
+  if (!std::isfinite(value)) return "unknown";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+  return std::string(text) + std::string(width - std::min(width, text.size()), ' ');
+}
+
+}  // namespace
+
+std::span<const Metric> metrics() noexcept { return kMetrics; }
+
+const Metric* find_metric(std::string_view name) noexcept {
+  const auto found = std::find_if(kMetrics.begin(), kMetrics.end(), [&](const Metric& m) { return m.name == name; });
+  return found == kMetrics.end() ? nullptr : &*found;
+}
+
+std::string metric_names() {
+  std::string names;
+  for (const Metric& metric : kMetrics) names += (names.empty() ? "" : ", ") + std::string(metric.name);
+  return names;
+}
+
+std::string text_table(const Figures& unimpaired, const Figures& figures) {
+  std::string text = padded("", 22) + padded("unimpaired", 14) + padded("this run", 14) + "\n";
+  for (const Metric& metric : kMetrics)
+    text += padded(metric.name, 22) + padded(number(unimpaired.*metric.value), 14) +
+            padded(number(figures.*metric.value), 14) + std::string(metric.what) + "\n";
+  return text;
+}
+
+}  // namespace telepalp::replay

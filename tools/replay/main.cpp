@@ -1,0 +1,22 @@
+// telepalp-replay: what a network would do to the doctor's hand, in virtual time.
+
+#include "tools/replay/commands/request.h"
+#include "tools/replay/commands/run_command.h"
+#include "tools/replay/commands/storm_command.h"
+#include "tools/replay/commands/sweep_command.h"
+
+int main(int argc, char** argv) {
+  using namespace telepalp;
+  if (const std::optional<int> code = program::run_command(replay::usage(), argc, argv)) return *code;
+  const Result<std::optional<program::Arguments>> read = program::read_arguments(replay::usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  if (!*read) return program::kDone;
+  Result<replay::Request> request = replay::read_request(**read);
+  if (!request) return program::fail(request.error(), program::kAskedWrongly);
+  request->tape.clock = replay::steady_ns;
+  const Result<bool> holds = request->storm_seeds    ? replay::run_storm(*request)
+                             : request->axes.empty() ? replay::run_once(*request)
+                                                     : replay::run_sweep(*request, request->axes, request->cells);
+  if (!holds) return program::fail(holds.error());
+  return *holds ? program::kDone : program::kFailed;
+}

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "proto/impaired/impairment.h"
+
+namespace telepalp::replay {
+
+/// A span of time since the session's start.
+struct Window {
+  Nanoseconds from{0};
+  Nanoseconds length{0};
+  [[nodiscard]] bool contains(Nanoseconds at) const noexcept { return at >= from && at < from + length; }
+};
+
+[[nodiscard]] inline bool any_contains(const std::vector<Window>& windows, Nanoseconds at) noexcept {
+  return std::any_of(windows.begin(), windows.end(), [at](const Window& window) { return window.contains(at); });
+}
+
+/// The station's clock is wrong by `by` during the window.
+struct ClockStep {
+  Window when;
+  Nanoseconds by{0};
+};
+
+/// The device's encoder reports a place that is off by `off_m` along each axis during the window.
+struct EncoderGlitch {
+  Window when;
+  double off_m = 0.0;
+};
+
+/// Faults beyond those of the link.
+struct Faults {
+  std::vector<Window> outages = {};   ///< nothing crosses the network, in both directions
+  std::vector<Window> restarts = {};  ///< the server is away; at the window's end it begins a new link session
+  std::vector<Window> tracker_lost = {};
+  std::vector<EncoderGlitch> glitches = {};
+  std::vector<ClockStep> clock_steps = {};
+};
+
+/// Time that each stage takes in virtual time. The defaults are the medians that telepalp-bench pipeline measures.
+struct StageTimes {
+  Nanoseconds encode = std::chrono::milliseconds(5);  ///< from capture until the frame is offered to the link
+  Nanoseconds decode = std::chrono::milliseconds(3);
+  Nanoseconds build = std::chrono::milliseconds(5);
+};
+
+/// The network and the faults of one run. Two runs with equal scenarios and equal sources are equal.
+struct Scenario {
+  impaired::Impairment down{};  ///< from the server to the station
+  impaired::Impairment up{};
+  Faults faults{};
+  StageTimes stages{};
+  Nanoseconds deadline = std::chrono::milliseconds(100);  ///< of a frame, from its capture
+  std::uint64_t seed = 1;                                 ///< of the network and the simulated tracker
+};
+
+/// The same stages and seed over a network without delay, loss and faults.
+[[nodiscard]] inline Scenario unimpaired(const Scenario& scenario) {
+  return {.stages = scenario.stages, .deadline = scenario.deadline, .seed = scenario.seed};
+}
+
+/// The session time at which each replay begins. Not 0, which messages use for "none yet".
+inline constexpr SessionTime kBegin{std::chrono::seconds(10)};
+inline constexpr Nanoseconds kTick{500'000};  ///< 2 kHz
+
+}  // namespace telepalp::replay

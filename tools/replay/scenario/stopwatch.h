@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace telepalp::replay {
+
+/// The parts of a replay whose cost is measured.
+enum class Part : std::uint8_t { Source, Encode, Link, Decode, Build, Loop, Judge, Record };
+inline constexpr std::size_t kPartCount = 8;
+inline constexpr std::array<const char*, kPartCount> kPartNames{"source", "encode", "link",  "decode",
+                                                                "build",  "loop",   "judge", "record"};
+
+/// Reads a clock [ns]. The simulation itself has no clock: its caller may lend one to learn what each part costs.
+using CostClock = std::int64_t (*)() noexcept;
+[[nodiscard]] inline std::int64_t no_clock() noexcept { return 0; }
+
+/// Sums the cost of each part [ns]. No result depends on it.
+class Stopwatch {
+ public:
+  explicit Stopwatch(CostClock clock = no_clock) noexcept : clock_(clock) {}
+
+  /// Runs `work` and books its cost to `part`.
+  template <class Work>
+  decltype(auto) time(Part part, Work&& work) {
+    const Booking booking(*this, part);
+    return work();
+  }
+  [[nodiscard]] std::int64_t cost_ns(Part part) const noexcept { return costs_[static_cast<std::size_t>(part)]; }
+  void add(const Stopwatch& other) noexcept {
+    for (std::size_t i = 0; i < kPartCount; ++i) costs_[i] += other.costs_[i];
+  }
+
+ private:
+  class Booking {
+   public:
+    Booking(Stopwatch& watch, Part part) noexcept : watch_(watch), part_(part), began_(watch.clock_()) {}
+    ~Booking() { watch_.costs_[static_cast<std::size_t>(part_)] += watch_.clock_() - began_; }
+    Booking(const Booking&) = delete;
+    Booking& operator=(const Booking&) = delete;
+
+   private:
+    Stopwatch& watch_;
+    Part part_;
+    std::int64_t began_;
+  };
+
+  CostClock clock_;
+  std::array<std::int64_t, kPartCount> costs_{};
+};
+
+}  // namespace telepalp::replay

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codec/depth_stream.h"
+#include "proto/words/result.h"
+#include "server/capture/synthetic/synthetic_patient.h"
+#include "tools/replay/scenario/scenario.h"
+#include "tools/replay/scenario/stopwatch.h"
+
+namespace telepalp::replay {
+
+/// One frame of the source with what all runs share: it is read, encoded and decoded once.
+struct TapeFrame {
+  std::uint32_t number = 0;  ///< from 0
+  RgbdFrame frame;           ///< without colour; `captured` is in the replay's session time
+  std::string depth;         ///< a serialised DepthImage; empty: each run encodes for itself
+  std::string color;         ///< a serialised CompressedImage; empty: no colour
+};
+using TapeFrames = std::vector<std::shared_ptr<const TapeFrame>>;  // shared: frames are in flight in many runs
+
+/// The true surface at an instant of the replay's session time.
+using TruthAt = std::function<capture::TrueSurface(SessionTime)>;
+
+struct TapeSettings {
+  codec::DepthStreamSettings depth{.mode = codec::DepthMode::Fast, .key_every = 12};  ///< as the server's default
+  bool color = true;
+  bool repeat = false;  ///< a recording begins anew at its end
+  int jpeg_quality = 85;
+  Nanoseconds encode_time = StageTimes{}.encode;
+  CostClock clock = no_clock;
+};
+
+/// The frames of a source in the replay's session time, window by window, so that memory is bounded at any length.
+class Tape {
+ public:
+  /// `source`: a *.mcap or *.oni file, or what `--source` of the server names: oni:FILE, images:DIR, pcd:FILE,
+  /// session:FILE, synthetic[:MODEL,key=value…]. Error: it cannot be opened, or is a live camera.
+  [[nodiscard]] static Result<Tape> open(const std::string& source, const TapeSettings& settings);
+  ~Tape();
+  Tape(Tape&&) noexcept;
+  Tape& operator=(Tape&&) noexcept;
+
+  /// The frames that were captured before `until` and not returned yet. Error: a frame that changes on its way through
+  /// the encoder and the decoder.
+  [[nodiscard]] Result<TapeFrames> read_until(SessionTime until);
+  /// True when no frame follows.
+  [[nodiscard]] bool ended() const noexcept;
+
+  /// The truth, for a synthetic source; empty for a recording.
+  [[nodiscard]] const TruthAt& truth() const noexcept;
+  /// False: frames are predicted from frames before, so that each run encodes what its own losses ask for.
+  [[nodiscard]] bool is_encoded() const noexcept;
+  [[nodiscard]] const TapeSettings& settings() const noexcept;
+  [[nodiscard]] const Stopwatch& costs() const noexcept;
+
+ private:
+  struct State;
+  explicit Tape(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The file of a recorded session that `source` names; empty for any other source.
+[[nodiscard]] std::string session_file_of(const std::string& source);
+
+}  // namespace telepalp::replay

@@ -1,0 +1,109 @@
+#include "tools/replay/storm/invariants.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "messages/station.pb.h"
+
+namespace telepalp::replay {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kRounding = 1.001;           // forces are recorded as float
+constexpr float kLeastPassivity_J = -0.005F;  // ten times the least of a thousand runs of telepalp-bench passivity
+constexpr float kMostExcess_J = 0.15F;        // ten times the excess that the hand bench asks at an RTT of 1 s
+constexpr float kSurelyStale_s = 2.5F;        // past the limit of 1 s, the fade of 0.5 s and the dwell
+constexpr float kNoForce_N = 0.05F;
+constexpr float kDeep_m = 0.005F;
+constexpr Nanoseconds kSettle = 3s;
+constexpr Nanoseconds kFeltWithin = 1500ms;
+
+template <class Faults, class WindowOf>
+Nanoseconds last_end(const Faults& faults, WindowOf window_of) {
+  Nanoseconds last{0};
+  for (const auto& fault : faults) last = std::max(last, window_of(fault).from + window_of(fault).length);
+  return last;
+}
+
+Nanoseconds end_of(const Faults& faults) {
+  const auto itself = [](const Window& window) { return window; };
+  const auto when = [](const auto& fault) { return fault.when; };
+  return std::max({last_end(faults.outages, itself), last_end(faults.restarts, itself),
+                   last_end(faults.tracker_lost, itself), last_end(faults.glitches, when),
+                   last_end(faults.clock_steps, when)});
+}
+
+std::string with_number(const char* form, double value) {
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), form, value);
+  return text.data();
+}
+
+}  // namespace
+
+Invariants::Invariants(const Scenario& scenario, const control::ControlSettings& control)
+    : control_(control), calm_from_(end_of(scenario.faults) + kSettle + scenario.down.delay) {}
+
+void Invariants::violated(std::string what) {
+  if (!violation_) violation_ = Violation{now(), std::move(what)};
+}
+
+void Invariants::check_force(const TickRecord& tick) {
+  if (!tick.force_N.allFinite()) return violated("the force is not finite");
+  const double force_N = double{tick.force_N.norm()};
+  if (force_N > kRounding * control_.limits.peak_N)
+    violated(with_number("the force is %.3f N, above the scene's peak", force_N));
+  const double step_N = double{(tick.force_N - last_force_N_).norm()};
+  if (step_N > kRounding * control_.limits.slew_N_per_s * to_seconds(kTick) + 1e-6)
+    violated(with_number("the force changes by %.3f N in a tick, above the scene's slew", step_N));
+}
+
+void Invariants::check_energy(const TickRecord& tick) {
+  if (!(tick.passivity_J >= kLeastPassivity_J))
+    violated(with_number("the display's ledger is at %.5f J", double{tick.passivity_J}));
+  if (!(tick.hand_excess_J <= kMostExcess_J))
+    violated(with_number("the hand's ledger is at %.4f J", double{tick.hand_excess_J}));
+}
+
+void Invariants::check_release(const TickRecord& tick) {
+  if (!(tick.surface_age_s > kSurelyStale_s)) return;
+  if (!control::has_let_go(tick.phase) || tick.force_N.norm() > kNoForce_N)
+    violated(with_number("the station still gives force on a surface that is %.2f s old", double{tick.surface_age_s}));
+}
+
+void Invariants::check_felt(const TickRecord& tick) {
+  const bool unfelt = now() > calm_from_ && tick.depth_m > kDeep_m && !tick.felt;
+  unfelt_ = unfelt ? unfelt_ + kTick : 0ns;
+  if (unfelt_ > kFeltWithin)
+    violated(with_number("the device is %.1f mm deep in the skin and feels nothing", 1e3 * double{tick.depth_m}));
+}
+
+void Invariants::add(const TickRecord& tick) {
+  check_force(tick);
+  check_energy(tick);
+  check_release(tick);
+  check_felt(tick);
+  last_force_N_ = tick.force_N;
+  ++ticks_;
+}
+
+void Invariants::add(const wire::Message& message) {
+  SessionTime& newest = published_[message.topic.name];
+  if (message.published < newest) violated(std::string(message.topic.name) + " goes back in time");
+  newest = std::max(newest, message.published);
+  if (message.topic.name != wire::kStationTicks.name) return;
+  msg::StationTicks ticks;
+  if (!ticks.ParseFromString(*message.payload)) return violated("/station/ticks cannot be read");
+  if (ticks.first_tick() != next_tick_) violated("/station/ticks has a gap");
+  next_tick_ = ticks.first_tick() + static_cast<std::uint64_t>(ticks.phase_size());
+}
+
+std::string in_words(const Invariants::Violation& violation) {
+  return with_number("at %.3f s: ", to_seconds(violation.at)) + violation.what;
+}
+
+}  // namespace telepalp::replay

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tools/replay/cell/cell.h"
+
+namespace telepalp::replay {
+
+/// What must hold at every tick, whatever the network and the faults do:
+/// - the force is finite, at most the scene's peak, and changes by at most the scene's slew;
+/// - neither energy ledger leaves its bound;
+/// - 2.5 s after the capture of the newest surface the station has let go;
+/// - 3 s after the last fault, a device that stays deeper than 5 mm in the true skin feels it within 1.5 s;
+/// - on each topic times do not go back, and ticks are numbered without a gap.
+class Invariants {
+ public:
+  struct Violation {
+    Nanoseconds at{0};  ///< since the session's start
+    std::string what;
+  };
+
+  Invariants(const Scenario& scenario, const control::ControlSettings& control);
+
+  /// The next tick, in order.
+  void add(const TickRecord& tick);
+  /// The next message that the station publishes.
+  void add(const wire::Message& message);
+  /// The first violation; nullopt: everything held so far.
+  [[nodiscard]] const std::optional<Violation>& violation() const noexcept { return violation_; }
+
+ private:
+  void check_force(const TickRecord& tick);
+  void check_energy(const TickRecord& tick);
+  void check_release(const TickRecord& tick);
+  void check_felt(const TickRecord& tick);
+  void violated(std::string what);
+  [[nodiscard]] Nanoseconds now() const noexcept { return kTick * ticks_; }
+
+  control::ControlSettings control_;
+  Nanoseconds calm_from_{0};  ///< the last fault is this long past
+  std::int64_t ticks_ = 0;
+  Eigen::Vector3f last_force_N_ = Eigen::Vector3f::Zero();
+  Nanoseconds unfelt_{0};                              ///< for how long the device has been deep without being felt
+  std::map<std::string_view, SessionTime> published_;  ///< newest time by topic
+  std::uint64_t next_tick_ = 0;
+  std::optional<Violation> violation_;
+};
+
+/// "at 3.214 s: the force is not finite".
+[[nodiscard]] std::string in_words(const Invariants::Violation& violation);
+
+}  // namespace telepalp::replay

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "tools/replay/storm/invariants.h"
+#include "tools/replay/storm/storm_case.h"
+
+namespace telepalp::replay {
+
+/// Changes each tick before it is judged; only a test that plants a defect gives one.
+using Spoil = std::function<void(TickRecord&)>;
+
+/// The outcome of one case.
+struct StormOutcome {
+  std::optional<Invariants::Violation> violation;
+  double seconds = 0.0;  ///< of session time
+};
+
+/// Runs a case and checks the invariants at every tick. Error: the patient or the scene cannot be read.
+[[nodiscard]] Result<StormOutcome> run_case(const StormCase& storm, const Spoil& spoil = {});
+
+/// Replaces a failing case by simpler ones as long as they fail.
+[[nodiscard]] Result<StormCase> shrunk(StormCase failing, const Spoil& spoil = {});
+
+}  // namespace telepalp::replay

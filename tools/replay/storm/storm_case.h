@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "tools/replay/scenario/scenario.h"
+
+namespace telepalp::replay {
+
+/// One run of a storm: a patient, a scene, a network and faults.
+struct StormCase {
+  std::string motion = "regular";
+  std::uint64_t patient_seed = 1;
+  std::string scene = "skin";  ///< name of a scene that ships
+  Scenario scenario{};
+  double seconds = 10.0;
+};
+
+/// The case that `seed` draws. The same seed gives the same case on every machine.
+[[nodiscard]] StormCase draw_case(std::uint64_t seed);
+
+[[nodiscard]] std::string source_of(const StormCase& storm);
+
+/// The command line that repeats a case, without the program's name.
+[[nodiscard]] std::string command_line(const StormCase& storm);
+
+/// Makes a case simpler by one part: a fault less, a network figure at its best, a still patient, the plain scene.
+using Simplification = void (*)(StormCase& storm);
+[[nodiscard]] std::span<const Simplification> simplifications() noexcept;
+
+}  // namespace telepalp::replay

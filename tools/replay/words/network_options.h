@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "support/program/options.h"
+#include "tools/replay/scenario/scenario.h"
+
+namespace telepalp::replay {
+
+/// The options that describe the network and the faults of a run.
+[[nodiscard]] std::vector<program::Option> network_options();
+
+/// The scenario that these options describe: a profile first, then each figure that is given. The deadline is 100 ms
+/// plus the delay, unless it is given: a frame cannot arrive before the delay is over.
+[[nodiscard]] Result<Scenario> read_scenario(const program::Arguments& arguments);
+
+/// The deadline of a scenario whose user gave none.
+[[nodiscard]] inline Nanoseconds usual_deadline(const impaired::Impairment& down) noexcept {
+  return std::chrono::milliseconds(100) + down.delay;
+}
+
+}  // namespace telepalp::replay
