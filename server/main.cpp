@@ -7,6 +7,7 @@
 
 #include "server/gateway/gateway.h"
 #include "server/pipeline/depth_options.h"
+#include "server/playback/session_player.h"
 #include "server/server.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
@@ -146,6 +147,41 @@ std::string ports_text(std::uint16_t port, const gateway::Gateway* gateway) {
   return text;
 }
 
+constexpr std::string_view kSession = "session:";
+
+/// What the server publishes: a session that is played, or the frames of a source.
+struct Opened {
+  std::unique_ptr<capture::CaptureSource> source;
+  std::unique_ptr<playback::SessionPlayer> player;  // exactly one of the two is set
+};
+
+Result<Opened> open(const Asked& asked, const wire::SessionClock& clock) {
+  Opened opened;
+  if (asked.source.starts_with(kSession)) {
+    const Result<playback::PlaybackSpec> spec = playback::read_spec(asked.source.substr(kSession.size()));
+    if (!spec) return spec.error();
+    auto player = playback::SessionPlayer::open(*spec, asked.loop, clock);
+    if (!player) return player.error();
+    opened.player = std::move(player).value();
+    return opened;
+  }
+  auto source = capture::open_source(asked.source, {.clock = clock, .loop = asked.loop, .paced = true});
+  if (!source) return source.error();
+  opened.source = std::move(source).value();
+  return opened;
+}
+
+/// Lets the gateway's visitors see and move the session.
+void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& player) {
+  options.playback_state = [&player] { return playback::to_json(player.state()); };
+  options.playback_command = [&player](const std::string& json) -> Result<std::string> {
+    const Result<msg::PlaybackCommand> command = playback::read_command(json);
+    if (!command) return command.error();
+    if (const Result<void> applied = player.apply(*command); !applied) return applied.error();
+    return playback::to_json(player.state());
+  };
+}
+
 int run(Asked asked) {
   boost::asio::io_context io;
   if (asked.keys) {
@@ -156,17 +192,17 @@ int run(Asked asked) {
   Result<std::unique_ptr<server::Server>> listening = server::Server::listen(io, asked.server);
   if (!listening) return program::fail(listening.error());
   server::Server& server = **listening;
-  Result<std::unique_ptr<capture::CaptureSource>> source =
-      capture::open_source(asked.source, {.clock = server.clock(), .loop = asked.loop, .paced = true});
-  if (!source) return program::fail(source.error());
+  Result<Opened> opened = open(asked, server.clock());
+  if (!opened) return program::fail(opened.error());
   std::unique_ptr<gateway::Gateway> gateway;
   if (asked.gateway) {
     asked.gateway->access = asked.server.access;
     asked.gateway->problem = [&server] { return server.problem(); };
-    auto opened = gateway::Gateway::open(
+    if (opened->player) offer_playback(*asked.gateway, *opened->player);
+    auto listens = gateway::Gateway::open(
         io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
-    if (!opened) return program::fail(opened.error());
-    gateway = std::move(opened).value();
+    if (!listens) return program::fail(listens.error());
+    gateway = std::move(listens).value();
   }
 
   boost::asio::signal_set signals(io, SIGINT, SIGTERM);
@@ -190,7 +226,11 @@ int run(Asked asked) {
       if (!cancelled) stop("the time limit is over");
     });
   }
-  server.start(std::move(source).value(), asked.source, [&] { stop("the source came to its end"); });
+  const auto on_end = [&] { stop("the source came to its end"); };
+  if (opened->player)
+    server.play(std::move(opened->player), on_end);
+  else
+    server.start(std::move(opened->source), asked.source, on_end);
   program::log(kProgram, "listening on " + asked.server.bind + ":" + std::to_string(server.port()) +
                              (asked.keys ? ", TLS with keys" : ""));
   asked.server.access->note(access::AuditEvent::Started, "port=" + std::to_string(server.port()));

@@ -73,9 +73,22 @@ void Server::start(std::unique_ptr<capture::CaptureSource> source, const std::st
   publish_every_second();
 }
 
+void Server::play(std::unique_ptr<playback::SessionPlayer> player, std::function<void()> on_end) {
+  started_ = std::chrono::steady_clock::now();
+  player_ = std::move(player);
+  player_->start(io_, {.on_message =
+                           [this](wire::Message message) {
+                             const bool is_of_station = message.topic.name.starts_with("/station/");
+                             if (!is_of_station || listener_->stations() == 0) publish(std::move(message));
+                           },
+                       .on_end = std::move(on_end)});
+  publish_every_second();
+}
+
 void Server::stop(const std::string& reason) {
   stopped_ = true;
   if (capture_) capture_->stop();
+  if (player_) player_->stop();
   second_.cancel();
   publish_clock_and_stats();
   listener_->close(reason);
@@ -88,6 +101,7 @@ void Server::publish(wire::Message message) {
 }
 
 std::string Server::problem() const {
+  if (player_ && !player_->state().playing()) return "";
   constexpr std::chrono::seconds kLongest{5};
   const auto since = std::max(last_depth_, started_);
   return std::chrono::steady_clock::now() - since > kLongest ? "no depth image for 5 s" : "";
@@ -128,6 +142,11 @@ void Server::log(const std::string& text) const {
   if (options_.log) options_.log(text);
 }
 
+std::uint64_t Server::frames() const {
+  if (player_) return player_->depth_images();
+  return capture_ ? capture_->frames() : 0;
+}
+
 std::string Server::summary() const {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   const auto found = hub_.topic_counts().find(wire::kCameraDepth.name);
@@ -135,9 +154,8 @@ std::string Server::summary() const {
   char line[200];
   std::snprintf(line, sizeof line,
                 "%.1f s, %llu frames captured; depth images: %llu published, %llu sent, %llu dropped", seconds,
-                static_cast<unsigned long long>(capture_ ? capture_->frames() : 0),
-                static_cast<unsigned long long>(depth.published), static_cast<unsigned long long>(depth.sent),
-                static_cast<unsigned long long>(depth.dropped));
+                static_cast<unsigned long long>(frames()), static_cast<unsigned long long>(depth.published),
+                static_cast<unsigned long long>(depth.sent), static_cast<unsigned long long>(depth.dropped));
   return line;
 }
 

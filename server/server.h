@@ -15,6 +15,7 @@
 #include "server/hub/hub.h"
 #include "server/hub/peer_listener.h"
 #include "server/pipeline/capture_thread.h"
+#include "server/playback/session_player.h"
 
 namespace telepalp::server {
 
@@ -38,6 +39,12 @@ class Server {
   void start(std::unique_ptr<capture::CaptureSource> source, const std::string& source_name,
              std::function<void()> on_end);
 
+  /// Plays a recorded session instead of capturing. While a station is connected, the recorded station's messages are
+  /// withheld, so that viewers see one hand. `on_end` is called once when the session ends.
+  void play(std::unique_ptr<playback::SessionPlayer> player, std::function<void()> on_end);
+  /// The player; nullptr unless play() was called.
+  [[nodiscard]] playback::SessionPlayer* player() noexcept { return player_.get(); }
+
   /// Stops capturing, sends queued messages and a Goodbye with `reason`. io.run() then returns within 1 s.
   void stop(const std::string& reason);
 
@@ -52,6 +59,7 @@ class Server {
  private:
   Server(boost::asio::io_context& io, Options options);
   void publish(wire::Message message);
+  [[nodiscard]] std::uint64_t frames() const;  ///< captured or played
   void publish_every_second();
   void publish_clock_and_stats();
   void give_memory_back();
@@ -70,6 +78,7 @@ class Server {
   std::size_t most_waiting_bytes_ = 0;  // peak of the hub's queues since memory was last released
   std::chrono::steady_clock::time_point started_{};
   std::unique_ptr<pipeline::CaptureThread> capture_;
+  std::unique_ptr<playback::SessionPlayer> player_;  // instead of capture_
 };
 
 }  // namespace telepalp::server

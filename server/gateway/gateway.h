@@ -32,6 +32,9 @@ struct GatewayOptions {
   RequestPolicy policy{};
   std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
   std::function<std::string()> problem{};         ///< what is wrong with the server; empty: nothing
+  std::function<std::string()> playback_state{};  ///< JSON of msg::PlaybackState; unset: nothing is played
+  /// Carries out the JSON of a msg::PlaybackCommand and returns the new state; set when playback_state is.
+  std::function<Result<std::string>(const std::string& json)> playback_command{};
   std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
   std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request's headers

@@ -50,6 +50,7 @@ std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
   const std::string_view target = view(request.target());
   const bool has_keys = context_.options.access->has_keys();
   if (target == kMetricsTarget) return metrics(request);
+  if (target == kPlaybackTarget) return playback(request);
   if (!has_keys) return std::nullopt;
   if (target == kSignInTarget && request.method() == http::verb::post) return sign_in(request);
   if (!may(keys::Operation::Watch)) {
@@ -91,6 +92,33 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
                                         context_.options.access->touch().holder(steady_now()).has_value());
   HttpReply reply = refuse(request, http::status::ok, text);
   reply.set(http::field::content_type, "text/plain; version=0.0.4; charset=utf-8");
+  return reply;
+}
+
+/// Everyone who may watch may read the state. Moving the session changes what all viewers see: it is for those who may
+/// also read the metrics, technicians and QA, and for pages of this server or programs.
+HttpReply Visit::playback(const HttpRequest& request) const {
+  const GatewayOptions& options = context_.options;
+  const bool moves = request.method() == http::verb::post;
+  const std::string_view host = view(request[http::field::host]);
+  if (!host_is_ours(options.policy, host))
+    return refuse(request, http::status::misdirected_request, "this server is not known by that name");
+  if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
+  if (moves && !may(keys::Operation::Metrics))
+    return refuse(request, http::status::forbidden, "moving a session is for technicians and QA");
+  const bool is_program = !options.access->has_keys() || brought_token_;
+  if (moves && !origin_is_allowed(options.policy, view(request[http::field::origin]), host, is_program))
+    return refuse(request, http::status::forbidden, "pages from that origin may not move the session");
+  if (!options.playback_state)
+    return refuse(request, http::status::not_found,
+                  "no session is played here. fix: telepalp-server --source session:FILE.mcap");
+  if (!moves && request.method() != http::verb::get)
+    return refuse(request, http::status::method_not_allowed, "GET the state, or POST a command");
+  const Result<std::string> state =
+      moves ? options.playback_command(request.body()) : Result<std::string>(options.playback_state());
+  if (!state) return refuse(request, http::status::bad_request, to_string(state.error()));
+  HttpReply reply = refuse(request, http::status::ok, *state);
+  reply.set(http::field::content_type, "application/json");
   return reply;
 }
 

@@ -8,6 +8,9 @@
 
 namespace telepalp::gateway {
 
+/// Path of the state of a played session, and of the commands that move it.
+inline constexpr std::string_view kPlaybackTarget = "/playback";
+
 /// A person who is signed in at the web port.
 struct Visitor {
   keys::Identity who;
@@ -33,6 +36,7 @@ class Visit {
   [[nodiscard]] HttpReply sign_in(const HttpRequest& request);
   [[nodiscard]] HttpReply sign_out(const HttpRequest& request);
   [[nodiscard]] HttpReply metrics(const HttpRequest& request) const;
+  [[nodiscard]] HttpReply playback(const HttpRequest& request) const;
   void note(access::AuditEvent event, const std::string& text) const;
 
   GatewayContext& context_;

@@ -53,6 +53,8 @@ class PeerListener {
   [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
   [[nodiscard]] std::size_t peers() const noexcept { return peers_.size(); }
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
+  /// Connected peers that may publish /station/...
+  [[nodiscard]] std::size_t stations() const { return taken(PlaceKind::Station); }
 
   /// Stops listening, and sends every peer its queued messages and a Goodbye. Within 1 s no work is left in the
   /// io_context.

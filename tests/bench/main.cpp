@@ -11,6 +11,7 @@
 #include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
 #include "tests/bench/replay_bench.h"
+#include "tests/bench/session_bench.h"
 #include "tests/bench/station_bench.h"
 #include "tests/bench/surface_bench.h"
 #include "tests/bench/synthetic_bench.h"
@@ -36,6 +37,7 @@ constexpr std::array kBenches{
                  bench::run_pipeline},
     bench::Bench{"replay", "a session over a bad network in virtual time: speed, a grid's cost, determinism",
                  bench::run_replay},
+    bench::Bench{"session", "playing a session of 2 GB from its middle, and what recording costs", bench::run_session},
     bench::Bench{"station", "jitter of the 2 kHz thread, and calibration under noise", bench::run_station},
     bench::Bench{"synthetic", "time and depth error of the synthetic patient", bench::run_synthetic},
     bench::Bench{"surface", "touching a noisy, moving cloud: cost, error and steadiness", bench::run_surface},

@@ -162,6 +162,14 @@ test('metrics are for technician and QA, health is for everyone', async () => {
   assert.ok(!/vera|quinn|127\.0\.0\.1/.test(metrics.text), 'no person and no address');
 });
 
+test('moving a played session is for technician and QA, and is refused where none is played', async () => {
+  const move = (name) => ask('/playback', {method: 'POST', headers: {authorization: `Bearer ${tokenOf(name)}`}});
+  assert.equal((await ask('/playback')).status, 401);
+  assert.equal((await move('vera')).status, 403);
+  assert.equal((await move('dora')).status, 403, 'a doctor touches, and does not move what others see');
+  assert.equal((await move('quinn')).status, 404, 'this server captures');
+});
+
 test('a token that is revoked ends its sessions', async () => {
   const cookie = cookieOf(await signIn(tokenOf('dora')));
   const open = await upgrade({origin, cookie});

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "messages/playback.pb.h"
+#include "proto/words/result.h"
+
+namespace telepalp::playback {
+
+inline constexpr double kSlowest = 0.1;
+inline constexpr double kFastest = 10.0;
+
+/// Parses the JSON of a PlaybackCommand. Error: no such JSON, an unknown field, or a value out of its range.
+[[nodiscard]] Result<msg::PlaybackCommand> read_command(const std::string& json);
+
+/// The state as JSON, with all fields.
+[[nodiscard]] std::string to_json(const msg::PlaybackState& state);
+
+/// How a server shall play a session: the text after `session:`, FILE.mcap[,from_s=…][,speed=…][,paused=yes|no]
+/// [,topics=A+B].
+struct PlaybackSpec {
+  std::string file;
+  double from_s = 0.0;
+  double speed = 1.0;
+  bool paused = false;
+  std::vector<std::string> topics{"/camera/*", "/station/*"};
+};
+[[nodiscard]] Result<PlaybackSpec> read_spec(const std::string& text);
+
+}  // namespace telepalp::playback

@@ -1,0 +1,228 @@
+#include "server/playback/session_player.h"
+
+#include <algorithm>
+#include <boost/asio/post.hpp>
+#include <utility>
+
+#include "messages/camera.pb.h"
+#include "server/playback/retimed.h"
+
+namespace telepalp::playback {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kMostOnTheWay = 64;  // messages; the file is read no further while the network thread is behind
+constexpr Nanoseconds kStatusEvery = 1s;
+/// A player that is this late (a slow disk, a computer that slept) goes on from now instead of hurrying.
+constexpr Nanoseconds kLatest = 500ms;
+constexpr Nanoseconds kBetweenRounds{33'333'333};  // from the last message to the repeated first one
+constexpr Nanoseconds kLongestPause = 2s;  // a longer pause in a recording is cut to this
+
+double seconds_between(SessionTime from, SessionTime to) { return to_seconds(to - from); }
+
+}  // namespace
+
+Result<std::unique_ptr<SessionPlayer>> SessionPlayer::open(const PlaybackSpec& spec, bool loop,
+                                                           wire::SessionClock clock) {
+  Result<Timeline> timeline = Timeline::open(spec.file, spec.topics);
+  if (!timeline) return timeline.error();
+  const double duration_s = seconds_between(timeline->begin(), timeline->end());
+  if (spec.from_s > duration_s)
+    return Error{.what = "the session lasts " + std::to_string(duration_s) + " s",
+                 .where = "from_s=" + std::to_string(spec.from_s),
+                 .fix = "give an earlier time"};
+  return std::unique_ptr<SessionPlayer>(new SessionPlayer(std::move(*timeline), spec, loop, clock));
+}
+
+SessionPlayer::SessionPlayer(Timeline timeline, const PlaybackSpec& spec, bool loop, wire::SessionClock clock)
+    : timeline_(std::move(timeline)),
+      file_(spec.file),
+      clock_(clock),
+      playing_(!spec.paused),
+      loop_(loop),
+      speed_(spec.speed) {
+  msg::PlaybackCommand beginning;
+  beginning.set_seek_s(spec.from_s);
+  commands_.push_back(beginning);
+  position_ = timeline_.begin();
+  show_state();
+}
+
+SessionPlayer::~SessionPlayer() { stop(); }
+
+void SessionPlayer::start(boost::asio::io_context& network, Handlers handlers) {
+  network_ = &network;
+  handlers_ = std::move(handlers);
+  thread_ = std::thread([this] { run(); });
+}
+
+void SessionPlayer::stop() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_one();
+  if (thread_.joinable()) thread_.join();
+}
+
+Result<void> SessionPlayer::apply(const msg::PlaybackCommand& command) {
+  const std::scoped_lock lock(mutex_);
+  if (command.has_seek_s() && command.seek_s() > state_.duration_s())
+    return Error{.what = "the session lasts " + std::to_string(state_.duration_s()) + " s",
+                 .where = "seek_s",
+                 .fix = "give an earlier time"};
+  commands_.push_back(command);
+  changed_.notify_one();
+  return {};
+}
+
+msg::PlaybackState SessionPlayer::state() const {
+  const std::scoped_lock lock(mutex_);
+  return state_;
+}
+
+void SessionPlayer::show_state() {
+  const std::scoped_lock lock(mutex_);
+  state_.set_file(file_);
+  state_.set_position_s(seconds_between(timeline_.begin(), position_));
+  state_.set_duration_s(seconds_between(timeline_.begin(), timeline_.end()));
+  state_.set_speed(speed_);
+  state_.set_loop(loop_);
+  state_.set_playing(playing_);
+  state_.set_damaged(timeline_.damaged());
+}
+
+/// Sleeps until `due`, at most until the next status. False: a command came, or the player stops.
+bool SessionPlayer::wait_until(SessionTime due) {
+  std::unique_lock lock(mutex_);
+  const Nanoseconds patience = std::min(due, status_at_ + kStatusEvery) - clock_.now();
+  if (patience > 0ns) changed_.wait_for(lock, patience, [&] { return stopping_ || !commands_.empty(); });
+  return !stopping_ && commands_.empty();
+}
+
+void SessionPlayer::run() {
+  for (;;) {
+    std::vector<msg::PlaybackCommand> commands;
+    {
+      const std::scoped_lock lock(mutex_);
+      if (stopping_) return;
+      commands = std::exchange(commands_, {});
+    }
+    for (const msg::PlaybackCommand& command : commands) carry_out(command);
+    if (playing_ && at_end()) return boost::asio::post(*network_, handlers_.on_end);
+    publish_status_when_due();
+    show_state();
+    if (playing_)
+      play_next();
+    else
+      (void)wait_until(clock_.now() + kStatusEvery);
+  }
+}
+
+/// True if the session has ended and is not repeated; else it has a next message.
+bool SessionPlayer::at_end() {
+  if (!next_ && loop_) {
+    go_to(timeline_.begin());
+    map_.now += kBetweenRounds;
+  }
+  ended_ = !next_;
+  if (ended_) publish_status_when_due();
+  return ended_;
+}
+
+void SessionPlayer::carry_out(const msg::PlaybackCommand& command) {
+  if (command.has_seek_s()) go_to(timeline_.begin() + Nanoseconds(static_cast<std::int64_t>(command.seek_s() * 1e9)));
+  if (command.has_loop()) loop_ = command.loop();
+  if (command.has_speed()) speed_ = command.speed();
+  if (command.has_play()) playing_ = command.play();
+  if (command.has_step()) playing_ = false;
+  anchor();
+  for (std::uint32_t steps = 0; command.has_step() && steps < command.step(); ++steps) step();
+}
+
+/// Time goes on from the present position at the present speed.
+void SessionPlayer::anchor() { map_ = {.recorded = position_, .now = clock_.now(), .speed = speed_}; }
+
+void SessionPlayer::go_to(SessionTime at) {
+  const std::vector<wire::Message> needed = timeline_.seek(at);
+  next_ = timeline_.next();
+  position_ = at;
+  anchor();
+  for (const wire::Message& message : needed) publish(message);
+}
+
+/// Publishes the next depth image and all up to the one behind it.
+void SessionPlayer::step() {
+  const auto is_depth = [&] { return next_ && next_->topic.name == wire::kCameraDepth.name; };
+  bool shown = false;
+  while (next_ && !(shown && is_depth())) {
+    shown = shown || is_depth();
+    position_ = next_->published;
+    anchor();
+    publish(*next_);
+    next_ = timeline_.next();
+  }
+}
+
+void SessionPlayer::play_next() {
+  if (next_->published - position_ > kLongestPause) {
+    position_ = next_->published - kLongestPause;
+    anchor();
+  }
+  const SessionTime due = map_(next_->published);
+  if (due > clock_.now() && !wait_until(due)) return;
+  if (due > clock_.now()) return;  // woken for the status
+  position_ = std::max(position_, next_->published);
+  if (clock_.now() - due > kLatest) anchor();
+  publish(*next_);
+  next_ = timeline_.next();
+}
+
+void SessionPlayer::publish(const wire::Message& recorded) {
+  if (recorded.topic.name == wire::kCameraStatus.name) {
+    msg::CaptureStatus status;
+    if (status.ParseFromString(*recorded.payload)) color_registered_ = status.color_registered();
+    return;  // the player states its own status
+  }
+  std::optional<wire::Message> message = retimed(recorded, map_);
+  if (!message) return;
+  if (recorded.topic.name == wire::kCameraDepth.name) ++depth_images_;
+  hand_over(std::move(*message));
+}
+
+void SessionPlayer::publish_status_when_due() {
+  const SessionTime now = clock_.now();
+  const std::string how = ended_ ? "at its end" : playing_ ? "playing" : "paused";
+  const std::string speed = speed_ == 1.0 ? "" : ", speed " + std::to_string(speed_).substr(0, 4);
+  if (status_ == how + speed && now - status_at_ < kStatusEvery) return;
+  status_ = how + speed;
+  status_at_ = now;
+  msg::CaptureStatus status;
+  status.set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(now)));
+  status.set_state(ended_ ? msg::CAPTURE_STATE_ENDED : playing_ ? msg::CAPTURE_STATE_LIVE : msg::CAPTURE_STATE_WAITING);
+  status.set_source("session:" + file_);
+  status.set_detail("recorded session " + file_ + ", " + how + speed);
+  if (timeline_.damaged() > 0)
+    status.set_detail(status.detail() + "; " + std::to_string(timeline_.damaged()) + " damaged places passed over");
+  status.set_frames(depth_images_);
+  status.set_color_registered(color_registered_);
+  hand_over(wire::make_message(wire::kCameraStatus, now, status));
+}
+
+void SessionPlayer::hand_over(wire::Message message) {
+  while (on_the_way_ >= kMostOnTheWay) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (stopping_) return;
+    }
+    std::this_thread::sleep_for(1ms);
+  }
+  ++on_the_way_;
+  boost::asio::post(*network_, [this, message = std::move(message)]() mutable {
+    --on_the_way_;
+    handlers_.on_message(std::move(message));
+  });
+}
+
+}  // namespace telepalp::playback

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "messages/playback.pb.h"
+#include "proto/wire/session_clock.h"
+#include "server/playback/playback_command.h"
+#include "server/playback/time_map.h"
+#include "server/playback/timeline.h"
+
+namespace telepalp::playback {
+
+/// Publishes a recorded session again: its bytes as recorded, its instants mapped to now. The thread of the player owns
+/// the file and waits for the time of each message; commands wake it. It uses a mutex and a condition variable, because
+/// it must sleep until the next message or command; no real-time thread waits for it.
+class SessionPlayer {
+ public:
+  struct Handlers {
+    std::function<void(wire::Message)> on_message;  ///< on the network thread
+    std::function<void()> on_end;                   ///< on the network thread, once, at the end without a loop
+  };
+
+  /// Error: the file cannot be read, or begins after `from_s`.
+  [[nodiscard]] static Result<std::unique_ptr<SessionPlayer>> open(const PlaybackSpec& spec, bool loop,
+                                                                   wire::SessionClock clock);
+  ~SessionPlayer();
+  SessionPlayer(const SessionPlayer&) = delete;
+  SessionPlayer& operator=(const SessionPlayer&) = delete;
+
+  void start(boost::asio::io_context& network, Handlers handlers);
+  void stop();
+
+  /// Carries the command out as soon as possible. Error: a position beyond the session's end. Any thread.
+  [[nodiscard]] Result<void> apply(const msg::PlaybackCommand& command);
+  [[nodiscard]] msg::PlaybackState state() const;                                      ///< any thread
+  [[nodiscard]] std::uint64_t depth_images() const noexcept { return depth_images_; }  ///< published; any thread
+
+ private:
+  SessionPlayer(Timeline timeline, const PlaybackSpec& spec, bool loop, wire::SessionClock clock);
+  void run();
+  void carry_out(const msg::PlaybackCommand& command);
+  void go_to(SessionTime at);
+  void anchor();
+  void step();
+  void play_next();
+  [[nodiscard]] bool at_end();
+  void publish(const wire::Message& recorded);
+  void publish_status_when_due();
+  void hand_over(wire::Message message);
+  [[nodiscard]] bool wait_until(SessionTime due);
+  void show_state();
+
+  Timeline timeline_;  // the player's thread, like all members up to `mutex_`
+  const std::string file_;
+  const wire::SessionClock clock_;
+  TimeMap map_;
+  std::optional<wire::Message> next_;
+  SessionTime position_{};
+  bool playing_ = true;
+  bool loop_ = true;
+  double speed_ = 1.0;
+  bool color_registered_ = true;
+  bool ended_ = false;
+  SessionTime status_at_{};
+  std::optional<std::string> status_;  // text of the status published last
+
+  boost::asio::io_context* network_ = nullptr;
+  Handlers handlers_;
+  mutable std::mutex mutex_;  // guards the members below
+  std::condition_variable changed_;
+  std::vector<msg::PlaybackCommand> commands_;
+  msg::PlaybackState state_;
+  bool stopping_ = false;
+  std::atomic<int> on_the_way_{0};  // messages posted and not yet handled
+  std::atomic<std::uint64_t> depth_images_{0};
+  std::thread thread_;  // last member: the thread uses the others
+};
+
+}  // namespace telepalp::playback

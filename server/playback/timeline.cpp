@@ -1,0 +1,101 @@
+#include "server/playback/timeline.h"
+
+#include <algorithm>
+
+#include "codec/depth.h"
+#include "messages/camera.pb.h"
+
+namespace telepalp::playback {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// How far back a seek reads for a key frame and a camera model: they come at least every second, unless much was lost.
+constexpr Nanoseconds kLookBack[] = {1s, 10s};
+
+bool is_key_frame(const wire::Message& message) {
+  msg::DepthImage image;
+  return image.ParseFromString(*message.payload) && codec::is_key_frame(std::as_bytes(std::span(image.data())));
+}
+
+bool is_wanted(const std::vector<std::string>& topics, std::string_view name) {
+  return std::any_of(topics.begin(), topics.end(), [&](const std::string& wanted) {
+    return wanted.ends_with('*') ? name.starts_with(std::string_view(wanted).substr(0, wanted.size() - 1))
+                                 : name == wanted;
+  });
+}
+
+}  // namespace
+
+Timeline::Timeline(wire::McapReader reader, std::vector<std::string> topics)
+    : reader_(std::move(reader)), topics_(std::move(topics)) {
+  const wire::mcap::Statistics& statistics = reader_.summary().statistics;
+  begin_ = session_time(static_cast<std::int64_t>(statistics.message_start_time));
+  end_ = session_time(static_cast<std::int64_t>(statistics.message_end_time));
+  reader_.select({.topics = topics_});
+}
+
+Result<Timeline> Timeline::open(const std::filesystem::path& file, std::vector<std::string> topics) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  const wire::mcap::Summary& summary = reader->summary();
+  const bool has_one =
+      std::any_of(summary.channels.all().begin(), summary.channels.all().end(),
+                  [&](const auto& entry) { return entry.second.topic && is_wanted(topics, entry.second.topic->name); });
+  if (!has_one || summary.statistics.message_count == 0)
+    return Error{.what = "holds no message on the topics that are played",
+                 .where = file.string(),
+                 .fix = "see telepalp-record info " + file.string()};
+  if (summary.statistics.message_end_time > static_cast<std::uint64_t>(INT64_MAX) ||
+      summary.statistics.message_start_time > summary.statistics.message_end_time)
+    return Error{
+        .what = "declares impossible times", .where = file.string(), .fix = "telepalp-record repair " + file.string()};
+  return Timeline(std::move(*reader), std::move(topics));
+}
+
+bool Timeline::is_played(std::string_view topic) const { return is_wanted(topics_, topic); }
+
+/// The topics whose last message a receiver needs, as far as the file has them.
+std::vector<std::string> Timeline::needed_topics() const {
+  std::vector<std::string> needed;
+  for (const auto& [id, stored] : reader_.summary().channels.all()) {
+    if (!stored.topic || !is_played(stored.topic->name)) continue;
+    for (const std::string_view name : {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraDepth.name})
+      if (stored.topic->name == name) needed.emplace_back(name);
+  }
+  return needed;
+}
+
+std::vector<wire::Message> Timeline::seek(SessionTime at) {
+  const std::vector<std::string> needed = needed_topics();
+  std::map<std::string_view, std::vector<wire::Message>> found;
+  for (const Nanoseconds back : kLookBack) {
+    if (needed.empty() || found.size() == needed.size()) break;
+    found.clear();
+    reader_.select({.topics = needed, .from = at - back, .until = at});
+    while (std::optional<wire::Message> message = next()) {
+      const bool is_predicted = message->topic.name == wire::kCameraDepth.name && !is_key_frame(*message);
+      std::vector<wire::Message>& of_topic = found[message->topic.name];
+      if (!is_predicted) of_topic.clear();
+      if (!is_predicted || !of_topic.empty()) of_topic.push_back(std::move(*message));
+      if (of_topic.empty()) found.erase(message->topic.name);
+    }
+  }
+  std::vector<wire::Message> all;
+  for (auto& [topic, messages] : found)
+    all.insert(all.end(), std::make_move_iterator(messages.begin()), std::make_move_iterator(messages.end()));
+  std::stable_sort(all.begin(), all.end(),
+                   [](const wire::Message& a, const wire::Message& b) { return a.published < b.published; });
+  reader_.select({.topics = topics_, .from = at, .until = {}});
+  return all;
+}
+
+std::optional<wire::Message> Timeline::next() {
+  for (;;) {
+    Result<std::optional<wire::Message>> message = reader_.next();
+    if (message) return std::move(*message);
+    ++damaged_;  // the reader continues after the damaged chunk
+  }
+}
+
+}  // namespace telepalp::playback

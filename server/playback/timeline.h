@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proto/wire/mcap/reader.h"
+
+namespace telepalp::playback {
+
+/// The messages of a session file in order of time, from any instant on. Memory holds the chunks of one instant.
+class Timeline {
+ public:
+  /// `topics`: full names, or prefixes that end in '*'. Error: not a session file, or it has no message on them.
+  [[nodiscard]] static Result<Timeline> open(const std::filesystem::path& file, std::vector<std::string> topics);
+
+  [[nodiscard]] SessionTime begin() const noexcept { return begin_; }
+  [[nodiscard]] SessionTime end() const noexcept { return end_; }
+
+  /// Moves to `at`: next() then gives the messages from `at` on. Returns the messages before it that a receiver needs
+  /// there: the last camera models, and the depth images since the last key frame, in order of time. Reads a second
+  /// before `at`, and more only if that holds no key frame.
+  [[nodiscard]] std::vector<wire::Message> seek(SessionTime at);
+  /// The next message; nullopt at the end. Damaged places are passed over and counted.
+  [[nodiscard]] std::optional<wire::Message> next();
+
+  [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
+
+ private:
+  Timeline(wire::McapReader reader, std::vector<std::string> topics);
+  [[nodiscard]] bool is_played(std::string_view topic) const;
+  [[nodiscard]] std::vector<std::string> needed_topics() const;
+
+  wire::McapReader reader_;
+  std::vector<std::string> topics_;
+  SessionTime begin_;
+  SessionTime end_;
+  std::uint64_t damaged_ = 0;
+};
+
+}  // namespace telepalp::playback

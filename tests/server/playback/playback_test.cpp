@@ -1,0 +1,258 @@
+// A recorded session is published again: bytes as recorded, instants consistent, and moved by commands.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <fstream>
+
+#include "codec/depth_stream.h"
+#include "foxglove/CameraCalibration.pb.h"
+#include "messages/camera.pb.h"
+#include "server/playback/retimed.h"
+#include "server/playback/session_player.h"
+#include "tests/proto/mcap_samples.h"
+
+namespace telepalp::playback {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
+
+SessionTime at_ms(std::int64_t ms) { return session_time(kStart_ns + ms * 1'000'000); }
+
+wire::Message depth_at(codec::DepthEncoder& encoder, int frame) {
+  DepthImage image{.width = 32, .height = 24, .unit_m = 0.001, .samples = std::vector<std::uint16_t>(32 * 24, 800)};
+  image.samples[static_cast<std::size_t>(frame) % image.samples.size()] = 700;
+  const std::int64_t now = kStart_ns + std::int64_t{frame} * 33'000'000;
+  msg::DepthImage depth;
+  depth.set_captured_ns(static_cast<std::uint64_t>(now - 9'000'000));
+  depth.set_encoded_ns(static_cast<std::uint64_t>(now - 1'000'000));
+  depth.set_sequence(static_cast<std::uint64_t>(frame));
+  depth.set_data(encoder.encode(image).bytes);
+  return wire::make_message(wire::kCameraDepth, session_time(now), depth);
+}
+
+/// `frames` depth images at 30 Hz in groups of twelve, a camera model at the beginning, a station's state with each.
+std::filesystem::path session(const std::string& name, int frames) {
+  const auto file = wire::samples::fresh_file(name + std::to_string(::getpid()) + ".mcap");
+  codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 12});
+  std::vector<wire::Message> messages{wire::make_message(wire::kCameraInfo, at_ms(0), ::foxglove::CameraCalibration())};
+  for (int frame = 0; frame < frames; ++frame) {
+    messages.push_back(depth_at(encoder, frame));
+    msg::StationState state;
+    state.set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(messages.back().published)));
+    state.set_sender(7);
+    messages.push_back(wire::make_message(wire::kStationState, messages.back().published, state));
+    messages.push_back(wire::make_message(wire::kServerStats, messages.back().published, msg::ServerStats()));
+  }
+  EXPECT_TRUE(wire::samples::write_file(file, messages, {.bytes = 3000}));
+  return file;
+}
+
+msg::DepthImage depth_of(const wire::Message& message) {
+  msg::DepthImage depth;
+  EXPECT_TRUE(depth.ParseFromString(*message.payload));
+  return depth;
+}
+
+/// A player and what it published, on a network thread of its own that is this one.
+struct Stage {
+  boost::asio::io_context io;
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> stays{io.get_executor()};
+  wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
+  std::vector<wire::Message> messages;
+  bool ended = false;
+  std::unique_ptr<SessionPlayer> player;
+
+  explicit Stage(const PlaybackSpec& spec, bool loop = false) {
+    auto opened = SessionPlayer::open(spec, loop, clock);
+    EXPECT_TRUE(opened) << to_string(opened.error());
+    player = std::move(opened).value();
+    player->start(io, {.on_message = [this](wire::Message message) { messages.push_back(std::move(message)); },
+                       .on_end = [this] { ended = true; }});
+  }
+  ~Stage() { player->stop(); }
+  std::vector<wire::Message> on(std::string_view topic) const {
+    std::vector<wire::Message> chosen;
+    for (const wire::Message& message : messages)
+      if (message.topic.name == topic) chosen.push_back(message);
+    return chosen;
+  }
+  std::vector<std::uint64_t> shown() const {
+    std::vector<std::uint64_t> numbers;
+    for (const wire::Message& message : on("/camera/depth")) numbers.push_back(depth_of(message).sequence());
+    return numbers;
+  }
+  template <class Done>
+  bool run_until(Done done) {
+    const auto limit = std::chrono::steady_clock::now() + 10s;
+    while (!done() && std::chrono::steady_clock::now() < limit) io.run_one_for(5ms);
+    return done();
+  }
+  void run_for(std::chrono::milliseconds time) { io.run_for(time); }
+  void command(const std::string& json) {
+    const auto read = read_command(json);
+    ASSERT_TRUE(read) << to_string(read.error());
+    const auto applied = player->apply(*read);
+    ASSERT_TRUE(applied) << to_string(applied.error());
+  }
+};
+
+TEST(Timeline, ASeekReturnsTheCameraModelAndTheGroupAndNextGoesOnFromThere) {
+  auto timeline = Timeline::open(session("seek", 60), {"/camera/*"});
+  ASSERT_TRUE(timeline) << to_string(timeline.error());
+  const auto needed = timeline->seek(at_ms(33 * 30));  // frame 30 is in the group of the frames 24 to 35
+  ASSERT_EQ(needed.size(), 1u + 6u);
+  EXPECT_EQ(needed.front().topic.name, wire::kCameraInfo.name);
+  codec::DepthDecoder decoder;
+  for (std::size_t number = 1; number < needed.size(); ++number)
+    EXPECT_TRUE(decoder.decode(std::as_bytes(std::span(depth_of(needed[number]).data()))));
+  const auto next = timeline->next();
+  ASSERT_TRUE(next);
+  EXPECT_EQ(depth_of(*next).sequence(), 30u);
+  EXPECT_TRUE(decoder.decode(std::as_bytes(std::span(depth_of(*next).data()))));
+}
+
+TEST(Timeline, WithoutItsTopicsItSaysSo) {
+  const auto timeline = Timeline::open(session("none", 3), {"/nothing/*"});
+  ASSERT_FALSE(timeline);
+  EXPECT_NE(timeline.error().what.find("no message on the topics"), std::string::npos);
+}
+
+TEST(Retimed, KeepsTheBytesAndAllAgesAtTheSpeedAndTellsSendersApart) {
+  codec::DepthEncoder encoder({.mode = codec::DepthMode::Fast});
+  const wire::Message recorded = depth_at(encoder, 3);
+  for (const double speed : {0.1, 1.0, 4.0}) {
+    const TimeMap map{.recorded = at_ms(0), .now = session_time(5'000'000'000), .speed = speed};
+    const auto played = retimed(recorded, map);
+    ASSERT_TRUE(played);
+    const msg::DepthImage before = depth_of(recorded);
+    const msg::DepthImage after = depth_of(*played);
+    EXPECT_EQ(after.data(), before.data());
+    EXPECT_TRUE(played->key_frame);
+    EXPECT_NEAR(static_cast<double>(after.encoded_ns() - after.captured_ns()), 8e6 / speed, 1.0);
+    EXPECT_NEAR(static_cast<double>(to_nanoseconds(played->published)) - static_cast<double>(after.captured_ns()),
+                9e6 / speed, 1.0);
+  }
+  msg::StationState state;
+  state.set_stamp_ns(kStart_ns);
+  state.set_sender(7);
+  const auto played = retimed(wire::make_message(wire::kStationState, at_ms(0), state),
+                              {.recorded = at_ms(0), .now = session_time(42), .speed = 1.0});
+  msg::StationState after;
+  ASSERT_TRUE(after.ParseFromString(*played->payload));
+  EXPECT_EQ(after.sender(), 7u + kRecordedSenders);
+  EXPECT_EQ(after.stamp_ns(), 42u);
+  EXPECT_EQ(after.surface_captured_ns(), 0u) << "0 means none, and stays so";
+}
+
+TEST(Retimed, APayloadThatIsNotOfItsTypeIsLeftOut) {
+  const wire::Message broken{wire::kStationState, at_ms(0), std::make_shared<const std::string>("\xff\xff\xff")};
+  EXPECT_FALSE(retimed(broken, {}));
+}
+
+TEST(SessionPlayer, PlaysEachMessageOnceInTimeWithTheRecordedBytesAndEnds) {
+  const auto file = session("play", 20);
+  Stage stage({.file = file.string()});
+  const SessionTime began = stage.clock.now();
+  ASSERT_TRUE(stage.run_until([&] { return stage.ended; }));
+  EXPECT_GE(stage.clock.now() - began, 600ms) << "20 images at 30 Hz";
+  const auto depth = stage.on("/camera/depth");
+  ASSERT_EQ(depth.size(), 20u);
+  codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 12});
+  for (int frame = 0; frame < 20; ++frame) {
+    const msg::DepthImage played = depth_of(depth[static_cast<std::size_t>(frame)]);
+    EXPECT_EQ(played.data(), depth_of(depth_at(encoder, frame)).data());
+    EXPECT_EQ(depth[static_cast<std::size_t>(frame)].key_frame, frame % 12 == 0);
+  }
+  EXPECT_EQ(to_nanoseconds(depth[19].published) - to_nanoseconds(depth[0].published), 19 * 33'000'000);
+  EXPECT_EQ(stage.on("/station/state").size(), 20u);
+  EXPECT_TRUE(stage.on("/server/stats").empty()) << "the server states its own";
+  msg::CaptureStatus last;
+  ASSERT_TRUE(last.ParseFromString(*stage.on("/camera/status").back().payload));
+  EXPECT_EQ(last.state(), msg::CAPTURE_STATE_ENDED);
+}
+
+TEST(SessionPlayer, InALoopItBeginsAgainAndTimeGoesOn) {
+  Stage stage({.file = session("loop", 6).string(), .speed = 4.0}, true);
+  ASSERT_TRUE(stage.run_until([&] { return stage.shown().size() >= 18; }));
+  const auto depth = stage.on("/camera/depth");
+  for (std::size_t number = 1; number < depth.size(); ++number)
+    EXPECT_GE(depth_of(depth[number]).captured_ns(), depth_of(depth[number - 1]).captured_ns());
+  EXPECT_EQ(stage.shown()[6], 0u);
+  EXPECT_FALSE(stage.ended);
+}
+
+TEST(SessionPlayer, PausesStepsSeeksAndGoesOn) {
+  Stage stage({.file = session("moves", 300).string(), .from_s = 1.0, .paused = true});
+  ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty(); }));
+  stage.run_for(100ms);
+  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{24, 25, 26, 27, 28, 29, 30})) << "the group up to 1 s";
+  EXPECT_FALSE(stage.player->state().playing());
+  stage.messages.clear();
+  stage.command("{\"step\": 2}");
+  stage.run_for(100ms);
+  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{31, 32}));
+  stage.messages.clear();
+  stage.command("{\"seek_s\": 3.3}");
+  stage.run_for(100ms);
+  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{96, 97, 98, 99}));
+  EXPECT_NEAR(stage.player->state().position_s(), 3.3, 1e-6);
+  stage.messages.clear();
+  stage.command("{\"play\": true, \"speed\": 10}");
+  ASSERT_TRUE(stage.run_until([&] { return stage.shown().size() >= 60; }));
+  EXPECT_EQ(stage.shown().front(), 100u);
+  const auto depth = stage.on("/camera/depth");
+  EXPECT_NEAR(to_seconds(depth[59].published - depth[0].published), 59 * 0.0033, 0.001);
+}
+
+TEST(SessionPlayer, RefusesWhatLiesBehindTheEnd) {
+  const auto file = session("refuse", 30);
+  EXPECT_FALSE(SessionPlayer::open({.file = file.string(), .from_s = 60.0}, false,
+                                   wire::SessionClock::anchored_to_wall_clock()));
+  Stage stage({.file = file.string(), .paused = true});
+  msg::PlaybackCommand command;
+  command.set_seek_s(60.0);
+  const auto applied = stage.player->apply(command);
+  ASSERT_FALSE(applied);
+  EXPECT_NE(applied.error().what.find("the session lasts"), std::string::npos);
+}
+
+TEST(SessionPlayer, ADamagedChunkIsPassedOverAndCounted) {
+  const auto file = session("damaged", 40);
+  const auto chunk = wire::McapReader::open(file)->summary().chunks[2];
+  std::string bytes = wire::samples::bytes_of(file);
+  bytes[chunk.chunk_start_offset + chunk.chunk_length - 20] ^= 0x55;
+  std::ofstream(file, std::ios::binary) << bytes;
+  Stage stage({.file = file.string(), .speed = 10.0});
+  ASSERT_TRUE(stage.run_until([&] { return stage.ended; }));
+  EXPECT_LT(stage.shown().size(), 40u);
+  EXPECT_GT(stage.shown().size(), 10u);
+  EXPECT_GE(stage.player->state().damaged(), 1u);
+}
+
+TEST(PlaybackCommand, WrongJsonAndValuesOutOfRangeAreNamed) {
+  for (const char* wrong : {"", "[]", "{\"speed\": 0.01}", "{\"speed\": \"nan\"}", "{\"step\": 0}", "{\"step\": 101}",
+                            "{\"seek_s\": -1}", "{\"faster\": true}", "{\"play\": 3}"})
+    EXPECT_FALSE(read_command(wrong)) << wrong;
+  EXPECT_TRUE(read_command("{}"));
+}
+
+TEST(PlaybackSpec, IsReadBehindTheFileAndWrongWordsAreNamed) {
+  const auto spec = read_spec("a,b.mcap,from_s=12.5,speed=0.5,paused=yes,topics=/camera/*+/clock");
+  ASSERT_TRUE(spec) << to_string(spec.error());
+  EXPECT_EQ(spec->file, "a,b.mcap");
+  EXPECT_EQ(spec->from_s, 12.5);
+  EXPECT_EQ(spec->speed, 0.5);
+  EXPECT_TRUE(spec->paused);
+  EXPECT_EQ(spec->topics, (std::vector<std::string>{"/camera/*", "/clock"}));
+  for (const char* wrong :
+       {"a.mcap,", "a.mcap,fast", "a.mcap,speed=20", "a.mcap,speed=nan", "a.mcap,paused=maybe", "a.mcap,from_s=-1"})
+    EXPECT_FALSE(read_spec(wrong)) << wrong;
+}
+
+}  // namespace
+}  // namespace telepalp::playback
