@@ -47,7 +47,7 @@ program::Usage cut_usage() {
                       {"from", "TIME", "since the session's beginning: 90, 90s, 1.5min", "0s"},
                       {"to", "TIME", "since the session's beginning; default: the end"},
                       {"topics", "LIST", "patterns as of a shell, comma-separated; !PATTERN leaves out", "*"}},
-          .example = "telepalp-record cut session.mcap --from 12s --to 1.5min --out part.mcap"};
+          .example = "telepalp-record cut session.mcap --from 0.5s --to 1.5s --out part.mcap"};
 }
 
 program::Usage merge_usage() {
@@ -55,7 +55,7 @@ program::Usage merge_usage() {
           .purpose = "joins sessions, or the parts of one, to a new file in order of time",
           .positional = "FILE...",
           .options = {{"out", "FILE.mcap", "the new file"}},
-          .example = "telepalp-record merge session.0001.mcap session.0002.mcap --out session.mcap"};
+          .example = "telepalp-record merge part.mcap session.mcap --out both.mcap"};
 }
 
 Error asked_wrongly(std::string what, const program::Usage& usage) {

@@ -45,7 +45,9 @@ const std::vector<Rule> kRules{
     {"haptic_station", {"proto", "support", "codec", "haptic_station", "messages", "foxglove"}},
     {"clients", {"proto", "support", "codec", "clients", "messages", "foxglove"}},
     // It reads recordings as the server does, and it needs no camera.
-    {"tools", {"proto", "support", "codec", "server/capture", "server/pipeline", "tools", "messages"}},
+    {"tools",
+     {"proto", "support", "codec", "server/capture", "server/pipeline", "server/views", "tools", "messages",
+      "foxglove"}},
     // It runs the code of both sites.
     {"tools/replay",
      {"proto", "support", "codec", "server/capture", "server/pipeline", "haptic_station", "tools/replay", "messages",

@@ -1,0 +1,132 @@
+#include "tools/export_tool/frames.h"
+
+#include <algorithm>
+
+#include "codec/color.h"
+#include "foxglove/CameraCalibration.pb.h"
+#include "messages/camera.pb.h"
+
+namespace telepalp::export_tool {
+namespace {
+
+constexpr std::string_view kRegisteredFrameId = "camera_depth";
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr std::int64_t kLookBack_ns = 10 * kSecond_ns;  // a key frame and a camera model come at least this often
+
+std::int64_t captured_ns(const foxglove::CompressedImage& color) {
+  return color.timestamp().seconds() * kSecond_ns + color.timestamp().nanos();
+}
+
+std::vector<std::string> camera_topics() {
+  return {std::string(wire::kCameraInfo.name), std::string(wire::kCameraDepth.name),
+          std::string(wire::kCameraColor.name)};
+}
+
+Error no_frame(const std::string& what) {
+  return {.what = what, .where = "/camera/depth", .fix = "see telepalp-record info, and give another time or session"};
+}
+
+}  // namespace
+
+Result<Frames> Frames::open(const std::filesystem::path& file) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  return Frames(std::move(*reader));
+}
+
+std::optional<wire::Message> Frames::next() {
+  for (;;) {
+    Result<std::optional<wire::Message>> message = reader_.next();
+    if (message) return std::move(*message);
+    ++damaged_;  // the reader continues after the damaged chunk
+  }
+}
+
+/// Takes in a camera model or a colour image.
+void Frames::note(const wire::Message& message) {
+  if (message.topic.name == wire::kCameraColor.name) return note_color(*message.payload);
+  foxglove::CameraCalibration model;
+  if (message.topic.name != wire::kCameraInfo.name || !model.ParseFromString(*message.payload)) return;
+  if (model.k_size() != 9 || model.width() > kMaxImageSide || model.height() > kMaxImageSide) return;
+  const Intrinsics pinhole{.width = static_cast<int>(model.width()),
+                           .height = static_cast<int>(model.height()),
+                           .fx = model.k(0),
+                           .fy = model.k(4),
+                           .cx = model.k(2),
+                           .cy = model.k(5)};
+  if (is_well_formed(pinhole)) pinhole_ = pinhole;
+}
+
+void Frames::note_color(const std::string& payload) {
+  foxglove::CompressedImage color;
+  if (!color.ParseFromString(payload)) {
+    ++damaged_;
+  } else if (waiting_ && captured_ns(color) == waiting_->captured_ns) {
+    waiting_->color = std::move(color);
+  } else {
+    color_ = std::move(color);
+  }
+}
+
+Result<RgbdFrame> Frames::decode(const Waiting& waiting) {
+  Result<codec::DecodedDepth> depth = depth_.read(std::as_bytes(std::span(waiting.packet)));
+  if (!depth) return depth.error();
+  if (!pinhole_) return no_frame("there is no camera model before this frame");
+  RgbdFrame frame;
+  frame.captured = session_time(waiting.captured_ns);
+  frame.camera = {.depth = *pinhole_, .color = *pinhole_, .color_registered = true};
+  frame.depth = std::move(depth->image);
+  if (waiting.color) {
+    Result<ColorImage> color = codec::decode_color(std::as_bytes(std::span(waiting.color->data())));
+    if (!color) ++damaged_;
+    if (color) frame.color = std::move(*color);
+    frame.camera.color_registered = waiting.color->frame_id() == kRegisteredFrameId;
+  }
+  if (!is_well_formed(frame)) return no_frame("the sizes of an image and its camera model contradict each other");
+  return frame;
+}
+
+Result<void> Frames::for_each(const std::function<Result<bool>(const RgbdFrame&)>& take) {
+  reader_.select({.topics = camera_topics()});
+  const auto finish = [&]() -> Result<bool> {
+    if (!waiting_) return true;
+    const Result<RgbdFrame> frame = decode(*std::exchange(waiting_, std::nullopt));
+    if (frame) return take(*frame);
+    ++damaged_;
+    return true;
+  };
+  for (;;) {
+    const std::optional<wire::Message> message = next();
+    if (!message || message->topic.name == wire::kCameraDepth.name)
+      if (const Result<bool> more = finish(); !more || !*more)
+        return more ? Result<void>{} : Result<void>(more.error());
+    if (!message) return {};
+    note(*message);
+    msg::DepthImage image;
+    if (message->topic.name != wire::kCameraDepth.name || !image.ParseFromString(*message->payload)) continue;
+    waiting_ = Waiting{std::move(*image.mutable_data()), static_cast<std::int64_t>(image.captured_ns()), {}};
+    if (color_ && captured_ns(*color_) == waiting_->captured_ns) waiting_->color = std::exchange(color_, std::nullopt);
+  }
+}
+
+Result<RgbdFrame> Frames::at(double at_s) {
+  const auto begin = static_cast<std::int64_t>(reader_.summary().statistics.message_start_time);
+  const std::int64_t asked = begin + static_cast<std::int64_t>(at_s * 1e9);
+  reader_.select({.topics = camera_topics(),
+                  .from = session_time(std::max(begin, asked - kLookBack_ns)),
+                  .until = session_time(asked + kSecond_ns)});
+  while (const std::optional<wire::Message> message = next()) {
+    const bool is_depth = message->topic.name == wire::kCameraDepth.name;
+    if (is_depth && to_nanoseconds(message->published) > asked) break;
+    note(*message);
+    msg::DepthImage image;
+    if (!is_depth || !image.ParseFromString(*message->payload)) continue;
+    if (waiting_) depth_.skip(std::move(waiting_->packet));
+    waiting_ = Waiting{std::move(*image.mutable_data()), static_cast<std::int64_t>(image.captured_ns()), {}};
+    if (color_ && captured_ns(*color_) == waiting_->captured_ns) waiting_->color = std::exchange(color_, std::nullopt);
+  }
+  if (!waiting_) return no_frame("no depth image was published in the 10 s before that time");
+  return decode(*std::exchange(waiting_, std::nullopt));
+}
+
+}  // namespace telepalp::export_tool

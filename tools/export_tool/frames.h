@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "codec/depth_stream.h"
+#include "foxglove/CompressedImage.pb.h"
+#include "proto/wire/mcap/reader.h"
+#include "proto/words/rgbd_frame.h"
+
+namespace telepalp::export_tool {
+
+/// Decodes the frames of a session in order: each depth image with the colour image of equal capture time and the last
+/// camera model before it.
+class Frames {
+ public:
+  /// Error: not a session file.
+  [[nodiscard]] static Result<Frames> open(const std::filesystem::path& file);
+
+  /// Gives each frame to `take` until that returns false or the session ends. Damaged frames are counted. Error: of
+  /// `take`.
+  [[nodiscard]] Result<void> for_each(const std::function<Result<bool>(const RgbdFrame&)>& take);
+
+  /// The last frame that was published up to `at_s` after the session's first message. Error: none, or it cannot be
+  /// decoded.
+  [[nodiscard]] Result<RgbdFrame> at(double at_s);
+
+  [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
+
+ private:
+  explicit Frames(wire::McapReader reader) : reader_(std::move(reader)) {}
+  struct Waiting {
+    std::string packet;
+    std::int64_t captured_ns = 0;
+    std::optional<foxglove::CompressedImage> color;
+  };
+  [[nodiscard]] std::optional<wire::Message> next();
+  void note(const wire::Message& message);
+  void note_color(const std::string& payload);
+  [[nodiscard]] Result<RgbdFrame> decode(const Waiting& waiting);
+
+  wire::McapReader reader_;
+  codec::DepthReader depth_;
+  std::optional<Intrinsics> pinhole_;
+  std::optional<foxglove::CompressedImage> color_;  // without its depth image yet
+  std::optional<Waiting> waiting_;                  // depth image whose colour may follow
+  std::uint64_t damaged_ = 0;
+};
+
+}  // namespace telepalp::export_tool

@@ -1,0 +1,107 @@
+#include <cstdio>
+#include <functional>
+#include <utility>
+
+#include "proto/wire/mcap/reader.h"
+#include "support/program/files/whole_file.h"
+#include "support/program/log.h"
+#include "support/program/options.h"
+#include "tools/export_tool/cloud_file.h"
+#include "tools/export_tool/foxglove_session.h"
+#include "tools/export_tool/frames.h"
+#include "tools/export_tool/image_folder.h"
+#include "tools/export_tool/message_table.h"
+
+namespace {
+
+using namespace telepalp;
+
+constexpr const char* kProgram = "telepalp-export";
+constexpr double kLongest_s = 1e7;
+
+program::Usage usage() {
+  return {.program = kProgram,
+          .purpose = "writes a session's images, clouds and numbers in other formats",
+          .positional = "SESSION.mcap",
+          .options = {{"png", "DIR", "depth and colour of each frame, for --source images:DIR"},
+                      {"csv", "TOPIC", "the numbers of a topic, such as /station/ticks"},
+                      {"ply", "S", "the cloud at S seconds after the beginning"},
+                      {"pcd", "S", "the same as an organised PCD cloud"},
+                      {"foxglove", "FILE.mcap", "image, cloud, transforms and force in Foxglove's types"},
+                      {"out", "FILE", "of --csv, --ply or --pcd; default: stdout"}},
+          .example = "telepalp-export session.mcap --ply 0.5 --out skin.ply"};
+}
+
+int say(const Result<std::uint64_t>& count, const std::string& what, const std::string& where) {
+  if (!count) return program::fail(count.error());
+  program::log(kProgram, where + ": " + std::to_string(*count) + " " + what);
+  return program::kDone;
+}
+
+/// Writes to `--out`, or to stdout.
+Result<void> put(const program::Arguments& asked, const std::string& bytes) {
+  if (asked.has("out")) return program::write_whole_file(asked.text("out"), bytes, program::Readers::Group);
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() && std::fflush(stdout) == 0) return {};
+  return Error{.what = "cannot be written", .where = "stdout", .fix = "give --out FILE"};
+}
+
+int run_cloud(const std::string& file, const program::Arguments& asked, std::string_view option,
+              std::string (*bytes_of)(const RgbdFrame&)) {
+  const Result<double> at_s = asked.number(option, 0.0, kLongest_s);
+  if (!at_s) return program::fail(at_s.error(), program::kAskedWrongly);
+  Result<export_tool::Frames> frames = export_tool::Frames::open(file);
+  if (!frames) return program::fail(frames.error());
+  const Result<RgbdFrame> frame = frames->at(*at_s);
+  if (!frame) return program::fail(frame.error());
+  const Result<void> written = put(asked, bytes_of(*frame));
+  return written ? program::kDone : program::fail(written.error());
+}
+
+int run_csv(const std::string& file, const program::Arguments& asked) {
+  const std::optional<wire::Topic> topic = wire::find_topic(asked.text("csv"));
+  if (!topic)
+    return program::fail({.what = "'" + asked.text("csv") + "' is not a topic of telepalp",
+                          .where = "--csv",
+                          .fix = "see telepalp-record info " + file},
+                         program::kAskedWrongly);
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return program::fail(reader.error());
+  reader->select({.topics = {std::string(topic->name)}});
+  const export_tool::MessageTable table(*topic);
+  std::string text = table.header();
+  for (;;) {
+    const Result<std::optional<wire::Message>> message = reader->next();
+    if (!message) program::log(kProgram, to_string(message.error()));
+    if (!message) continue;
+    if (!*message) break;
+    text += table.lines_of(**message);
+  }
+  const Result<void> written = put(asked, text);
+  return written ? program::kDone : program::fail(written.error());
+}
+
+int run(const std::string& file, const program::Arguments& asked) {
+  if (asked.has("png")) return say(export_tool::write_images(file, asked.text("png")), "frames", asked.text("png"));
+  if (asked.has("foxglove"))
+    return say(export_tool::write_foxglove(file, asked.text("foxglove")), "messages", asked.text("foxglove"));
+  if (asked.has("ply")) return run_cloud(file, asked, "ply", export_tool::ply_of);
+  if (asked.has("pcd")) return run_cloud(file, asked, "pcd", export_tool::pcd_of);
+  return run_csv(file, asked);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto arguments = program::read_arguments(usage(), argc, argv);
+  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
+  if (!*arguments) return program::kDone;
+  const program::Arguments& asked = **arguments;
+  int formats = 0;
+  for (const char* option : {"png", "csv", "ply", "pcd", "foxglove"}) formats += asked.has(option) ? 1 : 0;
+  if (asked.positional().size() != 1 || formats != 1)
+    return program::fail({.what = "name one session and one format",
+                          .where = kProgram,
+                          .fix = "telepalp-export session.mcap with --png, --csv, --ply, --pcd or --foxglove"},
+                         program::kAskedWrongly);
+  return run(asked.positional().front(), asked);
+}
