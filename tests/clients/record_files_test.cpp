@@ -304,6 +304,26 @@ TEST_F(Files, CamerasOfTwoServersAreNotMerged) {
   EXPECT_EQ(run({"merge", a, "--out", in("c.mcap")}), 2);
 }
 
+TEST_F(Files, AnEmptyFileAndAnotherFormatAreNamedByEachCommandAndNothingIsLeftBehind) {
+  std::ofstream(in("empty.mcap")).flush();
+  std::ofstream(in("other.mcap")) << "PK\x03\x04 something else";
+  const auto whole = write("session.mcap", wire::samples::session(0.5, 1000));
+  for (const auto& [name, says] :
+       {std::pair{"empty.mcap", "is empty"}, std::pair{"other.mcap", "is not an MCAP file"}}) {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"info", in(name)},
+                                                  {"verify", in(name)},
+                                                  {"repair", in(name)},
+                                                  {"cut", in(name), "--out", in("out.mcap")},
+                                                  {"merge", whole, in(name), "--out", in("out.mcap")}}) {
+      EXPECT_EQ(run(words), 1) << words[0] << " " << name;
+      EXPECT_NE(log().find(says), std::string::npos) << words[0] << ": " << log();
+      EXPECT_NE(log().find(". fix: "), std::string::npos) << words[0] << ": " << log();
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(in("out.mcap")));
+  EXPECT_FALSE(std::filesystem::exists(in("out.mcap.partial")));
+}
+
 TEST_F(Files, ANameFromAPeerCannotForgeALineOfInfo) {
   std::vector<wire::Message> messages{state(0, 7, 1)};
   msg::ServerStats stats;

@@ -1,4 +1,9 @@
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
 #include <functional>
 #include <utility>
 
@@ -28,6 +33,7 @@ program::Usage usage() {
                       {"ply", "S", "the cloud at S seconds after the beginning"},
                       {"pcd", "S", "the same as an organised PCD cloud"},
                       {"foxglove", "FILE.mcap", "image, cloud, transforms and force in Foxglove's types"},
+                      {"report", "DIR", "the same as telepalp-report SESSION.mcap --out DIR"},
                       {"out", "FILE", "of --csv, --ply or --pcd; default: stdout"}},
           .example = "telepalp-export session.mcap --ply 0.5 --out skin.ply"};
 }
@@ -80,10 +86,21 @@ int run_csv(const std::string& file, const program::Arguments& asked) {
   return written ? program::kDone : program::fail(written.error());
 }
 
+/// Becomes telepalp-report, which is installed beside this program.
+int run_report(const std::string& file, const std::string& folder) {
+  std::error_code code;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", code).replace_filename("telepalp-report");
+  ::execl(program.c_str(), program.c_str(), file.c_str(), "--out", folder.c_str(), static_cast<char*>(nullptr));
+  return program::fail({.what = std::string("cannot be started: ") + std::strerror(errno),
+                        .where = program.string(),
+                        .fix = "install telepalp-report beside telepalp-export"});
+}
+
 int run(const std::string& file, const program::Arguments& asked) {
   if (asked.has("png")) return say(export_tool::write_images(file, asked.text("png")), "frames", asked.text("png"));
   if (asked.has("foxglove"))
     return say(export_tool::write_foxglove(file, asked.text("foxglove")), "messages", asked.text("foxglove"));
+  if (asked.has("report")) return run_report(file, asked.text("report"));
   if (asked.has("ply")) return run_cloud(file, asked, "ply", export_tool::ply_of);
   if (asked.has("pcd")) return run_cloud(file, asked, "pcd", export_tool::pcd_of);
   return run_csv(file, asked);
@@ -97,11 +114,12 @@ int main(int argc, char** argv) {
   if (!*arguments) return program::kDone;
   const program::Arguments& asked = **arguments;
   int formats = 0;
-  for (const char* option : {"png", "csv", "ply", "pcd", "foxglove"}) formats += asked.has(option) ? 1 : 0;
+  for (const char* option : {"png", "csv", "ply", "pcd", "foxglove", "report"}) formats += asked.has(option) ? 1 : 0;
   if (asked.positional().size() != 1 || formats != 1)
-    return program::fail({.what = "name one session and one format",
-                          .where = kProgram,
-                          .fix = "telepalp-export session.mcap with --png, --csv, --ply, --pcd or --foxglove"},
-                         program::kAskedWrongly);
+    return program::fail(
+        {.what = "name one session and one format",
+         .where = kProgram,
+         .fix = "telepalp-export session.mcap with --png, --csv, --ply, --pcd, --foxglove or --report"},
+        program::kAskedWrongly);
   return run(asked.positional().front(), asked);
 }
