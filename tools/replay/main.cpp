@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   if (!*read) return program::kDone;
   Result<replay::Request> request = replay::read_request(**read);
   if (!request) return program::fail(request.error(), program::kAskedWrongly);
-  request->tape.clock = replay::steady_ns;
+  request->tape.clock = replay::thread_ns;
   const Result<bool> holds = request->storm_seeds    ? replay::run_storm(*request)
                              : request->axes.empty() ? replay::run_once(*request)
                                                      : replay::run_sweep(*request, request->axes, request->cells);

@@ -1,5 +1,6 @@
 #include "tools/replay/cell/cell.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace telepalp::replay {
@@ -24,17 +25,21 @@ Cell::Cell(const StationSetup& setup, const Scenario& scenario, const TapeSettin
       station_(setup, scenario, std::move(publish)) {}
 
 FrameCounts Cell::frames() const noexcept {
-  FrameCounts counts = counts_;
-  counts.offered = sender_.offered();
-  counts.offered_B = sender_.offered_B();
-  counts.undecodable = station_.undecodable();
-  return counts;
+  const auto due = [this](const std::vector<SessionTime>& captured) {
+    return static_cast<std::uint64_t>(std::count_if(
+        captured.begin(), captured.end(), [this](SessionTime at) { return at + scenario_.deadline <= now_; }));
+  };
+  return {.offered = due(sender_.offered()),
+          .in_time = due(in_time_),
+          .touched = due(touched_),
+          .undecodable = station_.undecodable(),
+          .offered_B = sender_.offered_B()};
 }
 
 void Cell::count_complete(const link::Frame& frame, bool has_color, SessionTime now) {
   if (now - frame.captured > scenario_.deadline) return;
   int& complete = complete_[frame.number];
-  if (++complete == (has_color ? 2 : 1)) ++counts_.in_time;
+  if (++complete == (has_color ? 2 : 1)) in_time_.push_back(frame.captured);
   if (complete_.size() > kMostRecent) complete_.erase(complete_.begin());
 }
 
@@ -51,7 +56,7 @@ TickRecord Cell::tick() {
   while (const auto frame = path_.take(now_)) receive(*frame, now_);
   const TickOutcome outcome = station_.tick(now_, watch_);
   if (auto times = station_.touchable()) {
-    ++counts_.touched;
+    touched_.push_back(session_time(times->captured_ns));
     touchable_.push_back(*times);
   }
   return watch_.time(Part::Judge, [&] {

@@ -8,13 +8,14 @@
 
 namespace telepalp::replay {
 
-/// Counters of one run's frames.
+/// Counters of one run's frames. A frame counts once its deadline has passed, so that those on their way at the end do
+/// not look lost.
 struct FrameCounts {
   std::uint64_t offered = 0;  ///< captured while the server was there
   std::uint64_t in_time = 0;  ///< depth, and colour if there is one, complete by the deadline
   std::uint64_t touched = 0;  ///< became a surface
   std::uint64_t undecodable = 0;
-  std::uint64_t offered_B = 0;
+  std::uint64_t offered_B = 0;  ///< of all frames
 };
 
 /// One run of the source over one network: the server's sender, the network and the station, in virtual time. Two cells
@@ -47,7 +48,8 @@ class Cell {
   CameraPath path_;
   ReplayedStation station_;
   SessionTime now_ = kBegin;
-  FrameCounts counts_;
+  std::vector<SessionTime> in_time_;       ///< capture times
+  std::vector<SessionTime> touched_;       ///< capture times
   std::map<std::uint32_t, int> complete_;  ///< images in time of recent frames, by number
   std::vector<FrameTimes> touchable_;
 };

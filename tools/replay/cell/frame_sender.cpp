@@ -47,7 +47,7 @@ void FrameSender::offer(const std::shared_ptr<const TapeFrame>& frame, CameraPat
   bool key_frame = true;
   const std::string depth =
       frame->depth.empty() ? watch.time(Part::Encode, [&] { return encoded(*frame, key_frame); }) : frame->depth;
-  ++offered_;
+  offered_.push_back(frame->frame.captured);
   offered_B_ += depth.size() + frame->color.size();
   sent_.emplace(frame->number, frame);
   if (sent_.size() > kMostSent) sent_.erase(sent_.begin());

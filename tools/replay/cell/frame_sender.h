@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <map>
+#include <vector>
 
 #include "codec/depth_stream.h"
 #include "proto/wire/key_frame_request.h"
@@ -22,7 +23,8 @@ class FrameSender {
 
   /// A frame on its way, which the station gives back by number.
   [[nodiscard]] std::shared_ptr<const TapeFrame> sent(std::uint32_t number);
-  [[nodiscard]] std::uint64_t offered() const noexcept { return offered_; }
+  /// Capture times of the frames that were offered, in order.
+  [[nodiscard]] const std::vector<SessionTime>& offered() const noexcept { return offered_; }
   [[nodiscard]] std::uint64_t offered_B() const noexcept { return offered_B_; }
 
  private:
@@ -35,7 +37,7 @@ class FrameSender {
   wire::KeyFramePacing pacing_;
   std::deque<std::shared_ptr<const TapeFrame>> captured_;
   std::map<std::uint32_t, std::shared_ptr<const TapeFrame>> sent_;  ///< the newest kMostSent
-  std::uint64_t offered_ = 0;
+  std::vector<SessionTime> offered_;
   std::uint64_t offered_B_ = 0;
 };
 

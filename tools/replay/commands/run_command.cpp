@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
@@ -70,6 +71,12 @@ void check_with(Invariants& invariants, RunOrder& order) {
 
 std::int64_t steady_ns() noexcept {
   return std::chrono::duration_cast<Nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::int64_t thread_ns() noexcept {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
 Result<bool> run_once(const Request& request) {

@@ -8,7 +8,9 @@ namespace telepalp::replay {
 /// assertions hold.
 [[nodiscard]] Result<bool> run_once(const Request& request);
 
-/// Reads a steady clock, for costs.
+/// Reads the steady clock, for speed.
 [[nodiscard]] std::int64_t steady_ns() noexcept;
+/// Processor time of the calling thread, for the cost of each part: other programs on the machine do not change it.
+[[nodiscard]] std::int64_t thread_ns() noexcept;
 
 }  // namespace telepalp::replay

@@ -1,5 +1,6 @@
 #include "tools/replay/commands/sweep_tables.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -25,6 +26,8 @@ std::string left_padded(const std::string& text, std::size_t width) {
   return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 
+std::size_t width_of(std::string_view name) { return std::max<std::size_t>(12, name.size() + 2); }
+
 std::string label(const SweepAxis& axis) {
   return std::string(axis.name) + (axis.unit.empty() ? "" : " [" + std::string(axis.unit) + "]");
 }
@@ -40,12 +43,12 @@ std::vector<std::string> labels(const std::vector<double>& values) {
 std::string sweep_text(const SweepResult& result) {
   std::string text;
   for (const SweepAxis& axis : result.axes) text += left_padded(label(axis), 14);
-  for (const std::string_view name : kShown) text += left_padded(std::string(name), name.size() + 2);
+  for (const std::string_view name : kShown) text += left_padded(std::string(name), width_of(name));
   text += "\n";
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
     for (const double value : result.cells[i].values) text += left_padded(number(value), 14);
     for (const std::string_view name : kShown)
-      text += left_padded(number(result.figures[i].*find_metric(name)->value, "%.4g"), name.size() + 2);
+      text += left_padded(number(result.figures[i].*find_metric(name)->value, "%.4g"), width_of(name));
     text += "\n";
   }
   return text;

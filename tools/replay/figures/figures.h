@@ -29,7 +29,7 @@ struct Figures {
   double surface_age_p99_s = 0.0;
   double energy_J = 0.0;       ///< least balance of the display's ledger; below zero the display was active
   double hand_excess_J = 0.0;  ///< largest work on the hand in a contact beyond the measured skin's
-  double frames = 0.0;         ///< offered to the network
+  double frames = 0.0;         ///< offered to the network, and past their deadline
   double frames_in_time_pct = 0.0;
   double frames_touched_pct = 0.0;
   double network_p50_s = 0.0;  ///< from encoded to received, of touched frames

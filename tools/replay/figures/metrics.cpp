@@ -25,7 +25,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {"surface_age_p99_s", "the same, 99 % of ticks", &Figures::surface_age_p99_s},
     {"energy_J", "least balance of the display's ledger", &Figures::energy_J},
     {"hand_excess_J", "largest excess work on the hand in a contact", &Figures::hand_excess_J},
-    {"frames", "offered to the network", &Figures::frames},
+    {"frames", "offered to the network, and past their deadline", &Figures::frames},
     {"frames_in_time_pct", "complete by the deadline", &Figures::frames_in_time_pct},
     {"frames_touched_pct", "became a surface", &Figures::frames_touched_pct},
     {"network_p50_s", "encoded to received, median", &Figures::network_p50_s},
