@@ -145,7 +145,8 @@ void write_session(const std::filesystem::path& file, double seconds, const std:
   Result<wire::McapWriter> writer = wire::McapWriter::open(file, {});
   ASSERT_TRUE(writer.ok());
   Result<Tape> tape = Tape::open(kSource, {.color = false});
-  for (const auto& taped : *tape->read_until(kBegin + from_seconds(seconds))) {
+  const Result<TapeFrames> frames = tape->read_until(kBegin + from_seconds(seconds));
+  for (const auto& taped : *frames) {
     const SessionTime captured = taped->frame.captured;
     ASSERT_TRUE(
         writer->write(wire::make_message(wire::kCameraInfo, captured, pipeline::calibration_message(taped->frame)))
@@ -160,8 +161,9 @@ TEST(ReplayCell, ASessionGivesItsFramesAndItsHandAndSoTheSameForces) {
   constexpr double kSeconds = 5.0;
   std::vector<wire::Message> station;
   Result<Tape> live = Tape::open(kSource, {.color = false});
+  RunSettings settings{.scene = skin_scene(), .surface = {}, .recorded = nullptr, .seconds = kSeconds, .threads = 2};
   const Result<RunResults> lived =
-      run_session(*live, {.scene = skin_scene(), .surface = {}, .seconds = kSeconds, .threads = 2},
+      run_session(*live, settings,
                   {{.scenario = {}, .publish = [&](wire::Message message) { station.push_back(std::move(message)); }}});
   ASSERT_TRUE(lived.ok());
   const support::TemporaryFolder folder;
@@ -173,9 +175,9 @@ TEST(ReplayCell, ASessionGivesItsFramesAndItsHandAndSoTheSameForces) {
   EXPECT_EQ(hand->front().at, kBegin);
   Result<Tape> tape = Tape::open(file.string(), {.color = false});
   ASSERT_TRUE(tape.ok());
-  const Result<RunResults> replayed =
-      run_session(*tape, {.scene = skin_scene(), .surface = {}, .recorded = &*hand, .seconds = 0.0, .threads = 2},
-                  {{.scenario = {}}});
+  settings.recorded = &*hand;
+  settings.seconds = 0.0;
+  const Result<RunResults> replayed = run_session(*tape, settings, {{.scenario = {}}});
   ASSERT_TRUE(replayed.ok());
   const Figures& then = lived->runs.front().figures;
   const Figures& now = replayed->runs.front().figures;
