@@ -32,7 +32,7 @@ say() { echo "examples: $*"; }
 
 helps() { # each example of a --help
   local program command
-  for program in telepalp-server telepalp-station telepalp-record telepalp-report telepalp-export telepalp-codec telepalp-probe telepalp-keys telepalp-link telepalp-replay telepalp-bench; do
+  for program in telepalp-server telepalp-station telepalp-record telepalp-report telepalp-view telepalp-export telepalp-codec telepalp-probe telepalp-keys telepalp-link telepalp-replay telepalp-bench; do
     "$program" --help | sed -n 's/^example: //p'
     for command in $("$program" --help | awk '/^commands \(/ {inside = 1; next} /^$/ {inside = 0} inside && /^  [a-z]/ {print $1}'); do
       "$program" "$command" --help | sed -n 's/^example: //p'

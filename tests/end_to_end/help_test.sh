@@ -34,7 +34,7 @@ check() { # PROGRAM [COMMAND]
   [ $? = 2 ] || failed "$* takes an empty ${option% *}"
 }
 
-programs=(telepalp-server telepalp-station telepalp-record telepalp-report telepalp-export telepalp-codec telepalp-probe telepalp-keys telepalp-link telepalp-replay telepalp-bench)
+programs=(telepalp-server telepalp-station telepalp-record telepalp-report telepalp-view telepalp-export telepalp-codec telepalp-probe telepalp-keys telepalp-link telepalp-replay telepalp-bench)
 for program in "${programs[@]}"; do
   check "$program"
   for command in $(commands_of "$program"); do check "$program" "$command"; done
@@ -54,7 +54,7 @@ port() { sed -n "s/.*$1 = \"\([0-9]*\)\".*/\1/p" "$source_dir/support/program/de
 grep -q "http_port:=$(port kViewerPort)}" "$source_dir/deploy/demo" || failed "deploy/demo has another port for browsers"
 grep -qF "[$(port kViewerPort), headless 0]" <<<"$demo" || failed "deploy/demo --help tells another port for browsers"
 grep -qF -- "--port $(port kServerPort) --http-port $(port kViewerPort)" "$source_dir/README.md" || failed "README.md names other ports"
-for program in telepalp-station telepalp-record; do
+for program in telepalp-station telepalp-record telepalp-view; do
   "$bin/$program" --help | grep -qF "[127.0.0.1:$(port kServerPort)]" || failed "$program connects to another port than the server's"
 done
 "$bin/telepalp-server" --help | grep -E '^  --port ' | grep -qF "[$(port kServerPort)]" || failed "the server listens on another port"

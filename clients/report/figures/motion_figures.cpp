@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "clients/report/summary/phases.h"
+#include "clients/ar/messages/phases.h"
 #include "clients/report/summary/summary.h"
 #include "support/plot/palette.h"
 
@@ -40,7 +40,7 @@ std::vector<Band> bands_of(const Ticks& ticks, const std::vector<double>& second
   std::vector<Band> bands;
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     if (i == 0 || ticks.phase[i] != ticks.phase[i - 1]) {
-      const PhaseWords& words = words_for(ticks.phase[i]);
+      const ar::PhaseWords& words = ar::words_for(ticks.phase[i]);
       bands.push_back(
           {seconds[i], seconds[i], std::string(words.color), std::string(words.words), std::string(words.mark)});
     }
@@ -57,7 +57,7 @@ std::vector<double> only(std::vector<double> values, Keep keep) {
   return values;
 }
 
-bool is_contact(const Ticks& ticks, std::size_t i) { return words_for(ticks.phase[i]).contact; }
+bool is_contact(const Ticks& ticks, std::size_t i) { return ar::words_for(ticks.phase[i]).contact; }
 
 /// Displacement of the device from the proxy at first contact along one axis (S1 eq. 8) [mm]; a gap out of contact.
 std::vector<double> indentation_mm(const Ticks& ticks, std::size_t axis) {
@@ -83,7 +83,7 @@ Chart cylinder_path(const Ticks& ticks, std::string title, std::size_t across, s
               .y = {std::string(kAxisNames[up]) + " [mm]"},
               .width_px = kHalfWidth,
               .height_px = 360.0};
-  for (const PhaseWords& words : kPhases) {
+  for (const ar::PhaseWords& words : ar::kPhases) {
     if (!in_cylinder(words.phase)) continue;
     const auto here = [&](std::size_t i) { return ticks.phase[i] == words.phase; };
     chart.series.push_back({std::string(words.words), only(scaled(ticks.device[across], 1e3), here),
@@ -97,10 +97,10 @@ Chart state_chart(const Ticks& ticks, const std::vector<double>& seconds) {
   std::vector<double> levels;
   std::set<double> visited;
   for (const msg::Phase phase : ticks.phase) {
-    levels.push_back(words_for(phase).level);
+    levels.push_back(ar::words_for(phase).level);
     visited.insert(levels.back());
   }
-  for (const PhaseWords& words : kPhases)
+  for (const ar::PhaseWords& words : ar::kPhases)
     if (words.level <= 3.0 || visited.contains(words.level))
       chart.y.ticks.push_back({words.level, std::string(words.mark)});
   chart.y.include = plot::Range{-3.0, 3.0};

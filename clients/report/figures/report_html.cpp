@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "clients/ar/messages/phases.h"
 #include "clients/report/figures/compensation_figures.h"
 #include "clients/report/figures/energy_figures.h"
 #include "clients/report/figures/html.h"
 #include "clients/report/figures/motion_figures.h"
 #include "clients/report/figures/timing_figures.h"
-#include "clients/report/summary/phases.h"
 #include "support/plot/number.h"
 #include "support/plot/svg.h"
 
@@ -72,9 +72,9 @@ std::string view_section(const Session& session, const std::string& view_png) {
 
 std::string states_section(const Summary& summary) {
   std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < kPhases.size(); ++i)
+  for (std::size_t i = 0; i < ar::kPhases.size(); ++i)
     rows.push_back(
-        {std::string(kPhases[i].words), std::string(kPhases[i].mark), std::to_string(summary.dwells[i].entries),
+        {std::string(ar::kPhases[i].words), std::string(ar::kPhases[i].mark), std::to_string(summary.dwells[i].entries),
          number(summary.dwells[i].seconds, 3),
          summary.seconds > 0.0 ? number(100.0 * summary.dwells[i].seconds / summary.seconds, 1) + " %" : "–"});
   return section("States", "How often the controller entered each state and how long it stayed.",
@@ -169,7 +169,7 @@ std::string events_section(const Session& session) {
         static_cast<double>(static_cast<std::int64_t>(event.stamp_ns()) - session.first_ns.value_or(0)) * 1e-9;
     const std::string text =
         event.kind() == msg::EVENT_KIND_PHASE && event.text().empty()
-            ? std::string(words_for(event.from()).words) + " → " + std::string(words_for(event.to()).words)
+            ? std::string(ar::words_for(event.from()).words) + " → " + std::string(ar::words_for(event.to()).words)
             : event.text();
     rows.push_back({number(at, 3) + " s", text});
   }

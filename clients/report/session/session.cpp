@@ -206,17 +206,4 @@ double seconds(const Session& session) noexcept {
   return session.first_ns ? to_seconds(Nanoseconds(*session.last_ns - *session.first_ns)) : 0.0;
 }
 
-std::optional<Intrinsics> intrinsics(const foxglove::CameraCalibration& calibration) {
-  if (calibration.k_size() != 9 || calibration.width() > static_cast<unsigned>(kMaxImageSide) ||
-      calibration.height() > static_cast<unsigned>(kMaxImageSide))
-    return std::nullopt;
-  const Intrinsics camera{static_cast<int>(calibration.width()),
-                          static_cast<int>(calibration.height()),
-                          calibration.k(0),
-                          calibration.k(4),
-                          calibration.k(2),
-                          calibration.k(5)};
-  return is_well_formed(camera) ? std::optional(camera) : std::nullopt;
-}
-
 }  // namespace telepalp::report

@@ -102,7 +102,4 @@ void settle(Session& session);
 /// Duration of the session [s]; 0 when empty.
 [[nodiscard]] double seconds(const Session& session) noexcept;
 
-/// Intrinsics from a calibration message; nullopt unless its 3 × 3 matrix is a valid pinhole camera.
-[[nodiscard]] std::optional<Intrinsics> intrinsics(const foxglove::CameraCalibration& calibration);
-
 }  // namespace telepalp::report

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "clients/ar/messages/from_messages.h"
 #include "codec/color.h"
 #include "codec/depth_stream.h"
 #include "foxglove/CompressedImage.pb.h"
@@ -40,21 +41,9 @@ std::int64_t captured_ns(const foxglove::CompressedImage& image) {
 /// Calibration of the frame of reference `name`, or the only calibration of the session.
 std::optional<Intrinsics> camera_named(const Session& session, const std::string& name) {
   const auto found = session.calibrations.find(name);
-  if (found != session.calibrations.end()) return intrinsics(found->second);
-  if (session.calibrations.size() == 1) return intrinsics(session.calibrations.begin()->second);
+  if (found != session.calibrations.end()) return ar::intrinsics_of(found->second);
+  if (session.calibrations.size() == 1) return ar::intrinsics_of(session.calibrations.begin()->second);
   return std::nullopt;
-}
-
-/// The model for a depth image of this size. A calibration of another size is scaled; pixel centres have integer
-/// coordinates.
-Intrinsics fitted(Intrinsics camera, int width, int height) {
-  const double across = static_cast<double>(width) / camera.width, down = static_cast<double>(height) / camera.height;
-  return {width,
-          height,
-          camera.fx * across,
-          camera.fy * down,
-          (camera.cx + 0.5) * across - 0.5,
-          (camera.cy + 0.5) * down - 0.5};
 }
 
 void take_depth(RgbdFrame& frame, msg::DepthImage& image, std::int64_t wanted_ns, codec::DepthReader& reader) {
@@ -124,11 +113,11 @@ Result<std::optional<RgbdFrame>> read_frame(const std::filesystem::path& file, c
     }
   }
   if (frame.depth.samples.empty()) return std::optional<RgbdFrame>();
-  frame.camera.depth = fitted(*camera, frame.depth.width, frame.depth.height);
+  frame.camera.depth = ar::scaled_to(*camera, frame.depth.width, frame.depth.height);
   const auto color_camera = camera_named(session, "camera_color");
   frame.camera.color = frame.color.rgb.empty()
                            ? frame.camera.depth
-                           : fitted(color_camera.value_or(*camera), frame.color.width, frame.color.height);
+                           : ar::scaled_to(color_camera.value_or(*camera), frame.color.width, frame.color.height);
   frame.camera.color_registered = !session.capture || session.capture->color_registered();
   return std::optional(std::move(frame));
 }

@@ -1,6 +1,6 @@
 #include "clients/report/summary/report_json.h"
 
-#include "clients/report/summary/phases.h"
+#include "clients/ar/messages/phases.h"
 #include "support/program/json.h"
 
 namespace telepalp::report {
@@ -36,8 +36,8 @@ void add_latencies(Json& json, const Summary& summary) {
 
 void add_states(Json& json, const Summary& summary) {
   json.begin_object("states");
-  for (std::size_t i = 0; i < kPhases.size(); ++i) {
-    json.begin_object(kPhases[i].key);
+  for (std::size_t i = 0; i < ar::kPhases.size(); ++i) {
+    json.begin_object(ar::kPhases[i].key);
     json.add("entries", summary.dwells[i].entries);
     json.add("seconds", summary.dwells[i].seconds);
     json.end_object();

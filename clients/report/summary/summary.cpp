@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clients/report/summary/phases.h"
+#include "clients/ar/messages/phases.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::report {
@@ -78,7 +78,7 @@ void add_energy(Summary& summary, const Session& session) {
                     [](const msg::StationEvent& event) { return event.kind() == msg::EVENT_KIND_HEAT; }));
 }
 
-std::size_t index_of(msg::Phase phase) { return static_cast<std::size_t>(&words_for(phase) - kPhases.data()); }
+std::size_t index_of(msg::Phase phase) { return static_cast<std::size_t>(&ar::words_for(phase) - ar::kPhases.data()); }
 
 /// Dwell times from the ticks. A gap in the recording adds no time.
 void add_dwells(Summary& summary, const Ticks& ticks) {
@@ -89,9 +89,9 @@ void add_dwells(Summary& summary, const Ticks& ticks) {
     Dwell& dwell = summary.dwells[phase];
     if (i == 0 || ticks.phase[i] != ticks.phase[i - 1]) ++dwell.entries;
     dwell.seconds += period_s;
-    if (kPhases[phase].contact) summary.contact_s += period_s;
-    if (kPhases[phase].contact && !contact_before) ++summary.touches;
-    contact_before = kPhases[phase].contact;
+    if (ar::kPhases[phase].contact) summary.contact_s += period_s;
+    if (ar::kPhases[phase].contact && !contact_before) ++summary.touches;
+    contact_before = ar::kPhases[phase].contact;
   }
 }
 
@@ -133,7 +133,7 @@ void add_ticks(Summary& summary, const Ticks& ticks) {
   std::vector<double> force_N = force_norm_N(ticks);
   summary.force_max_N = greatest(force_N);
   for (std::size_t i = 0; i < force_N.size(); ++i)
-    if (!words_for(ticks.phase[i]).contact) force_N[i] = kUnknown;
+    if (!ar::words_for(ticks.phase[i]).contact) force_N[i] = kUnknown;
   summary.force_in_contact_max_N = greatest(force_N);
   summary.indentation_max_mm = 1e3 * greatest({ticks.indentation_m.begin(), ticks.indentation_m.end()});
   summary.non_finite = count_non_finite(ticks);
@@ -187,7 +187,7 @@ void add_frames(SenderSummary& summary, const Session& session, const SenderReco
 std::uint64_t touches_of(const Ticks& ticks) {
   std::uint64_t touches = 0;
   for (std::size_t i = 0; i < ticks.size(); ++i)
-    if (words_for(ticks.phase[i]).contact && (i == 0 || !words_for(ticks.phase[i - 1]).contact)) ++touches;
+    if (ar::words_for(ticks.phase[i]).contact && (i == 0 || !ar::words_for(ticks.phase[i - 1]).contact)) ++touches;
   return touches;
 }
 
@@ -226,7 +226,7 @@ std::vector<double> force_norm_N(const Ticks& ticks) {
 Summary summarise(const Session& session) {
   Summary summary;
   summary.seconds = seconds(session);
-  summary.dwells.resize(kPhases.size());
+  summary.dwells.resize(ar::kPhases.size());
   summary.damaged_messages = session.damaged;
   summary.camera_depth_per_s = mean_rate(session.depth_captured_ns);
   summary.camera_color_per_s = mean_rate(session.color_captured_ns);

@@ -63,7 +63,7 @@ struct Summary {
   wire::DepthFidelity depth;
   Quantiles surface_age_ms;  ///< age of the surface from which the force was computed
 
-  std::vector<Dwell> dwells;  ///< in the order of kPhases
+  std::vector<Dwell> dwells;  ///< in the order of ar::kPhases
   std::uint64_t touches = 0;  ///< number of contacts
   double contact_s = 0.0;
   double force_max_N = kUnknown;  ///< largest force in any state; outside the body, it moves the free device

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clients/report/summary/phases.h"
+#include "clients/ar/messages/phases.h"
 #include "support/plot/number.h"
 
 namespace telepalp::report {

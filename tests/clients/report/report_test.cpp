@@ -8,13 +8,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "clients/ar/messages/phases.h"
 #include "clients/report/figures/energy_figures.h"
 #include "clients/report/figures/html.h"
 #include "clients/report/figures/motion_figures.h"
 #include "clients/report/figures/report_html.h"
 #include "clients/report/figures/view.h"
 #include "clients/report/session/session_file.h"
-#include "clients/report/summary/phases.h"
 #include "clients/report/summary/report_json.h"
 #include "proto/wire/mcap/writer.h"
 #include "tests/clients/report/made_session.h"
@@ -313,7 +313,7 @@ TEST(ReportJson, HasEveryKeyThatOthersReadEvenOfASessionWithoutStation) {
                             "energy_mJ",    "display_least", "hand_excess_most",
                             "heat_warnings"})
       EXPECT_NE(json.find('"' + std::string(key) + "\":"), std::string::npos) << key;
-    for (const PhaseWords& words : kPhases)
+    for (const ar::PhaseWords& words : ar::kPhases)
       EXPECT_NE(json.find('"' + std::string(words.key) + "\": {"), std::string::npos) << words.key;
     EXPECT_EQ(json.find("nan"), std::string::npos);
     EXPECT_EQ(json.find("inf"), std::string::npos);
@@ -481,8 +481,7 @@ TEST(SessionFile, OneThatWasCutOffSaysHowToRepairIt) {
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   const auto session = read_session(file);
   ASSERT_FALSE(session.ok());
-  EXPECT_NE(to_string(session.error()).find("telepalp-record repair"), std::string::npos)
-      << to_string(session.error());
+  EXPECT_NE(to_string(session.error()).find("telepalp-record repair"), std::string::npos) << to_string(session.error());
 }
 
 TEST(SessionFile, AnEmptyOneIsAnErrorThatSaysSo) {

@@ -5,9 +5,9 @@
 
 #include "messages/station.pb.h"
 
-namespace telepalp::report {
+namespace telepalp::ar {
 
-/// How reports show a state of S1 Fig. 4.
+/// How clients show a state of S1 Fig. 4.
 struct PhaseWords {
   msg::Phase phase;
   std::string_view key;    ///< in report.json
@@ -24,4 +24,4 @@ extern const std::array<PhaseWords, 9> kPhases;
 /// The entry of `phase`; for an unknown number the entry of `faulted`, so that the error is visible.
 [[nodiscard]] const PhaseWords& words_for(msg::Phase phase) noexcept;
 
-}  // namespace telepalp::report
+}  // namespace telepalp::ar

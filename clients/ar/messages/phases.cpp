@@ -1,8 +1,8 @@
-#include "clients/report/summary/phases.h"
+#include "clients/ar/messages/phases.h"
 
 #include "support/plot/palette.h"
 
-namespace telepalp::report {
+namespace telepalp::ar {
 
 const std::array<PhaseWords, 9> kPhases{{
     {msg::PHASE_CYLINDER_UPPER, "cylinder_upper", "cylinder, upper area", "-3", -3, plot::kPurple, true},
@@ -22,4 +22,4 @@ const PhaseWords& words_for(msg::Phase phase) noexcept {
   return kPhases.back();
 }
 
-}  // namespace telepalp::report
+}  // namespace telepalp::ar

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/ar/augmented_view.h"
+#include "foxglove/CameraCalibration.pb.h"
+#include "messages/station.pb.h"
+
+namespace telepalp::ar {
+
+/// The pinhole of a calibration message; nullopt: its size or its numbers cannot be those of a camera.
+[[nodiscard]] std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration);
+
+/// `camera` for an image of another size; pixel centres have integer coordinates.
+[[nodiscard]] Intrinsics scaled_to(const Intrinsics& camera, int width, int height);
+
+/// True once the station knows the position of its hand in the camera's frame.
+[[nodiscard]] bool is_drawable(const msg::StationState& state);
+
+/// What is drawn of a drawable state.
+[[nodiscard]] Touch touch_of(const msg::StationState& state);
+
+/// Lines of the panel: state, force, indentation, age of the surface, and the time since `start_ns` (session time), if
+/// given.
+[[nodiscard]] std::vector<PanelLine> panel_of(const msg::StationState& state,
+                                              std::optional<std::int64_t> start_ns = std::nullopt);
+
+}  // namespace telepalp::ar

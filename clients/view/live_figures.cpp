@@ -1,0 +1,77 @@
+#include "clients/view/live_figures.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "support/program/json.h"
+
+namespace telepalp::view {
+namespace {
+
+double quantile(std::vector<float> values, double q) {
+  if (values.empty()) return 0.0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return static_cast<double>(*at);
+}
+
+}  // namespace
+
+void LiveFigures::add(const wire::Message& message, SessionTime now) {
+  Heard& heard = topics_[message.topic.name];
+  ++heard.messages;
+  heard.bytes += message.payload->size();
+  if (heard.ages_ms.size() < kMostAges)
+    heard.ages_ms.push_back(static_cast<float>(to_milliseconds(now - message.published)));
+}
+
+std::vector<LiveFigures::Topic> LiveFigures::topics(
+    double seconds, const std::map<std::string_view, wire::ReceivedCount>& received) const {
+  std::vector<Topic> topics;
+  for (const auto& [name, heard] : topics_) {
+    const auto counted = received.find(name);
+    topics.push_back({.name = std::string(name),
+                      .per_s = static_cast<double>(heard.messages) / seconds,
+                      .bytes_per_s = static_cast<double>(heard.bytes) / seconds,
+                      .age_p50_ms = quantile(heard.ages_ms, 0.5),
+                      .age_p99_ms = quantile(heard.ages_ms, 0.99),
+                      .missed = counted == received.end() ? 0 : counted->second.missed});
+  }
+  return topics;
+}
+
+std::string in_table(const std::vector<LiveFigures::Topic>& topics, double clock_uncertainty_ms) {
+  std::string text = "topic                     per s      kB/s   age p50   age p99 ms   missed\n";
+  char line[160];
+  for (const LiveFigures::Topic& topic : topics) {
+    std::snprintf(line, sizeof line, "%-22s %8.1f %9.1f %9.2f %12.2f %8llu\n", topic.name.c_str(), topic.per_s,
+                  1e-3 * topic.bytes_per_s, topic.age_p50_ms, topic.age_p99_ms,
+                  static_cast<unsigned long long>(topic.missed));
+    text += line;
+  }
+  std::snprintf(line, sizeof line, "ages are known within %.2f ms, the error bound of the session clock\n",
+                clock_uncertainty_ms);
+  return text + line;
+}
+
+std::string in_json(const std::vector<LiveFigures::Topic>& topics, double seconds, double clock_uncertainty_ms) {
+  program::Json json;
+  json.begin_object();
+  json.add("seconds", seconds);
+  json.add("clock_uncertainty_ms", clock_uncertainty_ms);
+  json.begin_object("topics");
+  for (const LiveFigures::Topic& topic : topics) {
+    json.begin_object(topic.name);
+    json.add("per_s", topic.per_s);
+    json.add("bytes_per_s", topic.bytes_per_s);
+    json.add("age_p50_ms", topic.age_p50_ms);
+    json.add("age_p99_ms", topic.age_p99_ms);
+    json.add("missed", topic.missed);
+    json.end_object();
+  }
+  json.end_object();
+  json.end_object();
+  return std::move(json).finish();
+}
+
+}  // namespace telepalp::view

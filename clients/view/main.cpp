@@ -1,0 +1,179 @@
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <csignal>
+#include <cstdio>
+#include <utility>
+
+#include "clients/view/live_figures.h"
+#include "clients/view/newest_instant.h"
+#include "proto/keys/key_file.h"
+#include "proto/wire/client_link.h"
+#include "support/images/image_file.h"
+#include "support/program/address.h"
+#include "support/program/default_ports.h"
+#include "support/program/ending.h"
+#include "support/program/files/whole_file.h"
+#include "support/program/log.h"
+#include "support/program/options.h"
+#include "support/program/patience.h"
+
+namespace {
+
+using namespace telepalp;
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr const char* kProgram = "telepalp-view";
+
+program::Usage usage() {
+  return {.program = kProgram,
+          .purpose = "saves a picture of a running session, or prints what its server sends",
+          .positional = {},
+          .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
+                      {"key", "FILE", "your key or token file, for a server on another machine"},
+                      {"snapshot", "FILE.png", "draw the patient and the hand of one instant"},
+                      {"stats", "", "print rates, bytes, ages and losses by topic"},
+                      {"json", "", "with --stats: print JSON"},
+                      {"seconds", "S", "with --stats: how long to listen", "5"},
+                      program::patience_option("how long to wait for the server, a picture and a station", "10")},
+          .example = "telepalp-view --connect 127.0.0.1 --snapshot view.png"};
+}
+
+struct Asked {
+  program::Address server;
+  std::shared_ptr<const keys::KeyFile> key;
+  std::filesystem::path snapshot;
+  bool stats = false;
+  bool json = false;
+  std::chrono::duration<double> seconds{5.0};
+  program::Patience patience;
+};
+
+Result<Asked> asked_of(const program::Arguments& arguments) {
+  const Result<program::Address> server =
+      program::parse_address(arguments.text("connect"), "--connect", program::kServerPort);
+  if (!server) return server.error();
+  Result<std::shared_ptr<const keys::KeyFile>> key =
+      keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
+  if (!key) return key.error();
+  const Result<double> seconds = arguments.number("seconds", 0.1, 1e6);
+  if (!seconds) return seconds.error();
+  const Result<program::Patience> patience = program::patience_of(arguments);
+  if (!patience) return patience.error();
+  if (arguments.has("snapshot") == arguments.has("stats"))
+    return Error{.what = "asked for nothing, or for two things",
+                 .where = kProgram,
+                 .fix = "give either --snapshot FILE.png or --stats"};
+  return Asked{.server = *server,
+               .key = std::move(key).value(),
+               .snapshot = arguments.text("snapshot"),
+               .stats = arguments.has("stats"),
+               .json = arguments.has("json"),
+               .seconds = std::chrono::duration<double>(*seconds),
+               .patience = *patience};
+}
+
+/// Listens to the server until the picture or the figures are complete. Everything runs on this thread.
+class View {
+ public:
+  explicit View(const Asked& asked)
+      : asked_(asked),
+        link_(io_,
+              {.host = asked.server.host,
+               .port = asked.server.port,
+               .name = kProgram,
+               .key = asked.key,
+               .subscribes = asked.stats ? std::vector<std::string>{"*"}
+                                         : std::vector<std::string>{"/camera/*", "/station/state"}},
+              {.on_message = [this](const wire::Message& message) { on_message(message); },
+               .on_state = [this](wire::LinkState state, const std::string&) { on_state(state); }}) {}
+
+  Result<void> run() {
+    signals_.async_wait([this](const boost::system::error_code& cancelled, int) {
+      if (!cancelled) stop(Error{.what = "stopped by the operator", .where = kProgram, .fix = "run it again"});
+    });
+    wait(asked_.patience.value_or(program::kForEver), [this] { lose_patience(); });
+    link_.start();
+    io_.run();
+    return outcome_;
+  }
+
+ private:
+  template <class Then>
+  void wait(std::chrono::duration<double> time, Then then) {
+    timer_.expires_after(std::chrono::duration_cast<SteadyClock::duration>(time));
+    timer_.async_wait([then = std::move(then)](const boost::system::error_code& cancelled) {
+      if (!cancelled) then();
+    });
+  }
+  void on_state(wire::LinkState state) {
+    if (state == wire::LinkState::Refused) return stop(link_.refusal());
+    if (state != wire::LinkState::Connected || std::exchange(connected_, true)) return;
+    if (asked_.stats) wait(asked_.seconds, [this] { stop(print_figures()); });
+  }
+  void on_message(const wire::Message& message) {
+    if (asked_.stats) return figures_.add(message, link_.clock().now());
+    if (instant_.take(message) == view::NewestInstant::Taken::NeedsKeyFrame) link_.request_key_frame(message);
+    if (instant_.is_complete(true)) stop(save());
+  }
+  /// Without a station, the patient alone is a picture too.
+  void lose_patience() {
+    if (!asked_.stats && instant_.is_complete(false)) {
+      program::log(kProgram, "no station touches this patient: the picture has no hand");
+      return stop(save());
+    }
+    stop(Error{.what = connected_ ? "the server answers, but no whole picture came" : "does not answer",
+               .where = asked_.server.host + ":" + std::to_string(asked_.server.port),
+               .fix = connected_
+                          ? "look at the server's source, or wait longer by --patience S"
+                          : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
+  }
+  Result<void> save() const {
+    constexpr int kWidth = 1280;
+    constexpr int kHeight = 960;
+    const Result<void> saved = program::write_whole_file(
+        asked_.snapshot, images::encode_png(instant_.picture(kWidth, kHeight)), program::Readers::Group);
+    if (saved) program::log(kProgram, "picture: " + asked_.snapshot.string());
+    return saved;
+  }
+  Result<void> print_figures() const {
+    const double seconds = asked_.seconds.count();
+    const double uncertainty_ms = to_milliseconds(link_.clock_uncertainty());
+    const auto topics = figures_.topics(seconds, link_.received());
+    const std::string text =
+        asked_.json ? view::in_json(topics, seconds, uncertainty_ms) : view::in_table(topics, uncertainty_ms);
+    std::fputs(text.c_str(), stdout);
+    return {};
+  }
+  void stop(Result<void> outcome) {
+    if (std::exchange(stopping_, true)) return;
+    outcome_ = std::move(outcome);
+    program::end_within(program::kTimeToEnd, "telepalp-view: did not end in time");
+    signals_.cancel();
+    timer_.cancel();
+    link_.stop();
+  }
+
+  const Asked& asked_;
+  boost::asio::io_context io_{1};
+  boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
+  boost::asio::steady_timer timer_{io_};
+  view::NewestInstant instant_;
+  view::LiveFigures figures_;
+  bool connected_ = false;
+  bool stopping_ = false;
+  Result<void> outcome_;
+  wire::ClientLink link_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto arguments = program::read_arguments(usage(), argc, argv);
+  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
+  if (!*arguments) return program::kDone;
+  const Result<Asked> asked = asked_of(**arguments);
+  if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
+  const Result<void> done = View(*asked).run();
+  return done ? program::kDone : program::fail(done.error());
+}

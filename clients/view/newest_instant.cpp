@@ -1,0 +1,110 @@
+#include "clients/view/newest_instant.h"
+
+#include <cstdlib>
+#include <span>
+#include <utility>
+
+#include "codec/color.h"
+#include "proto/wire/topics.h"
+
+namespace telepalp::view {
+namespace {
+
+constexpr std::size_t kMostColors = 4;
+constexpr std::size_t kMostStates = 64;  // 0.6 s at 100 Hz
+constexpr std::int64_t kSameInstant_ns = 20'000'000;
+constexpr const char* kColorFrame = "camera_color";
+
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+template <class Proto>
+std::optional<Proto> parsed(const wire::Message& message, const wire::Topic& topic) {
+  Proto proto;
+  if (message.topic.name != topic.name || !proto.ParseFromString(*message.payload)) return std::nullopt;
+  return proto;
+}
+
+template <class Element>
+void keep_newest(std::deque<Element>& elements, Element element, std::size_t most) {
+  elements.push_back(std::move(element));
+  if (elements.size() > most) elements.pop_front();
+}
+
+}  // namespace
+
+NewestInstant::Taken NewestInstant::take(const wire::Message& message) {
+  if (const auto depth = parsed<msg::DepthImage>(message, wire::kCameraDepth)) return take_depth(*depth);
+  if (const auto color = parsed<foxglove::CompressedImage>(message, wire::kCameraColor)) {
+    Result<ColorImage> image = codec::decode_color(bytes_of(color->data()));
+    const std::int64_t captured_ns = color->timestamp().seconds() * 1'000'000'000 + color->timestamp().nanos();
+    if (image) keep_newest(colors_, Color{captured_ns, std::move(image).value()}, kMostColors);
+    return Taken::Yes;
+  }
+  if (const auto info = parsed<foxglove::CameraCalibration>(message, wire::kCameraInfo)) {
+    if (const auto camera = ar::intrinsics_of(*info)) depth_camera_ = camera;
+    return Taken::Yes;
+  }
+  if (const auto info = parsed<foxglove::CameraCalibration>(message, wire::kCameraColorInfo)) {
+    if (const auto camera = ar::intrinsics_of(*info)) color_camera_ = camera;
+    color_registered_ = info->frame_id() != kColorFrame;
+    return Taken::Yes;
+  }
+  if (auto state = parsed<msg::StationState>(message, wire::kStationState)) {
+    if (ar::is_drawable(*state)) keep_newest(states_, std::move(*state), kMostStates);
+    return Taken::Yes;
+  }
+  return Taken::NotNeeded;
+}
+
+NewestInstant::Taken NewestInstant::take_depth(const msg::DepthImage& image) {
+  Result<codec::DecodedDepth> depth = reader_.read(bytes_of(image.data()));
+  if (!depth) return Taken::NeedsKeyFrame;
+  captured_ns_ = static_cast<std::int64_t>(image.captured_ns());
+  frame_.captured = session_time(captured_ns_);
+  frame_.sequence = image.sequence();
+  frame_.depth = std::move(depth->image);
+  return Taken::Yes;
+}
+
+const msg::StationState* NewestInstant::state_at_capture() const {
+  const msg::StationState* best = nullptr;
+  const auto distance = [this](const msg::StationState& state) {
+    return std::abs(static_cast<std::int64_t>(state.stamp_ns()) - captured_ns_);
+  };
+  for (const msg::StationState& state : states_)
+    if (distance(state) <= kSameInstant_ns && (best == nullptr || distance(state) < distance(*best))) best = &state;
+  return best;
+}
+
+const ColorImage* NewestInstant::color_at_capture() const {
+  for (const Color& color : colors_)
+    if (std::abs(color.captured_ns - captured_ns_) <= kSameInstant_ns) return &color.image;
+  return nullptr;
+}
+
+bool NewestInstant::is_complete(bool with_touch) const {
+  if (frame_.depth.samples.empty() || !depth_camera_ || color_at_capture() == nullptr) return false;
+  return !with_touch || state_at_capture() != nullptr;
+}
+
+ColorImage NewestInstant::picture(int width_px, int height_px) const {
+  RgbdFrame frame = frame_;
+  frame.color = *color_at_capture();
+  frame.camera.depth = ar::scaled_to(*depth_camera_, frame.depth.width, frame.depth.height);
+  frame.camera.color = ar::scaled_to(color_camera_.value_or(*depth_camera_), frame.color.width, frame.color.height);
+  frame.camera.color_registered = color_registered_;
+  const msg::StationState* state = state_at_capture();
+  if (state == nullptr)
+    return ar::draw({.frame = frame,
+                     .touch = std::nullopt,
+                     .figures = {{"no station", ""}},
+                     .width_px = width_px,
+                     .height_px = height_px});
+  return ar::draw({.frame = frame,
+                   .touch = ar::touch_of(*state),
+                   .figures = ar::panel_of(*state),
+                   .width_px = width_px,
+                   .height_px = height_px});
+}
+
+}  // namespace telepalp::view
