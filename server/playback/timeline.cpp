@@ -13,6 +13,16 @@ using namespace std::chrono_literals;
 /// How far back a seek reads for a key frame and a camera model: they come at least every second, unless much was lost.
 constexpr Nanoseconds kLookBack[] = {1s, 10s};
 
+/// A group of pictures that needs more memory is not from telepalp's encoder: it is passed over until its next key
+/// frame.
+constexpr std::size_t kMostGroupBytes = std::size_t{64} << 20;
+
+std::size_t bytes_of(const std::vector<wire::Message>& messages) {
+  std::size_t bytes = 0;
+  for (const wire::Message& message : messages) bytes += message.payload->size();
+  return bytes;
+}
+
 bool is_key_frame(const wire::Message& message) {
   msg::DepthImage image;
   return image.ParseFromString(*message.payload) && codec::is_key_frame(std::as_bytes(std::span(image.data())));
@@ -78,6 +88,7 @@ std::vector<wire::Message> Timeline::seek(SessionTime at) {
       std::vector<wire::Message>& of_topic = found[message->topic.name];
       if (!is_predicted) of_topic.clear();
       if (!is_predicted || !of_topic.empty()) of_topic.push_back(std::move(*message));
+      if (bytes_of(of_topic) > kMostGroupBytes) of_topic.clear();
       if (of_topic.empty()) found.erase(message->topic.name);
     }
   }

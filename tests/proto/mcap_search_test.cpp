@@ -107,6 +107,43 @@ TEST(McapSearch, AFalseEndOfTheDataDoesNotHideTheChunksBehindIt) {
   }
 }
 
+/// Counts what is read of the bytes in memory.
+class CountingSource : public mcap::ByteSource {
+ public:
+  CountingSource(std::string bytes, std::uint64_t& read)
+      : inner_(mcap::in_memory(std::move(bytes), "session.mcap")), read_(read) {}
+  [[nodiscard]] const std::string& name() const noexcept override { return inner_->name(); }
+  [[nodiscard]] std::uint64_t size() const noexcept override { return inner_->size(); }
+  [[nodiscard]] bool read(std::uint64_t offset, std::size_t length, std::string& into) override {
+    read_ += length;
+    return inner_->read(offset, length, into);
+  }
+
+ private:
+  std::unique_ptr<mcap::ByteSource> inner_;
+  std::uint64_t& read_;
+};
+
+TEST(McapSearch, ManyDamagedPlacesDoNotMultiplyWhatIsRead) {
+  constexpr std::size_t kPlaces = 5000;
+  std::string bytes{mcap::kMagic};
+  mcap::append(bytes, mcap::Header{"", "a liar"});
+  mcap::append(bytes, mcap::Schema{1, "telepalp.msg.Clock", "protobuf", ""});
+  mcap::append(bytes, mcap::Channel{1, 1, "/clock", "protobuf", {}});
+  std::string records;
+  mcap::append(records, mcap::MessageRecord{1, 1, 5, 5, ""});
+  for (std::size_t place = 0; place < kPlaces; ++place) {
+    mcap::append(bytes, mcap::ChunkRecord{5, 5, records.size(), 0, "", records});
+    bytes += std::string(16, '\0');  // no valid record
+  }
+  std::uint64_t read = 0;
+  const std::uint64_t size = bytes.size();
+  const Outcome outcome = read_to_end(McapStreamReader::open(std::make_unique<CountingSource>(std::move(bytes), read)));
+  EXPECT_EQ(outcome.messages, kPlaces);
+  EXPECT_GE(outcome.errors.size(), kPlaces - 1);
+  EXPECT_LT(read, 64 * size);
+}
+
 TEST(McapSearch, AnotherVersionOfMcapIsNamed) {
   std::string other = sample().bytes;
   other[5] = '1';

@@ -15,6 +15,9 @@ constexpr std::uint64_t kPreludeNs = 10'000'000'000;  // key frames and camera m
 constexpr std::string_view kLatched[] = {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraStatus.name,
                                          wire::kHandHolder.name};
 
+/// A group of pictures that needs more memory is not from telepalp's encoder: it is left out until its next key frame.
+constexpr std::size_t kMostGroupBytes = std::size_t{64} << 20;
+
 bool is_key_frame(const wire::mcap::MessageRecord& record) {
   msg::DepthImage image;
   return image.ParseFromArray(record.data.data(), static_cast<int>(record.data.size())) &&
@@ -60,6 +63,9 @@ std::vector<KeptMessage> prelude(wire::McapReader& reader, std::uint64_t from, c
     std::vector<KeptMessage>& of_topic = kept[message.channel->channel.topic];
     if (message.channel->channel.topic != wire::kCameraDepth.name || is_key_frame(message.record)) of_topic.clear();
     of_topic.emplace_back(message);
+    std::size_t bytes = 0;
+    for (const KeptMessage& kept_message : of_topic) bytes += kept_message.bytes();
+    if (bytes > kMostGroupBytes) of_topic.clear();
     return {};
   });
   std::vector<KeptMessage> all;

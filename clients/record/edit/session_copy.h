@@ -14,6 +14,7 @@ class KeptMessage {
       : channel_(stored.channel), record_(stored.record), data_(stored.record.data) {}
 
   [[nodiscard]] std::uint64_t log_time() const noexcept { return record_.log_time; }
+  [[nodiscard]] std::size_t bytes() const noexcept { return data_.size(); }
   [[nodiscard]] Result<void> copy_to(wire::McapWriter& writer) const;
 
  private:

@@ -10,7 +10,9 @@
 namespace telepalp::wire::mcap {
 namespace {
 
-constexpr std::uint64_t kWindowBytes = std::uint64_t{1} << 20;
+// Mostly the next chunk is near. A file with many damaged places must not cost a large window for each.
+constexpr std::uint64_t kFirstWindowBytes = std::uint64_t{1} << 10;
+constexpr std::uint64_t kLargestWindowBytes = std::uint64_t{1} << 20;
 constexpr std::uint64_t kFixedHeaderBytes = 8 + 8 + 8 + 4 + 4 + 8;  // of a chunk without the name of its compression
 constexpr std::uint64_t kLongestName = 4;
 constexpr std::uint64_t kNeededBytes = kRecordHeadBytes + kFixedHeaderBytes + kLongestName;
@@ -37,8 +39,9 @@ bool begins_a_chunk(std::string_view bytes, std::uint64_t left) {
 
 std::optional<std::uint64_t> find_chunk(ByteSource& source, std::uint64_t from) {
   std::string window;
+  std::uint64_t window_bytes = kFirstWindowBytes;
   for (std::uint64_t at = source.next_data(from); at < source.size(); at = source.next_data(at)) {
-    const std::uint64_t length = std::min(kWindowBytes, source.size() - at);
+    const std::uint64_t length = std::min(window_bytes, source.size() - at);
     if (length < kRecordHeadBytes + kFixedHeaderBytes || !source.read(at, length, window)) return std::nullopt;
     const bool is_last = at + length == source.size();
     const std::size_t places = is_last ? window.size() : window.size() - kNeededBytes;
@@ -47,6 +50,7 @@ std::optional<std::uint64_t> find_chunk(ByteSource& source, std::uint64_t from) 
         return at + place;
     if (is_last) return std::nullopt;
     at += places;
+    window_bytes = std::min(4 * window_bytes, kLargestWindowBytes);
   }
   return std::nullopt;
 }

@@ -63,6 +63,7 @@ Error McapStreamReader::skip_to_next_chunk() {
 
 /// The skipped bytes may have defined channels. A complete file repeats all definitions in its summary.
 void McapStreamReader::learn_channels_from_summary() {
+  if (std::exchange(summary_read_, true)) return;
   const Result<mcap::Summary> summary = mcap::read_summary(*source_);
   if (!summary) return;
   for (const auto& [id, stored] : summary->channels.all()) {

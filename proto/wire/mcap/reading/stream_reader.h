@@ -48,6 +48,7 @@ class McapStreamReader {
   std::uint64_t offset_ = mcap::kMagic.size();
   bool ended_ = false;
   bool complete_ = false;
+  bool summary_read_ = false;
   std::uint64_t chunk_offset_ = 0;                   // of the chunk read last
   std::uint64_t trusted_end_ = mcap::kMagic.size();  // no damaged length can have skipped a chunk before this offset
   std::uint64_t record_offset_ = 0;                  // of the record outside chunks, or the chunk, read last
