@@ -25,7 +25,7 @@ class Findings {
     if (!outcome)
       error_ = outcome.error();
     else if (outcome->violation)
-      failed_.push_back(seed);
+      fail(seed, *outcome->violation);
     if (outcome) seconds_ += outcome->seconds;
     bar_.show(++done_, "seeds");
   }
@@ -34,6 +34,11 @@ class Findings {
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
 
  private:
+  void fail(std::uint64_t seed, const Invariants::Violation& violation) {
+    failed_.push_back(seed);
+    program::log(kName, "seed " + std::to_string(seed) + " fails " + in_words(violation));
+  }
+
   std::mutex mutex_;
   ProgressBar bar_;
   int done_ = 0;
@@ -50,6 +55,7 @@ Result<void> print_shrunk(std::uint64_t seed) {
   std::printf("seed %llu: %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
               outcome->violation ? in_words(*outcome->violation).c_str() : "holds when it runs alone",
               command_line(*simplest).c_str());
+  std::fflush(stdout);  // the next seed takes a while to shrink
   return {};
 }
 
