@@ -62,8 +62,9 @@ TEST(ReplayStorm, EveryInvariantCanFail) {
   fails_with(rising, "above the scene's peak");
   fails_with({{.passivity_J = -0.006F}}, "display's ledger");
   fails_with({{.hand_excess_J = 0.2F}}, "hand's ledger");
-  fails_with({{.phase = control::Phase::InBody, .surface_age_s = 2.6F}}, "still gives force");
-  fails_with(std::vector<TickRecord>(9100, {.depth_m = 0.006F}), "feels nothing");
+  fails_with(std::vector<TickRecord>(1002, {.phase = control::Phase::InBody, .surface_age_s = 2.6F}),
+             "still gives force");
+  fails_with(std::vector<TickRecord>(9100, {.depth_m = 0.006F, .surface_age_s = 0.1F}), "feels nothing");
 }
 
 TEST(ReplayStorm, ASilentOrDisorderedTopicIsSeen) {

@@ -87,8 +87,9 @@ ports::DeviceReading ReplayedStation::spoiled(ports::DeviceReading reading, Nano
   return reading;
 }
 
-void ReplayedStation::adopt(BuiltSurface built, SessionTime now) {
-  if (telemetry_) telemetry_->touchable(built, now);
+/// `now`: as the station's clock shows it. Messages carry `true_now`, so that a fault of the clock disorders no topic.
+void ReplayedStation::adopt(BuiltSurface built, SessionTime now, SessionTime true_now) {
+  if (telemetry_) telemetry_->touchable(built, true_now);
   touchable_ = built.times;
   loop_.adopt(built.surface, now);
   touched_ = std::move(built.surface.snapshot);  // after adopt(): the loop has let go of the one before
@@ -98,7 +99,7 @@ TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {
   const SessionTime now = clock(true_now);
   const Nanoseconds since = true_now - kBegin;
   touchable_.reset();
-  if (auto built = surfaces_.step(true_now, device_, watch)) adopt(std::move(*built), now);
+  if (auto built = surfaces_.step(true_now, device_, watch)) adopt(std::move(*built), now, true_now);
   TickOutcome out{.at = true_now, .tracker_lost = any_contains(scenario_.faults.tracker_lost, since)};
   watch.time(Part::Loop, [&] {
     const auto sample = rig_->hand(now);

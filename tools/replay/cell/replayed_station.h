@@ -45,7 +45,7 @@ class ReplayedStation {
   class Telemetry;
   [[nodiscard]] SessionTime clock(SessionTime now) const noexcept;
   [[nodiscard]] ports::DeviceReading spoiled(ports::DeviceReading reading, Nanoseconds since) const noexcept;
-  void adopt(BuiltSurface built, SessionTime now);
+  void adopt(BuiltSurface built, SessionTime now, SessionTime true_now);
 
   Scenario scenario_;
   std::unique_ptr<ports::Rig> rig_;

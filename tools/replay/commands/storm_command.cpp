@@ -36,7 +36,8 @@ class Findings {
  private:
   void fail(std::uint64_t seed, const Invariants::Violation& violation) {
     failed_.push_back(seed);
-    program::log(kName, "seed " + std::to_string(seed) + " fails " + in_words(violation));
+    program::log(
+        kName, "seed " + std::to_string(seed) + " fails " + in_words(violation) + ": " + command_line(draw_case(seed)));
   }
 
   std::mutex mutex_;

@@ -17,7 +17,11 @@ constexpr double kRounding = 1.001;           // forces are recorded as float
 constexpr float kLeastPassivity_J = -0.005F;  // ten times the least of a thousand runs of telepalp-bench passivity
 constexpr float kMostExcess_J = 0.15F;        // ten times the excess that the hand bench asks at an RTT of 1 s
 constexpr float kSurelyStale_s = 2.5F;        // past the limit of 1 s, the fade of 0.5 s and the dwell
+constexpr float kAged_s = 0.9F;
+constexpr float kYoung_s = 0.8F;
+constexpr float kNoExcess_J = 0.01F;
 constexpr float kNoForce_N = 0.05F;
+constexpr Nanoseconds kFadeWithin = 500ms;
 constexpr float kDeep_m = 0.005F;
 constexpr Nanoseconds kSettle = 3s;
 constexpr Nanoseconds kFeltWithin = 1500ms;
@@ -65,18 +69,21 @@ void Invariants::check_force(const TickRecord& tick) {
 void Invariants::check_energy(const TickRecord& tick) {
   if (!(tick.passivity_J >= kLeastPassivity_J))
     violated(with_number("the display's ledger is at %.5f J", double{tick.passivity_J}));
-  if (!(tick.hand_excess_J <= kMostExcess_J))
+  if (tick.surface_age_s > kAged_s) excused_ = true;
+  if (tick.hand_excess_J < kNoExcess_J) excused_ = false;
+  if (!excused_ && !(tick.hand_excess_J <= kMostExcess_J))
     violated(with_number("the hand's ledger is at %.4f J", double{tick.hand_excess_J}));
 }
 
 void Invariants::check_release(const TickRecord& tick) {
-  if (!(tick.surface_age_s > kSurelyStale_s)) return;
+  stale_ = tick.surface_age_s > kSurelyStale_s ? stale_ + kTick : 0ns;
+  if (stale_ <= kFadeWithin) return;
   if (!control::has_let_go(tick.phase) || tick.force_N.norm() > kNoForce_N)
     violated(with_number("the station still gives force on a surface that is %.2f s old", double{tick.surface_age_s}));
 }
 
 void Invariants::check_felt(const TickRecord& tick) {
-  const bool unfelt = now() > calm_from_ && tick.depth_m > kDeep_m && !tick.felt;
+  const bool unfelt = now() > calm_from_ && tick.depth_m > kDeep_m && tick.surface_age_s < kYoung_s && !tick.felt;
   unfelt_ = unfelt ? unfelt_ + kTick : 0ns;
   if (unfelt_ > kFeltWithin)
     violated(with_number("the device is %.1f mm deep in the skin and feels nothing", 1e3 * double{tick.depth_m}));

@@ -11,9 +11,11 @@ namespace telepalp::replay {
 
 /// What must hold at every tick, whatever the network and the faults do:
 /// - the force is finite, at most the scene's peak, and changes by at most the scene's slew;
-/// - neither energy ledger leaves its bound;
-/// - 2.5 s after the capture of the newest surface the station has let go;
-/// - 3 s after the last fault, a device that stays deeper than 5 mm in the true skin feels it within 1.5 s;
+/// - neither energy ledger leaves its bound; the hand's is not judged in a contact whose surface was older than 0.9 s,
+///   because a station that lets go does less work than the skin would take;
+/// - 0.5 s after the newest surface is 2.5 s old, or was forgotten, the station has let go;
+/// - 3 s after the last fault, a device that stays deeper than 5 mm in the true skin, on surfaces younger than 0.8 s,
+///   feels it within 1.5 s;
 /// - on each topic times do not go back, and ticks are numbered without a gap.
 class Invariants {
  public:
@@ -43,7 +45,9 @@ class Invariants {
   Nanoseconds calm_from_{0};  ///< the last fault is this long past
   std::int64_t ticks_ = 0;
   Eigen::Vector3f last_force_N_ = Eigen::Vector3f::Zero();
-  Nanoseconds unfelt_{0};                              ///< for how long the device has been deep without being felt
+  Nanoseconds stale_{0};   ///< for how long the surface has been too old
+  bool excused_ = false;   ///< the surface of this contact was too old for its ledger to be judged
+  Nanoseconds unfelt_{0};  ///< for how long the device has been deep without being felt
   std::map<std::string_view, SessionTime> published_;  ///< newest time by topic
   std::uint64_t next_tick_ = 0;
   std::optional<Violation> violation_;
