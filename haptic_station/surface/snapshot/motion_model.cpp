@@ -20,6 +20,16 @@ Progress lived(double age_s, double freeze_from_s) noexcept {
   return {freeze_from_s + late - late * late / (2.0 * freeze_from_s), 1.0 - late / freeze_from_s};
 }
 
+/// The share at an age, and its rate; C1.
+Progress believed(const ForesightShare& share, double age_s) noexcept {
+  const bool late = age_s > kForesightAges_s[1];
+  const double from_s = kForesightAges_s[late ? 1 : 0];
+  const double span_s = kForesightAges_s[late ? 2 : 1] - from_s;
+  const double change = share[late ? 2 : 1] - share[late ? 1 : 0];
+  const double x = std::clamp((age_s - from_s) / span_s, 0.0, 1.0);
+  return {share[late ? 1 : 0] + change * x * x * (3.0 - 2.0 * x), change * 6.0 * x * (1.0 - x) / span_s};
+}
+
 }  // namespace
 
 MotionBasis motion_basis(const MotionModel& model, double age_s) noexcept {
@@ -31,13 +41,16 @@ MotionBasis motion_basis(const MotionModel& model, double age_s) noexcept {
   const double s1 = std::sin(w * age.s);
   const double c2 = c1 * c1 - s1 * s1;
   const double s2 = 2.0 * s1 * c1;
+  const Progress speed = believed(model.speed, age.s);
+  const Progress acceleration = believed(model.acceleration, age.s);
   const auto terms = [](double a, double b, double c, double d, double e) {
     return MotionTerms{static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d),
                        static_cast<float>(e)};
   };
-  return {
-      terms(model.linear_fade_s * (1.0 - fade), c1 - 1.0, s1, c2 - 1.0, s2),
-      terms(age.rate * fade, -age.rate * w * s1, age.rate * w * c1, -age.rate * 2.0 * w * s2, age.rate * 2.0 * w * c2)};
+  return {terms(speed.s * model.linear_fade_s * (1.0 - fade), acceleration.s * (c1 - 1.0), speed.s * s1, c2 - 1.0, s2),
+          terms(age.rate * (speed.s * fade + speed.rate * model.linear_fade_s * (1.0 - fade)),
+                age.rate * (acceleration.rate * (c1 - 1.0) - acceleration.s * w * s1),
+                age.rate * (speed.rate * s1 + speed.s * w * c1), -age.rate * 2.0 * w * s2, age.rate * 2.0 * w * c2)};
 }
 
 }  // namespace telepalp::surface

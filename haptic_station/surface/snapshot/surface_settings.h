@@ -40,6 +40,7 @@ struct SurfaceSettings {
   bool temporal = true;          ///< average over frames where the patient is still, follow where they move
   double memory_frames = 120.0;  ///< most frames that a pixel's moving average weighs: about one breath
   bool predict = true;           ///< predict each snapshot forward by its velocity
+  bool shared = true;            ///< estimate speed and acceleration of the motion that the whole body shares
   bool breathing = true;         ///< predict also by the breathing model once it has locked on
 
   // Paper and Cloud

@@ -21,12 +21,21 @@ struct MotionBasis {
   MotionTerms rate{};
 };
 
+/// The ages at which the share of a prediction that is believed is known. Before the first one and after the last one
+/// it is constant.
+inline constexpr std::array kForesightAges_s{0.065, 0.12, 0.215};
+/// The share of a predicted motion that is believed, at each of these ages.
+using ForesightShare = std::array<double, kForesightAges_s.size()>;
+inline constexpr ForesightShare kFullForesight{1.0, 1.0, 1.0};
+
 /// How a snapshot is predicted forward from its capture.
 struct MotionModel {
   bool moves = false;  ///< false: a static model, or an unknown motion
   bool ages = true;    ///< false: a static model, which is never stale
   double breathing_rad_per_s = 0.0;
-  double linear_fade_s = 0.3;   ///< time constant with which a velocity decays
+  ForesightShare speed = kFullForesight;         ///< of the linear term and the first harmonic's sine
+  ForesightShare acceleration = kFullForesight;  ///< of the first harmonic's cosine
+  double linear_fade_s = 0.3;                    ///< time constant with which a velocity decays
   double freeze_from_s = 0.6;   ///< from this age the predicted motion slows down; it stops at twice this age
   double spread_m_per_s = 0.0;  ///< growth of the prediction's standard deviation with age
 };

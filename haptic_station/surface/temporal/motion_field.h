@@ -2,9 +2,11 @@
 
 #include <vector>
 
+#include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 #include "haptic_station/surface/temporal/breathing_model.h"
 #include "haptic_station/surface/temporal/cell_lattice.h"
+#include "haptic_station/surface/temporal/shared_motion.h"
 
 namespace telepalp::surface {
 
@@ -21,7 +23,7 @@ struct CellInnovation {
 /// interpolates between cells; this class stores the coefficients of the spline.
 class MotionField {
  public:
-  MotionField(int width_px, int height_px, bool breathing);
+  MotionField(int width_px, int height_px, const SurfaceSettings& settings);
 
   [[nodiscard]] const CellLattice& lattice() const noexcept { return lattice_; }
 
@@ -43,21 +45,24 @@ class MotionField {
 
  private:
   struct Cell {
-    double velocity_m_per_s = 0.0;
-    double energy = 0.0;  ///< slow mean of the squared velocity; weight of this cell in the breathing model
+    double velocity_m_per_s = 0.0;  ///< in addition to the shared motion
+    double energy = 0.0;            ///< slow mean of the squared velocity; weight of this cell in the breathing model
     double frames = 0.0;
     double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation: by how much the filter lags
   };
 
   void update_moving(const std::vector<CellInnovation>& seen);
+  void correct_shared(const std::vector<CellInnovation>& seen, const std::vector<float>& innovation, double dt_s);
   void correct_cell(std::size_t at, double innovation_m, double dt_s) noexcept;
   void smooth_velocities();
   void update_observed();
   [[nodiscard]] double believed() const noexcept { return breathing_wanted_ ? breathing_.confidence() : 0.0; }
   void update_terms();
+  [[nodiscard]] double rate_rad_per_s() const noexcept;
 
   CellLattice lattice_;
   bool breathing_wanted_;
+  bool shared_wanted_;
   std::vector<Cell> cells_;
   std::vector<CellMean> means_;
   std::vector<CellMean> moving_;     ///< how significant each neighbourhood's mean innovation is, 0 to 1
@@ -69,6 +74,8 @@ class MotionField {
   std::vector<float> expected_;
   std::vector<MotionTerms> terms_;
   BreathingModel breathing_;
+  SharedMotion shared_;
+  std::vector<SharedInnovation> shared_seen_;
   double miss_m_ = 0.0;  ///< running mean of |innovation| over the cells that move
   double frame_s_ = 0.033;
 };

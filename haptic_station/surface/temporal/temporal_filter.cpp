@@ -17,7 +17,7 @@ constexpr double kMeanSizeOfUnit = 1.2533;  // ratio of sigma to the mean absolu
 }  // namespace
 
 TemporalFilter::TemporalFilter(int width, int height, const SurfaceSettings& settings)
-    : motion_(width, height, settings.breathing),
+    : motion_(width, height, settings),
       memory_frames_(static_cast<float>(std::max(1.0, settings.memory_frames))) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   average_ = {.width = width,

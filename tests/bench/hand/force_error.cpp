@@ -30,6 +30,7 @@ surface::SurfaceSettings builder(bool predict, bool breathing) {
   surface::SurfaceSettings settings;
   settings.predict = predict;
   settings.breathing = breathing;
+  settings.shared = breathing;  // the two others know no more than each place's own velocity
   return settings;
 }
 

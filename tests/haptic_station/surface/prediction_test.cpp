@@ -59,8 +59,8 @@ struct Seen {
   std::shared_ptr<const SurfaceSnapshot> snapshot;
 };
 
-std::vector<Seen> watch(Patient& patient, double until_s, double keep_from_s) {
-  SurfaceBuilder builder{SurfaceSettings{}};
+std::vector<Seen> watch(Patient& patient, double until_s, double keep_from_s, const SurfaceSettings& settings = {}) {
+  SurfaceBuilder builder{settings};
   const Reach reach{{Vector3d(0, 0, kZ_m)}, 0.03};
   std::vector<Seen> seen;
   for (int n = 0; n * kFrame_s < until_s; ++n) {
@@ -102,6 +102,21 @@ TEST(Prediction, BeforeTheBreathIsKnownVelocityCarriesTheSurface) {
   std::vector<double> still;
   for (const Seen& one : seen) still.push_back(patient.middle_at(one.at_s) - patient.middle_at(one.at_s + 0.1));
   EXPECT_LT(rms_error_m(seen, patient, 0.1, 0.8, 3.6), 0.5 * rms(still)) << "half of what not moving it would err";
+}
+
+/// No breath is like the one before, so that the breathing model never holds.
+TEST(Prediction, AnIrregularBreathIsCarriedForwardByTheMotionThatAllCellsShare) {
+  const auto irregular = [](double t) {
+    const double phase = 2.0 * std::numbers::pi * (0.25 * t + 0.25 * std::sin(0.7 * t));
+    return 0.0025 * (1.0 + 0.3 * std::sin(1.1 * t)) * (1.0 - std::cos(phase));
+  };
+  const auto error_m = [&](bool shared) {
+    Patient patient(irregular);
+    SurfaceSettings settings;
+    settings.shared = shared;
+    return rms_error_m(watch(patient, 14.0, 6.0, settings), patient, 0.1, 6.0, 14.0);
+  };
+  EXPECT_LT(error_m(true), 0.6 * error_m(false));
 }
 
 TEST(Prediction, AHeldBreathEndsTheBreathingModelWithinASecond) {

@@ -1,0 +1,158 @@
+#include "haptic_station/surface/temporal/shared_motion.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace telepalp::surface {
+namespace {
+
+// The memory of the fading-memory filter for position, speed and acceleration (Brookner 1998, 1.3). It is short while
+// the innovations have a consistent sign, because the motion changes then.
+constexpr double kCalm_s = 0.12;
+constexpr double kQuick_s = 0.07;
+constexpr double kCalmUpTo = 2.0;   // mean innovation [sigma]
+constexpr double kQuickFrom = 6.0;  // mean innovation [sigma]
+constexpr double kLeanGain = 0.3;
+constexpr double kOutlier = 4.0;          // a cell that deviates by more counts less [sigma] …
+constexpr double kOddShare = 0.3;         // … unless it deviates by less than this part of its expected innovation
+constexpr double kMovesWithIt = 0.3;      // least share of a cell whose innovation is asked for the median
+constexpr double kLeastAgreement = 0.85;  // share of the cells; fewer move apart, as when the camera is pushed
+constexpr int kLooks = 2;
+constexpr double kLearnOver_s = 6.0;
+constexpr double kFirstShare_m2 = 0.09e-6;  // before (0.3 mm)² of motion are seen, all cells are taken to move alike
+constexpr double kJudgeOver_s = 10.0;
+constexpr double kGoodFaith = 1.5e-5;  // weight of the first guess that all of a prediction is right [m² s / s²]
+
+}  // namespace
+
+SharedMotion::SharedMotion(std::size_t cells) : share_(cells, 1.0), moments_(cells) {
+  for (std::size_t i = 0; i < judges_.size(); ++i) judges_[i].ahead_s = kForesightAges_s[i];
+}
+
+ForesightShare SharedMotion::right_share(int motion) const noexcept {
+  ForesightShare share{};
+  for (std::size_t i = 0; i < judges_.size(); ++i) share[i] = judges_[i].right[motion];
+  return share;
+}
+
+void SharedMotion::predict(std::span<const SharedPrediction> cells, double dt_s, double rad_per_s) noexcept {
+  double sum = 1e-30;
+  Eigen::Vector3d by = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    sum += share_[i] * share_[i];
+    by += share_[i] * Eigen::Vector3d(cells[i].change_m, cells[i].speed_m_per_s, cells[i].acceleration_m_per_s2);
+  }
+  by /= sum;
+  shared_m_ += by[0];
+  speed_m_per_s_ = by[1];
+  acceleration_m_per_s2_ = by[2];
+  now_s_ += dt_s;
+  rad_per_s_ = rad_per_s;
+}
+
+/// The median of what the cells say that move with the body.
+double SharedMotion::median_m(std::span<const SharedInnovation> seen) {
+  said_m_.clear();
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (seen[i].sigma_m > 0.0 && share_[i] > kMovesWithIt) said_m_.push_back(seen[i].m / share_[i]);
+  if (said_m_.empty()) return 0.0;
+  const auto middle = said_m_.begin() + static_cast<std::ptrdiff_t>(said_m_.size() / 2);
+  std::nth_element(said_m_.begin(), middle, said_m_.end());
+  return *middle;
+}
+
+/// Least squares over the cells; from the median on, those far off count little.
+SharedMotion::Estimate SharedMotion::estimate_of(std::span<const SharedInnovation> seen) {
+  Estimate estimate{.m = median_m(seen)};
+  for (int look = 0; look < kLooks; ++look) {
+    double sum = 1e-30;
+    double by = 0.0;
+    double noise = 0.0;
+    double measured = 1e-9;
+    double agree = 0.0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (seen[i].sigma_m <= 0.0) continue;
+      const double expected_m = share_[i] * estimate.m;
+      const double off_m = std::abs(seen[i].m - expected_m);
+      const double limit_m = kOutlier * seen[i].sigma_m + kOddShare * std::abs(expected_m);
+      const double trust = off_m <= limit_m ? 1.0 : limit_m * limit_m / (off_m * off_m);
+      measured += 1.0;
+      agree += off_m <= limit_m ? 1.0 : 0.0;
+      const double weight = trust * share_[i] / (seen[i].sigma_m * seen[i].sigma_m);
+      sum += weight * share_[i];
+      by += weight * seen[i].m;
+      noise += weight * weight * seen[i].sigma_m * seen[i].sigma_m;
+    }
+    estimate = {by / sum, std::sqrt(noise) / sum, agree >= kLeastAgreement * measured};
+  }
+  return estimate;
+}
+
+void SharedMotion::correct(std::span<const SharedInnovation> seen, double dt_s) {
+  const Estimate estimate = estimate_of(seen);
+  innovation_m_ = corrected_m_ = 0.0;
+  if (!estimate.agreed) {
+    *this = SharedMotion(share_.size());
+    return;
+  }
+  innovation_m_ = estimate.m;
+  lean_m_ += kLeanGain * (estimate.m - lean_m_);
+  const double chance_m = estimate.sigma_m * std::sqrt(kLeanGain / (2.0 - kLeanGain)) + 1e-6;
+  const double quick = std::clamp((std::abs(lean_m_) / chance_m - kCalmUpTo) / (kQuickFrom - kCalmUpTo), 0.0, 1.0);
+  const double theta = std::exp(-dt_s / (kCalm_s + quick * (kQuick_s - kCalm_s)));
+  const double forgets = 1.0 - theta;
+  corrected_m_ = (1.0 - theta * theta * theta) * estimate.m;
+  shared_m_ += corrected_m_;
+  speed_m_per_s_ += 1.5 * forgets * forgets * (1.0 + theta) * estimate.m / dt_s;
+  acceleration_m_per_s2_ += forgets * forgets * forgets * estimate.m / (dt_s * dt_s);
+  past_.push_back({now_s_, shared_m_, speed_m_per_s_, acceleration_m_per_s2_});
+  while (past_.size() > 1 && now_s_ - past_[1].at_s >= kForesightAges_s.back()) past_.pop_front();
+  for (Judge& one : judges_) judge(one, dt_s);
+}
+
+/// Compares what came with the prediction of `one.ahead_s` ago. A motion that stops as suddenly as it begins, as a
+/// cough does, is thus predicted less far than a breath.
+void SharedMotion::judge(Judge& one, double dt_s) noexcept {
+  const double keep = std::exp(-dt_s / kJudgeOver_s);
+  one.normal *= keep;
+  one.came *= keep;
+  const auto then =
+      std::find_if(past_.rbegin(), past_.rend(), [&](const Past& past) { return now_s_ - past.at_s >= one.ahead_s; });
+  if (then != past_.rend() && now_s_ - then->at_s < 2.0 * one.ahead_s) {
+    const double turned = rad_per_s_ * (now_s_ - then->at_s);
+    const Eigen::Vector2d said{then->speed_m_per_s * std::sin(turned) / rad_per_s_,
+                               then->acceleration_m_per_s2 * (1.0 - std::cos(turned)) / (rad_per_s_ * rad_per_s_)};
+    const double per_m2 = dt_s / (one.ahead_s * one.ahead_s);
+    one.normal += per_m2 * said * said.transpose();
+    one.came += per_m2 * (shared_m_ - then->shared_m) * said;
+  }
+  const Eigen::Matrix2d normal = one.normal + kGoodFaith * Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d came = one.came + kGoodFaith * Eigen::Vector2d::Ones();
+  one.right = normal.inverse() * came;
+  // A share that leaves [0, 1] is set to its bound, and the other one is fitted anew.
+  for (const int i : {0, 1}) {
+    const double bounded = std::clamp(one.right[i], 0.0, 1.0);
+    if (bounded == one.right[i]) continue;
+    one.right[i] = bounded;
+    one.right[1 - i] = (came[1 - i] - normal(0, 1) * bounded) / normal(1 - i, 1 - i);
+  }
+  one.right = one.right.cwiseMax(0.0).cwiseMin(1.0);
+}
+
+void SharedMotion::learn(std::span<const float> displacement_m, double dt_s) {
+  learned_s_ += dt_s;
+  const double gain = dt_s / std::min(kLearnOver_s, learned_s_);
+  mean_m_ += gain * (shared_m_ - mean_m_);
+  const double off_m = shared_m_ - mean_m_;
+  variance_m2_ += gain * (off_m * off_m - variance_m2_);
+  for (std::size_t i = 0; i < moments_.size(); ++i) {
+    Moments& cell = moments_[i];
+    const double cell_off_m = static_cast<double>(displacement_m[i]) - cell.mean_m;
+    cell.mean_m += gain * cell_off_m;
+    cell.with_shared_m2 += gain * (cell_off_m * off_m - cell.with_shared_m2);
+    share_[i] = (cell.with_shared_m2 + kFirstShare_m2) / (variance_m2_ + kFirstShare_m2);
+  }
+}
+
+}  // namespace telepalp::surface

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "haptic_station/surface/snapshot/surface_snapshot.h"
+
+namespace telepalp::surface {
+
+/// A cell's innovation: measured minus predicted displacement.
+struct SharedInnovation {
+  double m = 0.0;
+  double sigma_m = 0.0;  ///< 1-sigma of `m` under noise alone; 0: not measured
+};
+
+/// What is predicted of a cell until the next frame, without the cell's own velocity.
+struct SharedPrediction {
+  double change_m = 0.0;
+  double speed_m_per_s = 0.0;
+  double acceleration_m_per_s2 = 0.0;
+};
+
+/// The motion that the whole body shares, such as a breath or a cough: one displacement over time, of which each cell
+/// shows a learned share. All cells measure it together, so its speed and acceleration are known far better than those
+/// of one cell. How far they tell the future is learned from how well they told it in the last seconds. Owner: surface
+/// thread.
+class SharedMotion {
+ public:
+  explicit SharedMotion(std::size_t cells);
+
+  /// Moves on by `dt_s` as predicted for the cells. `rad_per_s`: rate at which predictions swing, so that they cannot
+  /// run away.
+  void predict(std::span<const SharedPrediction> cells, double dt_s, double rad_per_s) noexcept;
+  /// Updates the motion with a frame's innovations. Cells that deviate from the others count little.
+  void correct(std::span<const SharedInnovation> seen, double dt_s);
+  /// Learns the shares from the measured displacements since the start [m].
+  void learn(std::span<const float> displacement_m, double dt_s);
+
+  /// The cell's part of the motion.
+  [[nodiscard]] double share(std::size_t cell) const noexcept { return share_[cell]; }
+  [[nodiscard]] double innovation_m() const noexcept { return innovation_m_; }  ///< of the last frame
+  [[nodiscard]] double corrected_m() const noexcept { return corrected_m_; }    ///< the part of it that was believed
+  [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
+  [[nodiscard]] double acceleration_m_per_s2() const noexcept { return acceleration_m_per_s2_; }
+  /// Shares of speed and acceleration that were right in the last seconds.
+  [[nodiscard]] ForesightShare speed_share() const noexcept { return right_share(0); }
+  [[nodiscard]] ForesightShare acceleration_share() const noexcept { return right_share(1); }
+
+ private:
+  struct Moments {
+    double mean_m = 0.0;
+    double with_shared_m2 = 0.0;  ///< covariance with the shared displacement
+  };
+  struct Past {
+    double at_s;
+    double shared_m;
+    double speed_m_per_s;
+    double acceleration_m_per_s2;
+  };
+  /// Regression of the motion that came on the motions that speed and acceleration had predicted for it.
+  struct Judge {
+    double ahead_s = 0.0;  ///< age of the prediction
+    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d came = Eigen::Vector2d::Zero();
+    Eigen::Vector2d right = Eigen::Vector2d::Ones();  ///< share of each that was right
+  };
+  struct Estimate {
+    double m = 0.0;
+    double sigma_m = 1.0;
+    bool agreed = true;
+  };
+
+  [[nodiscard]] double median_m(std::span<const SharedInnovation> seen);
+  [[nodiscard]] Estimate estimate_of(std::span<const SharedInnovation> seen);
+  [[nodiscard]] ForesightShare right_share(int motion) const noexcept;
+  void judge(Judge& one, double dt_s) noexcept;
+
+  std::vector<double> share_;
+  std::vector<Moments> moments_;
+  std::vector<double> said_m_;  ///< scratch of median_m()
+  double mean_m_ = 0.0;         ///< of the shared displacement
+  double variance_m2_ = 0.0;    ///< of the shared displacement
+  double learned_s_ = 0.0;      ///< time over which the shares were learned
+  double now_s_ = 0.0;
+  double rad_per_s_ = 1.0;
+  double shared_m_ = 0.0;  ///< displacement since the start
+  double speed_m_per_s_ = 0.0;
+  double acceleration_m_per_s2_ = 0.0;
+  double innovation_m_ = 0.0;
+  double corrected_m_ = 0.0;
+  double lean_m_ = 0.0;  ///< running mean of the innovations
+  std::deque<Past> past_;
+  std::array<Judge, kForesightAges_s.size()> judges_;
+};
+
+}  // namespace telepalp::surface
