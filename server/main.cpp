@@ -198,6 +198,7 @@ int run(Asked asked) {
   if (asked.gateway) {
     asked.gateway->access = asked.server.access;
     asked.gateway->problem = [&server] { return server.problem(); };
+    asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
     if (opened->player) offer_playback(*asked.gateway, *opened->player);
     auto listens = gateway::Gateway::open(
         io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);

@@ -119,7 +119,7 @@ void Server::publish_every_second() {
 void Server::publish_clock_and_stats() {
   const SessionTime now = clock_.now();
   hub_.publish(wire::make_message(wire::kClock, now, clock_message(now)));
-  hub_.publish(wire::make_message(wire::kServerStats, now, hub::server_stats(hub_, now)));
+  hub_.publish(wire::make_message(wire::kServerStats, now, hub::server_stats(hub_, datagram_counts(), now)));
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.

@@ -11,7 +11,7 @@
 #include "haptic_station/station/threads/timer_check.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/vector_message.h"
-#include "proto/wire/viewer_hand.h"
+#include "proto/wire/viewer/viewer_hand.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
 
@@ -62,7 +62,8 @@ Station::Station(boost::asio::io_context& io, const StationOptions& options, con
       signals_(io, SIGINT, SIGTERM),
       link_(io, link_options(options, rig.browser != nullptr),
             {.on_message = [this](const wire::Message& message) { on_message(message); },
-             .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); }}),
+             .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); },
+             .on_datagrams = [this](wire::DatagramPhase, const std::string& detail) { on_datagrams(detail); }}),
       in_tick_(options.model || surface::runs_in_tick(surface)),
       loop_(make_loop(scene)),
       rig_(std::move(rig.rig)),
@@ -173,6 +174,11 @@ void Station::on_link(wire::LinkState state, const std::string& detail) {
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
     telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
+}
+
+void Station::on_datagrams(const std::string& detail) {
+  say(detail);
+  telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, detail);
 }
 
 /// Repeated attempts to connect are logged once until one succeeds.

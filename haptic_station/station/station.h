@@ -58,6 +58,7 @@ class Station {
   void on_depth(const wire::Message& message);
   void on_viewer_hand(const wire::Message& message);
   void on_link(wire::LinkState state, const std::string& detail);
+  void on_datagrams(const std::string& detail);
   void say_link(const std::string& text, wire::LinkState state);
   void on_surface(const msg::SurfaceReport& report);
   void say_depth(const msg::SurfaceReport& report);

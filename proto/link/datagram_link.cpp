@@ -10,6 +10,8 @@ using namespace std::chrono_literals;
 
 /// Time between two reports: about ten in the round trip across a continent.
 constexpr Nanoseconds kReportEvery = 5ms;
+/// Time after which a sender without room looks again: a silent path gets room by time alone.
+constexpr Nanoseconds kLookForRoom = 5ms;
 
 Direction sends(End end) noexcept { return end == End::Client ? Direction::ClientToServer : Direction::ServerToClient; }
 Direction hears(End end) noexcept { return end == End::Client ? Direction::ServerToClient : Direction::ClientToServer; }
@@ -24,7 +26,8 @@ DatagramLink::DatagramLink(const DatagramLinkSettings& settings, End end)
     : sealer_(settings.seal, sends(end)),
       opener_(settings.seal, hears(end)),
       sender_(settings.deadline),
-      receiver_(settings.deadline) {}
+      receiver_(settings.deadline),
+      takes_frames_(settings.takes_frames) {}
 
 std::optional<Datagram> DatagramLink::seal(std::span<const std::byte> payload, SessionTime now) {
   std::optional<Datagram> datagram(std::in_place);
@@ -52,6 +55,12 @@ std::optional<std::vector<std::byte>> DatagramLink::feedback_due(SessionTime now
                          .missing = receiver_.missing(now)});
 }
 
+std::optional<SessionTime> DatagramLink::due(SessionTime now) const noexcept {
+  if (sender_.holds_fragments()) return now + kLookForRoom;
+  if (unreported_ || receiver_.assembling_B() > 0) return std::max(now, reported_at_ + kReportEvery);
+  return std::nullopt;
+}
+
 std::optional<Datagram> DatagramLink::next(SessionTime now) {
   if (const auto feedback = feedback_due(now)) return seal(*feedback, now);
   if (const auto fragment = sender_.next(now, path_)) return seal(*fragment, now);
@@ -71,7 +80,7 @@ std::optional<bool> DatagramLink::received(std::span<const std::byte> datagram, 
   if (!opened) return std::nullopt;
   count(*opened, datagram.size(), now);
   if (const auto fragment = read_fragment(opened->payload)) {
-    receiver_.add(*fragment, now);
+    if (takes_frames_) receiver_.add(*fragment, now);
     unreported_ = true;
   } else if (const auto feedback = read_feedback(opened->payload)) {
     path_.on_feedback(*feedback, now);

@@ -16,7 +16,9 @@ enum class End { Client, Server };
 
 struct DatagramLinkSettings {
   SealSettings seal;
-  Nanoseconds deadline = std::chrono::milliseconds(100);  ///< longest time from a frame's capture until it is complete
+  Nanoseconds deadline =
+      std::chrono::milliseconds(100);  ///< longest time from a frame's time stamp until it is complete
+  bool takes_frames = true;            ///< false: fragments from the peer are ignored, and take no memory
 };
 
 /// One end of a sealed link that carries frames with a deadline, in both directions. Pure: the caller sends and
@@ -28,6 +30,17 @@ class DatagramLink {
   /// Queues a frame; returns the number of the frame that it replaces. If a frame was replaced and frames of its
   /// channel depend on each other, the next one must be a key frame.
   std::optional<std::uint32_t> offer(Frame frame) { return sender_.offer(std::move(frame)); }
+
+  /// True when a frame that is offered now starts at once: no other waits, and the path has room. A caller with a queue
+  /// of its own offers only then, so that its newest frame goes out.
+  [[nodiscard]] bool ready_for_frame(SessionTime now) noexcept { return sender_.idle() && path_.has_room(now); }
+
+  /// Makes a report due although nothing arrived. Reports in both directions keep a NAT's mapping and show that the
+  /// path works.
+  void want_report() noexcept { unreported_ = true; }
+
+  /// When next() may have a datagram again although nothing arrives; nullopt: not before a frame is offered.
+  [[nodiscard]] std::optional<SessionTime> due(SessionTime now) const noexcept;
 
   /// The next datagram to send now; nullopt: nothing to send. Ask again later, or after received().
   [[nodiscard]] std::optional<Datagram> next(SessionTime now);
@@ -56,6 +69,7 @@ class DatagramLink {
   Opener opener_;
   FrameSender sender_;
   FrameReceiver receiver_;
+  bool takes_frames_;
   PathEstimate path_;
   LossMeter losses_;
   std::uint64_t highest_sequence_ = 0;

@@ -6,6 +6,9 @@
 #include <random>
 #include <utility>
 
+#include "proto/wire/datagram_message.h"
+#include "proto/wire/datagrams/client_datagrams.h"
+#include "proto/wire/datagrams/datagram_offer.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::wire {
@@ -28,6 +31,11 @@ std::uint64_t random_number() {
 }
 
 bool waits_for_a_connection(const Topic& topic) noexcept { return topic.name == kStationEvents.name; }
+
+std::string images_come_by(DatagramPhase phase) {
+  return phase == DatagramPhase::Up ? "the images come by sealed datagrams"
+                                    : "no datagram comes through (UDP): the images come over TCP";
+}
 
 void add(std::map<std::string_view, ReceivedCount>& sum, const std::map<std::string_view, ReceivedCount>& counts) {
   for (const auto& [topic, count] : counts) {
@@ -83,6 +91,7 @@ void ClientLink::stop(const std::string& reason) {
   connecting_.close(ignored);
   retry_.cancel();
   probe_.cancel();
+  end_datagrams();
   become(LinkState::Stopped, reason);
   if (connection_) connection_->close(reason);
 }
@@ -144,6 +153,7 @@ void ClientLink::connect_to(const tcp::endpoint& endpoint) {
     return refuse({.what = "the server is on another machine, and no key is given",
                    .where = {},
                    .fix = "give --key FILE; the technician of the server makes it: telepalp-keys client"});
+  server_ = endpoint;
   connecting_ = tcp::socket(io_);
   retry_.expires_after(kConnectDeadline);
   retry_.async_wait(while_alive([this](const error_code& code) {
@@ -162,13 +172,15 @@ void ClientLink::greet(tcp::socket socket) {
   Result<std::unique_ptr<ByteStream>> stream = secured(std::move(socket));
   if (!stream) return refuse(stream.error());
   ConnectionOwner& owner = *this;
-  connection_ = std::make_shared<Connection>(std::move(stream).value(),
-                                             Connection::Options{.name = options_.name,
-                                                                 .role = options_.role,
-                                                                 .token = options_.key ? options_.key->token : "",
-                                                                 .run = run_,
-                                                                 .publishes = options_.publishes},
-                                             owner);
+  connection_ = std::make_shared<Connection>(
+      std::move(stream).value(),
+      Connection::Options{.name = options_.name,
+                          .role = options_.role,
+                          .token = options_.key ? options_.key->token : "",
+                          .run = run_,
+                          .datagrams = options_.datagrams ? quick_cipher() : msg::DATAGRAM_CIPHER_NONE,
+                          .publishes = options_.publishes},
+      owner);
   connection_->start();
 }
 
@@ -235,6 +247,47 @@ void ClientLink::on_clock(const ClockSample& sample) {
   ++counts_.connections;
   become(LinkState::Connected, peer_name_ + " at " + connection_->peer());
   if (connection_) connection_->wake();
+  start_datagrams();
+}
+
+void ClientLink::on_datagram_offer(const msg::DatagramOffer& offer) {
+  offered_ = offer;
+  start_datagrams();
+}
+
+/// The ages of frames need the session clock, so that datagrams begin when it is synchronised.
+void ClientLink::start_datagrams() {
+  if (datagrams_ || !offered_ || state_ != LinkState::Connected || !connection_) return;
+  const auto seal = accept_offer(*offered_, connection_->keying_material(kDatagramKeyLabel));
+  if (!seal) return;
+  datagrams_ = std::make_unique<ClientDatagrams>(
+      io_, boost::asio::ip::udp::endpoint(server_.address(), server_.port()), *seal,
+      ClientDatagrams::Handlers{.on_frame =
+                                    [this](const link::Frame& frame) {
+                                      std::optional<Message> message = message_of(frame);
+                                      if (connection_ && message) connection_->take_datagram(std::move(*message));
+                                    },
+                                .on_phase =
+                                    [this](DatagramPhase phase) {
+                                      if (handlers_.on_datagrams) handlers_.on_datagrams(phase, images_come_by(phase));
+                                    },
+                                .now = [this] { return clock().now(); }});
+  datagrams_->start();
+}
+
+void ClientLink::end_datagrams() {
+  offered_.reset();
+  if (!datagrams_) return;
+  datagrams_->close();
+  boost::asio::post(io_, [ended = std::move(datagrams_)] {});  // it may be on the call stack
+}
+
+DatagramPhase ClientLink::datagrams() const noexcept {
+  return datagrams_ ? datagrams_->end().phase() : DatagramPhase::Off;
+}
+
+void ClientLink::change_datagram_port() {
+  if (datagrams_) datagrams_->change_socket();
 }
 
 void ClientLink::on_message(Message message) {
@@ -245,6 +298,7 @@ void ClientLink::on_closed(const std::string& reason) {
   add(received_before_, connection_->received());
   const std::optional<Error> refusal = connection_->refusal();
   connection_.reset();
+  end_datagrams();
   probe_.cancel();
   if (state_ == LinkState::Stopped) return;
   if (refusal) return refuse(*refusal);

@@ -15,12 +15,15 @@
 
 #include "proto/wire/clock_sync.h"
 #include "proto/wire/connection.h"
+#include "proto/wire/datagrams/path_watch.h"
 #include "proto/wire/message.h"
 #include "proto/wire/send_queue.h"
 #include "proto/wire/session_clock.h"
 #include "proto/wire/tls_stream.h"
 
 namespace telepalp::wire {
+
+class ClientDatagrams;
 
 enum class LinkState {
   Connecting,  ///< trying to connect, with back-off between attempts
@@ -49,11 +52,14 @@ class ClientLink : private ConnectionOwner {
     std::shared_ptr<const keys::KeyFile> key{};  ///< null: plain TCP, to this machine alone
     std::vector<std::string> subscribes{};       ///< topic names; one ending in '*' is a prefix
     std::vector<Topic> publishes{};  ///< topics that publish() accepts; the server accepts only /station/…
+    bool datagrams = true;           ///< takes the deadline topics by sealed datagram where the path lets them through
   };
   struct Handlers {
     std::function<void(const Message&)> on_message{};
     /// `detail`: text for a log line with the peer's address, or the reason why there is no connection.
     std::function<void(LinkState, const std::string& detail)> on_state{};
+    /// How the images come now; `detail`: text for a log line. Called when it changes.
+    std::function<void(DatagramPhase, const std::string& detail)> on_datagrams{};
   };
   struct Counts {
     std::uint64_t connections = 0;  ///< number of times that the state became Connected
@@ -92,6 +98,10 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] const Error& refusal() const noexcept { return refusal_; }
   /// Connection::keying_material() of the current connection; nullopt without one.
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const;
+  /// Up: the images come by datagram; else over TCP.
+  [[nodiscard]] DatagramPhase datagrams() const noexcept;
+  /// Takes another local UDP port, as a NAT between the ends may do at any time.
+  void change_datagram_port();
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
   /// Received and missed messages by topic, over all connections.
   [[nodiscard]] std::map<std::string_view, ReceivedCount> received() const;
@@ -103,6 +113,7 @@ class ClientLink : private ConnectionOwner {
   void on_subscribe(std::vector<std::string>) override {}  // a server does not subscribe
   void on_clock(const ClockSample& sample) override;
   void on_key_frame_request(const Topic&, SessionTime) override {}  // clients publish no predicted frames
+  void on_datagram_offer(const msg::DatagramOffer& offer) override;
   void on_closed(const std::string& reason) override;
   std::optional<Message> next_to_send() override;
   SessionTime session_now() override { return clock().now(); }
@@ -124,6 +135,8 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] Result<std::unique_ptr<ByteStream>> secured(boost::asio::ip::tcp::socket socket);
   void retry_later();
   void probe_later();
+  void start_datagrams();
+  void end_datagrams();
   void become(LinkState state, const std::string& detail);
 
   std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending handlers hold weak_ptrs to it
@@ -134,7 +147,10 @@ class ClientLink : private ConnectionOwner {
   TlsSettings tls_;          // null before the first connection, and without a key
   Error refusal_;
   LinkState state_ = LinkState::Stopped;
-  std::shared_ptr<Connection> connection_;  // shared with pending operations; null without a connection
+  std::shared_ptr<Connection> connection_;      // shared with pending operations; null without a connection
+  std::optional<msg::DatagramOffer> offered_;   // nullopt: the server offers no datagrams
+  std::unique_ptr<ClientDatagrams> datagrams_;  // null before the clock is synchronised, and without an offer
+  boost::asio::ip::tcp::endpoint server_;       // of the connection
   std::string peer_name_;
   boost::asio::ip::tcp::resolver resolver_;
   boost::asio::ip::tcp::socket connecting_;

@@ -58,6 +58,7 @@ msg::Control hello(const Connection::Options& options) {
   control.mutable_hello()->set_role(options.role);
   control.mutable_hello()->set_run(options.run);
   control.mutable_hello()->set_token(options.token);
+  control.mutable_hello()->set_datagrams(options.datagrams);
   return control;
 }
 
@@ -112,6 +113,21 @@ void Connection::request_key_frame(const Message& unreadable) {
   control.mutable_key_frame_request()->set_topic(std::string(unreadable.topic.name));
   control.mutable_key_frame_request()->set_published_ns(to_nanoseconds(unreadable.published));
   send(std::move(control));
+}
+
+void Connection::offer_datagrams(const msg::DatagramOffer& offer) {
+  msg::Control control;
+  *control.mutable_datagram_offer() = offer;
+  send(std::move(control));
+}
+
+void Connection::take_datagram(Message message) {
+  const auto found = std::find_if(channels_.begin(), channels_.end(), [&](const auto& entry) {
+    return entry.second.topic && entry.second.topic->name == message.topic.name;
+  });
+  if (phase_ != Phase::Open || found == channels_.end()) return;
+  found->second.by_datagram = true;
+  deliver(found->second, std::move(message));
 }
 
 void Connection::close(const std::string& reason, bool final) {
@@ -228,6 +244,8 @@ Result<void> Connection::on_control(const Frame& frame) {
       if (const std::optional<Topic> topic = find_topic(control.key_frame_request().topic()))
         owner_->on_key_frame_request(*topic, session_time(control.key_frame_request().published_ns()));
       return {};
+    case msg::Control::kDatagramOffer:
+      return on_datagram_offer(control.datagram_offer());
     case msg::Control::kGoodbye:
       if (control.goodbye().final()) refusal_ = final_goodbye(control.goodbye().reason());
       finish("peer left: " + control.goodbye().reason());
@@ -291,21 +309,33 @@ void Connection::on_clock_reply(const msg::ClockReply& reply) {
                     .heard = heard});
 }
 
+Result<void> Connection::on_datagram_offer(const msg::DatagramOffer& offer) {
+  if (std::exchange(has_offer_, true)) return bad_peer("offers datagrams twice");
+  owner_->on_datagram_offer(offer);
+  return {};
+}
+
 Result<void> Connection::on_data(Frame frame) {
   const auto found = channels_.find(frame.header.channel);
   if (found == channels_.end())
     return bad_peer("sends on channel " + std::to_string(frame.header.channel) + " without advertising it");
   Incoming& channel = found->second;
   if (!channel.topic) return {};
+  deliver(channel, {*channel.topic, frame.header.published,
+                    std::make_shared<const std::string>(std::move(frame.payload)), frame.header.sequence});
+  return {};
+}
+
+void Connection::deliver(Incoming& channel, Message message) {
+  const std::uint64_t sequence = message.sequence;
+  if (channel.by_datagram && sequence <= channel.last_sequence)
+    return;  // it was counted as missed when it was overtaken
   ReceivedCount& count = received_[channel.topic->name];
   ++count.messages;
-  const std::uint64_t sequence = frame.header.sequence;
   if (channel.last_sequence != 0 && sequence > channel.last_sequence)
     count.missed += sequence - channel.last_sequence - 1;
   channel.last_sequence = sequence;
-  owner_->on_message({*channel.topic, frame.header.published,
-                      std::make_shared<const std::string>(std::move(frame.payload)), sequence});
-  return {};
+  owner_->on_message(std::move(message));
 }
 
 void Connection::send(msg::Control control) {

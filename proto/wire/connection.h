@@ -41,6 +41,8 @@ class ConnectionOwner {
   /// Returns the next message to send; nullopt: no message waits, and the owner calls wake() when there is one. The
   /// owner holds the bounded queue; the connection holds only the message being written.
   virtual std::optional<Message> next_to_send() = 0;
+  /// The peer, a server, offers sealed datagrams. It may come once on a connection.
+  virtual void on_datagram_offer(const msg::DatagramOffer&) {}
   /// Current session time, for the replies to the peer's clock probes.
   virtual SessionTime session_now() = 0;
 };
@@ -57,12 +59,13 @@ struct ReceivedCount {
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   struct Options {
-    std::string name{};                                ///< name of the program, sent to the peer
-    std::string role{};                                ///< technician, doctor, viewer, qa, server
-    std::string token{};                               ///< bearer token, sent in Hello; empty: none
-    std::uint64_t run = 0;                             ///< random number of this run of the program; 0: none
-    std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
-    std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello
+    std::string name{};                                         ///< name of the program, sent to the peer
+    std::string role{};                                         ///< technician, doctor, viewer, qa, server
+    std::string token{};                                        ///< bearer token, sent in Hello; empty: none
+    std::uint64_t run = 0;                                      ///< random number of this run of the program; 0: none
+    msg::DatagramCipher datagrams = msg::DATAGRAM_CIPHER_NONE;  ///< of a client: quick here; NONE: it takes none
+    std::vector<Topic> publishes{};                             ///< topics that next_to_send() may return
+    std::size_t max_payload_bytes = kMaxPayloadBytes;           ///< limit for this peer after its Hello
     /// Limit on the rate of reading; 0: no limit. Bytes above it stay in the kernel's receive buffer until they are
     /// due, so that TCP's flow control slows this peer alone.
     std::size_t max_read_bytes_per_s = 0;
@@ -77,6 +80,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void probe_clock();
   /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.
   void request_key_frame(const Message& unreadable);
+  void offer_datagrams(const msg::DatagramOffer& offer);
+  /// Takes a message that came by datagram as if it had come on this connection: counts it and calls on_message(), or
+  /// drops it when a newer one of its topic came before.
+  void take_datagram(Message message);
   /// Sends the remaining messages of next_to_send() and a Goodbye, and closes, within 0.5 s. `final`: tells the peer
   /// that another attempt would fail the same way.
   void close(const std::string& reason, bool final = false);
@@ -101,6 +108,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   struct Incoming {
     std::optional<Topic> topic;  ///< nullopt: an unknown topic, whose messages are ignored
     std::uint64_t last_sequence = 0;
+    bool by_datagram = false;  ///< a message came by datagram: messages may overtake each other
   };
 
   void read();
@@ -112,7 +120,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] Result<void> on_advertise(const msg::Advertise& advertise);
   [[nodiscard]] Result<void> on_subscription(const msg::Subscribe& subscribe);
   void on_clock_reply(const msg::ClockReply& reply);
+  [[nodiscard]] Result<void> on_datagram_offer(const msg::DatagramOffer& offer);
   [[nodiscard]] Result<void> on_data(Frame frame);
+  void deliver(Incoming& channel, Message message);
 
   void send(msg::Control control);
   void write();
@@ -141,6 +151,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   std::deque<msg::Control> control_;  // bounded: a peer that sends requests without reading replies is disconnected
   std::uint64_t control_sequence_ = 0;
+  bool has_offer_ = false;  // of datagrams: a second one would use the same keys anew
   bool writing_ = false;
   bool drains_ = false;  // while leaving: the owner's queue is sent before the Goodbye
   bool said_goodbye_ = false;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "proto/wire/topics.h"
+#include "proto/wire/datagram_message.h"
 
 namespace telepalp::wire {
 namespace {
@@ -16,10 +16,13 @@ QueueLimit queue_limit(std::string_view topic) noexcept {
   constexpr QueueLimit kImages{.messages = 2,
                                .bytes = 2 * kMaxPayloadBytes};  // one that is sent next and the newest one
   constexpr QueueLimit kSmall{.messages = 256, .bytes = std::size_t{1} << 20};  // 2.5 s of the 100 Hz topics
-  return topic == kCameraColor.name || topic == kCameraDepth.name ? kImages : kSmall;
+  return has_deadline({topic, {}}) ? kImages : kSmall;
 }
 
-SendQueue::Lane& SendQueue::lane_of(const Topic& topic) noexcept { return is_camera(topic) ? camera_ : others_; }
+SendQueue::Lane& SendQueue::lane_of(const Topic& topic) noexcept {
+  if (apart_ && has_deadline(topic)) return apart_lane_;
+  return is_camera(topic) ? camera_ : others_;
+}
 
 std::size_t SendQueue::waiting(const Topic& topic) const {
   const auto found = waiting_.find(topic.name);
@@ -74,8 +77,7 @@ std::vector<Message> SendQueue::push(const Message& message) {
 }
 
 std::optional<Message> SendQueue::pop() {
-  if (empty()) return std::nullopt;
-  if (camera_.empty()) return take(others_, others_.begin());
+  if (camera_.empty()) return others_.empty() ? std::nullopt : std::optional(take(others_, others_.begin()));
   if (!others_.empty() && others_.front().payload->size() <= others_credit_bytes_) {
     others_credit_bytes_ -= others_.front().payload->size();
     return take(others_, others_.begin());
@@ -85,6 +87,18 @@ std::optional<Message> SendQueue::pop() {
   Message message = take(camera_, camera_.begin());
   others_credit_bytes_ = std::min(kMostCredit, others_credit_bytes_ + message.payload->size() / kShare);
   return message;
+}
+
+std::optional<Message> SendQueue::pop_newest(std::vector<Message>& gone) {
+  if (apart_lane_.empty()) return std::nullopt;
+  const std::string_view topic = apart_lane_.front().topic.name;
+  const auto is_key = [&](const Message& message) { return message.topic.name == topic && message.key_frame; };
+  const auto of_topic = [&](const Message& message) { return message.topic.name == topic; };
+  const auto newest_key = std::find_if(apart_lane_.rbegin(), apart_lane_.rend(), is_key);
+  const std::uint64_t first = newest_key == apart_lane_.rend() ? 0 : newest_key->sequence;
+  const auto oldest = [&] { return std::find_if(apart_lane_.begin(), apart_lane_.end(), of_topic); };
+  while (oldest()->sequence < first) gone.push_back(take(apart_lane_, oldest()));
+  return take(apart_lane_, oldest());
 }
 
 std::optional<Message> SendQueue::drop_of_largest() {

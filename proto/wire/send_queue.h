@@ -30,16 +30,24 @@ class SendQueue {
   /// older ones would remove its reference.
   std::vector<Message> push(const Message& message);
 
+  /// While true, messages of deadline topics are taken with pop_newest() alone, because another carrier sends them.
+  /// Call it while no such message waits.
+  void set_apart(bool apart) noexcept { apart_ = apart; }
+
   /// The next message to send. Messages of /camera/... go first, oldest first. The other topics, oldest first, get a
   /// quarter of the camera's bytes while both wait, so that neither stops the other.
   std::optional<Message> pop();
+
+  /// The next message of the deadline topics that are set apart: of one topic, the newest that can be decoded without
+  /// an older one that waits. Older messages of its topic go to `gone`. Topics take turns.
+  std::optional<Message> pop_newest(std::vector<Message>& gone);
 
   /// Removes the oldest message of that topic outside /camera/... that occupies the most bytes in the queue.
   std::optional<Message> drop_of_largest();
 
   [[nodiscard]] std::size_t waiting(const Topic& topic) const;
-  [[nodiscard]] bool empty() const noexcept { return camera_.empty() && others_.empty(); }
-  [[nodiscard]] std::size_t size() const noexcept { return camera_.size() + others_.size(); }
+  [[nodiscard]] bool empty() const noexcept { return size() == 0; }
+  [[nodiscard]] std::size_t size() const noexcept { return apart_lane_.size() + camera_.size() + others_.size(); }
   /// Queued bytes of the topics outside /camera/..., which include all messages that peers publish.
   [[nodiscard]] std::size_t other_bytes() const noexcept { return other_bytes_; }
 
@@ -51,7 +59,7 @@ class SendQueue {
       count_out(message);
       return true;
     };
-    return std::erase_if(camera_, remove) + std::erase_if(others_, remove);
+    return std::erase_if(apart_lane_, remove) + std::erase_if(camera_, remove) + std::erase_if(others_, remove);
   }
 
  private:
@@ -68,9 +76,11 @@ class SendQueue {
   void count_in(const Message& message);
   void count_out(const Message& message);
 
+  Lane apart_lane_;  // deadline topics while apart_
   Lane camera_;
   Lane others_;
   std::map<std::string_view, Waiting> waiting_;  // key: topic
+  bool apart_ = false;
   std::size_t other_bytes_ = 0;
   std::size_t others_credit_bytes_ = 0;  // bytes that others_ may send, earned by bytes sent from camera_
 };

@@ -20,6 +20,7 @@
 #include "server/gateway/sign_in/web_sessions.h"
 #include "server/gateway/static_files.h"
 #include "server/hub/hub.h"
+#include "server/hub/server_stats.h"
 #include "server/views/view_maker.h"
 
 namespace telepalp::gateway {
@@ -31,8 +32,9 @@ struct GatewayOptions {
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
   std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
-  std::function<std::string()> problem{};         ///< what is wrong with the server; empty: nothing
-  std::function<std::string()> playback_state{};  ///< JSON of msg::PlaybackState; unset: nothing is played
+  std::function<std::string()> problem{};            ///< what is wrong with the server; empty: nothing
+  std::function<hub::DatagramCounts()> datagrams{};  ///< what came to the UDP port
+  std::function<std::string()> playback_state{};     ///< JSON of msg::PlaybackState; unset: nothing is played
   /// Carries out the JSON of a msg::PlaybackCommand and returns the new state; set when playback_state is.
   std::function<Result<std::string>(const std::string& json)> playback_command{};
   std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers

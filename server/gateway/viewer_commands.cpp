@@ -1,6 +1,6 @@
 #include "server/gateway/viewer_commands.h"
 
-#include "proto/wire/viewer_hand.h"
+#include "proto/wire/viewer/viewer_hand.h"
 
 namespace telepalp::gateway {
 namespace {

@@ -88,8 +88,10 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
                   "metrics need a token of a technician or of QA: Authorization: Bearer TOKEN");
   if (!host_is_ours(context_.options.policy, view(request[http::field::host])))
     return refuse(request, http::status::misdirected_request, "this server is not known by that name");
-  const std::string text = metrics_text(context_.hub, context_.options.access->counts(), context_.connections.size(),
-                                        context_.options.access->touch().holder(steady_now()).has_value());
+  const std::string text =
+      metrics_text(context_.hub, context_.options.access->counts(),
+                   context_.options.datagrams ? context_.options.datagrams() : hub::DatagramCounts{},
+                   context_.connections.size(), context_.options.access->touch().holder(steady_now()).has_value());
   HttpReply reply = refuse(request, http::status::ok, text);
   reply.set(http::field::content_type, "text/plain; version=0.0.4; charset=utf-8");
   return reply;

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "proto/wire/datagram_message.h"
+
 namespace telepalp::hub {
 namespace {
 
@@ -121,10 +123,40 @@ void Hub::request_key_frame(SubscriberId id, const wire::Topic& topic, SessionTi
   if (found == subscribers_.end() || !wants(found->second.topics, topic.name)) return;
   const wire::KeyFrameState& state = key_frames_[topic.name];
   if (!state.in_groups || !still_needs_key_frame(state, undecodable)) return;
-  Subscriber& subscriber = found->second;
+  start_anew(found->second, topic);
+}
+
+void Hub::restart_group(SubscriberId id, const wire::Topic& topic) {
+  const auto found = subscribers_.find(id);
+  if (found == subscribers_.end() || !key_frames_[topic.name].in_groups) return;
+  start_anew(found->second, topic);
+}
+
+/// The next message of `topic` to the subscriber is a key frame.
+void Hub::start_anew(Subscriber& subscriber, const wire::Topic& topic) {
   subscriber.positions[topic.name] = {};
   remove_waiting(subscriber, [&](const wire::Message& message) { return message.topic.name == topic.name; });
-  request_from_publisher(topic.name);
+  if (wants(subscriber.topics, topic.name)) request_from_publisher(topic.name);
+}
+
+void Hub::set_apart(SubscriberId id, bool apart) {
+  const auto found = subscribers_.find(id);
+  if (found == subscribers_.end() || found->second.count.apart == apart) return;
+  Subscriber& subscriber = found->second;
+  remove_waiting(subscriber, [](const wire::Message& message) { return wire::has_deadline(message.topic); });
+  subscriber.count.apart = apart;
+  subscriber.queue.set_apart(apart);
+  for (const wire::Topic& topic : wire::kDeadlineTopics) restart_group(id, topic);
+}
+
+std::optional<wire::Message> Hub::next_apart(SubscriberId id) {
+  const auto found = subscribers_.find(id);
+  if (found == subscribers_.end()) return std::nullopt;
+  std::vector<wire::Message> gone;
+  std::optional<wire::Message> message = found->second.queue.pop_newest(gone);
+  for (const wire::Message& older : gone) drop(found->second.count, older);
+  if (message) count_sent(found->second, *message);
+  return message;
 }
 
 void Hub::request_from_publisher(std::string_view topic) {
@@ -140,7 +172,8 @@ void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
 void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
   ++subscriber.count.topics[message.topic.name].published;
   wire::GroupPosition& position = subscriber.positions[message.topic.name];
-  const bool was_empty = subscriber.queue.empty();
+  const bool was_empty =
+      subscriber.queue.empty() || subscriber.count.apart;  // one carrier may wait while the other sends
   const bool usable = can_decode(position, message.sequence, message.key_frame);
   const std::vector<wire::Message> gone = usable ? put_in_queue(subscriber, message) : std::vector{message};
   for (const wire::Message& lost : gone) drop(subscriber.count, lost);
@@ -156,15 +189,17 @@ std::optional<wire::Message> Hub::next(SubscriberId id) {
   const std::size_t before = found->second.queue.other_bytes();
   std::optional<wire::Message> message = found->second.queue.pop();
   waiting_bytes_ -= before - found->second.queue.other_bytes();
-  if (message) {
-    TopicCount& count = found->second.count.topics[message->topic.name];
-    ++count.sent;
-    count.bytes += message->payload->size();
-    ++topics_[message->topic.name].sent;
-    // No request if its queue was full: a subscriber that reads nothing would cause one key frame after another.
-    if (found->second.positions[message->topic.name].last == 0) request_from_publisher(message->topic.name);
-  }
+  if (message) count_sent(found->second, *message);
   return message;
+}
+
+void Hub::count_sent(Subscriber& subscriber, const wire::Message& message) {
+  TopicCount& count = subscriber.count.topics[message.topic.name];
+  ++count.sent;
+  count.bytes += message.payload->size();
+  ++topics_[message.topic.name].sent;
+  // No request if its queue was full: a subscriber that reads nothing would cause one key frame after another.
+  if (subscriber.positions[message.topic.name].last == 0) request_from_publisher(message.topic.name);
 }
 
 std::uint64_t Hub::SubscriberCount::sent() const noexcept {

@@ -55,6 +55,14 @@ class Hub {
   /// Takes the oldest message from the subscriber's queue; nullopt when the queue is empty.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
+  /// While true, another carrier sends the deadline topics to the subscriber, and takes them with next_apart(). A
+  /// change of the carrier drops the messages of these topics that wait, and the next one sent is a key frame.
+  void set_apart(SubscriberId subscriber, bool apart);
+  /// The newest message of the deadline topics; older ones of its topic are dropped.
+  [[nodiscard]] std::optional<wire::Message> next_apart(SubscriberId subscriber);
+  /// The subscriber's chain of predicted frames of `topic` is broken: it needs a key frame.
+  void restart_group(SubscriberId subscriber, const wire::Topic& topic);
+
   /// True when a subscriber not named `other_than` has subscribed to `topic` by its full name, not by a prefix.
   [[nodiscard]] bool is_taken(std::string_view topic, std::string_view other_than) const noexcept;
 
@@ -75,6 +83,7 @@ class Hub {
     std::string name;
     std::string address;
     std::uint32_t sender = 0;
+    bool apart = false;  ///< deadline topics go by another carrier: datagrams
     TopicCounts topics;
     [[nodiscard]] std::uint64_t sent() const noexcept;
     [[nodiscard]] std::uint64_t dropped() const noexcept;
@@ -91,11 +100,13 @@ class Hub {
     std::function<void()> wake;
   };
   void drop(SubscriberCount& subscriber, const wire::Message& message);
+  void count_sent(Subscriber& subscriber, const wire::Message& message);
   void offer(Subscriber& subscriber, const wire::Message& message);
   std::vector<wire::Message> put_in_queue(Subscriber& subscriber, const wire::Message& message);
   void drop_beyond_the_bound();
   template <class Matches>
   void remove_waiting(Subscriber& subscriber, Matches matches);  ///< counted as dropped
+  void start_anew(Subscriber& subscriber, const wire::Topic& topic);
   void forget_unwanted(Subscriber& subscriber);
   void request_from_publisher(std::string_view topic);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "server/access/audit_text.h"
+#include "server/hub/peer_datagrams.h"
 #include "server/hub/peer_listener.h"
 #include "server/hub/upstream.h"
 
@@ -104,12 +105,34 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     place_ = kind;
     sender_ = listener_.sender_number(peer.run());
     subscriber_ = listener_.hub_.join(
-        name_, connection_->peer(), [this] { connection_->wake(); }, sender_);
+        name_, connection_->peer(), [this] { wake(); }, sender_);
     listener_.note(name_ + " (" + (access().has_keys() ? describe(*who_) : peer.role()) + ") joined from " +
                    connection_->peer());
     access().note(access::AuditEvent::Joined, in_audit());
     if (kind == PlaceKind::Recorder) access().note(access::AuditEvent::Records, in_audit());
     if (holds_touch_) access().note(access::AuditEvent::TookTouch, in_audit());
+    offer_datagrams(peer.datagrams());
+  }
+  /// Their secret comes from TLS. Without TLS, the peer is on this machine, and the offer carries a random one.
+  void offer_datagrams(msg::DatagramCipher wanted) {
+    if (!listener_.datagrams_->is_open()) return;
+    datagrams_ = PeerDatagrams::offer(listener_.io_, *listener_.datagrams_, listener_.hub_, wanted,
+                                      connection_->keying_material(wire::kDatagramKeyLabel),
+                                      {.subscriber = subscriber_,
+                                       .now = [this] { return session_now(); },
+                                       .on_phase = [this](wire::DatagramPhase phase) { note_images(phase); }});
+    if (!datagrams_) return;
+    connection_->offer_datagrams(datagrams_->message());
+    datagrams_->start();
+  }
+  void note_images(wire::DatagramPhase phase) {
+    listener_.note(name_ + " at " + connection_->peer() +
+                   (phase == wire::DatagramPhase::Up ? ": images go by sealed datagrams"
+                                                     : ": no datagram comes through (UDP): images go over TCP"));
+  }
+  void wake() {
+    connection_->wake();
+    if (datagrams_) datagrams_->wake();
   }
   /// Takes the touch for this peer; false: another doctor holds it. Without keys it is always granted, because only
   /// programs of this machine can connect.
@@ -178,6 +201,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   void leave_hub() {
     if (!subscriber_) return;
     if (listener_.options_.on_leaving) listener_.options_.on_leaving();
+    datagrams_.reset();
     listener_.hub_.leave(std::exchange(subscriber_, 0));
     sender_ = 0;  // the number is free for this peer's next connection
   }
@@ -196,6 +220,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   bool over_rate_noted_ = false;
   std::uint32_t sender_ = 0;                      // 0: no Hello yet
   SubscriberId subscriber_ = 0;                   // 0: not in the hub
+  std::unique_ptr<PeerDatagrams> datagrams_;      // null: not offered
   std::shared_ptr<wire::Connection> connection_;  // shared with its pending operations
 };
 

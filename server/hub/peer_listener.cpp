@@ -58,21 +58,47 @@ Result<std::unique_ptr<PeerListener>> PeerListener::listen(asio::io_context& io,
   if (!address) return address.error();
   const tcp::endpoint endpoint{*address, options.port};
   std::unique_ptr<PeerListener> listener(new PeerListener(io, hub, clock, std::move(options)));
-  if (const error_code code = open_acceptor(listener->acceptor_, endpoint)) return cannot_listen(endpoint, code);
-  listener->port_ = listener->acceptor_.local_endpoint().port();
+  if (const error_code code = listener->open(endpoint)) return cannot_listen(endpoint, code);
   listener->accept();
   listener->let_idle_go_every_second();
   return listener;
 }
 
 PeerListener::PeerListener(asio::io_context& io, Hub& hub, const wire::SessionClock& clock, Options options)
-    : io_(io), hub_(hub), clock_(clock), options_(std::move(options)), acceptor_(io), accept_again_(io), second_(io) {}
+    : io_(io),
+      hub_(hub),
+      clock_(clock),
+      options_(std::move(options)),
+      acceptor_(io),
+      accept_again_(io),
+      second_(io),
+      datagrams_(std::make_unique<DatagramPort>(io)) {}
 
 PeerListener::~PeerListener() = default;
+
+/// Opens the TCP port, and the UDP port of the same number. Where any port will do, one is taken that both have free.
+error_code PeerListener::open(const tcp::endpoint& endpoint) {
+  constexpr int kAttempts = 8;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    error_code failed;
+    acceptor_.close(failed);
+    if (failed = open_acceptor(acceptor_, endpoint); failed) return failed;
+    port_ = acceptor_.local_endpoint().port();
+    if (failed = datagrams_->open({endpoint.address(), port_}); !failed) return {};
+    if (endpoint.port() == 0 && attempt + 1 < kAttempts) continue;
+    note("UDP port " + std::to_string(port_) + " cannot be opened (" + failed.message() +
+         "): images go over TCP alone");
+    return {};
+  }
+  return {};
+}
+
+DatagramCounts PeerListener::datagram_counts() const noexcept { return datagrams_->counts(); }
 
 void PeerListener::close(const std::string& reason) {
   error_code ignored;
   acceptor_.close(ignored);
+  datagrams_->close();
   accept_again_.cancel();
   second_.cancel();
   for (const auto& [number, peer] : peers_) peer->close(reason);

@@ -15,6 +15,7 @@
 #include "proto/wire/session_clock.h"
 #include "proto/words/result.h"
 #include "server/access/access.h"
+#include "server/hub/datagrams/datagram_counts.h"
 #include "server/hub/hub.h"
 #include "server/hub/places.h"
 
@@ -23,6 +24,8 @@ namespace telepalp::hub {
 /// Parses an address to listen on. Error: not a loopback address, and `has_keys` is false: without TLS it would expose
 /// the patient to the network.
 [[nodiscard]] Result<boost::asio::ip::address> listening_address(const std::string& address, bool has_keys);
+
+class DatagramPort;
 
 /// Accepts peers (stations, recorders, tools) and connects each to the hub: subscribed messages go to the peer,
 /// messages of a station go to the hub. Owner: the server's network thread.
@@ -55,6 +58,7 @@ class PeerListener {
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
   /// Connected peers that may publish /station/...
   [[nodiscard]] std::size_t stations() const { return taken(PlaceKind::Station); }
+  [[nodiscard]] DatagramCounts datagram_counts() const noexcept;
 
   /// Stops listening, and sends every peer its queued messages and a Goodbye. Within 1 s no work is left in the
   /// io_context.
@@ -65,6 +69,7 @@ class PeerListener {
   using PeerNumber = std::uint64_t;
 
   PeerListener(boost::asio::io_context& io, Hub& hub, const wire::SessionClock& clock, Options options);
+  [[nodiscard]] boost::system::error_code open(const boost::asio::ip::tcp::endpoint& endpoint);
   void accept();
   void admit(boost::asio::ip::tcp::socket socket);
   void forget(PeerNumber number);
@@ -84,6 +89,7 @@ class PeerListener {
   boost::asio::steady_timer accept_again_;
   boost::asio::steady_timer second_;
   std::uint16_t port_ = 0;
+  std::unique_ptr<DatagramPort> datagrams_;  // of the same number as port_; closed if another program has it
   std::map<PeerNumber, std::unique_ptr<Peer>> peers_;
   PeerNumber last_number_ = 0;
   Counts counts_;

@@ -13,7 +13,7 @@ void fill(msg::ServerStats::PerTopic& row, std::string_view topic, const Hub::To
 
 }  // namespace
 
-msg::ServerStats server_stats(const Hub& hub, SessionTime now) {
+msg::ServerStats server_stats(const Hub& hub, const DatagramCounts& datagrams, SessionTime now) {
   msg::ServerStats stats;
   stats.set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(now)));
   for (const auto& [topic, count] : hub.topic_counts()) fill(*stats.add_topics(), topic, count);
@@ -22,10 +22,17 @@ msg::ServerStats server_stats(const Hub& hub, SessionTime now) {
     row.set_name(subscriber.name);
     row.set_address(subscriber.address);
     row.set_sender(subscriber.sender);
+    row.set_by_datagram(subscriber.apart);
     row.set_sent(subscriber.sent());
     row.set_dropped(subscriber.dropped());
     for (const auto& [topic, count] : subscriber.topics) fill(*row.add_topics(), topic, count);
   }
+  msg::ServerStats::Datagrams& port = *stats.mutable_datagrams();
+  port.set_taken(datagrams.taken);
+  port.set_strangers(datagrams.strangers);
+  port.set_malformed(datagrams.malformed);
+  port.set_replayed(datagrams.replayed);
+  port.set_forged(datagrams.forged);
   return stats;
 }
 

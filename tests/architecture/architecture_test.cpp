@@ -29,7 +29,7 @@ const std::vector<Rule> kRules{
     {"proto/impaired", {"proto/words", "proto/impaired"}},
     {"proto/link", {"proto/words", "proto/link"}},
     {"proto/keys", {"proto/words", "proto/keys"}},
-    {"proto/wire", {"proto/words", "proto/keys", "proto/wire", "messages", "foxglove"}},
+    {"proto/wire", {"proto/words", "proto/keys", "proto/link", "proto/wire", "messages", "foxglove"}},
     {"support", {"proto/words", "support"}},
     {"codec", {"proto/words", "codec"}},
     {"server", {"proto", "support", "codec", "server", "messages", "foxglove"}},

@@ -66,7 +66,8 @@ while IFS=$'\t' read -r -u 3 kind line; do
     "doctor background")
       # shellcheck disable=SC2086
       start "$doctor" station $line
-      wait_for "the station" "$work/station.log" "link connected" ;;
+      wait_for "the station" "$work/station.log" "link connected"
+      wait_for "the station's datagrams" "$work/station.log" "the images come by sealed datagrams" ;;
     patient | doctor)
       [ "$kind" = patient ] && space=$patient || space=$doctor
       (cd "$work/$kind" && timeout 60 ip netns exec "$space" $line) >"$work/step.log" 2>&1 </dev/null || fail "$line" "$work/step.log"

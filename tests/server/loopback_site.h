@@ -58,13 +58,14 @@ struct Client {
   wire::ClientLink link;
 
   Client(Site& site, std::vector<std::string> topics, std::string name = "test", std::uint16_t port = 0,
-         std::string role = "viewer")
+         std::string role = "viewer", bool datagrams = false)
       : link(site.io,
              {.port = port != 0 ? port : site.listener->port(),
               .name = std::move(name),
               .role = std::move(role),
               .subscribes = std::move(topics),
-              .publishes = {wire::kStationState, wire::kStationEvents}},
+              .publishes = {wire::kStationState, wire::kStationEvents},
+              .datagrams = datagrams},
              {.on_message = [this](const wire::Message& message) { messages.push_back(message); },
               .on_state =
                   [this](wire::LinkState state, const std::string& detail) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "proto/wire/viewer_hand.h"
+#include "proto/wire/viewer/viewer_hand.h"
 #include "server/gateway/hand_holder.h"
 
 namespace telepalp::server {

@@ -85,7 +85,8 @@ class Recording {
                .key = options.key,
                .subscribes = options.topics.subscription()},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
-               .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); }}) {}
+               .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); },
+               .on_datagrams = [this](wire::DatagramPhase, const std::string& detail) { say(detail); }}) {}
 
   void on_alarm(const std::string& text) {
     boost::asio::post(io_, [this, text] { say(text); });

@@ -41,9 +41,12 @@ std::optional<std::vector<std::byte>> FrameSender::next(SessionTime now, PathEst
   return payload;
 }
 
+/// A frame is given up unsent when it would come later than twice the deadline. Over a path that alone takes longer, as
+/// by satellite, a frame that left within its deadline is still the newest there is.
 void FrameSender::start_newest(SessionTime now, const PathEstimate& path) {
+  const Nanoseconds oldest = std::max(2 * deadline_ - path.least_round_trip() / 2, deadline_);
   std::erase_if(waiting_, [&](const auto& entry) {
-    const bool late = now - entry.second.captured + path.least_round_trip() / 2 > 2 * deadline_;
+    const bool late = now - entry.second.captured > oldest;
     if (late) ++statistics_.expired;
     return late;
   });

@@ -44,6 +44,11 @@ class FrameSender {
   /// The payload of the next datagram; nullopt: nothing to send, or no room on the path.
   [[nodiscard]] std::optional<std::vector<std::byte>> next(SessionTime now, PathEstimate& path);
 
+  /// True when all fragments of the started frames are sent and no frame waits: the next one can start at once.
+  [[nodiscard]] bool idle() const noexcept { return first_round_.empty() && waiting_.empty(); }
+  /// True while fragments wait for room on the path.
+  [[nodiscard]] bool holds_fragments() const noexcept { return !first_round_.empty() || !requested_.empty(); }
+
   /// Prepares the repair shards that a receiver asks for, if they can arrive before the frame's deadline.
   void on_missing(std::span<const Missing> missing, SessionTime now, const PathEstimate& path);
 

@@ -36,7 +36,10 @@ void PathEstimate::sent(std::uint64_t sequence, std::size_t bytes, SessionTime n
 void PathEstimate::on_feedback(const Feedback& feedback, SessionTime now) {
   const bool older =
       last_ && (feedback.highest_sequence < last_->highest_sequence || feedback.reported_ns <= last_->reported_ns);
-  if (older || on_the_way_.empty() || feedback.highest_sequence > on_the_way_.back().sequence) return;
+  if (older || feedback.received_bytes == 0 || on_the_way_.empty() ||
+      feedback.highest_sequence > on_the_way_.back().sequence)
+    return;
+  if (!last_ || feedback.highest_sequence > last_->highest_sequence) ++answers_;
   const std::uint64_t before = acknowledged_;
   while (!on_the_way_.empty() && on_the_way_.front().sequence < feedback.highest_sequence) on_the_way_.pop_front();
   if (!on_the_way_.empty() && on_the_way_.front().sequence == feedback.highest_sequence) {

@@ -15,7 +15,7 @@ class PathEstimate {
  public:
   /// A datagram of `bytes` left at `now`.
   void sent(std::uint64_t sequence, std::size_t bytes, SessionTime now);
-  /// Ignores feedback that is older than the last one, or acknowledges a datagram that was not sent.
+  /// Ignores feedback that is older than the last one, or acknowledges nothing, or a datagram that was not sent.
   void on_feedback(const Feedback& feedback, SessionTime now);
 
   /// True if a datagram may be sent now. Without feedback for a while all data in flight counts as lost.
@@ -30,6 +30,8 @@ class PathEstimate {
   [[nodiscard]] std::uint64_t in_flight_B() const noexcept { return sent_bytes_ - acknowledged_; }
   [[nodiscard]] std::uint64_t limit_B() const noexcept { return limit_B_; }
   [[nodiscard]] Nanoseconds reported_age() const noexcept { return reported_age_; }  ///< of the newest complete frame
+  /// Reports that acknowledged a datagram which no earlier report did: the path works in both directions.
+  [[nodiscard]] std::uint64_t answers() const noexcept { return answers_; }
 
  private:
   struct Sent {
@@ -55,6 +57,7 @@ class PathEstimate {
   std::uint64_t sent_bytes_ = 0;
   std::uint64_t acknowledged_ = 0;
   std::optional<Feedback> last_;
+  std::uint64_t answers_ = 0;
   SessionTime last_heard_{};
   std::deque<RoundTrip> recent_;  ///< some round trips of the last ten seconds
   std::deque<Report> reports_;    ///< reports of the last fifth of a second

@@ -1,5 +1,9 @@
 #include "server/gateway/health/metrics.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace telepalp::gateway {
 namespace {
 
@@ -19,18 +23,36 @@ std::string by_topic(const hub::Hub& hub, const std::string& name, const std::st
   return text;
 }
 
+std::string refused(const hub::DatagramCounts& datagrams) {
+  const std::string name = "telepalp_datagrams_refused_total";
+  std::string text = described(name, "counter", "Datagrams that were refused, and not answered.");
+  for (const auto& [why, count] : {std::pair{"stranger", datagrams.strangers},
+                                   {"malformed", datagrams.malformed},
+                                   {"replayed", datagrams.replayed},
+                                   {"forged", datagrams.forged}})
+    text += name + "{why=\"" + why + "\"} " + std::to_string(count) + "\n";
+  return text;
+}
+
 }  // namespace
 
-std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& access, std::size_t browsers,
-                         bool touch_is_held) {
+std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& access,
+                         const hub::DatagramCounts& datagrams, std::size_t browsers, bool touch_is_held) {
   using Count = hub::Hub::TopicCount;
+  const std::vector<hub::Hub::SubscriberCount> subscribers = hub.subscriber_counts();
+  const auto by_datagram = std::count_if(subscribers.begin(), subscribers.end(),
+                                         [](const hub::Hub::SubscriberCount& subscriber) { return subscriber.apart; });
   return by_topic(hub, "telepalp_published_messages_total", "Messages published, by topic.", &Count::published) +
          by_topic(hub, "telepalp_published_bytes_total", "Bytes published, by topic.", &Count::bytes) +
          by_topic(hub, "telepalp_sent_messages_total", "Messages sent to subscribers, by topic.", &Count::sent) +
          by_topic(hub, "telepalp_dropped_messages_total", "Messages dropped for slow subscribers, by topic.",
                   &Count::dropped) +
          single("telepalp_subscribers", "gauge", "Stations, recorders and browsers that are connected.",
-                hub.subscriber_counts().size()) +
+                subscribers.size()) +
+         single("telepalp_datagram_subscribers", "gauge", "Of these, peers whose images go by sealed datagrams.",
+                static_cast<std::uint64_t>(by_datagram)) +
+         single("telepalp_datagrams_taken_total", "counter", "Datagrams of peers.", datagrams.taken) +
+         refused(datagrams) +
          single("telepalp_browser_connections", "gauge", "Open connections of the web port.", browsers) +
          single("telepalp_waiting_bytes", "gauge", "Bytes that wait for subscribers, without images.",
                 hub.waiting_bytes()) +

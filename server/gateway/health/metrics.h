@@ -3,7 +3,7 @@
 #include <string>
 
 #include "server/access/access.h"
-#include "server/hub/hub.h"
+#include "server/hub/server_stats.h"
 
 namespace telepalp::gateway {
 
@@ -11,7 +11,7 @@ inline constexpr std::string_view kMetricsTarget = "/metrics";
 inline constexpr std::string_view kHealthTarget = "/health";
 
 /// The server's counts in Prometheus' text format. It names no person and no address.
-[[nodiscard]] std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& access, std::size_t browsers,
-                                       bool touch_is_held);
+[[nodiscard]] std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& access,
+                                       const hub::DatagramCounts& datagrams, std::size_t browsers, bool touch_is_held);
 
 }  // namespace telepalp::gateway

@@ -50,6 +50,14 @@ TEST(DatagramLink, AThinPipeWithADeepBufferStaysFresh) {
   EXPECT_LE(outcome.depth_age_ms.quantile(0.95), 200.0);
 }
 
+TEST(DatagramLink, APathThatIsSlowerThanTheDeadlineStillShowsImages) {
+  const auto profile = impaired::profile_named("satellite");
+  Scenario scenario{.down = profile->down, .up = profile->up};
+  scenario.seconds = 20.0;
+  const Outcome outcome = run_telepalp(scenario);
+  EXPECT_GE(outcome.shown, outcome.frames * 9 / 10);
+}
+
 TEST(DatagramLink, ABrokenChainIsMendedByAKeyFrame) {
   Scenario scenario = shorter(bench::link::over(100ms, 0.05, 4.0), 30.0);
   scenario.depth_depends = true;

@@ -1,4 +1,4 @@
-#include "proto/wire/viewer_hand.h"
+#include "proto/wire/viewer/viewer_hand.h"
 
 namespace telepalp::wire {
 namespace {

@@ -1,0 +1,42 @@
+#include "proto/wire/datagram_message.h"
+
+#include <cstring>
+
+#include "proto/words/demand.h"
+
+namespace telepalp::wire {
+namespace {
+
+using link::get_little_endian;
+using link::put_little_endian;
+
+constexpr std::size_t kLabelBytes = 16;
+
+}  // namespace
+
+link::Frame frame_of(const Message& message, SessionTime now) {
+  const std::optional<std::uint8_t> channel = datagram_channel(message.topic);
+  demand(channel.has_value(), "only deadline topics travel by datagram");
+  const bool fresh = message.published <= now && now - message.published < std::chrono::seconds(1);
+  link::Frame frame{.channel = *channel,
+                    .number = static_cast<std::uint32_t>(message.sequence),
+                    .key_frame = message.key_frame,
+                    .captured = fresh ? message.published : now,
+                    .bytes = std::vector<std::byte>(kLabelBytes + message.payload->size())};
+  put_little_endian(frame.bytes.data(), static_cast<std::uint64_t>(to_nanoseconds(message.published)), 8);
+  put_little_endian(frame.bytes.data() + 8, message.sequence, 8);
+  std::memcpy(frame.bytes.data() + kLabelBytes, message.payload->data(), message.payload->size());
+  return frame;
+}
+
+std::optional<Message> message_of(const link::Frame& frame) {
+  if (frame.channel >= kDeadlineTopics.size() || frame.bytes.size() < kLabelBytes) return std::nullopt;
+  const auto* const payload = reinterpret_cast<const char*>(frame.bytes.data() + kLabelBytes);
+  return Message{.topic = kDeadlineTopics[frame.channel],
+                 .published = session_time(static_cast<std::int64_t>(get_little_endian(frame.bytes.data(), 8))),
+                 .payload = std::make_shared<const std::string>(payload, frame.bytes.size() - kLabelBytes),
+                 .sequence = get_little_endian(frame.bytes.data() + 8, 8),
+                 .key_frame = frame.key_frame};
+}
+
+}  // namespace telepalp::wire

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "proto/link/datagram_link.h"
+#include "proto/wire/message.h"
+
+namespace telepalp::wire {
+
+/// Topics whose messages are worthless when they are late. The place of a topic is its datagram channel in WIRE.md.
+inline constexpr std::array kDeadlineTopics{kCameraDepth, kCameraColor};
+
+/// The datagram channel of `topic`; nullopt: its messages travel over TCP alone.
+[[nodiscard]] constexpr std::optional<std::uint8_t> datagram_channel(const Topic& topic) noexcept {
+  for (std::size_t i = 0; i < kDeadlineTopics.size(); ++i)
+    if (kDeadlineTopics[i].name == topic.name) return static_cast<std::uint8_t>(i);
+  return std::nullopt;
+}
+
+[[nodiscard]] constexpr bool has_deadline(const Topic& topic) noexcept { return datagram_channel(topic).has_value(); }
+
+/// A message of a deadline topic as a frame of datagrams: 8 bytes published_ns, 8 bytes sequence, little-endian, and
+/// the payload. The frame's deadline counts from the publication, or from `now` if the publisher's stamp is not of the
+/// last second: an old stamp must not make a frame late before it starts.
+[[nodiscard]] link::Frame frame_of(const Message& message, SessionTime now);
+
+/// nullopt: no deadline topic has the frame's channel, or the frame is too short.
+[[nodiscard]] std::optional<Message> message_of(const link::Frame& frame);
+
+}  // namespace telepalp::wire

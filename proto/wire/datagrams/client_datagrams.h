@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <functional>
+#include <memory>
+
+#include "proto/wire/datagrams/datagram_end.h"
+
+namespace telepalp::wire {
+
+/// The datagrams of a client's connection: a UDP socket to the server, and the client's end. Each attempt after a
+/// blocked one uses a new socket: a NAT may have forgotten the old one. Owner: the thread of `io`.
+class ClientDatagrams {
+ public:
+  struct Handlers {
+    std::function<void(link::Frame)> on_frame{};
+    std::function<void(DatagramPhase)> on_phase{};
+    std::function<SessionTime()> now{};
+  };
+
+  ClientDatagrams(boost::asio::io_context& io, const boost::asio::ip::udp::endpoint& server,
+                  const link::SealSettings& seal, Handlers handlers);
+
+  void start();
+  void close() noexcept;  ///< no handler is called any more
+  /// Takes another local port, as a NAT may do at any time.
+  void change_socket();
+
+  [[nodiscard]] const DatagramEnd& end() const noexcept { return end_; }
+
+ private:
+  void wait();
+  void read_some();
+  [[nodiscard]] bool send(std::span<const std::byte> datagram);
+
+  boost::asio::ip::udp::endpoint server_;
+  std::function<void(DatagramPhase)> on_phase_;
+  boost::asio::ip::udp::socket socket_;
+  DatagramEnd end_;
+  std::array<std::byte, link::kDatagramBytes + 1>
+      buffer_{};                     // one more: a longer datagram is not taken for a whole one
+  std::uint64_t socket_number_ = 0;  // a read of an earlier socket is no read of this one
+  bool closed_ = false;
+  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending reads look at it
+};
+
+}  // namespace telepalp::wire

@@ -1,0 +1,134 @@
+#include "proto/wire/datagrams/datagram_end.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace telepalp::wire {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Time between reports on a path without frames: ten may be lost before the path counts as silent.
+constexpr Nanoseconds kReportEvery = 100ms;
+/// A client begins when it has the offer and its clock is synchronised: two round trips later, by satellite 1.2 s.
+constexpr Nanoseconds kUntilClientBegins = 1500ms;
+constexpr Nanoseconds kFullSocket = 1ms;
+/// Datagrams at once; then the thread serves its other sockets. A depth image is about a hundred.
+constexpr int kBatch = 64;
+
+}  // namespace
+
+DatagramEnd::DatagramEnd(const boost::asio::any_io_executor& executor, const link::SealSettings& seal, link::End end,
+                         Handlers handlers)
+    : end_(end),
+      handlers_(std::move(handlers)),
+      // A client sends no frames, so that a server assembles none for it.
+      link_({.seal = seal, .takes_frames = end == link::End::Client}, end),
+      timer_(executor) {}
+
+void DatagramEnd::start() {
+  watch_.offered(handlers_.now() + (end_ == link::End::Server ? kUntilClientBegins : 0ms));
+  pump();
+}
+
+void DatagramEnd::close() noexcept {
+  closed_ = true;
+  timer_.cancel();
+}
+
+std::optional<bool> DatagramEnd::received(std::span<const std::byte> datagram) {
+  if (closed_) return std::nullopt;
+  const SessionTime now = handlers_.now();
+  const std::optional<bool> newest = link_.received(datagram, now);
+  if (!newest) return newest;
+  heard_at_ = now;
+  if (std::exchange(answers_, link_.path().answers()) != link_.path().answers()) watch_.answered(now);
+  take_frames(now);
+  if (!closed_) hear_wishes(now);
+  return newest;
+}
+
+void DatagramEnd::take_frames(SessionTime now) {
+  while (std::optional<link::Frame> frame = closed_ ? std::nullopt : link_.take(now)) {
+    if (frame->newest)
+      handlers_.on_frame(std::move(*frame));
+    else
+      ++late_;
+  }
+}
+
+void DatagramEnd::hear_wishes(SessionTime now) {
+  const std::uint16_t wanted = link_.key_frames_wanted();
+  for (std::uint8_t channel = 0; channel < link::kMostChannels; ++channel) {
+    const bool wants = ((wanted >> channel) & 1U) != 0;
+    if (wants && handlers_.on_key_frame_needed && repair_.is_due(channel, now, link_.path().round_trip()))
+      handlers_.on_key_frame_needed(channel);
+  }
+}
+
+/// A client reports unless the path is blocked, a server while the client does.
+bool DatagramEnd::reports(SessionTime now) const noexcept {
+  if (end_ == link::End::Server) return heard_at_ != SessionTime{} && now - heard_at_ <= PathWatch::kSilence;
+  return watch_.phase() == DatagramPhase::Trying || watch_.phase() == DatagramPhase::Up;
+}
+
+void DatagramEnd::report_when_due(SessionTime now) {
+  if (!reports(now) || now - reported_at_ < kReportEvery) return;
+  reported_at_ = now;
+  link_.want_report();
+}
+
+void DatagramEnd::tell_phase() {
+  const DatagramPhase phase = watch_.phase();
+  const bool settled = phase == DatagramPhase::Up || phase == DatagramPhase::Blocked;
+  if (settled && std::exchange(told_, phase) != phase && handlers_.on_phase) handlers_.on_phase(phase);
+}
+
+void DatagramEnd::offer_next(SessionTime now) {
+  if (!handlers_.next_frame || watch_.phase() != DatagramPhase::Up || !link_.ready_for_frame(now)) return;
+  std::optional<link::Frame> frame = handlers_.next_frame();
+  if (!frame) return;
+  if (frame->key_frame) repair_.key_frame_sent(frame->channel, now);
+  (void)link_.offer(std::move(*frame));
+}
+
+/// False: nothing more can be sent now.
+bool DatagramEnd::send_next(SessionTime now) {
+  if (!unsent_) {
+    offer_next(now);
+    unsent_ = link_.next(now);
+  }
+  if (!unsent_ || !handlers_.send(unsent_->bytes())) return false;
+  unsent_.reset();
+  return true;
+}
+
+void DatagramEnd::pump() {
+  if (closed_) return;
+  const SessionTime now = handlers_.now();
+  watch_.step(now);
+  tell_phase();
+  if (closed_) return;  // the owner may end this end when it is told
+  report_when_due(now);
+  int sent = 0;
+  while (sent < kBatch && send_next(now)) ++sent;
+  if (sent == kBatch) return wake_at(now, now);
+  if (unsent_) return wake_at(now + kFullSocket, now);
+  SessionTime next = link_.due(now).value_or(now + kReportEvery);
+  if (reports(now)) next = std::min(next, reported_at_ + kReportEvery);
+  if (const auto change = watch_.due()) next = std::min(next, *change);
+  wake_at(next, now);
+}
+
+void DatagramEnd::wake_at(SessionTime at, SessionTime now) {
+  if (wakes_at_ && *wakes_at_ <= at) return;  // pump() will look again then
+  wakes_at_ = at;
+  timer_.expires_after(std::max<Nanoseconds>(at - now, 0ns));
+  timer_.async_wait([this, alive = std::weak_ptr<const bool>(alive_)](const boost::system::error_code& cancelled) {
+    if (cancelled || alive.expired()) return;
+    wakes_at_.reset();
+    pump();
+  });
+}
+
+}  // namespace telepalp::wire

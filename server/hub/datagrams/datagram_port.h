@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <boost/system/error_code.hpp>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+
+#include "proto/link/datagram_link.h"
+#include "server/hub/datagrams/datagram_counts.h"
+
+namespace telepalp::hub {
+
+/// The server's UDP socket, shared by the sessions of its peers. A datagram goes to the session that its header names;
+/// no refused one is answered. Owner: the network thread.
+class DatagramPort {
+ public:
+  using Endpoint = boost::asio::ip::udp::endpoint;
+
+  class Session {
+   public:
+    virtual ~Session() = default;
+    virtual void received(std::span<const std::byte> datagram, const Endpoint& from) = 0;
+    [[nodiscard]] virtual const link::OpenerStatistics& refused() const = 0;
+  };
+
+  explicit DatagramPort(boost::asio::io_context& io);
+  [[nodiscard]] boost::system::error_code open(const Endpoint& at);
+  void close() noexcept;
+
+  /// Adds `session`, and returns its number, which is drawn at random. The caller removes it before it ends.
+  std::uint32_t join(Session& session);
+  void leave(std::uint32_t number) noexcept { sessions_.erase(number); }
+
+  /// False: the socket is full, and the datagram can be sent again.
+  [[nodiscard]] bool send(std::span<const std::byte> datagram, const Endpoint& to);
+
+  [[nodiscard]] const DatagramCounts& counts() const noexcept { return counts_; }
+  [[nodiscard]] bool is_open() const noexcept { return socket_.is_open(); }
+
+ private:
+  void wait();
+  void read_some();
+  void take(std::span<const std::byte> datagram, const Endpoint& from);
+
+  boost::asio::ip::udp::socket socket_;
+  std::map<std::uint32_t, Session*> sessions_;  // one of each peer, so that the places of peers bound them
+  std::array<std::byte, link::kDatagramBytes + 1>
+      buffer_{};  // one more: a longer datagram is not taken for a whole one
+  DatagramCounts counts_;
+  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending reads look at it
+};
+
+}  // namespace telepalp::hub

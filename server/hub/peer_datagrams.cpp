@@ -1,0 +1,55 @@
+#include "server/hub/peer_datagrams.h"
+
+#include <utility>
+
+#include "proto/wire/datagram_message.h"
+
+namespace telepalp::hub {
+
+PeerDatagrams::PeerDatagrams(DatagramPort& port, Hub& hub, Peer peer)
+    : port_(port), hub_(hub), peer_(std::move(peer)), number_(port.join(*this)) {}
+
+PeerDatagrams::~PeerDatagrams() { port_.leave(number_); }
+
+std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io, DatagramPort& port, Hub& hub,
+                                                    msg::DatagramCipher wanted, const wire::KeyingMaterial& from_tls,
+                                                    Peer peer) {
+  std::unique_ptr<PeerDatagrams> made(new PeerDatagrams(port, hub, std::move(peer)));
+  std::optional<wire::DatagramOffer> offer = wire::make_offer(made->number_, wanted, from_tls);
+  if (!offer) return nullptr;
+  made->offer_ = std::move(*offer);
+  const SubscriberId subscriber = made->peer_.subscriber;
+  made->end_ = std::make_unique<wire::DatagramEnd>(
+      io.get_executor(), made->offer_.seal, link::End::Server,
+      wire::DatagramEnd::Handlers{.send =
+                                      [raw = made.get()](std::span<const std::byte> datagram) {
+                                        return !raw->address_ || raw->port_.send(datagram, *raw->address_);
+                                      },
+                                  .next_frame = [&hub, subscriber, raw = made.get()]() -> std::optional<link::Frame> {
+                                    const std::optional<wire::Message> message = hub.next_apart(subscriber);
+                                    if (!message) return std::nullopt;
+                                    return wire::frame_of(*message, raw->peer_.now());
+                                  },
+                                  .on_frame = {},
+                                  .on_key_frame_needed =
+                                      [&hub, subscriber](std::uint8_t channel) {
+                                        if (channel < wire::kDeadlineTopics.size())
+                                          hub.restart_group(subscriber, wire::kDeadlineTopics[channel]);
+                                      },
+                                  .on_phase = [raw = made.get()](wire::DatagramPhase phase) { raw->on_phase(phase); },
+                                  .now = made->peer_.now});
+  return made;
+}
+
+/// Only the newest authenticated datagram may change the address: a replayed one must not redirect the stream.
+void PeerDatagrams::received(std::span<const std::byte> datagram, const DatagramPort::Endpoint& from) {
+  if (end_->received(datagram).value_or(false)) address_ = from;
+  end_->pump();
+}
+
+void PeerDatagrams::on_phase(wire::DatagramPhase phase) {
+  hub_.set_apart(peer_.subscriber, phase == wire::DatagramPhase::Up);
+  if (peer_.on_phase) peer_.on_phase(phase);
+}
+
+}  // namespace telepalp::hub

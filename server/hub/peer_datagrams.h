@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "proto/wire/datagrams/datagram_end.h"
+#include "proto/wire/datagrams/datagram_offer.h"
+#include "server/hub/datagrams/datagram_port.h"
+#include "server/hub/hub.h"
+
+namespace telepalp::hub {
+
+/// The datagrams of one peer: while its path is up, they carry the deadline topics that it subscribes to, and TCP the
+/// rest. Owner: the network thread.
+class PeerDatagrams : private DatagramPort::Session {
+ public:
+  struct Peer {
+    SubscriberId subscriber = 0;
+    std::function<SessionTime()> now{};
+    std::function<void(wire::DatagramPhase)> on_phase{};  ///< Up or Blocked, when it was another before
+  };
+
+  /// nullptr: `wanted` names no cipher that this end has.
+  static std::unique_ptr<PeerDatagrams> offer(boost::asio::io_context& io, DatagramPort& port, Hub& hub,
+                                              msg::DatagramCipher wanted, const wire::KeyingMaterial& from_tls,
+                                              Peer peer);
+  ~PeerDatagrams() override;
+
+  /// What the peer must be told, once.
+  [[nodiscard]] const msg::DatagramOffer& message() const noexcept { return offer_.message; }
+  void start() { end_->start(); }
+  /// A message waits in the hub.
+  void wake() { end_->pump(); }
+
+ private:
+  PeerDatagrams(DatagramPort& port, Hub& hub, Peer peer);
+  void received(std::span<const std::byte> datagram, const DatagramPort::Endpoint& from) override;
+  [[nodiscard]] const link::OpenerStatistics& refused() const override { return end_->link().opener(); }
+  void on_phase(wire::DatagramPhase phase);
+
+  DatagramPort& port_;
+  Hub& hub_;
+  Peer peer_;
+  std::uint32_t number_;
+  wire::DatagramOffer offer_;
+  std::optional<DatagramPort::Endpoint> address_;  // of the newest authenticated datagram; nullopt: none came
+  std::unique_ptr<wire::DatagramEnd> end_;         // null only while offer() makes it
+};
+
+}  // namespace telepalp::hub

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Server, station and recorder with keys, over telepalp-link: images come by sealed datagrams through loss; where each
+# datagram is damaged they come over TCP. usage: datagrams_test.sh SOURCE_DIR BIN_DIR
+set -uo pipefail
+export PATH=$2:$PATH
+work=$(mktemp -d)
+failures=0
+background=()
+fail() { echo "FAILED: $1"; [ -n "${2:-}" ] && tail -n 20 "$2"; failures=$((failures + 1)); }
+leave() {
+  for pid in "${background[@]}"; do kill -INT "$pid" 2>/dev/null; done
+  for pid in "${background[@]}"; do wait "$pid" 2>/dev/null; done
+  rm -rf "$work"
+}
+trap leave EXIT
+mkdir "$work/run" && chmod 700 "$work/run"
+export HOME=$work XDG_RUNTIME_DIR=$work/run
+cd "$work" || exit 1
+
+wait_for() { # WHAT FILE TEXT
+  for _ in $(seq 300); do grep -q "$3" "$2" 2>/dev/null && return 0; sleep 0.1; done
+  fail "$1: not within 30 s" "$2"
+}
+port_of() { # NAME: of a program that has started
+  for _ in $(seq 300); do sed -n 's/^port=//p' "$1.ready" 2>/dev/null | grep . && return 0; sleep 0.1; done
+}
+start() { # NAME COMMAND…
+  local name=$1
+  shift
+  "$@" >"$work/$name.log" 2>&1 &
+  background+=($!)
+}
+images() { # FILE: the depth messages of a recording
+  telepalp-record info "$1" | awk '$1 == "/camera/depth" {print $3}'
+}
+
+for command in "authority" "server --host 127.0.0.1" "client --name anna --role doctor" "client --name tom --role technician"; do
+  # shellcheck disable=SC2086
+  telepalp-keys $command >>"$work/keys.log" 2>&1 || fail "telepalp-keys $command" "$work/keys.log"
+done
+start server telepalp-server --source synthetic --port 0 --key keys/server.key --ready-file server.ready
+port=$(port_of server)
+[ -n "$port" ] || { fail "the server does not start" "$work/server.log"; exit 1; }
+
+# A mobile network, and an ill one: a loss of 5 %, 50 ms of round trip.
+start lte telepalp-link --listen 127.0.0.1:0 --connect "127.0.0.1:$port" --profile lte --seed 1 --quiet --ready-file lte.ready
+start ill telepalp-link --listen 127.0.0.1:0 --connect "127.0.0.1:$port" --delay-ms 25 --loss-percent 5 --seed 1 --quiet --ready-file ill.ready
+# A firewall: each datagram is damaged, and its tag wrong; TCP passes.
+start blocked telepalp-link --listen 127.0.0.1:0 --connect "127.0.0.1:$port" --corrupt-percent 100 --quiet --ready-file blocked.ready
+
+start station telepalp-station --connect "127.0.0.1:$(port_of lte)" --key keys/anna.key --realtime prefer
+wait_for "the station's datagrams" "$work/station.log" "the images come by sealed datagrams"
+wait_for "the station touches" "$work/station.log" "touchable; ticking"
+telepalp-record --connect "127.0.0.1:$(port_of ill)" --key keys/tom.key --out ill.mcap --seconds 6 >"$work/ill_record.log" 2>&1 || fail "recording over loss" "$work/ill_record.log"
+grep -q "the images come by sealed datagrams" "$work/ill_record.log" || fail "the recorder gets no datagram" "$work/ill_record.log"
+telepalp-record --connect "127.0.0.1:$(port_of blocked)" --key keys/tom.key --out blocked.mcap --seconds 4 >"$work/blocked_record.log" 2>&1 || fail "recording without UDP" "$work/blocked_record.log"
+grep -q "no datagram comes through (UDP): the images come over TCP" "$work/blocked_record.log" || fail "the recorder does not say that UDP is blocked" "$work/blocked_record.log"
+grep -q "telepalp-record at .*: images go over TCP" <(sed 's/no datagram comes through (UDP): //' "$work/server.log") || fail "the server does not say that UDP is blocked" "$work/server.log"
+
+over_loss=$(images ill.mcap) without_udp=$(images blocked.mcap)
+[ "${over_loss:-0}" -ge 120 ] || fail "only ${over_loss:-0} of about 180 images came through a loss of 5 %" "$work/ill_record.log"
+[ "${without_udp:-0}" -ge 60 ] || fail "only ${without_udp:-0} of about 120 images came over TCP" "$work/blocked_record.log"
+grep -q "link lost" "$work/station.log" && fail "the station lost its connection" "$work/station.log"
+[ "$failures" = 0 ] && echo "datagrams: $over_loss images in 6 s through a loss of 5 %, $without_udp in 4 s with UDP blocked"
+exit $((failures > 0))
