@@ -49,7 +49,8 @@ export function wireControls(view: SceneView, viewerHand: ViewerHandInput): void
   };
   for (const toggle of toggles) keys[toggle.key] = () => flip(toggle);
   window.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || help.open) return;
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || help.open) return;
+    if (event.target instanceof HTMLSelectElement || event.target instanceof HTMLInputElement) return;  // its own keys
     const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (act === undefined) return;
     event.preventDefault();

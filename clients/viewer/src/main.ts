@@ -3,6 +3,7 @@ import {ViewerHandInput} from './viewer_hand';
 import {now_ms} from './link/session_clock';
 import {SiteLink} from './link/site_link';
 import {Readouts} from './panel/readouts';
+import {TimelineBar} from './playback/timeline_bar';
 import type {Instant} from './present/instant';
 import {showInstant} from './scene/show_instant';
 import {SceneView} from './scene/scene_view';
@@ -69,6 +70,7 @@ const status = publishStatus(() => ({
 }));
 
 wireControls(view, viewerHand);
+new TimelineBar(read);
 link.ask('instant');
 window.setInterval(() => {
   link.ask('news');

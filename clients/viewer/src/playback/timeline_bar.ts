@@ -1,0 +1,120 @@
+import type {Reading} from '../viewer_state';
+import {type Focus, commandForKey} from './playback_keys';
+import {askServer, PlaybackLink} from './playback_link';
+import {type PlaybackCommand, seekTo} from './playback_state';
+import {clock, timelineLook} from './timeline_words';
+
+const LOOK_EVERY_MS = 500;
+
+function element<Kind extends HTMLElement>(id: string): Kind {
+  const found = document.getElementById(id);
+  if (found === null) throw new Error(`index.html has no #${id}`);
+  return found as Kind;
+}
+
+/** The bar that moves a played session. It is hidden unless the server plays one that this visitor may move. */
+export class TimelineBar {
+  private readonly link = new PlaybackLink(askServer);
+  private readonly bar = element('timeline');
+  private readonly play = element<HTMLButtonElement>('timeline-play');
+  private readonly step = element<HTMLButtonElement>('timeline-step');
+  private readonly slider = element<HTMLInputElement>('timeline-slider');
+  private readonly time = element('timeline-time');
+  private readonly speed = element<HTMLSelectElement>('timeline-speed');
+  private readonly loop = element<HTMLButtonElement>('timeline-loop');
+  private readonly problem = element('timeline-problem');
+  private dragged = false;
+
+  constructor(private readonly read: () => Pick<Reading, 'connected' | 'capture'>) {
+    this.play.addEventListener('click', () => this.send({play: this.link.state?.playing === false}));
+    this.step.addEventListener('click', () => this.send({step: 1}));
+    this.loop.addEventListener('click', () => this.send({loop: this.link.state?.loop === false}));
+    this.speed.addEventListener('change', () => this.send({speed: Number(this.speed.value)}));
+    this.slider.addEventListener('input', () => this.drag());
+    this.slider.addEventListener('change', () => this.drop());
+    // A slider that is brought back to where it was tells of no change. One that changed does so before the timeout.
+    for (const ended of ['pointerup', 'pointercancel'] as const)
+      window.addEventListener(ended, () => window.setTimeout(() => (this.dragged = false)));
+    window.addEventListener('keydown', (event) => this.takeKey(event), {capture: true});
+    new ResizeObserver(() => this.makeRoom()).observe(this.bar);
+    window.setInterval(() => void this.look(), LOOK_EVERY_MS);
+  }
+
+  private async look(): Promise<void> {
+    if (document.hidden) return;
+    const {connected, capture} = this.read();
+    const looked = this.link.look({connected, playsSession: capture?.source.startsWith('session:') ?? false});
+    this.show();
+    await looked;
+    this.show();
+  }
+
+  private send(command: PlaybackCommand): void {
+    const sent = this.link.command(command);
+    this.show();
+    void sent.then(() => this.show());
+  }
+
+  /** The seek is sent when the slider is let go: a seek on each pixel would make all viewers jump. */
+  private drag(): void {
+    this.dragged = true;
+    this.time.textContent = `${clock(Number(this.slider.value))} / ${clock(this.link.state?.duration_s ?? 0)}`;
+  }
+
+  private drop(): void {
+    this.dragged = false;
+    if (this.link.state !== undefined) this.send(seekTo(this.link.state, Number(this.slider.value)));
+  }
+
+  private takeKey(event: KeyboardEvent): void {
+    const {state} = this.link;
+    if (state === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (document.querySelector('dialog[open]') !== null) return;
+    const command = commandForKey(event.key, focusOf(event.target), state);
+    if (command === undefined) return;
+    event.preventDefault();
+    if (!event.repeat || command.seek_s !== undefined) this.send(command);
+  }
+
+  private show(): void {
+    const {state, problem} = this.link;
+    this.bar.hidden = state === undefined;
+    if (state === undefined) return;
+    const look = timelineLook(state);
+    setText(this.play, look.symbol);
+    this.play.setAttribute('aria-label', look.play);
+    this.play.title = `${look.play} (space)`;
+    this.loop.setAttribute('aria-checked', String(look.loop));
+    setText(this.problem, problem);
+    this.problem.hidden = problem === '';
+    this.showSpeeds(look.speeds);
+    this.speed.value = look.speed;
+    if (this.dragged) return;
+    this.slider.max = String(look.longest_s);
+    this.slider.value = String(look.position_s);
+    this.slider.setAttribute('aria-valuetext', look.spokenTime);
+    setText(this.time, look.time);
+  }
+
+  private showSpeeds(speeds: readonly string[]): void {
+    if (Array.from(this.speed.options, ({value}) => value).join() === speeds.join()) return;
+    this.speed.replaceChildren(...speeds.map((speed) => new Option(`${speed} ×`, speed)));
+  }
+
+  /** What stands at the bottom of the page moves up by the bar's height. */
+  private makeRoom(): void {
+    const room_px = this.bar.hidden ? 0 : this.bar.offsetHeight + 8;
+    document.documentElement.style.setProperty('--floor', `${room_px}px`);
+  }
+}
+
+function focusOf(target: EventTarget | null): Focus {
+  if (target instanceof HTMLSelectElement) return 'choice';
+  if (target instanceof HTMLButtonElement) return 'button';
+  return target instanceof HTMLCanvasElement ? 'scene' : 'other';
+}
+
+/** Writes only what changed: a screen reader reads out every write to a live region. */
+function setText(target: HTMLElement, text: string): void {
+  if (target.textContent !== text) target.textContent = text;
+}

@@ -1,0 +1,53 @@
+// What the timeline bar shows of a state: node timeline_words_test.mjs VIEWER_SOURCES VIEWER_WORK
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {timelineLook, clock, refusal} = await bundled('playback/timeline_words.ts');
+const {readState, afterCommand} = await bundled('playback/playback_state.ts');
+
+const STATE = {position_s: 12.34, duration_s: 75.259, speed: 0.5, loop: false, playing: true};
+const look = (changes) => timelineLook({...STATE, ...changes});
+
+test('the first button offers the other of play and pause', () => {
+  assert.equal(look({playing: true}).play, 'Pause');
+  assert.equal(look({playing: false}).play, 'Play');
+});
+
+test('position and length are written in minutes and tenths, and spoken in words', () => {
+  assert.equal(look({}).time, '0:12.3 / 1:15.2');
+  assert.equal(look({}).spokenTime, '12.3 seconds of 1 min 15.2 s');
+  assert.equal(clock(59.99), '0:59.9', 'it is not rounded to 60 s');
+  assert.equal(clock(3600), '60:00.0');
+});
+
+test('the slider cannot be set behind the end, and the position is never shown there', () => {
+  assert.equal(look({}).longest_s, 75.25);
+  assert.equal(look({position_s: 80}).time, '1:15.2 / 1:15.2');
+});
+
+test('a speed that somebody else chose is offered, too', () => {
+  assert.equal(look({speed: 0.7}).speed, '0.7');
+  assert.deepEqual(look({speed: 0.7}).speeds, ['0.1', '0.25', '0.5', '0.7', '1', '2', '5', '10']);
+});
+
+test('a state is read from the server\'s JSON, and anything else is refused', () => {
+  const json = {file: 'a.mcap', damaged: '0', ...STATE};
+  assert.deepEqual(readState(JSON.stringify(json)), STATE);
+  for (const wrong of ['', 'null', '[]', '<html>', JSON.stringify({...json, speed: '1'}), JSON.stringify({...json, loop: 1})])
+    assert.equal(readState(wrong), undefined, wrong);
+});
+
+test('the effect of a command is known before the server reports it', () => {
+  assert.deepEqual(afterCommand(STATE, {seek_s: 3, speed: 2, loop: true}), {...STATE, position_s: 3, speed: 2, loop: true});
+  assert.equal(afterCommand(STATE, {step: 1}).playing, false, 'a step pauses');
+  assert.equal(afterCommand({...STATE, playing: false}, {play: true}).playing, true);
+});
+
+test('a refusal is a sentence with the server\'s reason', () => {
+  assert.equal(refusal(403, 'moving a session is for technicians and QA\n'),
+    'The server refused: moving a session is for technicians and QA.');
+  assert.match(refusal(401, ''), /sign in again/);
+  assert.match(refusal(500, ''), /status 500/);
+});
