@@ -83,7 +83,9 @@ class Recording {
                .name = kProgram,
                .role = "recorder",
                .key = options.key,
-               .subscribes = options.topics.subscription()},
+               .subscribes = options.topics.subscription(),
+               // Without a key the server is on this machine. There TCP is in time and loses no image.
+               .datagrams = options.key != nullptr},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
                .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); },
                .on_datagrams = [this](wire::DatagramPhase, const std::string& detail) { say(detail); }}) {}
