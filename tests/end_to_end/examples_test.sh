@@ -6,6 +6,7 @@
 #   ctrl-c   what runs until Ctrl-C gets one after 6 s, and must end well
 #   started  a benchmark takes minutes and its figures depend on the machine: it must run for 5 s, or end without an error
 #   refused  telepalp-station rearm must say that there is no fault: the test makes none
+#   differs  telepalp-replay diff must name the first message in which two sessions differ: the test has no two equal ones
 #   exists   deploy/* but the demo installs or builds: the file must be there
 # usage: examples_test.sh SOURCE_DIR BIN_DIR
 set -uo pipefail
@@ -100,6 +101,11 @@ run() { # EXAMPLE
       say "refused: $line"
       timeout 20 bash -c "$line" >"$work/log" 2>&1 && failed "$line ended with 0"
       grep -q '^error: there is no fault to re-arm from' "$work/log" || failed "$line"
+      return ;;
+    "telepalp-replay diff"*)
+      say "differs: $line"
+      timeout 60 bash -c "$line" >"$work/log" 2>&1 </dev/null
+      [ $? = 1 ] && grep -q '^message ' "$work/log" || failed "$line"
       return ;;
     *"| grep"*) line=${line%%|*} ;;
   esac
