@@ -35,7 +35,7 @@ program::Usage usage() {
                       {"foxglove", "FILE.mcap", "image, cloud, transforms and force in Foxglove's types"},
                       {"report", "DIR", "the same as telepalp-report SESSION.mcap --out DIR"},
                       {"out", "FILE", "of --csv, --ply or --pcd; default: stdout"}},
-          .example = "telepalp-export session.mcap --ply 0.5 --out skin.ply"};
+          .example = "telepalp-export session.mcap --ply 1.5 --out skin.ply"};
 }
 
 int say(const Result<std::uint64_t>& count, const std::string& what, const std::string& where) {
