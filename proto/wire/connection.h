@@ -41,7 +41,7 @@ class ConnectionOwner {
   /// Returns the next message to send; nullopt: no message waits, and the owner calls wake() when there is one. The
   /// owner holds the bounded queue; the connection holds only the message being written.
   virtual std::optional<Message> next_to_send() = 0;
-  /// The peer, a server, offers sealed datagrams. It may come once on a connection.
+  /// The server at the other end offers sealed datagrams. A server makes one offer on a connection.
   virtual void on_datagram_offer(const msg::DatagramOffer&) {}
   /// Current session time, for the replies to the peer's clock probes.
   virtual SessionTime session_now() = 0;

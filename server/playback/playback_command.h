@@ -11,7 +11,8 @@ namespace telepalp::playback {
 inline constexpr double kSlowest = 0.1;
 inline constexpr double kFastest = 10.0;
 
-/// Parses the JSON of a PlaybackCommand. Error: no such JSON, an unknown field, or a value out of its range.
+/// Parses a PlaybackCommand from JSON. Error: the text is not JSON, has an unknown field, or a value is out of its
+/// range.
 [[nodiscard]] Result<msg::PlaybackCommand> read_command(const std::string& json);
 
 /// The state as JSON, with all fields.

@@ -17,10 +17,10 @@ std::string fixed(double value, int decimals) {
   return text;
 }
 
-/// The attitude of the hand; nullopt: the tracker measured none, or it is not a rotation.
+/// The attitude of the hand; nullopt: the tracker measured no attitude, or the message's numbers are no rotation.
 std::optional<Eigen::Quaterniond> attitude_of(const msg::StationState& state) {
-  const msg::Rotation& told = state.hand_attitude_camera();
-  const Eigen::Quaterniond q(told.w(), told.x(), told.y(), told.z());
+  const msg::Rotation& given = state.hand_attitude_camera();
+  const Eigen::Quaterniond q(given.w(), given.x(), given.y(), given.z());
   if (!(std::abs(q.norm() - 1.0) < 0.01)) return std::nullopt;
   return q.normalized();
 }

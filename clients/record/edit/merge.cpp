@@ -56,7 +56,7 @@ class Strand {
   std::uint32_t senders_apart_ = 0;
 };
 
-/// The payload with its sender numbers raised; nullopt: it has none.
+/// The message's payload with `by` added to each number of a sender in it; nullopt: the payload names no sender.
 std::optional<std::string> with_senders_apart(const wire::mcap::StoredMessage& message, std::uint32_t by) {
   if (by == 0 || !message.channel->topic) return std::nullopt;
   std::string payload(message.record.data);

@@ -9,7 +9,7 @@
 
 namespace telepalp::wire {
 
-/// What one end of a connection knows of its datagrams. Only in Up do the deadline topics travel by datagram.
+/// Whether datagrams get through, as one end of a connection knows it. Images travel by datagram in the phase Up alone.
 enum class DatagramPhase {
   Off,      ///< nothing was offered
   Trying,   ///< offered; the peer has not answered a datagram yet

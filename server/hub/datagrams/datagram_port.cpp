@@ -59,7 +59,7 @@ void DatagramPort::read_some() {
     error_code failed;
     Endpoint from;
     const std::size_t bytes = socket_.receive_from(asio::buffer(buffer_), from, 0, failed);
-    if (failed) return;  // nothing more, or a peer's machine refused a datagram that was sent to it
+    if (failed) return;  // no datagram waits, or a peer's machine refused one that the server had sent
     take(std::span<const std::byte>(buffer_).first(bytes), from);
   }
 }

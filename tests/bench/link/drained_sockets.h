@@ -11,7 +11,7 @@
 
 namespace telepalp::bench {
 
-/// Sockets whose bytes a thread throws away as they come, without copying them, and counts.
+/// Subscribers' sockets. A thread counts the bytes that arrive on each, and discards them without a copy.
 class DrainedSockets {
  public:
   /// Connects `count` sockets to `port` of this machine and sends `first_words` on each.

@@ -48,7 +48,8 @@ void CameraPath::exchange(SessionTime now) {
   counts_.lost = down.lost + down.dropped;
 }
 
-/// Datagrams of an ended link session arrive too, and are refused by their seal.
+/// Moves the packets that have crossed `from` into `to`. After a restart, datagrams of the session before still arrive;
+/// `to` refuses them, because they were sealed with another key.
 void CameraPath::deliver(impaired::ImpairedLink& from, link::DatagramLink& to, SessionTime now) {
   while (const auto packet = from.receive(since_begin(now))) (void)to.received(packet->bytes, now);
 }
