@@ -112,6 +112,35 @@ test('numbers go on alone when no picture comes, and not while one is on its way
   assert.equal(seen.presented[1].station.forceN.y, 7);
 });
 
+test('a picture in a gap of the numbers is skipped, and the next that has numbers is presented', () => {
+  const {seen, instants, depth, station, answer} = bench();
+  station(1000);
+  depth(1000);
+  instants.ask();
+  answer();
+  instants.ask();
+  depth(1070);
+  station(1140);
+  answer();
+  assert.equal(seen.presented.length, 1, '70 ms to the nearest numbers on either side');
+  depth(1133);
+  answer();
+  assert.equal(seen.presented[1].decoded.frame, 1133);
+  assert.equal(seen.presented[1].station.stampNs, ms(1140));
+});
+
+test('numbers that come seldom do not stop the pictures', () => {
+  const {seen, instants, depth, station, answer} = bench();
+  for (let at = 1000; at <= 5000; at += 200) {
+    station(at);
+    depth(at - 100);
+    instants.ask();
+    while (seen.decoding.length > 0) answer();
+  }
+  const frames = seen.presented.filter(({decoded}) => decoded !== undefined).map(({decoded}) => decoded.frame);
+  assert.deepEqual(frames, [900, 1900, 2900, 3900, 4900]);
+});
+
 test('what was being decoded when the connection ended is not presented by the next one', () => {
   const {seen, instants, depth, answer} = bench();
   instants.ask();

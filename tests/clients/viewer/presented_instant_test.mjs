@@ -4,7 +4,7 @@ import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
 
-const {presentableUntil, goesAlone, nearest} = await bundled('present/presented_instant.ts');
+const {presentableUntil, fallsInGap, goesAlone, nearest} = await bundled('present/presented_instant.ts');
 
 const ms = (value) => BigInt(value) * 1_000_000n;
 
@@ -21,6 +21,15 @@ test('numbers go on without a picture once none came for a quarter of a second',
   assert.equal(goesAlone(ms(1200), ms(1000)), false);
   assert.equal(goesAlone(ms(1251), ms(1000)), true);
   assert.equal(goesAlone(ms(1), undefined), true);
+});
+
+test('a picture falls in a gap when numbers on both sides are too far from it, for a second at most', () => {
+  assert.equal(fallsInGap(ms(1000), ms(1031), ms(1031), ms(900)), true);
+  assert.equal(fallsInGap(ms(1000), ms(969), ms(1200), ms(900)), true);
+  assert.equal(fallsInGap(ms(1000), ms(1030), ms(1030), ms(900)), false, 'near enough');
+  assert.equal(fallsInGap(ms(1000), ms(900), ms(900), ms(900)), false, 'no later numbers: not a gap, but a silent station');
+  assert.equal(fallsInGap(ms(1000), ms(1031), ms(1031), ms(0)), false, 'no picture for a second');
+  assert.equal(fallsInGap(ms(1000), ms(1031), ms(1031), undefined), false, 'the first picture');
 });
 
 test('the nearest item is found on either side', () => {

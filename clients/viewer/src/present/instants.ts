@@ -2,7 +2,7 @@ import type {DecodedDepth} from '../depth/depth_decoder';
 import type {StationState, Vec3} from '../link/messages';
 import type {Instant, Touch} from './instant';
 import {type Packet, PacketLine} from './packet_line';
-import {goesAlone, nearest, presentableUntil} from './presented_instant';
+import {fallsInGap, goesAlone, nearest, presentableUntil} from './presented_instant';
 
 const MOST_STATES = 256;  // 2.5 s of /station/state
 const MOST_COLORS = 40;
@@ -96,7 +96,7 @@ export class Instants {
   decoded(decoded: DecodedDepth): void {
     const packet = this.decoding;
     this.decoding = undefined;
-    if (packet !== undefined && packet !== this.outdated) this.ready = {decoded, captured_ns: packet.captured_ns};
+    if (packet !== undefined && packet !== this.outdated && !this.isSkipped(packet.captured_ns)) this.ready = {decoded, captured_ns: packet.captured_ns};
     this.serve();
   }
 
@@ -121,6 +121,16 @@ export class Instants {
     return this.states[this.states.length - 1];
   }
 
+  private stateAt(captured_ns: bigint): StationState | undefined {
+    return nearest(this.states, ({stampNs}) => stampNs, captured_ns);
+  }
+
+  private isSkipped(captured_ns: bigint): boolean {
+    const station = this.stateAt(captured_ns);
+    return station !== undefined &&
+        fallsInGap(captured_ns, station.stampNs, this.newestState!.stampNs, this.presentedCapture_ns);
+  }
+
   private serve(): void {
     const until_ns = presentableUntil(this.newestState?.stampNs, this.newestCapture_ns);
     this.noteComplete(until_ns);
@@ -141,7 +151,7 @@ export class Instants {
   private presentPicture(decoded: DecodedDepth, captured_ns: bigint): void {
     this.ready = undefined;
     const arrival = this.arrivals.find((one) => one.captured_ns === captured_ns);
-    const station = nearest(this.states, ({stampNs}) => stampNs, captured_ns);
+    const station = this.stateAt(captured_ns);
     const color = nearest(this.colors, (one) => one.captured_ns, captured_ns);
     this.colors = this.colors.filter((one) => one.captured_ns > captured_ns);
     this.arrivals = this.arrivals.filter((one) => one.captured_ns > captured_ns);

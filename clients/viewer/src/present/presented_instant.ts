@@ -20,6 +20,22 @@ export function presentableUntil(newestStamp_ns: bigint | undefined, newestCaptu
   return newestStamp_ns + TOGETHER_NS;
 }
 
+/** Picture and values that are further apart than this do not belong together. */
+const APART_NS = 30_000_000n;
+/** A page skips pictures without values of their instant for this long. Then it presents the picture with the nearest. */
+const LONGEST_SKIP_NS = 1_000_000_000n;
+
+/**
+ * True when a picture falls into a gap of the station's values, and is skipped: values before and after it have arrived,
+ * and the nearest of them, of time `stamp_ns`, is too far from the picture's.
+ */
+export function fallsInGap(
+    capture_ns: bigint, stamp_ns: bigint, newestStamp_ns: bigint, presentedCapture_ns: bigint | undefined): boolean {
+  if (newestStamp_ns < capture_ns) return false;
+  const off_ns = stamp_ns < capture_ns ? capture_ns - stamp_ns : stamp_ns - capture_ns;
+  return off_ns > APART_NS && presentedCapture_ns !== undefined && capture_ns - presentedCapture_ns < LONGEST_SKIP_NS;
+}
+
 /** True when the station's values are presented without a new picture, because no picture comes. */
 export function goesAlone(stamp_ns: bigint, presentedCapture_ns: bigint | undefined): boolean {
   return presentedCapture_ns === undefined || stamp_ns - presentedCapture_ns > ALONE_NS;
