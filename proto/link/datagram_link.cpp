@@ -68,7 +68,7 @@ std::optional<Datagram> DatagramLink::next(SessionTime now) {
 }
 
 void DatagramLink::count(const Opened& opened, std::size_t bytes, SessionTime now) {
-  losses_.received(opened.sequence);
+  losses_.received(opened.sequence, now);
   received_bytes_ += bytes;
   if (!opened.newest) return;
   highest_sequence_ = opened.sequence;

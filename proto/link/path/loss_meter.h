@@ -3,28 +3,38 @@
 #include <bitset>
 #include <cstdint>
 
+#include "proto/words/time.h"
+
 namespace telepalp::link {
 
 /// Counts lost packets and loss bursts from the sequence numbers that arrive. A packet counts as lost when it is
-/// missing while one that was sent kPatience packets later has arrived. The caller passes each number once.
+/// missing while one that was sent kPatience packets later arrived kOvertaking ago, or while kMostWaiting newer ones
+/// have arrived. The caller passes each number once.
 class LossMeter {
  public:
   static constexpr std::uint64_t kPatience = 256;
+  /// On a path with jitter, a packet overtakes those that were sent up to this much earlier.
+  static constexpr Nanoseconds kOvertaking = std::chrono::milliseconds(150);
+  static constexpr std::uint64_t kMostWaiting = 8192;
 
-  void received(std::uint64_t sequence) noexcept {
-    if (sequence >= next_ + kSize) return skip_to(sequence);
-    for (; next_ <= sequence; ++next_) {
-      if (next_ >= kPatience) settle(next_ - kPatience);
-      seen_[next_ % kSize] = false;
-    }
+  void received(std::uint64_t sequence, SessionTime now) noexcept {
+    if (sequence >= next_ + kSize) return skip_to(sequence, now);
+    for (; next_ <= sequence; ++next_) seen_[next_ % kSize] = false;
     if (next_ - sequence <= kSize) seen_[sequence % kSize] = true;
+    if (now - mark_at_ >= kOvertaking) {  // all below the mark arrived or left long ago
+      overtaken_ = mark_;
+      mark_ = next_;
+      mark_at_ = now;
+    }
+    while (settling_ + kPatience < next_ && (settling_ + kPatience < overtaken_ || settling_ + kMostWaiting < next_))
+      settle(settling_++);
   }
   [[nodiscard]] std::uint32_t settled() const noexcept { return settled_; }
   [[nodiscard]] std::uint32_t lost() const noexcept { return lost_; }
   [[nodiscard]] std::uint32_t bursts() const noexcept { return bursts_; }
 
  private:
-  static constexpr std::uint64_t kSize = 4096;
+  static constexpr std::uint64_t kSize = 16'384;
 
   void settle(std::uint64_t sequence) noexcept {
     const bool lost = !seen_[sequence % kSize];
@@ -34,18 +44,24 @@ class LossMeter {
     in_burst_ = lost;
   }
   /// Call it after an outage: all packets that were on the way count as one burst.
-  void skip_to(std::uint64_t sequence) noexcept {
+  void skip_to(std::uint64_t sequence, SessionTime now) noexcept {
+    while (settling_ < next_) settle(settling_++);
     const auto gone = static_cast<std::uint32_t>(sequence - next_);
     settled_ += gone;
     lost_ += gone;
     ++bursts_;
     in_burst_ = false;
-    seen_.set();
-    next_ = sequence + 1;
+    next_ = settling_ = sequence + 1;
+    mark_ = overtaken_ = next_;
+    mark_at_ = now;
   }
 
   std::bitset<kSize> seen_;
-  std::uint64_t next_ = 0;
+  std::uint64_t next_ = 0;       ///< one more than the highest number received
+  std::uint64_t settling_ = 0;   ///< the lowest number that is not counted yet
+  std::uint64_t mark_ = 0;       ///< next_ at mark_at_
+  std::uint64_t overtaken_ = 0;  ///< next_ at least kOvertaking ago
+  SessionTime mark_at_{};
   std::uint32_t settled_ = 0;
   std::uint32_t lost_ = 0;
   std::uint32_t bursts_ = 0;

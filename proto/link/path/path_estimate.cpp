@@ -8,13 +8,16 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds kRoundTripMemory = 10s;  ///< a route may change
-constexpr Nanoseconds kQueueMemory = 200ms;    ///< the shortest recent round trip is free of jitter
+constexpr Nanoseconds kDelayMemory = 10s;  ///< a route may change
+constexpr Nanoseconds kMoment = 200ms;     ///< about forty reports: one of them met hardly any jitter
 constexpr Nanoseconds kRateSpan = 200ms;
+constexpr Nanoseconds kBestRateSpan = 1s;
 constexpr Nanoseconds kQueueTarget = 15ms;
 constexpr Nanoseconds kSilence = 1s;
 constexpr Nanoseconds kDrainAfter = 5s;  ///< half of the memory
-constexpr Nanoseconds kAsShort = 2ms;
+constexpr Nanoseconds kNoQueue = 3ms;
+/// Bound on a difference of the two ends' clocks, so that what a peer claims cannot overflow a difference.
+constexpr Nanoseconds kMostClockDifference = 24h;
 constexpr std::uint64_t kLeastLimit_B = 16 * kDatagramBytes;
 constexpr std::uint64_t kMostLimit_B = std::uint64_t{8} << 20U;
 constexpr double kLossMemory_packets = 30'000.0;  ///< about ten seconds of a camera
@@ -44,38 +47,43 @@ void PathEstimate::on_feedback(const Feedback& feedback, SessionTime now) {
   while (!on_the_way_.empty() && on_the_way_.front().sequence < feedback.highest_sequence) on_the_way_.pop_front();
   if (!on_the_way_.empty() && on_the_way_.front().sequence == feedback.highest_sequence) {
     acknowledged_ = std::max(acknowledged_, on_the_way_.front().total_B);
-    const Nanoseconds took = now - on_the_way_.front().at - std::chrono::microseconds(feedback.held_us);
-    if (took > 0ns) measure_round_trip(took, now);
+    const SessionTime left = on_the_way_.front().at;
+    const Nanoseconds held = std::chrono::microseconds(feedback.held_us);
+    const SessionTime arrived{Nanoseconds(feedback.reported_ns) - held};
+    if (now - left > held) measure_delay(now - left - held, arrived - left, now);
   }
   last_heard_ = now;
   reported_age_ = std::chrono::microseconds(feedback.age_us);
-  measure_rate(feedback);
+  measure_rate(feedback, now);
   measure_loss(feedback);
   adapt_limit(acknowledged_ - before);
   last_ = feedback;
 }
 
-void PathEstimate::measure_round_trip(Nanoseconds took, SessionTime now) {
-  recent_.push_back({now, took});
-  while (recent_.front().at < now - kRoundTripMemory) recent_.pop_front();
-  round_trip_ = round_trip_ == 0ns ? took : round_trip_ + (took - round_trip_) / 8;
-  least_round_trip_ = took;
-  Nanoseconds newest_least = took;
-  for (auto one = recent_.rbegin(); one != recent_.rend(); ++one) {
-    least_round_trip_ = std::min(least_round_trip_, one->took);
-    if (one->at >= now - kQueueMemory) newest_least = std::min(newest_least, one->took);
-  }
-  queue_delay_ = newest_least - least_round_trip_;
-  if (took <= least_round_trip_ + kAsShort) least_seen_at_ = now;
+/// The round trip also has the jitter of the reports, and the one-way delay the corrections of the peer's clock. A
+/// queue in the sender's direction shows in both.
+void PathEstimate::measure_delay(Nanoseconds round_trip, Nanoseconds one_way, SessionTime now) {
+  const auto add = [now](LeastDelay& to, Nanoseconds delay) {
+    const Nanoseconds least = to.of_a_long_time.add(delay, now, kDelayMemory);
+    return std::pair(least, to.of_a_moment.add(delay, now, kMoment) - least);
+  };
+  round_trip_ = round_trip_ == 0ns ? round_trip : round_trip_ + (round_trip - round_trip_) / 8;
+  const auto [least_round_trip, queue_there_and_back] = add(round_trips_, round_trip);
+  const auto [least_one_way, queue_there] =
+      add(one_way_, std::clamp<Nanoseconds>(one_way, -kMostClockDifference, kMostClockDifference));
+  least_round_trip_ = least_round_trip;
+  queue_delay_ = std::min(queue_there_and_back, queue_there);
+  if (queue_delay_ <= kNoQueue) least_seen_at_ = now;
 }
 
-void PathEstimate::measure_rate(const Feedback& feedback) {
+void PathEstimate::measure_rate(const Feedback& feedback, SessionTime now) {
   reports_.push_back({feedback.reported_ns, feedback.received_bytes});
   while (Nanoseconds(feedback.reported_ns - reports_.front().at_ns) > kRateSpan) reports_.pop_front();
   const double span_s = to_seconds(Nanoseconds(feedback.reported_ns - reports_.front().at_ns));
   const std::uint64_t received = feedback.received_bytes - reports_.front().received_B;
   if (span_s >= 0.5 * to_seconds(kRateSpan) && feedback.received_bytes >= reports_.front().received_B)
     rate_B_per_s_ = static_cast<double>(received) / span_s;
+  best_rate_B_per_s_ = rates_.add(rate_B_per_s_, now, std::max<Nanoseconds>(kBestRateSpan, 2 * round_trip_));
 }
 
 void PathEstimate::measure_loss(const Feedback& feedback) {
@@ -95,9 +103,9 @@ void PathEstimate::measure_loss(const Feedback& feedback) {
 /// Keeps the queue short: grows the limit while the round trip is near its least. When a queue builds up, the limit
 /// becomes what the path delivers in a round trip without the queue, jitter included, and the target.
 void PathEstimate::adapt_limit(std::uint64_t acknowledged_now) {
-  if (queue_delay_ > kQueueTarget && rate_B_per_s_ > 0.0)
-    limit_B_ = std::min(
-        limit_B_, static_cast<std::uint64_t>(rate_B_per_s_ * to_seconds(round_trip_ - queue_delay_ + kQueueTarget)));
+  if (queue_delay_ > kQueueTarget && best_rate_B_per_s_ > 0.0)
+    limit_B_ = std::min(limit_B_, static_cast<std::uint64_t>(best_rate_B_per_s_ *
+                                                             to_seconds(round_trip_ - queue_delay_ + kQueueTarget)));
   else if (queue_delay_ < kQueueTarget / 2)
     limit_B_ += acknowledged_now / 4;
   limit_B_ = std::clamp(limit_B_, kLeastLimit_B, kMostLimit_B);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "proto/link/format/fragment.h"
+#include "proto/link/path/windowed_extreme.h"
 #include "proto/words/time.h"
 
 namespace telepalp::link {
@@ -23,10 +24,11 @@ class PathEstimate {
 
   [[nodiscard]] Nanoseconds round_trip() const noexcept { return round_trip_; }  ///< smoothed; 0: unknown
   [[nodiscard]] Nanoseconds least_round_trip() const noexcept { return least_round_trip_; }
-  [[nodiscard]] Nanoseconds queue_delay() const noexcept { return queue_delay_; }  ///< round trip minus the least one
-  [[nodiscard]] double loss() const noexcept { return loss_; }                     ///< share of packets
-  [[nodiscard]] double burst_packets() const noexcept { return burst_packets_; }   ///< mean, at least 1
-  [[nodiscard]] double rate_B_per_s() const noexcept { return rate_B_per_s_; }     ///< rate of delivery; 0: unknown
+  /// Delay by queues in the sender's direction; jitter is not in it.
+  [[nodiscard]] Nanoseconds queue_delay() const noexcept { return queue_delay_; }
+  [[nodiscard]] double loss() const noexcept { return loss_; }                    ///< share of packets
+  [[nodiscard]] double burst_packets() const noexcept { return burst_packets_; }  ///< mean, at least 1
+  [[nodiscard]] double rate_B_per_s() const noexcept { return rate_B_per_s_; }    ///< rate of delivery; 0: unknown
   [[nodiscard]] std::uint64_t in_flight_B() const noexcept { return sent_bytes_ - acknowledged_; }
   [[nodiscard]] std::uint64_t limit_B() const noexcept { return limit_B_; }
   [[nodiscard]] Nanoseconds reported_age() const noexcept { return reported_age_; }  ///< of the newest complete frame
@@ -39,16 +41,18 @@ class PathEstimate {
     SessionTime at;
     std::uint64_t total_B;  ///< sent up to and including this datagram
   };
-  struct RoundTrip {
-    SessionTime at;
-    Nanoseconds took;
+  /// The least delay of the newest moment and of a long time. Their difference is the queue: in each moment some
+  /// packets meet little jitter, but none passes the queue.
+  struct LeastDelay {
+    WindowedMinimum<Nanoseconds> of_a_moment;
+    WindowedMinimum<Nanoseconds> of_a_long_time;
   };
   struct Report {
     std::int64_t at_ns;
     std::uint64_t received_B;
   };
-  void measure_round_trip(Nanoseconds took, SessionTime now);
-  void measure_rate(const Feedback& feedback);
+  void measure_delay(Nanoseconds round_trip, Nanoseconds one_way, SessionTime now);
+  void measure_rate(const Feedback& feedback, SessionTime now);
   void measure_loss(const Feedback& feedback);
   void adapt_limit(std::uint64_t acknowledged_now);
   [[nodiscard]] bool drains(SessionTime now) noexcept;
@@ -59,8 +63,9 @@ class PathEstimate {
   std::optional<Feedback> last_;
   std::uint64_t answers_ = 0;
   SessionTime last_heard_{};
-  std::deque<RoundTrip> recent_;  ///< some round trips of the last ten seconds
-  std::deque<Report> reports_;    ///< reports of the last fifth of a second
+  LeastDelay round_trips_;
+  LeastDelay one_way_;          ///< with the unknown difference of the two clocks
+  std::deque<Report> reports_;  ///< reports of the last fifth of a second
   Nanoseconds round_trip_{0};
   Nanoseconds least_round_trip_{0};
   Nanoseconds queue_delay_{0};
@@ -73,6 +78,8 @@ class PathEstimate {
   double loss_ = 0.01;
   double burst_packets_ = 1.0;
   double rate_B_per_s_ = 0.0;
+  WindowedMaximum<double> rates_;
+  double best_rate_B_per_s_ = 0.0;  ///< of the last round trips: a pause of the sender does not lower it
   std::uint64_t limit_B_ = std::uint64_t{1} << 20U;
 };
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <random>
+
 #include "proto/impaired/profiles.h"
 #include "tests/bench/link/link_scenario.h"
 
@@ -110,6 +113,37 @@ TEST(PathEstimate, KnowsDelayLossAndRate) {
   EXPECT_NEAR(path.burst_packets(), 2.0, 0.2);
   EXPECT_NEAR(path.rate_B_per_s(), 980e3, 20e3);
   EXPECT_LE(path.in_flight_B(), 40U * 1200U);
+}
+
+/// A packet each 5 ms meets up to 60 ms of jitter, and so does each report on its way back. From packet 3000 on, each
+/// also waits in a queue for `queue`. Returns the largest estimate of the queue after packet 2000.
+Nanoseconds longest_queue(Nanoseconds queue) {
+  PathEstimate path;
+  std::mt19937_64 random(5);
+  std::uniform_int_distribution<std::int64_t> jitter_us(0, 60'000);
+  std::map<SessionTime, std::uint64_t> arrivals;
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    path.sent(i, 1200, SessionTime{1s + i * 5ms});
+    arrivals[SessionTime{1s + i * 5ms + 120ms + jitter_us(random) * 1us + (i < 3000 ? 0ms : queue)}] = i;
+  }
+  std::map<SessionTime, Feedback> reports;  // by arrival
+  for (Feedback report{}; const auto& [at, packet] : arrivals) {
+    report.highest_sequence = std::max(report.highest_sequence, packet);
+    report.received_bytes += 1200;
+    report.reported_ns = to_nanoseconds(at);
+    if (report.highest_sequence == packet) reports[at + 120ms + jitter_us(random) * 1us] = report;
+  }
+  Nanoseconds longest{0};
+  for (const auto& [at, report] : reports) {
+    path.on_feedback(report, at);
+    if (report.highest_sequence > 2000) longest = std::max(longest, path.queue_delay());
+  }
+  return longest;
+}
+
+TEST(PathEstimate, TellsJitterFromAQueue) {
+  EXPECT_LE(longest_queue(0ms), 15ms);
+  EXPECT_GE(longest_queue(40ms), 30ms);
 }
 
 TEST(PathEstimate, IgnoresFeedbackAboutWhatWasNotSent) {

@@ -244,16 +244,24 @@ TEST(LossMeter, CountsLossesAndBurstsAndForgivesReordering) {
   for (std::size_t i = 0; i + 50 < sequences.size(); i += 50)
     std::shuffle(sequences.begin() + static_cast<std::ptrdiff_t>(i),
                  sequences.begin() + static_cast<std::ptrdiff_t>(i) + 50, random);
-  for (const std::uint64_t sequence : sequences) meter.received(sequence);
-  EXPECT_NEAR(meter.settled(), 10'000 - LossMeter::kPatience, 1);
+  SessionTime now{1s};
+  for (const std::uint64_t sequence : sequences) meter.received(sequence, now += 1ms);
+  EXPECT_NEAR(meter.settled(), 10'000 - LossMeter::kPatience, 300);
   EXPECT_NEAR(meter.lost(), 0.04 * meter.settled(), 4);
   EXPECT_NEAR(meter.bursts(), meter.lost() / 4, 1);
 }
 
+TEST(LossMeter, AMeterWithoutTimeStillCountsWhenManyNewerPacketsCame) {
+  LossMeter meter;
+  for (std::uint64_t i = 1; i < 20'000; ++i) meter.received(i, SessionTime{1s});  // 0 is lost
+  EXPECT_EQ(meter.lost(), 1U);
+  EXPECT_NEAR(meter.settled(), 20'000 - LossMeter::kMostWaiting, 1);
+}
+
 TEST(LossMeter, AnOutageIsOneBurst) {
   LossMeter meter;
-  for (std::uint64_t i = 0; i < 1000; ++i) meter.received(i);
-  for (std::uint64_t i = 20'000; i < 21'000; ++i) meter.received(i);
+  for (std::uint64_t i = 0; i < 1000; ++i) meter.received(i, SessionTime{1s + i * 1ms});
+  for (std::uint64_t i = 20'000; i < 21'000; ++i) meter.received(i, SessionTime{1s + i * 1ms});
   EXPECT_EQ(meter.bursts(), 1U);
   EXPECT_EQ(meter.lost(), 19'000U);
 }
