@@ -18,31 +18,24 @@ class RecordedSource final : public CaptureSource {
 
   std::optional<RgbdFrame> next(Nanoseconds patience) override {
     const SessionTime until = options_.clock.now() + patience;
-    for (;;) {
-      const std::optional<SessionTime> then = frames_->peek();
-      if (!then && !start_over()) {
+    do {
+      if (!decoded_ && is_over()) {
         std::this_thread::sleep_until(options_.clock.steady(until));
         return std::nullopt;
       }
-      if (!then) continue;
-      const SessionTime due = due_of(*then);
+      if (!decoded_) decode_next();
+      if (!decoded_) continue;  // damaged, or too late
       if (options_.paced) {
-        std::this_thread::sleep_until(options_.clock.steady(std::min(due, until)));
-        if (due > until) return std::nullopt;
+        std::this_thread::sleep_until(options_.clock.steady(std::min(decoded_->captured, until)));
+        if (decoded_->captured > until) return std::nullopt;
       }
-      moved_to(*then, due);
-      if (options_.paced && options_.clock.now() - due > kTooLate) {
-        frames_->skip();
-        if (options_.clock.now() > until) return std::nullopt;
-        continue;
-      }
-      std::optional<RgbdFrame> frame = frames_->take();
-      if (!frame) continue;
+      std::optional<RgbdFrame> frame = std::exchange(decoded_, std::nullopt);
+      if (is_too_late(frame->captured)) continue;
       state_ = CaptureState::Live;
-      frame->captured = due;
       frame->sequence = played_++;
       return frame;
-    }
+    } while (!options_.paced || options_.clock.now() <= until);
+    return std::nullopt;
   }
   CaptureState state() const override { return state_; }
   std::string detail() const override {
@@ -52,6 +45,20 @@ class RecordedSource final : public CaptureSource {
   std::string complaint() const override { return frames_->complaint(); }
 
  private:
+  /// True at the end of a recording that is not repeated.
+  bool is_over() { return !frames_->peek() && !(start_over() && frames_->peek()); }
+  /// Decodes the next frame ahead of its time: a camera's frames are decoded, too, when the camera delivers them.
+  void decode_next() {
+    const SessionTime then = *frames_->peek();
+    const SessionTime due = due_of(then);
+    moved_to(then, due);
+    if (is_too_late(due)) return frames_->skip();
+    decoded_ = frames_->take();
+    if (decoded_) decoded_->captured = due;
+  }
+  [[nodiscard]] bool is_too_late(SessionTime due) const {
+    return options_.paced && options_.clock.now() - due > kTooLate;
+  }
   /// Restarts the recording. False if it is not repeated, or if no frame could be decoded.
   bool start_over() {
     if (state_ == CaptureState::Ended) return false;
@@ -78,6 +85,7 @@ class RecordedSource final : public CaptureSource {
   std::string description_;
   SourceOptions options_;
   CaptureState state_ = CaptureState::Waiting;
+  std::optional<RgbdFrame> decoded_;      // waits for its time
   std::optional<SessionTime> last_then_;  // times of the previous frame, in the recording and in this session
   std::optional<SessionTime> last_due_;
   std::uint64_t played_ = 0;
