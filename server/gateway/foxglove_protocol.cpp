@@ -63,7 +63,8 @@ std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept {
                                          : views::kViewTopics[channel - 1 - wire::kTopics.size()];
 }
 
-std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer) {
+std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer,
+                        std::string_view role) {
   texts::ServerInfo info;
   info.set_op("serverInfo");
   info.set_name(std::string(name));
@@ -71,6 +72,7 @@ std::string server_info(std::string_view name, std::string_view session_id, std:
   info.add_supportedencodings("protobuf");
   info.set_sessionid(std::string(session_id));
   (*info.mutable_metadata())["viewer"] = std::to_string(viewer);
+  (*info.mutable_metadata())["role"] = std::string(role);
   return to_json(info);
 }
 

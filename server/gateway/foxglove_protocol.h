@@ -23,8 +23,10 @@ inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1"
 /// The topic of a channel. Channel ids count the entries of wire::kTopics and then of kViewTopics, from 1.
 [[nodiscard]] std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept;
 
-/// Text messages from the server. `session_id` differs for each start of the server, `viewer` for each client.
-[[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer);
+/// Text messages from the server. `session_id` differs for each start of the server, `viewer` for each client. `role`
+/// is the name of the client's role; a viewer shows its view and leaves out what the role may not do.
+[[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer,
+                                      std::string_view role);
 [[nodiscard]] std::string advertise_all_topics();
 enum class Level : std::uint32_t { Info = 0, Warning = 1, Error = 2 };
 [[nodiscard]] std::string status(Level level, std::string_view text);

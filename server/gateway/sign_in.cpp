@@ -42,9 +42,10 @@ HttpReply page(const HttpRequest& request, http::status status, const std::strin
 
 HttpReply sign_in_page(const HttpRequest& request, std::string_view problem) {
   const std::string why = problem.empty() ? "" : "<p role=\"alert\">" + html_escaped(problem) + "</p>";
+  const std::string query = page_asked({request.target().data(), request.target().size()}).substr(1);
   return page(request, http::status::unauthorized,
-              "<h1>telepalp</h1>" + why +
-                  "<form method=\"post\" action=\"/sign-in\"><label>Token <input name=\"token\" type=\"password\" "
+              "<h1>telepalp</h1>" + why + "<form method=\"post\" action=\"/sign-in" + html_escaped(query) +
+                  "\"><label>Token <input name=\"token\" type=\"password\" "
                   "autocomplete=\"off\" autofocus required></label> <button>Sign in</button></form>"
                   "<p>The token is the line after <code>token:</code> in the file that the technician gave you.</p>");
 }
@@ -62,6 +63,16 @@ HttpReply go_to(const HttpRequest& request, std::string_view target, const std::
                                          "; Path=/; Secure; HttpOnly; SameSite=Strict" +
                                          (cookie.empty() ? "; Max-Age=0" : ""));
   return reply;
+}
+
+std::string_view path_of(std::string_view target) noexcept { return target.substr(0, target.find('?')); }
+
+std::string page_asked(std::string_view target) {
+  constexpr std::size_t kLongest = 200;
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789=&._-";
+  const std::string_view query = target.substr(path_of(target).size());
+  if (query.size() > kLongest || query.find_first_not_of(kPlain, 1) != std::string_view::npos) return "/";
+  return "/" + std::string(query);
 }
 
 std::string token_in_form(std::string_view body) {

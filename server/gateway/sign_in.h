@@ -19,6 +19,12 @@ inline constexpr std::string_view kSignOutTarget = "/sign-out";
 /// A redirect to `target` that sets our cookie to `cookie`; an empty `cookie` removes it.
 [[nodiscard]] HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie);
 
+/// `target` without its query.
+[[nodiscard]] std::string_view path_of(std::string_view target) noexcept;
+/// The viewer's page with the query of `target`: the view or the moment that was requested before signing in. It is "/"
+/// alone if the query has more than 200 characters, or others than letters, digits and =&._-
+[[nodiscard]] std::string page_asked(std::string_view target);
+
 /// The value of the field `token` in a posted form.
 [[nodiscard]] std::string token_in_form(std::string_view body);
 /// The value of our cookie in a Cookie header.

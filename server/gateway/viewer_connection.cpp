@@ -90,7 +90,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (!socket().is_open()) return;  // the gateway was closed meanwhile; the hub may be destroyed
     subscriber_ = context()->hub.join(std::string(kSubscriberName), peer, [this] { write_next(); });
     views_subscriber_ = context()->views.join(std::string(kSubscriberName), peer, [this] { write_next(); });
-    say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_));
+    const std::string_view role = visitor_ ? keys::name(visitor_->who.role) : std::string_view{};
+    say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_, role));
     say(foxglove::advertise_all_topics());
     read();
   }

@@ -47,7 +47,7 @@ bool Visit::may(keys::Operation operation) const {
 }
 
 std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
-  const std::string_view target = view(request.target());
+  const std::string_view target = path_of(view(request.target()));
   const bool has_keys = context_.options.access->has_keys();
   if (target == kMetricsTarget) return metrics(request);
   if (target == kPlaybackTarget) return playback(request);
@@ -57,7 +57,7 @@ std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
     if (target == "/" || target == kSignInTarget) return sign_in_page(request, problem_);
     return refuse(request, http::status::unauthorized, "sign in first");
   }
-  if (target == kSignInTarget) return go_to(request, "/", visitor_->cookie);
+  if (target == kSignInTarget) return go_to(request, page_asked(view(request.target())), visitor_->cookie);
   if (target != kSignOutTarget) return std::nullopt;
   return request.method() == http::verb::post ? sign_out(request) : sign_out_page(request, describe(visitor_->who));
 }
@@ -71,7 +71,7 @@ HttpReply Visit::sign_in(const HttpRequest& request) {
     return sign_in_page(request, who.error().what + ". " + who.error().fix);
   }
   note(access::AuditEvent::SignedIn, "who=" + describe(*who) + " key=" + who->serial);
-  return go_to(request, "/", context_.sessions.begin(*who, steady_now()));
+  return go_to(request, page_asked(view(request.target())), context_.sessions.begin(*who, steady_now()));
 }
 
 HttpReply Visit::sign_out(const HttpRequest& request) {

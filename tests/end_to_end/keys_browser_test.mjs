@@ -43,8 +43,8 @@ function ask(path, {method = 'GET', headers = {}, body = ''} = {}) {
   });
 }
 
-const signIn = (token, from = origin) =>
-  ask('/sign-in', {method: 'POST', headers: {origin: from, 'content-type': 'application/x-www-form-urlencoded'}, body: `token=${token}`});
+const signIn = (token, from = origin, query = '') =>
+  ask(`/sign-in${query}`, {method: 'POST', headers: {origin: from, 'content-type': 'application/x-www-form-urlencoded'}, body: `token=${token}`});
 const cookieOf = (reply) => reply.headers['set-cookie'][0].split(';')[0];
 
 /** Opens a WebSocket; resolves with its status and, if it is open, the socket. */
@@ -79,6 +79,10 @@ test('without a token there is a page to sign in, and nothing of the patient', a
   assert.equal(page.status, 401);
   assert.match(page.text, /<form method="post" action="\/sign-in">/);
   assert.match(page.headers['content-security-policy'], /default-src 'none'/);
+  const asked = await ask('/?view=qa&at_s=12.5');
+  assert.equal(asked.status, 401);
+  assert.match(asked.text, /action="\/sign-in\?view=qa&amp;at_s=12.5"/, 'a shared address is kept over the sign-in');
+  assert.match((await ask('/?view="><script>')).text, /action="\/sign-in">/);
   assert.equal((await ask('/viewer.js')).status, 401);
   assert.equal((await ask('/metrics')).status, 401);
   assert.equal((await upgrade({origin})).status, 401);
@@ -87,12 +91,15 @@ test('without a token there is a page to sign in, and nothing of the patient', a
 test('a token signs in, by a cookie that scripts cannot read and other pages cannot use', async () => {
   const reply = await signIn(tokenOf('vera'));
   assert.equal(reply.status, 303);
+  assert.equal(reply.headers.location, '/');
+  assert.equal((await signIn(tokenOf('quinn'), origin, '?view=qa&at_s=12.5')).headers.location, '/?view=qa&at_s=12.5');
   assert.match(reply.headers['set-cookie'][0], /^__Host-telepalp=[0-9a-f]{64}; Path=\/; Secure; HttpOnly; SameSite=Strict$/);
   const cookie = cookieOf(reply);
   assert.equal((await ask('/', {headers: {cookie}})).status, 200);
   const open = await upgrade({origin, cookie});
   assert.equal(open.status, 101);
   await until('the server greets', () => open.bytes.includes('serverInfo'));
+  assert.match(open.bytes.toString(), /"role":"viewer"/);
   open.socket.destroy();
   assert.match(audit(), /event=signed-in who=viewer vera/);
   assert.ok(!audit().includes(tokenOf('vera')) && !server.child.heard.includes(tokenOf('vera')), 'no token is logged');

@@ -169,7 +169,27 @@ test('an overloaded viewer says that this computer is slow, and its numbers stay
   }
 });
 
-test('window.telepalp can be read and not set', async () => {
+/** The cards of the details that are shown. */
+const cards = (page) => page.evaluate(() => [...document.querySelectorAll('#side h2')]
+    .filter((title) => title.offsetParent !== null).map((title) => title.textContent));
+
+async function viewsTest(page, address) {
+  await page.goto(`${address}?view=technician`);
+  await untilStatus(page, 'the address chooses the view', (now) => now.view === 'technician' && now.connected);
+  await page.goto(address);
+  await untilStatus(page, 'without one it is the doctor\'s', (now) => now.view === 'doctor' && now.role === 'local');
+  assert.deepEqual(await cards(page), ['Here now', 'Way to the hand', 'Compensated']);
+  await page.keyboard.press('3');
+  await untilStatus(page, 'a key chooses', (now) => now.view === 'qa');
+  assert.equal(new URL(page.url()).search, '?view=qa');
+  assert.equal(await page.getAttribute('#view-qa', 'aria-current'), 'page');
+  await page.click('#view-doctor');
+  await untilStatus(page, 'a click chooses', (now) => now.view === 'doctor');
+  await page.goBack();
+  await untilStatus(page, 'and back goes back', (now) => now.view === 'qa');
+}
+
+test('window.telepalp can be read and not set; views are chosen by address, key and click', async () => {
   const workplace = new Workplace('viewer_status');
   let browser;
   try {
@@ -185,6 +205,8 @@ test('window.telepalp can be read and not set', async () => {
       return {frozen: Object.isFrozen(window.telepalp), connected: typeof window.telepalp.connected};
     });
     assert.deepEqual(after, {frozen: true, connected: 'boolean'});
+    await viewsTest(browser.page, running.address);
+    assert.deepEqual(browser.problems, []);
   } finally {
     await browser?.context.close();
     await workplace.end();

@@ -1,8 +1,10 @@
 import type {ViewerHandInput} from './viewer_hand';
 import type {SceneView} from './scene/scene_view';
+import type {ViewSwitch} from './views/view_switch';
 
 const TURN_RAD = 0.09;
 const ZOOM = 1.12;
+const ROOM_FOR_DETAILS = '(min-width: 1021px) and (min-height: 601px)';  // in a smaller window they are closed until asked for
 
 interface Toggle {
   button: string;
@@ -17,12 +19,14 @@ function button(id: string): HTMLButtonElement {
 }
 
 /** Wires buttons and keys to the view. */
-export function wireControls(view: SceneView, viewerHand: ViewerHandInput): void {
+export function wireControls(view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch): void {
   const help = document.getElementById('help') as HTMLDialogElement;
   const toggles: Toggle[] = [
     {button: 'show-hand', key: 'h', apply: (shown) => view.hand.setShown(shown)},
     {button: 'show-ball', key: 'b', apply: (shown) => view.probe.setBallVisible(shown)},
     {button: 'show-forces', key: 'f', apply: (shown) => view.probe.setForcesVisible(shown)},
+    {button: 'show-halo', key: 'u', apply: (shown) => view.halo.setShown(shown)},
+    {button: 'show-side', key: 'd', apply: (shown) => (document.body.dataset['side'] = shown ? 'open' : 'closed')},
     {button: 'show-color', key: 'c', apply: (shown) => view.surface.setColored(shown)},
     {button: 'hold-hand', key: 't', apply: (held) => viewerHand.setHeld(held)},
   ];
@@ -33,6 +37,13 @@ export function wireControls(view: SceneView, viewerHand: ViewerHandInput): void
     view.invalidate();
   };
   for (const toggle of toggles) button(toggle.button).addEventListener('click', () => flip(toggle));
+  const room = window.matchMedia(ROOM_FOR_DETAILS);
+  const details = toggles.find(({key}) => key === 'd')!;
+  const fitDetails = () => {
+    if (room.matches !== (button(details.button).getAttribute('aria-pressed') === 'true')) flip(details);
+  };
+  room.addEventListener('change', fitDetails);
+  fitDetails();
   button('reset').addEventListener('click', () => view.resetView());
   button('help-open').addEventListener('click', () => help.showModal());
 
@@ -51,6 +62,7 @@ export function wireControls(view: SceneView, viewerHand: ViewerHandInput): void
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || help.open) return;
     if (event.target instanceof HTMLSelectElement || event.target instanceof HTMLInputElement) return;  // its own keys
+    if (views.takeKey(event.key)) return event.preventDefault();
     const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (act === undefined) return;
     event.preventDefault();

@@ -1,16 +1,27 @@
 import {wireControls} from './controls';
 import {ViewerHandInput} from './viewer_hand';
+import {measureHeight} from './layout';
+import type {Topics} from './link/messages';
 import {now_ms} from './link/session_clock';
 import {SiteLink} from './link/site_link';
+import {DoctorPanel} from './panel/doctor/doctor_panel';
 import {Readouts} from './panel/readouts';
 import {TimelineBar} from './playback/timeline_bar';
 import type {Instant} from './present/instant';
 import {showInstant} from './scene/show_instant';
 import {SceneView} from './scene/scene_view';
 import {publishStatus} from './status';
-import {ViewerState} from './viewer_state';
+import {type Reading, ViewerState} from './viewer_state';
+import type {View} from './views/view';
+import {ViewSwitch} from './views/view_switch';
 
 const READOUTS_EVERY_MS = 100;
+/** Topics that only one view shows. */
+const EXTRA_TOPICS: Record<View, readonly (keyof Topics)[]> = {
+  doctor: ['/station/compensation', '/station/surface'],
+  technician: [],
+  qa: [],
+};
 
 const state = new ViewerState();
 const readouts = new Readouts();
@@ -67,12 +78,24 @@ const status = publishStatus(() => ({
   handPosition: view.hand.mesh.visible ? view.hand.mesh.position.toArray() : undefined,
   drawn_ms: view.drawn_ms,
   coarseness: view.coarseness,
+  view: views.view,
 }));
 
-wireControls(view, viewerHand);
+const panels: Record<View, {show: (reading: Reading) => void}[]> = {
+  doctor: [new DoctorPanel()],
+  technician: [],
+  qa: [],
+};
+const views = new ViewSwitch((chosen) => link.setExtraTopics(EXTRA_TOPICS[chosen]));
+wireControls(view, viewerHand, views);
 new TimelineBar(read);
+measureHeight('tools', '--tools');
+measureHeight('readings', '--readings');
 link.ask('instant');
 window.setInterval(() => {
   link.ask('news');
-  readouts.show(read());
+  const reading = read();
+  views.setRole(reading.role);
+  readouts.show(reading);
+  for (const panel of panels[views.view]) panel.show(reading);
 }, READOUTS_EVERY_MS);

@@ -8,6 +8,7 @@ interface Facts extends Reading {
   handPosition: number[] | undefined;
   drawn_ms: number;
   coarseness: number;
+  view: string;
 }
 
 /** The status in `window.telepalp`, for tests and for debugging; read-only. */
@@ -34,6 +35,8 @@ export interface ViewerStatus {
   readonly decode_ms: number;
   readonly drawn_ms: number;
   readonly coarseness: number;
+  readonly view: string;
+  readonly role: string;
 }
 
 /** Sets `window.telepalp` to a live, read-only status. Returns an object for values that other code sets. */
@@ -64,6 +67,8 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       decode_ms: own.decode_ms,
       drawn_ms: now.drawn_ms,
       coarseness: now.coarseness,
+      view: now.view,
+      role: now.role,
     });
   };
   Object.defineProperty(window, 'telepalp', {get: snapshot, enumerable: true});

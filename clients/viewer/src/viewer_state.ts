@@ -1,8 +1,9 @@
 import type {DepthFidelity} from './depth/depth_fidelity';
-import {Phase, type StationState, type Vec3} from './link/messages';
+import {Phase, type StationCompensation, type StationState, type SurfaceReport, type Vec3} from './link/messages';
 import {milliseconds} from './link/session_clock';
 import type {News} from './link/worker_messages';
 import type {Health} from './panel/banner';
+import type {Presence} from './panel/presence_rows';
 import {shownHand} from './panel/touch_advice';
 import type {Instant} from './present/instant';
 import {accountFor, type FrameTimes, type TimeAccount, WorstOfSecond} from './present/time_account';
@@ -23,6 +24,11 @@ export interface Reading extends Health {
   lateTicks: number | undefined;
   pictureInstant_ms: number | undefined;  // session time of the exposure that is drawn
   numbersInstant_ms: number | undefined;  // session time that force, hand and numbers belong to
+  role: string;                           // of this visitor at the server; empty while it is not known
+  presence: Presence;
+  station: StationState | undefined;                // of the presented instant
+  compensation: StationCompensation | undefined;    // of the presented instant
+  surfaceReport: SurfaceReport | undefined;         // of the newest frame that the station has
 }
 
 export const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
@@ -44,6 +50,7 @@ export class ViewerState {
 
   private coming: Instant | undefined;  // taken by the page, not drawn yet
   private station: StationState | undefined;
+  private compensation: StationCompensation | undefined;
   private picture: DrawnPicture | undefined;
   private drawnAt_ms: number[] = [];
   private readonly worst = new WorstOfSecond();
@@ -54,9 +61,10 @@ export class ViewerState {
   }
 
   /** `instant` is on the screen, so its numbers are shown, too. */
-  drawn({picture, station, times}: Instant, now_ms: number): void {
+  drawn({picture, station, compensation, times}: Instant, now_ms: number): void {
     this.coming = undefined;
     this.station = station;
+    this.compensation = compensation;
     if (picture === undefined) return;
     ++this.frames;
     this.picture = {captured_ms: milliseconds(picture.captured_ns), times, drawn_ms: now_ms};
@@ -92,6 +100,11 @@ export class ViewerState {
       lateTicks: news?.lateTicks,
       pictureInstant_ms: picture?.captured_ms,
       numbersInstant_ms: station && milliseconds(station.stampNs),
+      role: news?.role ?? '',
+      presence: presenceOf(news),
+      station,
+      compensation: station && this.compensation,
+      surfaceReport: connected ? news?.surfaceReport : undefined,
     };
   }
 
@@ -111,6 +124,16 @@ export class ViewerState {
     const shown = {...times, drawn_ms: this.picture.drawn_ms};
     return accountFor({shown, next: this.coming?.times ?? newer, heard}, now_ms);
   }
+}
+
+function presenceOf(news: News | undefined): Presence {
+  const known = news?.connected === true ? news : undefined;
+  return {
+    stats: known?.stats,
+    touching: known?.touching ?? 0,
+    holder: known?.holder ?? {viewer: 0n, asking: []},
+    me: known?.viewer ?? 0n,
+  };
 }
 
 function touchOf(station: StationState | undefined) {

@@ -4,6 +4,7 @@
 import {DepthDecoder} from '../depth/depth_decoder';
 import type {FrameTimes} from '../present/time_account';
 import {type Arrival, type Chosen, type ColorPicture, Instants} from '../present/instants';
+import {StationPast} from '../present/station_past';
 import type {CompressedImage, StationState} from './messages';
 import {milliseconds, now_ms, SessionClock} from './session_clock';
 import {SiteFacts} from './site_facts';
@@ -14,6 +15,7 @@ const KEY_FRAME_REQUEST_INTERVAL_MS = 500;
 
 const clock = new SessionClock();
 const facts = new SiteFacts();
+const past = new StationPast();
 let cameraMatrix: readonly number[] | undefined;
 let keyFrameRequested_ms = 0;
 
@@ -39,13 +41,16 @@ async function bitmapOf(color: ColorPicture | undefined): Promise<ImageBitmap | 
   }
 }
 
-async function present({decoded, station, color, arrival, trail}: Chosen): Promise<void> {
+async function present({decoded, station, color, arrival, trail: touches}: Chosen): Promise<void> {
   const times = timesOf(arrival);
-  if (decoded === undefined || arrival === undefined) return post({instant: {picture: undefined, station, trail, times}});
+  const trail = touches.map((touch) => ({...touch, phase: past.phaseAt(touch.at_s)}));
+  const compensation = station && past.compensationAt(station.stampNs);
+  const numbers = {station, compensation, trail, times};
+  if (decoded === undefined || arrival === undefined) return post({instant: {picture: undefined, ...numbers}});
   const bitmap = await bitmapOf(color);
   const picture = {...decoded, captured_ns: arrival.captured_ns, color: bitmap, cameraMatrix};
   const own: Transferable[] = [decoded.frame.samples.buffer as ArrayBuffer];
-  post({instant: {picture, station, trail, times}}, bitmap === undefined ? own : [...own, bitmap]);
+  post({instant: {picture, ...numbers}}, bitmap === undefined ? own : [...own, bitmap]);
 }
 
 function requestKeyFrame(): void {
@@ -69,6 +74,7 @@ function takenAt({timestamp}: CompressedImage, published_ns: bigint): bigint {
 
 function stationCame(state: StationState): void {
   facts.stationCame(state, now_ms());
+  past.stateCame(state);
   instants.stationCame(state);
 }
 
@@ -92,15 +98,23 @@ const stream = new Stream(
       '/station/stats': (stats) => {
         facts.lateTicks = Number(stats.deadlinesMissed);
       },
+      '/station/compensation': (compensation) => past.compensationCame(compensation),
+      '/station/surface': (report) => {
+        facts.surfaceReport = report;
+      },
+      '/server/stats': (stats) => {
+        facts.stats = stats;
+      },
       '/viewer/hand_holder': ({viewer, asking}) => {
         facts.holder = {viewer, asking};
       },
     },
-    ['/viewer/hand'],
+    {publishes: ['/viewer/hand'], onRequest: ['/station/compensation', '/station/surface']},
     {
       connected: () => {
         clock.restart();
         facts.connected();
+        past.forget();
         instants.restart();
       },
       warned: (text) => {
@@ -116,6 +130,7 @@ function news(): News {
     connected: stream.connected,
     retryAt_ms: stream.retryAt_ms,
     viewer: stream.viewer,
+    role: stream.role,
     offset_ms: clock.offset_ms,
     waiting: timesOf(instants.waiting),
     overtaken: instants.overtaken,
@@ -125,6 +140,7 @@ function news(): News {
 
 onmessage = ({data}: MessageEvent<ToWorker>) => {
   if ('hand' in data) stream.publish('/viewer/hand', data.hand);
+  else if ('extra' in data) stream.setExtraTopics(data.extra);
   else if (data.ask === 'instant') instants.ask();
   else post({news: news()});
 };

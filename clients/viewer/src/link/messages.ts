@@ -90,6 +90,8 @@ export interface StationState {
   limited: boolean;
   objectUnseen: boolean;       // an object inside the body stays put: the skin above it is not seen
   objectSlideUnseen: boolean;  // an object does not follow the body along its skin
+  passivityJ: number;          // energy taken from the hand less energy stored
+  sender: number;              // number of the station at the server; 0: unknown
   yieldsInS: number;  // until warm motors lower the force; infinite: they do not; 0 of a station that does not tell
 }
 
@@ -103,6 +105,46 @@ export interface StationEvent {
 export interface StationStats {
   deadlinesMissed: bigint;
   tickUsP99: number;
+}
+
+/** The delay that the station compensates; see proto/messages/station.proto. */
+export interface StationCompensation {
+  stampNs: bigint;
+  handAgeS: number;
+  handCarriedM: number;
+  handSigmaM: number;
+  surfaceAgeS: number;
+  surfaceCarriedM: number;
+  surfaceSigmaM: number;
+  slewedM: number;
+  support: number;
+  shownOffsetM: number;
+  dampingN: number;
+  handExcessJ: number;
+  driveJ: number;
+}
+
+/** The instants of one frame on its way to the hand, in session time. */
+export interface SurfaceReport {
+  capturedNs: bigint;
+  encodedNs: bigint;
+  receivedNs: bigint;
+  decodedNs: bigint;
+  touchableNs: bigint;
+}
+
+export interface TopicCount {
+  topic: string;
+  published: bigint;
+  sent: bigint;
+  dropped: bigint;
+  bytes: bigint;
+}
+
+export interface ServerStats {
+  stampNs: bigint;
+  topics: TopicCount[];
+  subscribers: {name: string; address: string; sent: bigint; dropped: bigint; sender: number; byDatagram: boolean}[];
 }
 
 export interface Clock {
@@ -141,5 +183,8 @@ export interface Topics {
   '/station/state': StationState;
   '/station/events': StationEvent;
   '/station/stats': StationStats;
+  '/station/compensation': StationCompensation;
+  '/station/surface': SurfaceReport;
+  '/server/stats': ServerStats;
   '/viewer/hand_holder': HandHolder;
 }

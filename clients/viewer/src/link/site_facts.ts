@@ -1,5 +1,7 @@
 import {type DepthFidelity, depthFidelity} from '../depth/depth_fidelity';
-import {type CaptureStatus, type DepthImage, type HandHolder, Phase, type StationState} from './messages';
+import {
+  type CaptureStatus, type DepthImage, type HandHolder, Phase, type ServerStats, type StationState, type SurfaceReport,
+} from './messages';
 import type {News} from './worker_messages';
 
 const LINK_SMOOTHING = 0.1;
@@ -13,6 +15,8 @@ export class SiteFacts {
   lateTicks: number | undefined;
   untaken_ms: number | undefined;
   holder: HandHolder = {viewer: 0n, asking: []};
+  stats: ServerStats | undefined;
+  surfaceReport: SurfaceReport | undefined;
 
   private everConnected = false;
   private depth: DepthFidelity | undefined;
@@ -27,7 +31,7 @@ export class SiteFacts {
     this.everConnected = true;
     this.lastSequence = undefined;  // frames missed without a connection are no drops of the link
     this.holder = {viewer: 0n, asking: []};
-    this.station = this.stationHeard_ms = this.link_ms = this.heard = undefined;
+    this.station = this.stationHeard_ms = this.link_ms = this.heard = this.stats = this.surfaceReport = undefined;
   }
 
   /** A message of any topic came. `published_ms` on this computer's clock; undefined while the session clock is unknown. */
@@ -54,8 +58,11 @@ export class SiteFacts {
 
   get news() {
     const {everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped} = this;
+    const {stats, surfaceReport} = this;
     return {
       everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped,
+      stats, surfaceReport,
+      touching: this.station?.sender ?? 0,
       phase: this.station?.phase ?? Phase.Unspecified,
       surfaceStale: this.station?.surfaceStale ?? false,
     } satisfies Partial<News>;

@@ -1,5 +1,5 @@
 import type {Instant} from '../present/instant';
-import type {LetGo, ViewerHand} from './messages';
+import type {LetGo, Topics, ViewerHand} from './messages';
 import type {FromWorker, News, ToWorker} from './worker_messages';
 
 /** The page's interface to the link worker. Each request gets one answer, and it is not repeated before the answer. */
@@ -25,6 +25,11 @@ export class SiteLink {
 
   publishHand(hand: ViewerHand | LetGo): void {
     this.say({hand});
+  }
+
+  /** Subscribes to topics that the present view needs besides the usual ones. */
+  setExtraTopics(extra: readonly (keyof Topics)[]): void {
+    this.say({extra});
   }
 
   private say(message: ToWorker): void {

@@ -17,6 +17,11 @@ interface Listeners {
   heard(published_ns: bigint): void;  // a message of any topic, before it is handled
 }
 
+interface TopicUse {
+  publishes: readonly (keyof OwnTopics)[];
+  onRequest: readonly (keyof Topics)[];  // subscribed only after setExtraTopics; other handled topics always are
+}
+
 interface Subscription {
   channel: number;
   topic: keyof Topics;
@@ -39,9 +44,13 @@ export class Stream {
   undecodable = 0;
   /** This viewer's number at the server, as /viewer/hand_holder names it; 0 until the server has sent it. */
   viewer = 0n;
+  /** The name of this visitor's role at the server; empty until the server has sent it. */
+  role = '';
 
   private readonly subscriptions = new Map<SubscriptionId, Subscription>();
   private readonly publications = new Map<string, Publication>();
+  private readonly channels = new Map<string, Channel>();  // those that the server advertises
+  private extra: readonly (keyof Topics)[] = [];
   private client: FoxgloveClient | undefined;
   private retry_ms = FIRST_RETRY_MS;
   private heard_ms = 0;
@@ -49,7 +58,7 @@ export class Stream {
   constructor(
       private readonly url: string,
       private readonly handlers: Handlers,
-      private readonly publishes: readonly (keyof OwnTopics)[],
+      private readonly topics: TopicUse,
       private readonly on: Listeners,
   ) {
     setInterval(() => this.endIfSilent(), 1000);
@@ -73,20 +82,42 @@ export class Stream {
     this.subscriptions.set(client.subscribe(subscription.channel), subscription);
   }
 
+  /** Of the topics on request, subscribes to `extra` alone. */
+  setExtraTopics(extra: readonly (keyof Topics)[]): void {
+    this.extra = extra;
+    const {client} = this;
+    if (client === undefined) return;
+    for (const [id, {topic}] of this.subscriptions) {
+      if (this.isWanted(topic)) continue;
+      client.unsubscribe(id);
+      this.subscriptions.delete(id);
+    }
+    const held = new Set(Array.from(this.subscriptions.values(), ({topic}) => topic as string));
+    for (const [topic, channel] of this.channels) if (!held.has(topic)) this.subscribe(client, channel);
+  }
+
+  private isWanted(topic: string): boolean {
+    return topic in this.handlers && (this.extra.some((one) => one === topic) ||
+        !this.topics.onRequest.some((one) => one === topic));
+  }
+
   private connect(): void {
     this.retryAt_ms = undefined;
     this.subscriptions.clear();
+    this.channels.clear();
     this.publications.clear();
     this.heard_ms = performance.now();
     const client = new FoxgloveClient({ws: new WebSocket(this.url, [FoxgloveClient.SUPPORTED_SUBPROTOCOL])});
     this.client = client;
     client.on('serverInfo', ({metadata}) => {
       this.viewer = BigInt(metadata?.viewer ?? 0);
+      this.role = metadata?.role ?? '';
       this.connected = true;
       this.retry_ms = FIRST_RETRY_MS;
       this.on.connected();
     });
     client.on('advertise', (channels) => channels.forEach((channel) => {
+      this.channels.set(channel.topic, channel);
       this.subscribe(client, channel);
       this.offer(client, channel);
     }));
@@ -103,7 +134,7 @@ export class Stream {
   }
 
   private subscribe(client: FoxgloveClient, channel: Channel): void {
-    if (!(channel.topic in this.handlers) || channel.encoding !== 'protobuf') return;
+    if (!this.isWanted(channel.topic) || channel.encoding !== 'protobuf') return;
     try {
       const decode = decoderFor(channel.schemaName, channel.schema);
       const topic = channel.topic as keyof Topics;
@@ -115,7 +146,7 @@ export class Stream {
 
   /** The server advertises the schema of each topic, also of those that viewers publish. */
   private offer(client: FoxgloveClient, {topic, encoding, schema, schemaName}: Channel): void {
-    if (!this.publishes.some((own) => own === topic) || encoding !== 'protobuf') return;
+    if (!this.topics.publishes.some((own) => own === topic) || encoding !== 'protobuf') return;
     const encode = encoderFor(schemaName, schema);
     this.publications.set(topic, {channel: client.advertise({topic, encoding, schemaName}), encode});
   }

@@ -4,7 +4,9 @@
 import type {DepthFidelity} from '../depth/depth_fidelity';
 import type {FrameTimes} from '../present/time_account';
 import type {Instant} from '../present/instant';
-import type {CaptureStatus, HandHolder, LetGo, Phase, ViewerHand} from './messages';
+import type {
+  CaptureStatus, HandHolder, LetGo, Phase, ServerStats, SurfaceReport, Topics, ViewerHand,
+} from './messages';
 
 /** The present state of the link and the patient's site. Times are on the clock of now_ms(). */
 export interface News {
@@ -24,10 +26,15 @@ export interface News {
   untaken_ms: number | undefined;  // when the server last reported that no station uses this viewer's hand
   holder: HandHolder;
   viewer: bigint;      // this page's number at the server; 0n until the server has sent it
+  role: string;        // of this visitor at the server; empty until the server has sent it
+  stats: ServerStats | undefined;
+  touching: number;    // number of the station whose state came last; 0: none
+  surfaceReport: SurfaceReport | undefined;
   dropped: number;     // frames dropped on the way to this viewer
   overtaken: number;   // frames that this viewer skipped before decoding
   undecodable: number;
 }
 
-export type ToWorker = {ask: 'instant' | 'news'} | {hand: ViewerHand | LetGo};
+/** `extra`: topics that only some views need. The others are always subscribed. */
+export type ToWorker = {ask: 'instant' | 'news'} | {hand: ViewerHand | LetGo} | {extra: readonly (keyof Topics)[]};
 export type FromWorker = {instant: Instant} | {news: News};

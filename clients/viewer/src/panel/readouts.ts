@@ -1,34 +1,25 @@
 import {CaptureState} from '../link/messages';
+import {element, setText as write} from '../page';
 import type {Touch} from '../present/instant';
 import {total_ms} from '../present/time_account';
 import {forceColor} from '../scene/force_color';
 import type {Reading} from '../viewer_state';
 import {type Banner, bannerFor} from './banner';
 import {lookOf} from './phases';
-import {Plot} from './plot';
-
-function element<Kind extends HTMLElement = HTMLElement>(id: string): Kind {
-  const found = document.getElementById(id);
-  if (found === null) throw new Error(`index.html has no #${id}`);
-  return found as Kind;
-}
+import {TouchPlots} from './plots/touch_plots';
 
 const milliseconds = (ms: number | undefined) =>
     ms === undefined ? '–' : ms < 10_000 ? `${Math.max(0, Math.round(ms))} ms` : `${(ms / 1000).toFixed(0)} s`;
 
 const OLD_MS = 250;
 
-/** Writes the values to the page. Only this class knows the names of the page's elements, except for the buttons. */
+/** Writes the readings that every view has. */
 export class Readouts {
-  readonly force = new Plot(element('force-plot'), {color: '#ffab5e', unit: 'N', least: 5, step: 5});
-  readonly indentation = new Plot(element('indentation-plot'), {color: '#5ad1e6', unit: 'mm', least: 40, step: 20});
+  private readonly plots = new TouchPlots();
 
   /** The station's values since the last presented instant. */
   addTrail(trail: readonly Touch[]): void {
-    for (const {at_s, force_N, indentation_m} of trail) {
-      this.force.add(at_s, force_N);
-      this.indentation.add(at_s, 1000 * indentation_m);
-    }
+    for (const touch of trail) this.plots.add(touch);
   }
 
   /** The numbers that belong to the picture just drawn. */
@@ -43,8 +34,7 @@ export class Readouts {
     this.showNumbers(reading);
     this.showFreshness(reading);
     this.updateBanner(reading);
-    this.force.draw();
-    this.indentation.draw();
+    this.plots.draw();
   }
 
   private showLink({connected, everConnected, capture}: Reading): void {
@@ -108,8 +98,4 @@ function showAge(id: string, ms: number | undefined): void {
   element(id).dataset['old'] = String(ms !== undefined && ms > OLD_MS);
 }
 
-/** Writes only what changed: a screen reader reads out every write to a live region. */
-function setText(id: string, text: string): void {
-  const target = element(id);
-  if (target.textContent !== text) target.textContent = text;
-}
+const setText = (id: string, text: string) => write(element(id), text);

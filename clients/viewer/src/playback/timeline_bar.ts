@@ -1,3 +1,5 @@
+import {measureHeight} from '../layout';
+import {element, setText} from '../page';
 import type {Reading} from '../viewer_state';
 import {type Focus, commandForKey} from './playback_keys';
 import {askServer, PlaybackLink} from './playback_link';
@@ -5,12 +7,6 @@ import {type PlaybackCommand, seekTo} from './playback_state';
 import {clock, timelineLook} from './timeline_words';
 
 const LOOK_EVERY_MS = 500;
-
-function element<Kind extends HTMLElement>(id: string): Kind {
-  const found = document.getElementById(id);
-  if (found === null) throw new Error(`index.html has no #${id}`);
-  return found as Kind;
-}
 
 /** The bar that moves a played session. It is hidden unless the server plays one that this visitor may move. */
 export class TimelineBar {
@@ -36,7 +32,7 @@ export class TimelineBar {
     for (const ended of ['pointerup', 'pointercancel'] as const)
       window.addEventListener(ended, () => window.setTimeout(() => (this.dragged = false)));
     window.addEventListener('keydown', (event) => this.takeKey(event), {capture: true});
-    new ResizeObserver(() => this.makeRoom()).observe(this.bar);
+    measureHeight('timeline', '--floor');
     window.setInterval(() => void this.look(), LOOK_EVERY_MS);
   }
 
@@ -100,21 +96,10 @@ export class TimelineBar {
     if (Array.from(this.speed.options, ({value}) => value).join() === speeds.join()) return;
     this.speed.replaceChildren(...speeds.map((speed) => new Option(`${speed} ×`, speed)));
   }
-
-  /** What stands at the bottom of the page moves up by the bar's height. */
-  private makeRoom(): void {
-    const room_px = this.bar.hidden ? 0 : this.bar.offsetHeight + 8;
-    document.documentElement.style.setProperty('--floor', `${room_px}px`);
-  }
 }
 
 function focusOf(target: EventTarget | null): Focus {
   if (target instanceof HTMLSelectElement) return 'choice';
   if (target instanceof HTMLButtonElement) return 'button';
   return target instanceof HTMLCanvasElement ? 'scene' : 'other';
-}
-
-/** Writes only what changed: a screen reader reads out every write to a live region. */
-function setText(target: HTMLElement, text: string): void {
-  if (target.textContent !== text) target.textContent = text;
 }

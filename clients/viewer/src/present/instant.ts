@@ -1,12 +1,13 @@
 import type {DecodedDepth} from '../depth/depth_decoder';
-import type {StationState} from '../link/messages';
+import type {Phase, StationCompensation, StationState} from '../link/messages';
 import type {FrameTimes} from './time_account';
 
-/** Force and indentation at a time of the station, for the plots. */
+/** Force, indentation and phase at a time of the station, for the plots. */
 export interface Touch {
   at_s: number;
   force_N: number;
   indentation_m: number;
+  phase?: Phase | undefined;
 }
 
 export interface Picture extends DecodedDepth {
@@ -19,6 +20,7 @@ export interface Picture extends DecodedDepth {
 export interface Instant {
   picture: Picture | undefined;  // undefined: no new picture; only the station's values are new
   station: StationState | undefined;
+  compensation?: StationCompensation | undefined;  // of the instant of `station`; only in views that show it
   trail: readonly Touch[];  // touches since the previous instant, up to this one
   times: FrameTimes | undefined;  // of the picture; undefined while the session clock is not known
 }

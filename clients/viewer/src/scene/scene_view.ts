@@ -18,6 +18,7 @@ import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import type {DepthSummary} from '../depth/depth_summary';
 import {type Detail, FramePacer} from './frame_pacer';
 import {drawsInSoftware} from './graphics';
+import {Halo} from './halo';
 import {Hand} from './hand';
 import {Probe} from './probe';
 import {Surface} from './surface';
@@ -38,6 +39,7 @@ export class SceneView {
   readonly surface = new Surface();
   readonly hand = new Hand();
   readonly probe = new Probe();
+  readonly halo = new Halo();
 
   /**
    * Callbacks of each drawing: when it begins, when the graphics card has finished it, and when the next one may begin.
@@ -76,7 +78,7 @@ export class SceneView {
     const lamp = new DirectionalLight('#fff4e6', 2.1);
     lamp.position.set(-0.45, 0.65, 0.85);
     this.scene.add(
-        this.surface.mesh, this.hand.mesh, this.probe.group, new HemisphereLight('#cfe3ff', '#3a2a22', 1.1),
+        this.surface.mesh, this.hand.mesh, this.probe.group, this.halo.group, new HemisphereLight('#cfe3ff', '#3a2a22', 1.1),
         new AmbientLight('#ffffff', 0.25), lamp);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;

@@ -1,4 +1,4 @@
-import type {StationState} from '../link/messages';
+import type {StationCompensation, StationState} from '../link/messages';
 import {shownHand} from '../panel/touch_advice';
 import type {Instant, Picture} from '../present/instant';
 import {length} from '../viewer_state';
@@ -7,9 +7,9 @@ import {fromCamera, rotationFromCamera} from './frames';
 import type {SceneView} from './scene_view';
 
 /** Puts picture, hand and force of one instant into the scene, to be drawn together. */
-export function showInstant(view: SceneView, {picture, station}: Instant): void {
+export function showInstant(view: SceneView, {picture, station, compensation}: Instant): void {
   if (picture !== undefined) showPicture(view, picture);
-  if (station !== undefined) showStation(view, station);
+  if (station !== undefined) showStation(view, station, compensation);
   view.invalidate();
 }
 
@@ -19,20 +19,29 @@ function showPicture(view: SceneView, {frame, summary, color, cameraMatrix}: Pic
   view.setHome(summary);
 }
 
-function showStation({hand, probe, surface}: SceneView, station: StationState): void {
+function showStation(
+    {hand, probe, halo, surface}: SceneView, station: StationState, compensation: StationCompensation | undefined): void {
   const force_N = station.forceN === undefined ? 0 : length(station.forceN);
   const color = forceColor(force_N);
   const proxy = station.proxyCamera && fromCamera(station.proxyCamera);
   const at = shownHand(station);
   const attitude = station.handAttitudeCamera && rotationFromCamera(station.handAttitudeCamera);
   hand.show(at && fromCamera(at), attitude, station.indentationM);
+  const normal = station.normalCamera && fromCamera(station.normalCamera);
   probe.show(
       {
         device: station.deviceCamera && fromCamera(station.deviceCamera),
         proxy,
-        normal: station.normalCamera && fromCamera(station.normalCamera),
+        normal,
         force_N: station.forceCameraN && fromCamera(station.forceCameraN),
       },
       color);
+  halo.show(compensation && {
+    hand: at && fromCamera(at),
+    hand_sigma_m: compensation.handSigmaM,
+    proxy: station.inBody ? proxy : undefined,
+    normal,
+    surface_sigma_m: compensation.surfaceSigmaM,
+  });
   surface.setTouch(proxy, station.inBody ? 0.35 + 0.65 * Math.min(1, force_N / FULL_SCALE_N) : 0, color);
 }

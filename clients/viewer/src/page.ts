@@ -1,0 +1,20 @@
+/** The element `id` of index.html. Throws if there is none: then page and script are not of the same build. */
+export function element<Kind extends HTMLElement = HTMLElement>(id: string): Kind {
+  const found = document.getElementById(id);
+  if (found === null) throw new Error(`index.html has no #${id}`);
+  return found as Kind;
+}
+
+/** Writes only what changed: a screen reader reads out every write to a live region. */
+export function setText(target: HTMLElement, text: string): void {
+  if (target.textContent !== text) target.textContent = text;
+}
+
+/** A new element with a class and a text. */
+export function made<Name extends keyof HTMLElementTagNameMap>(
+    name: Name, className = '', text = ''): HTMLElementTagNameMap[Name] {
+  const element = document.createElement(name);
+  if (className !== '') element.className = className;
+  if (text !== '') element.textContent = text;
+  return element;
+}

@@ -1,0 +1,72 @@
+import type {StationCompensation, StationState} from '../../link/messages';
+import {fixed} from '../numbers';
+import type {Row} from '../rows';
+
+const mm = (m: number) => `${fixed(1000 * m, 1)} mm`;
+const signed = (m: number) => `${m > 0.00005 ? '+' : ''}${mm(m)}`;
+const mJ = (joule: number) => `${fixed(1000 * joule, 1)} mJ`;
+
+/** A surface that is shifted by more than this hides a step between two snapshots. */
+const SLEWED_M = 0.0005;
+const DAMPED_N = 0.05;
+
+/**
+ * What the station compensates at the presented instant, by how much, and how sure it is: the whole list, no other
+ * delay is compensated. `state`: of the same instant.
+ */
+export function compensationRows(
+    compensation: StationCompensation | undefined, state: Pick<StationState, 'passivityJ'> | undefined): Row[] {
+  if (compensation === undefined) return [{name: 'Nothing', value: 'no station tells'}];
+  const {handCarriedM, handSigmaM, surfaceCarriedM, surfaceSigmaM, slewedM, dampingN, handExcessJ, driveJ} = compensation;
+  const rows: Row[] = [
+    {
+      name: 'Hand, to now',
+      value: `${fixed(1000 * handCarriedM, 1)} ± ${mm(2 * handSigmaM)}`,
+      says: `The tracker's newest sample is ${ms(compensation.handAgeS)} old; the hand is predicted from it. ± is two ` +
+          'standard deviations.',
+    },
+    {
+      name: 'Skin, to now',
+      value: `${signed(surfaceCarriedM).replace(' mm', '')} ± ${mm(2 * surfaceSigmaM)}`,
+      says: `The surface was captured ${ms(compensation.surfaceAgeS)} ago. + is out of the body. ± is two standard ` +
+          'deviations of noise, fit and prediction.',
+    },
+    {
+      name: 'Hand, to the skin',
+      value: mm(compensation.shownOffsetM),
+      says: 'The hand is drawn on the skin (S1 II.E), not where the tracker sees it.',
+    },
+  ];
+  if (Math.abs(slewedM) > SLEWED_M)
+    rows.push({name: 'Skin, still moving', value: signed(slewedM), says: 'Fades out, so that the skin never jumps.'});
+  if (compensation.support < 0.995)
+    rows.push({
+      name: 'Contact displayed',
+      value: `${Math.round(100 * compensation.support)} %`,
+      says: 'Below 100 % where the surface is old or ends.',
+      level: 'warn',
+    });
+  rows.push(
+      {
+        name: 'Ledger of the hand',
+        value: mJ(handExcessJ),
+        says: 'Work on the hand in this contact beyond the work that the newest measured skin would do.',
+      },
+      {
+        name: 'Ledger of the coupling',
+        value: state === undefined ? '–' : mJ(state.passivityJ),
+        says: 'Energy taken from the hand less energy stored, relative to the displayed surface.',
+      },
+      {name: 'Ledger of the drive', value: mJ(driveJ), says: 'Work of lift and position control on the hand.'},
+      {
+        name: 'Damping',
+        value: `${fixed(dampingN, 2)} N`,
+        says: 'The force with which the passivity controller takes energy back.',
+        level: dampingN > DAMPED_N ? 'warn' : undefined,
+      });
+  return rows;
+}
+
+function ms(seconds: number): string {
+  return Number.isFinite(seconds) ? `${(1000 * seconds).toFixed(0)} ms` : 'infinitely';
+}

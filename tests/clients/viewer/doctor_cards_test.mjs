@@ -1,0 +1,57 @@
+// node doctor_cards_test.mjs VIEWER_SOURCES VIEWER_WORK: who is here, the way of a frame to the hand, what is compensated.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {presenceRows} = await bundled('panel/presence_rows.ts');
+const {delayRows} = await bundled('panel/doctor/delay_rows.ts');
+const {compensationRows} = await bundled('panel/doctor/compensation_rows.ts');
+
+const nobody = {viewer: 0n, asking: []};
+const subscriber = (name, sender = 0) => ({name, address: '192.0.2.7:5000', sender, sent: 0n, dropped: 0n, byDatagram: false});
+const presence = (subscribers, touching, holder = nobody, me = 4n) => ({stats: {stampNs: 1n, topics: [], subscribers}, touching, holder, me});
+const valueOf = (rows, name) => rows.find((row) => row.name === name)?.value;
+
+test('the station whose state comes holds the touch; another one is connected', () => {
+  const rows = presenceRows(presence([subscriber('telepalp-station', 7), subscriber('telepalp-station', 8), subscriber('viewer')], 7));
+  assert.deepEqual(rows.slice(0, 2).map(({value}) => value), ['holds the touch', 'connected']);
+  assert.equal(valueOf(rows, 'Browser'), 'you');
+});
+
+test('the maker of Foxglove\'s views is no person', () => {
+  const rows = presenceRows(presence([subscriber('views for Foxglove'), subscriber('viewer'), subscriber('viewer')], 0));
+  assert.deepEqual(rows.map(({name}) => name), ['Browsers: 2']);
+});
+
+test('a station that only a session holds is played, and not connected', () => {
+  assert.equal(valueOf(presenceRows(presence([subscriber('viewer')], 1003)), 'Recorded station'), 'played');
+});
+
+test('the hand in a browser is mine or another viewer\'s', () => {
+  const held = (viewer) => valueOf(presenceRows(presence([subscriber('viewer')], 0, {viewer, asking: []})), 'Hand in a browser');
+  assert.deepEqual([held(4n), held(5n), held(0n)], ['yours', 'viewer 5', undefined]);
+});
+
+test('the parts of a frame\'s way add up to the whole', () => {
+  const rows = delayRows({capturedNs: 0n, encodedNs: 5_000_000n, receivedNs: 12_000_000n, decodedNs: 20_000_000n, touchableNs: 38_000_000n});
+  assert.equal(rows[0].value, '38 ms');
+  assert.deepEqual(rows.slice(1).map(({value}) => value), ['5.0 ms', '7.0 ms', '8.0 ms', '18.0 ms']);
+  assert.equal(delayRows({capturedNs: 1n, touchableNs: 0n})[0].value, '–');
+});
+
+test('hand and skin are told with two standard deviations, and damping that acts is marked', () => {
+  const still = {
+    stampNs: 0n, handAgeS: 0.01, handCarriedM: 0.0042, handSigmaM: 0.0005, surfaceAgeS: 0.05, surfaceCarriedM: -0.00001,
+    surfaceSigmaM: 0.0003, slewedM: 0, support: 1, shownOffsetM: 0.02, dampingN: 0, handExcessJ: 0.0011, driveJ: 0,
+  };
+  const rows = compensationRows(still, {passivityJ: -0.00001});
+  assert.equal(valueOf(rows, 'Hand, to now'), '4.2 ± 1.0 mm');
+  assert.equal(valueOf(rows, 'Skin, to now'), '0.0 ± 0.6 mm');
+  assert.equal(valueOf(rows, 'Ledger of the coupling'), '0.0 mJ');
+  assert.equal(rows.find(({name}) => name === 'Damping').level, undefined);
+  const damped = compensationRows({...still, dampingN: 0.4, support: 0.5, slewedM: 0.002}, undefined);
+  assert.equal(damped.find(({name}) => name === 'Damping').level, 'warn');
+  assert.equal(valueOf(damped, 'Contact displayed'), '50 %');
+  assert.equal(valueOf(damped, 'Skin, still moving'), '+2.0 mm');
+});
