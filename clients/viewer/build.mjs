@@ -1,6 +1,9 @@
-// Bundles the viewer into the folder named on the command line: node build.mjs OUT
+// Bundles the viewer into the folder named on the command line, each file also compressed by Brotli as NAME.br:
+// node build.mjs OUT
 import {build} from 'esbuild';
-import {mkdir, readFile} from 'node:fs/promises';
+import {mkdir, readFile, writeFile} from 'node:fs/promises';
+import {basename, join} from 'node:path';
+import {brotliCompressSync} from 'node:zlib';
 
 const out = process.argv[2] ?? 'dist';
 await mkdir(out, {recursive: true});
@@ -25,3 +28,6 @@ if (unlisted.length > 0) {
   console.error(`bundled, but not listed in THIRD_PARTY.md: ${unlisted.join(', ')}`);
   process.exit(1);
 }
+
+for (const file of [...Object.keys(metafile.outputs), 'src/depth/depth_decoder.wasm'])
+  await writeFile(join(out, `${basename(file)}.br`), brotliCompressSync(await readFile(file)));

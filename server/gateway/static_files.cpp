@@ -56,6 +56,23 @@ void add_gzip(StaticFile& file) {
   file.gzip_bytes = std::move(smaller);
 }
 
+std::string bytes_of(const fs::path& path) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return std::move(bytes).str();
+}
+
+/// Adds the Brotli form of the file at `path`, if the build left one beside it. `most_bytes`: a larger one is left out.
+void add_brotli(StaticFile& file, const fs::path& path, std::uintmax_t most_bytes) {
+  std::error_code failed;
+  const fs::path compressed = path.native() + ".br";
+  if (!fs::is_regular_file(fs::symlink_status(compressed, failed))) return;
+  if (fs::last_write_time(compressed, failed) < fs::last_write_time(path, failed) || failed) return;
+  if (fs::file_size(compressed, failed) > most_bytes || failed) return;
+  file.brotli_bytes = bytes_of(compressed);
+  file.brotli_etag = etag_of(file.brotli_bytes);
+}
+
 bool is_hidden(const fs::path& file) { return file.filename().string().starts_with('.'); }
 
 }  // namespace
@@ -96,13 +113,13 @@ Result<StaticFiles> StaticFiles::read(const fs::path& folder) {
     if (failed) break;
     if (size > kMaxBytes - total_bytes || files.files_.size() == kMaxFiles)
       return cannot_serve(folder, "holds more than a viewer's files");
-    std::ostringstream bytes;
-    bytes << std::ifstream(path, std::ios::binary).rdbuf();
-    StaticFile file{.content_type = std::string(type), .etag = {}, .bytes = std::move(bytes).str()};
+    StaticFile file{.content_type = std::string(type), .etag = {}, .bytes = bytes_of(path)};
     if (file.bytes.size() != size) return cannot_serve(path, "cannot be read");
     total_bytes += file.bytes.size();
     file.etag = etag_of(file.bytes);
     add_gzip(file);
+    add_brotli(file, path, kMaxBytes - total_bytes);
+    total_bytes += file.brotli_bytes.size();
     files.files_.emplace("/" + path.lexically_relative(folder).generic_string(), std::move(file));
   }
   if (failed) return cannot_serve(folder, "cannot be read: " + failed.message());

@@ -17,6 +17,8 @@ struct StaticFile {
   std::string bytes;
   std::string gzip_etag{};   ///< of `gzip_bytes`: each representation has its own tag (RFC 9110, 8.8.3)
   std::string gzip_bytes{};  ///< `bytes` compressed; empty if gzip does not reduce the size
+  std::string brotli_etag{};
+  std::string brotli_bytes{};  ///< from NAME.br beside NAME, which the build made; empty without one
 };
 
 /// Compresses `bytes` to a gzip file (RFC 1952), deterministically.
@@ -32,7 +34,8 @@ class StaticFiles {
   /// Without files: every request gets "not found".
   StaticFiles() = default;
 
-  /// Reads all regular files of known types below `folder`; links and hidden files are left out. Error: no such folder,
+  /// Reads all regular files of known types below `folder`; links and hidden files are left out. NAME.br is the Brotli
+  /// form of NAME, and is left out when it is older than NAME. Error: no such folder,
   /// no index.html, or over kMaxFiles or kMaxBytes.
   [[nodiscard]] static Result<StaticFiles> read(const std::filesystem::path& folder);
 

@@ -1,4 +1,4 @@
-// node decode_golden.mjs DEPTH_DECODER_WASM.ts GOLDEN_FOLDER FZSTD.mjs: whether the browser's decoder gives the golden
+// node decode_golden.mjs DEPTH_DECODER.wasm GOLDEN_FOLDER FZSTD.mjs: whether the browser's decoder gives the golden
 // frames as their readable twins have them, and refuses them damaged.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
@@ -7,13 +7,13 @@ import {pathToFileURL} from 'node:url';
 
 const [moduleFile, folder, fzstd] = process.argv.slice(2);
 const {decompress} = await import(pathToFileURL(fzstd));
-const base64 = [...readFileSync(moduleFile, 'utf8').matchAll(/'([A-Za-z0-9+/=]+)'/g)].map((match) => match[1]).join('');
+const compiled = new WebAssembly.Module(readFileSync(moduleFile));
 
 /** A fresh decoder, with the imports that clients/viewer/src/depth/decode_depth.ts gives it. */
 function decoder() {
   const view = (at, size) => new Uint8Array(wasm.memory.buffer, at, size);
   const nothing = () => 52;
-  const wasm = new WebAssembly.Instance(new WebAssembly.Module(Buffer.from(base64, 'base64')), {
+  const wasm = new WebAssembly.Instance(compiled, {
     env: {
       ZSTD_decompress: (to, room, from, size) => {
         try {

@@ -37,13 +37,15 @@ async function packetsOf(mode) {
 }
 
 /** Runs in the page; returns the worker's answer to each packet, in order. */
-async function decodeAll({script, packets, rounds}) {
+async function decodeAll({script, decoder, packets, rounds}) {
+  const bytesOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer;
   const worker = new Worker(URL.createObjectURL(new Blob([script], {type: 'text/javascript'})));
   const failed = new Promise((_, reject) => { worker.onerror = ({message}) => reject(new Error(message)); });
+  worker.postMessage({module: await WebAssembly.compile(bytesOf(decoder))});
   const answers = [];
   for (let round = 0; round < rounds; ++round) {
     for (const base64 of packets) {
-      const packet = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer;
+      const packet = bytesOf(base64);
       const answer = new Promise((resolve) => { worker.onmessage = ({data}) => resolve(data); });
       worker.postMessage({packet}, [packet]);
       const {problem, frame, decode_ms} = await Promise.race([answer, failed]);
@@ -58,7 +60,8 @@ for (const mode of ['fast', 'intra', 'temporal', 'bounded']) {
   test(`Chromium decodes ${mode}`, async () => {
     const packets = await packetsOf(mode);
     const script = readFileSync(join(viewerFiles, 'depth_worker.js'), 'utf8');
-    const answers = await browser.page.evaluate(decodeAll, {script, packets, rounds: ROUNDS});
+    const decoder = readFileSync(join(viewerFiles, 'depth_decoder.wasm'), 'base64');
+    const answers = await browser.page.evaluate(decodeAll, {script, decoder, packets, rounds: ROUNDS});
     assert.equal(answers.length, ROUNDS * packets.length);
     for (const {problem, pixels} of answers) {
       assert.equal(problem, undefined);

@@ -122,6 +122,25 @@ TEST(HttpReply, AFileIsCompressedForABrowserThatTakesGzipAndForNoOther) {
   }
 }
 
+TEST(HttpReply, ABrotliFormThatTheBuildMadeIsServedInsteadOfGzipAndAnOldOneIsNot) {
+  const Folder folder;
+  const std::filesystem::path compressed = folder.viewer() / "page.css.br";
+  std::ofstream(compressed) << "brotli";
+  const auto made = gateway::StaticFiles::read(folder.viewer());
+  ASSERT_TRUE(made);
+  const gateway::HttpReply small = page_for(*made, "gzip, deflate, br");
+  EXPECT_EQ(small[http::field::content_encoding], "br");
+  EXPECT_EQ(small.body(), "brotli");
+  EXPECT_NE(small[http::field::etag], page_for(*made, "gzip")[http::field::etag]);
+  EXPECT_EQ(page_for(*made, "gzip, br;q=0")[http::field::content_encoding], "gzip");
+  EXPECT_EQ(made->find("/page.css.br"), nullptr) << "it is a form, and no file of its own";
+
+  std::filesystem::last_write_time(compressed, std::filesystem::file_time_type::min());
+  const auto old = gateway::StaticFiles::read(folder.viewer());
+  ASSERT_TRUE(old);
+  EXPECT_EQ(page_for(*old, "gzip, br")[http::field::content_encoding], "gzip") << "it is of another build";
+}
+
 TEST(HttpReply, TheTwoFormsOfAFileHaveTagsOfTheirOwnAndAListOfTagsIsRead) {
   const Folder folder;
   const auto files = gateway::StaticFiles::read(folder.viewer());

@@ -20,10 +20,10 @@ std::string_view take_until(char separator, std::string_view& rest) noexcept {
   return trimmed(taken);
 }
 
-bool is_gzip(std::string_view coding) noexcept {
-  constexpr std::string_view kGzip = "gzip";
+/// Whether `text` is `name`, which is in lower case, in any case.
+bool is_named(std::string_view text, std::string_view name) noexcept {
   const auto alike = [](char a, char b) { return (a | 0x20) == b; };
-  return coding.size() == kGzip.size() && std::equal(coding.begin(), coding.end(), kGzip.begin(), alike);
+  return text.size() == name.size() && std::equal(text.begin(), text.end(), name.begin(), alike);
 }
 
 /// False for "q=0", "q=0.0" and so on.
@@ -37,13 +37,13 @@ bool has_weight(std::string_view parameters) noexcept {
 
 }  // namespace
 
-bool takes_gzip(std::string_view accept_encoding) noexcept {
+bool takes_coding(std::string_view accept_encoding, std::string_view coding) noexcept {
   bool any = false;
   while (!accept_encoding.empty()) {
     std::string_view parameters = take_until(',', accept_encoding);
-    const std::string_view coding = take_until(';', parameters);
-    if (is_gzip(coding)) return has_weight(parameters);
-    if (coding == "*") any = has_weight(parameters);
+    const std::string_view listed = take_until(';', parameters);
+    if (is_named(listed, coding)) return has_weight(parameters);
+    if (listed == "*") any = has_weight(parameters);
   }
   return any;
 }

@@ -1,7 +1,5 @@
 import {decompress} from 'fzstd';
 
-import {DEPTH_DECODER_WASM} from './depth_decoder_wasm';
-
 /** Depth along the optical axis: `samples[row * width + column] * unit_m` metres, 0 where nothing was measured. */
 export interface DepthFrame {
   width: number;
@@ -23,12 +21,20 @@ interface Decoder {
   problem(): number;
 }
 
+let compiled: WebAssembly.Module | undefined;
 let decoder: Decoder | undefined;
+
+/** `module`: the compiled depth_decoder.wasm. Call it before decodeDepth. */
+export function setDecoder(module: WebAssembly.Module): void {
+  compiled = module;
+  decoder = undefined;
+}
 
 /** Decodes a packet of any depth mode. Throws on a damaged packet; never returns wrong depth. */
 export function decodeDepth(packet: Uint8Array): DepthFrame {
+  if (compiled === undefined) throw new Error('depth packet: the decoder was not loaded');
   try {
-    return decodeWith((decoder ??= instantiate()), packet);
+    return decodeWith((decoder ??= instantiate(compiled)), packet);
   } catch (problem) {
     if (problem instanceof WebAssembly.RuntimeError) decoder = undefined;  // its state is undefined
     throw problem;
@@ -44,12 +50,10 @@ function decodeWith(wasm: Decoder, packet: Uint8Array): DepthFrame {
   return {width, height, unit_m: wasm.unit_m(), samples};
 }
 
-/** The module is compiled synchronously: a worker, which decodes depth, may block on a module of any size. */
-function instantiate(): Decoder {
-  const bytes = Uint8Array.from(atob(DEPTH_DECODER_WASM), (letter) => letter.charCodeAt(0));
+function instantiate(module: WebAssembly.Module): Decoder {
   const view = (at: number, size: number) => new Uint8Array(wasm.memory.buffer, at, size);
   const noFiles = () => 52;  // ENOSYS: the C library's output functions have no target here
-  const instance = new WebAssembly.Instance(new WebAssembly.Module(bytes), {
+  const instance = new WebAssembly.Instance(module, {
     env: {
       ZSTD_decompress(to: number, room: number, from: number, size: number): number {
         try {

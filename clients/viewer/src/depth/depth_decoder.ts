@@ -1,5 +1,6 @@
 import type {DepthFrame} from './decode_depth';
 import type {DepthSummary} from './depth_summary';
+import type {ToDepthWorker} from './depth_worker';
 
 export interface DecodedDepth {
   frame: DepthFrame;
@@ -9,22 +10,39 @@ export interface DecodedDepth {
 
 type Reply = DecodedDepth | {problem: string};
 
-/** Decodes depth in a worker of its own, one packet at a time. */
+/** Decodes depth in a worker of its own, one packet at a time. The decoder is loaded once, with the first packet. */
 export class DepthDecoder {
   undecodable = 0;
 
   private readonly worker = new Worker('depth_worker.js', {type: 'module'});
+  private loaded: Promise<void> | undefined;
 
-  constructor(onDecoded: (decoded: DecodedDepth) => void, onProblem: () => void) {
+  constructor(private readonly onDecoded: (decoded: DecodedDepth) => void, private readonly onProblem: () => void) {
     this.worker.onmessage = ({data}: MessageEvent<Reply>) => {
-      if (!('problem' in data)) return onDecoded(data);
-      if (this.undecodable++ === 0) console.error(data.problem);
-      onProblem();
+      if ('problem' in data) this.fail(data.problem);
+      else this.onDecoded(data);
     };
   }
 
   decode(bytes: Uint8Array): void {
     const own = bytes.slice().buffer;  // a copy, since the packet is part of a WebSocket message
-    this.worker.postMessage({packet: own}, [own]);
+    this.loaded ??= this.load();
+    this.loaded.then(() => this.say({packet: own}, [own]), (problem) => {
+      this.loaded = undefined;  // the server may be away: the next packet tries again
+      this.fail(`depth_decoder.wasm: ${String(problem)}`);
+    });
+  }
+
+  private async load(): Promise<void> {
+    this.say({module: await WebAssembly.compileStreaming(fetch('depth_decoder.wasm'))});
+  }
+
+  private fail(problem: string): void {
+    if (this.undecodable++ === 0) console.error(problem);
+    this.onProblem();
+  }
+
+  private say(message: ToDepthWorker, own: Transferable[] = []): void {
+    this.worker.postMessage(message, own);
   }
 }
