@@ -1,5 +1,7 @@
 // The viewer's states, one by one, on a scripted stage: node viewer_test.mjs STAGE VIEWER_DIR
 import assert from 'node:assert/strict';
+import {readdirSync} from 'node:fs';
+import http from 'node:http';
 import test from 'node:test';
 
 import {lookAtMiddle, openBrowser, status, untilStatus} from './browser.mjs';
@@ -169,6 +171,18 @@ test('an overloaded viewer says that this computer is slow, and its numbers stay
   }
 });
 
+/** Bytes over the wire of everything that the page loads. */
+async function weight(address) {
+  const files = readdirSync(viewer).filter((name) => !name.endsWith('.br') && name !== 'third_party.txt');
+  const sizes = await Promise.all(files.map((name) => new Promise((resolve, reject) => {
+    http.get(address + name, {headers: {'accept-encoding': 'gzip, br'}}, (reply) => {
+      let bytes = 0;
+      reply.on('data', (part) => (bytes += part.length)).on('end', () => resolve(bytes));
+    }).on('error', reject);
+  })));
+  return sizes.reduce((sum, bytes) => sum + bytes, 0);
+}
+
 /** The cards of the details that are shown. */
 const cards = (page) => page.evaluate(() => [...document.querySelectorAll('#side h2')]
     .filter((title) => title.offsetParent !== null).map((title) => title.textContent));
@@ -178,6 +192,8 @@ async function viewsTest(page, address) {
   await untilStatus(page, 'the address chooses the view', (now) => now.view === 'technician' && now.connected);
   await page.goto(address);
   await untilStatus(page, 'without one it is the doctor\'s', (now) => now.view === 'doctor' && now.role === 'local');
+  assert.deepEqual(await cards(page), [], 'a small window begins without details');
+  await page.keyboard.press('d');
   assert.deepEqual(await cards(page), ['Here now', 'Way to the hand', 'Compensated']);
   await page.keyboard.press('3');
   await untilStatus(page, 'a key chooses', (now) => now.view === 'qa');
@@ -205,6 +221,8 @@ test('window.telepalp can be read and not set; views are chosen by address, key 
       return {frozen: Object.isFrozen(window.telepalp), connected: typeof window.telepalp.connected};
     });
     assert.deepEqual(after, {frozen: true, connected: 'boolean'});
+    const bytes = await weight(running.address);
+    assert.ok(bytes <= 250_000, `the page weighs ${bytes} bytes`);
     await viewsTest(browser.page, running.address);
     assert.deepEqual(browser.problems, []);
   } finally {

@@ -1,11 +1,12 @@
 import {wireControls} from './controls';
 import {ViewerHandInput} from './viewer_hand';
 import {measureHeight} from './layout';
-import type {Topics} from './link/messages';
 import {now_ms} from './link/session_clock';
 import {SiteLink} from './link/site_link';
+import type {Extra} from './link/worker_messages';
 import {DoctorPanel} from './panel/doctor/doctor_panel';
 import {Readouts} from './panel/readouts';
+import {TechnicianPanel} from './panel/technician/technician_panel';
 import {TimelineBar} from './playback/timeline_bar';
 import type {Instant} from './present/instant';
 import {showInstant} from './scene/show_instant';
@@ -16,11 +17,11 @@ import type {View} from './views/view';
 import {ViewSwitch} from './views/view_switch';
 
 const READOUTS_EVERY_MS = 100;
-/** Topics that only one view shows. */
-const EXTRA_TOPICS: Record<View, readonly (keyof Topics)[]> = {
-  doctor: ['/station/compensation', '/station/surface'],
-  technician: [],
-  qa: [],
+/** What only one view shows. */
+const EXTRA: Record<View, Extra> = {
+  doctor: {topics: ['/station/compensation', '/station/surface'], light: false},
+  technician: {topics: [], light: true},
+  qa: {topics: [], light: false},
 };
 
 const state = new ViewerState();
@@ -83,10 +84,10 @@ const status = publishStatus(() => ({
 
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   doctor: [new DoctorPanel()],
-  technician: [],
+  technician: [new TechnicianPanel(view, canvas)],
   qa: [],
 };
-const views = new ViewSwitch((chosen) => link.setExtraTopics(EXTRA_TOPICS[chosen]));
+const views = new ViewSwitch((chosen) => link.setExtra(EXTRA[chosen]));
 wireControls(view, viewerHand, views);
 new TimelineBar(read);
 measureHeight('tools', '--tools');

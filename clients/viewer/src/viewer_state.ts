@@ -1,11 +1,12 @@
 import type {DepthFidelity} from './depth/depth_fidelity';
+import type {DepthSummary} from './depth/depth_summary';
 import {Phase, type StationCompensation, type StationState, type SurfaceReport, type Vec3} from './link/messages';
 import {milliseconds} from './link/session_clock';
 import type {News} from './link/worker_messages';
 import type {Health} from './panel/banner';
 import type {Presence} from './panel/presence_rows';
 import {shownHand} from './panel/touch_advice';
-import type {Instant} from './present/instant';
+import type {Instant, Light} from './present/instant';
 import {accountFor, type FrameTimes, type TimeAccount, WorstOfSecond} from './present/time_account';
 
 const UNTAKEN_MS = 2500;
@@ -29,11 +30,15 @@ export interface Reading extends Health {
   station: StationState | undefined;                // of the presented instant
   compensation: StationCompensation | undefined;    // of the presented instant
   surfaceReport: SurfaceReport | undefined;         // of the newest frame that the station has
+  summary: DepthSummary | undefined;                // of the drawn depth
+  light: Light | undefined;                         // only in views that show it
+  cameraFrames_per_s: number;
 }
 
 export const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
 
 interface DrawnPicture {
+  summary: DepthSummary;
   captured_ms: number;  // session time
   times: FrameTimes | undefined;
   drawn_ms: number;
@@ -67,7 +72,7 @@ export class ViewerState {
     this.compensation = compensation;
     if (picture === undefined) return;
     ++this.frames;
-    this.picture = {captured_ms: milliseconds(picture.captured_ns), times, drawn_ms: now_ms};
+    this.picture = {summary: picture.summary, captured_ms: milliseconds(picture.captured_ns), times, drawn_ms: now_ms};
     this.drawnAt_ms.push(now_ms);
     if (this.drawnAt_ms.length > 120) this.drawnAt_ms.shift();
   }
@@ -105,6 +110,9 @@ export class ViewerState {
       station,
       compensation: station && this.compensation,
       surfaceReport: connected ? news?.surfaceReport : undefined,
+      summary: picture?.summary,
+      light: news?.light,
+      cameraFrames_per_s: connected ? news?.capture?.framesPerS ?? 0 : 0,
     };
   }
 

@@ -4,6 +4,7 @@
 import {DepthDecoder} from '../depth/depth_decoder';
 import type {FrameTimes} from '../present/time_account';
 import {type Arrival, type Chosen, type ColorPicture, Instants} from '../present/instants';
+import {LightMeter} from '../present/light_meter';
 import {StationPast} from '../present/station_past';
 import type {CompressedImage, StationState} from './messages';
 import {milliseconds, now_ms, SessionClock} from './session_clock';
@@ -18,6 +19,7 @@ const facts = new SiteFacts();
 const past = new StationPast();
 let cameraMatrix: readonly number[] | undefined;
 let keyFrameRequested_ms = 0;
+let lightMeter: LightMeter | undefined;  // undefined: the present view does not show the light
 
 const post = (message: FromWorker, transfer: Transferable[] = []) => postMessage(message, {transfer});
 
@@ -48,6 +50,7 @@ async function present({decoded, station, color, arrival, trail: touches}: Chose
   const numbers = {station, compensation, trail, times};
   if (decoded === undefined || arrival === undefined) return post({instant: {picture: undefined, ...numbers}});
   const bitmap = await bitmapOf(color);
+  if (bitmap !== undefined) lightMeter?.measure(bitmap, now_ms());
   const picture = {...decoded, captured_ns: arrival.captured_ns, color: bitmap, cameraMatrix};
   const own: Transferable[] = [decoded.frame.samples.buffer as ArrayBuffer];
   post({instant: {picture, ...numbers}}, bitmap === undefined ? own : [...own, bitmap]);
@@ -131,6 +134,7 @@ function news(): News {
     retryAt_ms: stream.retryAt_ms,
     viewer: stream.viewer,
     role: stream.role,
+    light: lightMeter?.light,
     offset_ms: clock.offset_ms,
     waiting: timesOf(instants.waiting),
     overtaken: instants.overtaken,
@@ -140,7 +144,10 @@ function news(): News {
 
 onmessage = ({data}: MessageEvent<ToWorker>) => {
   if ('hand' in data) stream.publish('/viewer/hand', data.hand);
-  else if ('extra' in data) stream.setExtraTopics(data.extra);
+  else if ('extra' in data) {
+    stream.setExtraTopics(data.extra.topics);
+    lightMeter = data.extra.light ? lightMeter ?? new LightMeter() : undefined;
+  }
   else if (data.ask === 'instant') instants.ask();
   else post({news: news()});
 };

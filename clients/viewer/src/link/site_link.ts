@@ -1,6 +1,6 @@
 import type {Instant} from '../present/instant';
-import type {LetGo, Topics, ViewerHand} from './messages';
-import type {FromWorker, News, ToWorker} from './worker_messages';
+import type {LetGo, ViewerHand} from './messages';
+import type {Extra, FromWorker, News, ToWorker} from './worker_messages';
 
 /** The page's interface to the link worker. Each request gets one answer, and it is not repeated before the answer. */
 export class SiteLink {
@@ -27,8 +27,8 @@ export class SiteLink {
     this.say({hand});
   }
 
-  /** Subscribes to topics that the present view needs besides the usual ones. */
-  setExtraTopics(extra: readonly (keyof Topics)[]): void {
+  /** What the present view needs besides the usual. */
+  setExtra(extra: Extra): void {
     this.say({extra});
   }
 

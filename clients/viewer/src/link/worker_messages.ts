@@ -3,7 +3,7 @@
 
 import type {DepthFidelity} from '../depth/depth_fidelity';
 import type {FrameTimes} from '../present/time_account';
-import type {Instant} from '../present/instant';
+import type {Instant, Light} from '../present/instant';
 import type {
   CaptureStatus, HandHolder, LetGo, Phase, ServerStats, SurfaceReport, Topics, ViewerHand,
 } from './messages';
@@ -30,11 +30,17 @@ export interface News {
   stats: ServerStats | undefined;
   touching: number;    // number of the station whose state came last; 0: none
   surfaceReport: SurfaceReport | undefined;
+  light: Light | undefined;  // of a recent colour picture; only while it is inspected
   dropped: number;     // frames dropped on the way to this viewer
   overtaken: number;   // frames that this viewer skipped before decoding
   undecodable: number;
 }
 
-/** `extra`: topics that only some views need. The others are always subscribed. */
-export type ToWorker = {ask: 'instant' | 'news'} | {hand: ViewerHand | LetGo} | {extra: readonly (keyof Topics)[]};
+/** What only some views need: topics that are not always subscribed, and the brightness of the colour picture. */
+export interface Extra {
+  topics: readonly (keyof Topics)[];
+  light: boolean;
+}
+
+export type ToWorker = {ask: 'instant' | 'news'} | {hand: ViewerHand | LetGo} | {extra: Extra};
 export type FromWorker = {instant: Instant} | {news: News};

@@ -10,6 +10,12 @@ export interface Touch {
   phase?: Phase | undefined;
 }
 
+/** Brightness of a colour picture: mean luminance of 0 to 255, and the share of pixels that are white. */
+export interface Light {
+  mean: number;
+  clipped: number;
+}
+
 export interface Picture extends DecodedDepth {
   captured_ns: bigint;
   color: ImageBitmap | undefined;  // undefined: the previous image stays

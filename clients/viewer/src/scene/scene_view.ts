@@ -130,6 +130,12 @@ export class SceneView {
     return this.surface.meet(this.caster.ray.origin, this.caster.ray.direction);
   }
 
+  /** The pixel of the depth image under a position on the page, with its depth along the camera's axis. */
+  pixelUnder(clientX: number, clientY: number): {column: number; row: number; depth_m: number} | undefined {
+    const at = this.surfaceUnder(clientX, clientY);
+    return at && {...this.surface.pixelOf(at), depth_m: -at.z};
+  }
+
   resetView(): void {
     this.controls.target.copy(this.home.target);
     const away = new Vector3().setFromSpherical(new Spherical(this.home.distance_m, Math.PI / 2 + 0.52, 0.22));

@@ -21,6 +21,11 @@ import type {DepthFrame} from '../depth/decode_depth';
 import type {DepthSummary} from '../depth/depth_summary';
 import {SURFACE_FRAGMENT, SURFACE_VERTEX} from './surface_shaders';
 
+interface DepthSpan {
+  near_m: number;
+  far_m: number;
+}
+
 /** Two triangles for each square of `stride` pixels, wound to face the camera. */
 function gridTriangles(width: number, height: number, stride: number): Uint32Array {
   const [columns, rows] = [Math.floor((width - 1) / stride), Math.floor((height - 1) / stride)];
@@ -46,6 +51,8 @@ export class Surface {
   private readonly color = new Texture();
   private picture: ImageBitmap | undefined;
   private showColor = true;
+  private picked: DepthSpan = {near_m: 0.5, far_m: 1.5};  // of the picture
+  private wanted: DepthSpan | undefined;                  // by the user
 
   private readonly uniforms = {
     depthSamples: {value: null as DataTexture | null},
@@ -55,7 +62,7 @@ export class Surface {
     intrinsics: {value: new Vector4(1, 1, 0, 0)},
     colorPicture: {value: this.color},
     colored: {value: 0},
-    range_m: {value: new Vector3(0.5, 1, 1.5)},
+    range_m: {value: new Vector2(0.5, 1.5)},
     touchedAt: {value: new Vector3()},
     touched: {value: 0},
     touchColor: {value: new Color()},
@@ -96,7 +103,8 @@ export class Surface {
     const usual = width * 0.9;
     this.uniforms.intrinsics.value.set(fx || usual, fy || usual, cx ?? width / 2, cy ?? height / 2);
     this.uniforms.unit_m.value = frame.unit_m;
-    this.uniforms.range_m.value.set(summary.near_m, summary.middle_m, summary.far_m);
+    this.picked = {near_m: summary.near_m, far_m: summary.far_m};
+    this.applyRange();
     this.measured = summary.measured;
     this.mesh.visible = true;
   }
@@ -119,10 +127,15 @@ export class Surface {
   private depthBehind({x, y, z}: Vector3): number {
     if (this.frame === undefined || z > -0.05) return 0;
     const {width, height, samples, unit_m} = this.frame;
-    const {x: fx, y: fy, z: cx, w: cy} = this.uniforms.intrinsics.value;
-    const [column, row] = [Math.round(cx - (fx * x) / z), Math.round(cy + (fy * y) / z)];
+    const {column, row} = this.pixelOf({x, y, z});
     if (column < 0 || row < 0 || column >= width || row >= height) return 0;
     return (samples[row * width + column] ?? 0) * unit_m;
+  }
+
+  /** The pixel of the depth image in which the camera sees the point `at` of the scene. */
+  pixelOf({x, y, z}: Pick<Vector3, 'x' | 'y' | 'z'>): {column: number; row: number} {
+    const {x: fx, y: fy, z: cx, w: cy} = this.uniforms.intrinsics.value;
+    return {column: Math.round(cx - (fx * x) / z), row: Math.round(cy + (fy * y) / z)};
   }
 
   showPicture(picture: ImageBitmap): void {
@@ -137,6 +150,17 @@ export class Surface {
   setColored(wanted: boolean): void {
     this.showColor = wanted;
     this.applyColor();
+  }
+
+  /** The depths between which colours differ; undefined: those of the picture. */
+  setRange(range: DepthSpan | undefined): void {
+    this.wanted = range;
+    this.applyRange();
+  }
+
+  private applyRange(): void {
+    const {near_m, far_m} = this.wanted ?? this.picked;
+    this.uniforms.range_m.value.set(near_m, far_m);
   }
 
   /** Marks the touched point of the surface. `strength` 0 … 1. */

@@ -1,6 +1,8 @@
 // The graphics card draws the surface directly from the depth image: one vertex per pixel, placed by the camera model.
 // Only the depth image is uploaded for each frame.
 
+import {DEPTH_COLOR_GLSL} from './depth_color';
+
 const COMMON = /* glsl */ `
 precision highp float;
 precision highp int;
@@ -70,10 +72,10 @@ void main() {
 }
 `;
 
-export const SURFACE_FRAGMENT = COMMON + /* glsl */ `
+export const SURFACE_FRAGMENT = COMMON + DEPTH_COLOR_GLSL + /* glsl */ `
 uniform sampler2D colorPicture;
 uniform float colored;       // 1: from the picture, 0: by depth
-uniform vec3 range_m;        // near, middle, far, for colour by depth
+uniform vec2 range_m;        // near, far, for colour by depth
 uniform vec3 touchedAt;      // the proxy, in the scene
 uniform float touched;       // 0 untouched … 1 pressed hard
 uniform vec3 touchColor;
@@ -95,8 +97,7 @@ void keepWithinOneSurface() {
 }
 
 vec3 byDepth() {
-  float share = clamp((-place.z - range_m.x) / max(range_m.z - range_m.x, 0.05), 0.0, 1.0);
-  return mix(vec3(0.78, 0.66, 0.58), vec3(0.10, 0.17, 0.24), share);
+  return pow(depthColor((-place.z - range_m.x) / max(range_m.y - range_m.x, 0.02)), vec3(2.2));  // to linear light
 }
 
 void main() {

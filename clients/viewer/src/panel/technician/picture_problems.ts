@@ -1,0 +1,73 @@
+import type {DepthSummary} from '../../depth/depth_summary';
+import type {Light} from '../../present/instant';
+import type {Row} from '../rows';
+
+/** From this value on a row warns, and from this one it alarms. */
+interface Limits {
+  warn: number;
+  alarm: number;
+}
+const HOLES: Limits = {warn: 0.05, alarm: 0.2};
+const LEVEL_M: Limits = {warn: 0.003, alarm: 0.006};
+const CLIPPED: Limits = {warn: 0.05, alarm: 0.2};
+const ASIDE: Limits = {warn: 0.3, alarm: 0.5};
+const NEAREST_M = 0.5;   // nearer, structured light and time of flight measure nothing
+const FARTHEST_M = 1.6;  // farther, one level of a disparity sensor is more than 7 mm
+const DARK = 55;         // mean luminance of 0 to 255
+const BRIGHT = 215;
+
+const levelOf = (value: number, {warn, alarm}: Limits): Row['level'] =>
+  value >= alarm ? 'alarm' : value >= warn ? 'warn' : 'good';
+const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
+
+/** How good the picture is for touching the patient: each property with its value, and how to mend what is bad. */
+export function pictureRows(
+    {holes, middle_m, level_m, aside}: DepthSummary, light: Light | undefined, frames_per_s: number): Row[] {
+  return [
+    {name: 'Holes', value: percent(holes), level: levelOf(holes, HOLES),
+     says: 'Share of the middle that is not measured. Turn the camera so that it looks straight at the skin, keep ' +
+         'sunlight off it, and cover shiny things.'},
+    distanceRow(middle_m),
+    {name: 'Depth step', value: level_m === 0 ? '–' : `${(1000 * level_m).toFixed(1)} mm`, level: levelOf(level_m, LEVEL_M),
+     says: 'The step between neighbouring depth levels at the patient. It grows with the square of the distance: move ' +
+         'the camera nearer.'},
+    framingRow(aside),
+    ...lightRows(light),
+    {name: 'Images', value: `${frames_per_s.toFixed(1)} /s`, level: frames_per_s < 20 ? 'warn' : 'good',
+     says: 'Depth images that the camera gave in the last second.'},
+  ];
+}
+
+function distanceRow(middle_m: number): Row {
+  const [tooNear, tooFar] = [middle_m < NEAREST_M, middle_m > FARTHEST_M];
+  return {
+    name: 'Distance',
+    value: middle_m === 0 ? '–' : `${middle_m.toFixed(2)} m`,
+    level: tooNear || tooFar ? 'alarm' : 'good',
+    says: `The middle of the picture. ${NEAREST_M} to ${FARTHEST_M} m is good: ` +
+        (tooNear ? 'move the camera away.' : tooFar ? 'move the camera nearer.' : 'leave the camera where it is.'),
+  };
+}
+
+function framingRow({x, y}: DepthSummary['aside']): Row {
+  const off = Math.max(Math.abs(x), Math.abs(y));
+  const side = Math.abs(x) >= Math.abs(y) ? (x < 0 ? 'left' : 'right') : (y < 0 ? 'top' : 'bottom');
+  return {
+    name: 'Framing',
+    value: off < ASIDE.warn ? 'centred' : `at the ${side}`,
+    level: levelOf(off, ASIDE),
+    says: 'Where the part nearest to the camera, the patient’s front, lies. Turn the camera until it is centred.',
+  };
+}
+
+function lightRows(light: Light | undefined): Row[] {
+  if (light === undefined) return [{name: 'Light', value: 'no colour', says: 'No colour picture has come.'}];
+  const {mean, clipped} = light;
+  const word = mean < DARK ? 'too dark' : mean > BRIGHT ? 'too bright' : 'good';
+  return [
+    {name: 'Light', value: `${word} (${mean.toFixed(0)})`, level: word === 'good' ? 'good' : 'warn',
+     says: 'Mean brightness of the colour picture, 0 to 255. Change the lamps or the camera’s exposure.'},
+    {name: 'Burnt out', value: percent(clipped), level: levelOf(clipped, CLIPPED),
+     says: 'Share of the picture that is white. Turn lamps away, or lower the exposure.'},
+  ];
+}

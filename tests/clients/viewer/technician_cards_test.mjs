@@ -1,0 +1,92 @@
+// node technician_cards_test.mjs VIEWER_SOURCES VIEWER_WORK: what is wrong with the picture, and what the network does.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {summarise, HISTOGRAM_BIN_M} = await bundled('depth/depth_summary.ts');
+const {pictureRows} = await bundled('panel/technician/picture_problems.ts');
+const {NetworkRates} = await bundled('panel/technician/network_rows.ts');
+const {lightOf} = await bundled('present/light_meter.ts');
+const {depthColor} = await bundled('scene/depth_color.ts');
+
+const [width, height] = [160, 120];
+/** A picture whose pixels have the depth `depth_mm(column, row)`; 0 is a hole. */
+function picture(depth_mm) {
+  const samples = new Uint16Array(width * height);
+  for (let row = 0; row < height; ++row)
+    for (let column = 0; column < width; ++column) samples[row * width + column] = depth_mm(column, row);
+  return {width, height, unit_m: 0.001, samples};
+}
+const GOOD = {mean: 130, clipped: 0};
+const row = (rows, name) => rows.find((one) => one.name === name);
+const rowsOf = (depth_mm, light = GOOD) => pictureRows(summarise(picture(depth_mm)), light, 30);
+const flat = (column, row) => 900 + 2 * ((column + row) % 10);
+
+test('a good picture has no problem', () => {
+  for (const {name, level} of rowsOf(flat)) assert.equal(level, 'good', name);
+});
+
+test('holes are counted in the middle, where the patient is', () => {
+  assert.equal(row(rowsOf((column, at) => (column % 3 === 0 ? 0 : flat(column, at))), 'Holes').level, 'alarm');
+  assert.equal(row(rowsOf((column, at) => (column < 20 ? 0 : flat(column, at))), 'Holes').value, '0.0 %');
+});
+
+test('a picture of holes alone has no distance and no depth step', () => {
+  const rows = rowsOf(() => 0);
+  assert.deepEqual(['Distance', 'Depth step'].map((name) => row(rows, name).value), ['–', '–']);
+});
+
+test('too near and too far say which way to move the camera', () => {
+  assert.match(row(rowsOf(() => 400), 'Distance').says, /away/);
+  assert.match(row(rowsOf(() => 2100), 'Distance').says, /nearer\.$/);
+});
+
+test('the depth step is the distance of levels that a disparity sensor leaves', () => {
+  assert.equal(row(rowsOf((column) => 900 + 5 * (column % 9)), 'Depth step').value, '5.0 mm');
+  assert.equal(row(rowsOf((column, at) => 900 + ((column + at) % 30)), 'Depth step').value, '1.0 mm');
+});
+
+test('a patient at the side is said to be there', () => {
+  const at = (inside) => row(rowsOf((column, at) => (inside(column, at) ? 800 : 1200)), 'Framing').value;
+  assert.equal(at((column) => column > 110 && column < 150), 'at the right');
+  assert.equal(at((column, row) => row < 40), 'at the top');
+  assert.equal(at((column, row) => Math.hypot(column - 80, row - 60) < 30), 'centred');
+});
+
+test('light: dark, bright, burnt out, and none', () => {
+  const light = (value) => row(rowsOf(flat, lightOf(new Uint8ClampedArray(400).fill(value))), 'Light').value;
+  assert.match(light(20), /too dark/);
+  assert.match(light(120), /good/);
+  assert.match(light(240), /too bright/);
+  assert.equal(row(rowsOf(flat, {mean: 150, clipped: 0.3}), 'Burnt out').level, 'alarm');
+  assert.equal(row(pictureRows(summarise(picture(flat)), undefined, 30), 'Light').value, 'no colour');
+});
+
+test('the histogram is of the whole picture and has its peak at the patient', () => {
+  const {histogram} = summarise(picture(() => 810));
+  assert.ok(Math.abs(histogram.reduce((sum, share) => sum + share, 0) - 1) < 1e-9);
+  assert.equal(histogram[Math.floor(0.81 / HISTOGRAM_BIN_M)], 1);
+});
+
+test('near is bright and far is dark; a depth outside the range has the colour of its end', () => {
+  const brightness = (share) => depthColor(share).match(/\d+/g).map(Number).reduce((a, b) => a + b);
+  const shares = [0, 0.2, 0.4, 0.6, 0.8, 1];
+  const sorted = shares.map(brightness).sort((a, b) => b - a);
+  assert.deepEqual(shares.map(brightness), sorted);
+  assert.equal(depthColor(-3), depthColor(0));
+  assert.equal(depthColor(7), depthColor(1));
+});
+
+test('rates are those between two statistics; one of another server begins anew', () => {
+  const stats = (second, images) => ({stampNs: BigInt(second) * 1_000_000_000n, subscribers: [], topics: [
+    {topic: '/camera/depth', published: BigInt(images), sent: 0n, dropped: BigInt(images), bytes: BigInt(images) * 50_000n}]});
+  const rates = new NetworkRates();
+  assert.equal(rates.show(stats(10, 300))[0].value, '–');
+  const rows = rates.show(stats(12, 360));
+  assert.equal(row(rows, '/camera/depth').value, '12.00 Mbit/s');
+  assert.equal(row(rows, '/camera/depth').says, '30.0 messages/s');
+  assert.equal(row(rows, 'Dropped').level, 'warn');
+  assert.deepEqual(rates.show(stats(12, 360)), rows, 'the same statistics change nothing');
+  assert.deepEqual(rates.show(stats(1, 5)), rows, 'a restarted server counts from 0');
+});
