@@ -50,7 +50,8 @@ void MarkTracker::begin(Followed& one, SkinMark& mark, const DepthField& average
 
 /// Updates the motion along the skin's normal in each frame, and the motion along the skin only while it is observable.
 void MarkTracker::follow(Followed& one, SkinMark& mark, const DepthField& seen, const Intrinsics& camera, double dt_s) {
-  PatchPose found = registered(*one.patch, seen, camera, one.pose, true);
+  const PatchSearch search(*one.patch, seen, camera, one.pose);
+  PatchPose found = search.found(true);
   mark.seen = found.seen;
   mark.slide_seen = found.seen && found.sigma_slide_m < (mark.slide_seen ? kStillSlide_m : kMostSlide_m);
   if (!mark.seen) return;
@@ -58,7 +59,7 @@ void MarkTracker::follow(Followed& one, SkinMark& mark, const DepthField& seen, 
   if (mark.slide_seen)
     found.slide_m = one.pose.slide_m - std::expm1(-dt_s / kSlideOver_s) * (found.slide_m - one.pose.slide_m);
   else
-    found = registered(*one.patch, seen, camera, one.pose, false);
+    found = search.found(false);
   if (!found.seen) return;
   one.pose = found;
   const Vector3d& normal = one.patch->normal;

@@ -1,29 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <vector>
-
-#include "haptic_station/surface/depth/depth_field.h"
+#include "haptic_station/surface/build/skin_patch.h"
 
 namespace telepalp::surface {
-
-/// A patch of skin as it was first seen: points around a mark. A sideways slide of the patch is found by their slopes.
-struct SkinPatch {
-  struct Node {
-    Eigen::Vector3d at;     ///< [m], depth camera's frame
-    Eigen::Vector2d slope;  ///< derivative of depth by x and by y
-    Eigen::Vector2d from;   ///< offset of the node from the mark, in units of the patch's radius
-  };
-  Eigen::Vector3d mark = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, towards the camera
-  std::vector<Node> nodes;
-  Eigen::Matrix2d slide_information = Eigen::Matrix2d::Zero();  ///< Fisher information on a slide at 1 m depth noise
-};
-
-/// The patch where the line through `point` along `up` meets the surface. nullopt: too few pixels are measured there.
-[[nodiscard]] std::optional<SkinPatch> skin_patch(const DepthField& depth, const Intrinsics& camera,
-                                                  const Eigen::Vector3d& point, const Eigen::Vector3d& up);
 
 /// Motion of a patch from its first image to another: a slide along x and y of the camera, and a change of depth that
 /// varies over the patch as a polynomial of the second degree, as in breathing.
@@ -35,9 +14,40 @@ struct PatchPose {
   double sigma_slide_m = 0.0;  ///< 1-sigma of `slide_m` in its least certain direction
 };
 
-/// Finds `patch` in `depth` by iterated least squares with Tukey's weights, starting at `start`. With `slides` false,
-/// only the depth is fitted and the slide stays as in `start`. A pure function.
-[[nodiscard]] PatchPose registered(const SkinPatch& patch, const DepthField& depth, const Intrinsics& camera,
-                                   const PatchPose& start, bool slides);
+/// One node's residual: measured minus expected depth.
+struct PatchResiduals {
+  std::vector<double> m;
+  std::vector<double> terms;    ///< eight a node: the derivatives of its expected depth by the coefficients
+  std::vector<char> in_middle;  ///< 1: the node is near the mark
+  int middle_nodes = 0;         ///< of the patch, measured or not
+};
+
+/// Weighted normal equations of a patch's eight coefficients.
+struct PatchFit {
+  double scale_m = 0.0;  ///< 1-sigma of the residuals, from their median
+  Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Identity() * 1e-6;
+  Eigen::Matrix<double, 8, 1> by = Eigen::Matrix<double, 8, 1>::Zero();
+  double middle_weight = 0.0;
+  double middle_m = 0.0;  ///< mean residual in the patch's middle
+};
+
+/// Finds a patch in an image by iterated least squares with Tukey's weights, starting at a pose. The first look is the
+/// same whether the patch may slide or not, so it is made once. Borrows patch and image. A pure function of its
+/// arguments.
+class PatchSearch {
+ public:
+  PatchSearch(const SkinPatch& patch, const DepthField& depth, const Intrinsics& camera, const PatchPose& start);
+
+  /// With `slides` false, only the depth is fitted, and the slide stays as at the start.
+  [[nodiscard]] PatchPose found(bool slides) const;
+
+ private:
+  const SkinPatch& patch_;
+  const DepthField& depth_;
+  const Intrinsics& camera_;
+  const PatchPose start_;
+  PatchResiduals residuals_;  ///< at the start
+  PatchFit fit_;              ///< to them
+};
 
 }  // namespace telepalp::surface

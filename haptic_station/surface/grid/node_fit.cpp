@@ -19,7 +19,7 @@ struct Crop {
         top(std::max(0, box.top - margin)),
         width(std::min(image_width, box.right + margin) - left),
         height(std::min(image_height, box.bottom + margin) - top),
-        per_m(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+        per_m(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + kBlock),
         measured(width, height),
         right(width, height),
         below(width, height),
@@ -140,15 +140,16 @@ struct ScaleRow {
   ScaleRow(int radius, int width_px)
       : axis(axis_weights(radius)),
         width(width_px),
-        at(static_cast<std::size_t>(width_px)),
+        at(static_cast<std::size_t>(width_px + kBlock)),
         across(at.size()),
         down(at.size()),
-        moments(4 * at.size()) {}
+        moments(3 * at.size()) {}
 
   void fit(const Crop& crop, int row) {
     if (row < axis.radius || row + axis.radius >= crop.height) return;
+    const std::size_t length = at.size();
     fit_whole_windows(&crop.per_m[crop.at(0, row)], width, width, axis,
-                      {moments.data(), moments.data() + width, moments.data() + 2 * width, moments.data() + 3 * width},
+                      {moments.data(), moments.data() + length, moments.data() + 2 * length},
                       {at.data(), across.data(), down.data()});
   }
 

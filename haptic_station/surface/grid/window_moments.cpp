@@ -39,6 +39,9 @@ AxisWeights axis_weights(int radius) {
 
 namespace {
 
+/// Pixels that are summed at once, in one register where the processor has AVX2.
+using Block [[gnu::vector_size(4 * kBlock)]] = float;
+
 /// For each column, the moments l^0, l^1 and l^2 over the window's rows l.
 TELEPALP_VECTORISED
 void sum_columns(const float* __restrict centre, std::ptrdiff_t stride, int width, const AxisWeights& axis,
@@ -64,46 +67,51 @@ void sum_columns(const float* __restrict centre, std::ptrdiff_t stride, int widt
   }
 }
 
-/// The moments along the row, and the fitted quadratic: least squares over a symmetric window in closed form. The
-/// output rows also hold the intermediate sums.
+/// The moments along the row, and the fitted quadratic: least squares over a symmetric window in closed form. A block
+/// of pixels keeps its four sums in registers. Each pixel's sums are added in the order of k, in blocks of any size.
 TELEPALP_VECTORISED
 void fit_rows(const ColumnMoments& columns, int width, const AxisWeights& axis, const PlaneRow& planes) {
-  const float* __restrict m0 = columns.m0;
-  const float* __restrict m1 = columns.m1;
-  const float* __restrict m2 = columns.m2;
-  float* __restrict square = columns.square;
-  float* __restrict at = planes.at;
-  float* __restrict across = planes.across;
-  float* __restrict down = planes.down;
   const int radius = axis.radius;
-  const float w0 = axis.by_distance[0];
-  for (int u = radius; u < width - radius; ++u) {
-    at[u] = w0 * m0[u];
-    across[u] = 0.0F;
-    down[u] = w0 * m1[u];
-    square[u] = w0 * m2[u];
-  }
-  for (int k = 1; k <= radius; ++k) {
-    const float w = axis.by_distance[static_cast<std::size_t>(k)];
-    const float wk = w * static_cast<float>(k);
-    const float wkk = wk * static_cast<float>(k);
-    for (int u = radius; u < width - radius; ++u) {
-      const float both = m0[u + k] + m0[u - k];
-      at[u] += w * both;
-      across[u] += wk * (m0[u + k] - m0[u - k]);
-      down[u] += w * (m1[u + k] + m1[u - k]);
-      square[u] += wkk * both + w * (m2[u + k] + m2[u - k]);
-    }
-  }
+  const float* __restrict weights = axis.by_distance.data();
   const auto mean = static_cast<float>(axis.m2 / axis.m0);
   const auto per_weight = static_cast<float>(1.0 / (axis.m0 * axis.m0));
   const auto per_slope = static_cast<float>(1.0 / (axis.m2 * axis.m0));
   const auto per_bend = static_cast<float>(1.0 / ((axis.m4 - axis.m2 * axis.m2 / axis.m0) * axis.m0));
-  for (int u = radius; u < width - radius; ++u) {
-    const float bend = (square[u] - 2.0F * mean * at[u]) * per_bend;
-    at[u] = at[u] * per_weight - mean * bend;
-    across[u] *= per_slope;
-    down[u] *= per_slope;
+  Block after, before, after_1, before_1, after_2, before_2;
+  for (int u = radius; u < width - radius; u += kBlock) {
+    const float* m0 = columns.m0 + u;
+    const float* m1 = columns.m1 + u;
+    const float* m2 = columns.m2 + u;
+    __builtin_memcpy(&after, m0, sizeof after);
+    __builtin_memcpy(&after_1, m1, sizeof after);
+    __builtin_memcpy(&after_2, m2, sizeof after);
+    Block at = weights[0] * after;
+    Block across = {};
+    Block down = weights[0] * after_1;
+    Block square = weights[0] * after_2;
+    for (int k = 1; k <= radius; ++k) {
+      const float w = weights[k];
+      const float wk = w * static_cast<float>(k);
+      const float wkk = wk * static_cast<float>(k);
+      __builtin_memcpy(&after, m0 + k, sizeof after);
+      __builtin_memcpy(&before, m0 - k, sizeof before);
+      __builtin_memcpy(&after_1, m1 + k, sizeof after);
+      __builtin_memcpy(&before_1, m1 - k, sizeof before);
+      __builtin_memcpy(&after_2, m2 + k, sizeof after);
+      __builtin_memcpy(&before_2, m2 - k, sizeof before);
+      const Block both = after + before;
+      at += w * both;
+      across += wk * (after - before);
+      down += w * (after_1 + before_1);
+      square += wkk * both + w * (after_2 + before_2);
+    }
+    const Block bend = (square - 2.0F * mean * at) * per_bend;
+    at = at * per_weight - mean * bend;
+    across *= per_slope;
+    down *= per_slope;
+    __builtin_memcpy(planes.at + u, &at, sizeof at);
+    __builtin_memcpy(planes.across + u, &across, sizeof across);
+    __builtin_memcpy(planes.down + u, &down, sizeof down);
   }
 }
 
@@ -117,54 +125,52 @@ void fit_whole_windows(const float* centre, std::ptrdiff_t stride, int width, co
 
 namespace {
 
-constexpr auto kBit = [] {
-  std::array<std::uint32_t, 32> bits{};
-  for (std::size_t k = 0; k < bits.size(); ++k) bits[k] = std::uint32_t{1} << k;
-  return bits;
-}();
+using Bits [[gnu::vector_size(4 * kBlock)]] = std::uint32_t;
 
-/// Adds one row of a window, from column `from` to before `to`.
+/// The sums of a window's columns from `from` on, as many as a block has. A block keeps its eight sums in registers.
 TELEPALP_VECTORISED
-void add_masked_row(const float* __restrict pixels, std::uint32_t mask, float w, float l, int from, int to,
-                    MaskedColumns& sums) {
-  float* __restrict w0 = sums.weight[0].data();
-  float* __restrict w1 = sums.weight[1].data();
-  float* __restrict w2 = sums.weight[2].data();
-  float* __restrict w3 = sums.weight[3].data();
-  float* __restrict w4 = sums.weight[4].data();
-  float* __restrict v0 = sums.value[0].data();
-  float* __restrict v1 = sums.value[1].data();
-  float* __restrict v2 = sums.value[2].data();
-  const std::uint32_t* __restrict bit = kBit.data();
-  for (int k = from; k < to; ++k) {
-    const float in = (mask & bit[k]) != 0 ? w : 0.0F;
-    const float value = in * pixels[k - from];
-    const float in1 = in * l;
-    const float in2 = in1 * l;
-    const float in3 = in2 * l;
-    w0[k] += in;
-    w1[k] += in1;
-    w2[k] += in2;
-    w3[k] += in3;
-    w4[k] += in3 * l;
-    v0[k] += value;
-    v1[k] += value * l;
-    v2[k] += value * l * l;
+void sum_masked_block(const float* image, std::ptrdiff_t first, std::ptrdiff_t stride, const std::uint32_t* mask,
+                      const AxisWeights& axis, int from, MaskedColumns& sums) {
+  constexpr Bits kBit = {1, 2, 4, 8, 16, 32, 64, 128};
+  const float* weights = axis.by_distance.data();
+  Block w0 = {}, w1 = {}, w2 = {}, w3 = {}, w4 = {}, v0 = {}, v1 = {}, v2 = {};
+  for (int row = 0; row <= 2 * axis.radius; ++row) {
+    if (mask[row] == 0) continue;
+    const int distance = row - axis.radius;
+    const auto l = static_cast<float>(distance);
+    const float w = weights[distance < 0 ? -distance : distance];
+    Block value;
+    __builtin_memcpy(&value, image + (first + row * stride + from), sizeof value);
+    const Block in = (kBit & (mask[row] >> from)) != 0 ? Block{} + w : Block{};
+    value *= in;
+    const Block in1 = in * l;
+    const Block in2 = in1 * l;
+    const Block in3 = in2 * l;
+    const Block value1 = value * l;
+    w0 += in;
+    w1 += in1;
+    w2 += in2;
+    w3 += in3;
+    w4 += in3 * l;
+    v0 += value;
+    v1 += value1;
+    v2 += value1 * l;
   }
+  __builtin_memcpy(sums.weight[0].data() + from, &w0, sizeof w0);
+  __builtin_memcpy(sums.weight[1].data() + from, &w1, sizeof w1);
+  __builtin_memcpy(sums.weight[2].data() + from, &w2, sizeof w2);
+  __builtin_memcpy(sums.weight[3].data() + from, &w3, sizeof w3);
+  __builtin_memcpy(sums.weight[4].data() + from, &w4, sizeof w4);
+  __builtin_memcpy(sums.value[0].data() + from, &v0, sizeof v0);
+  __builtin_memcpy(sums.value[1].data() + from, &v1, sizeof v1);
+  __builtin_memcpy(sums.value[2].data() + from, &v2, sizeof v2);
 }
 
 }  // namespace
 
 void sum_masked_columns(const float* image, std::ptrdiff_t first, std::ptrdiff_t stride, const std::uint32_t* mask,
                         const AxisWeights& axis, int from, int to, MaskedColumns& sums) {
-  for (auto& column : sums.weight) column.fill(0.0F);
-  for (auto& column : sums.value) column.fill(0.0F);
-  for (int row = 0; row <= 2 * axis.radius; ++row) {
-    if (mask[row] == 0) continue;
-    const int distance = row - axis.radius;
-    const float w = axis.by_distance[static_cast<std::size_t>(std::abs(distance))];
-    add_masked_row(image + (first + row * stride + from), mask[row], w, static_cast<float>(distance), from, to, sums);
-  }
+  for (int k = from; k < to; k += kBlock) sum_masked_block(image, first, stride, mask, axis, k, sums);
 }
 
 TELEPALP_VECTORISED

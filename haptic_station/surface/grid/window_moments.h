@@ -11,6 +11,9 @@ namespace telepalp::surface {
 
 inline constexpr int kMostRadius = 15;
 inline constexpr int kMostSide = 2 * kMostRadius + 1;  ///< one row of a window fits a 32-bit word
+/// Number of pixels that are summed at once. An image or a row that is read or written here has this many spare floats
+/// behind its end.
+inline constexpr int kBlock = 8;
 
 /// Weights along one axis, (1 - (k/(r+1))^2)^2, and their derived constants. The window is separable and falls smoothly
 /// to 0 at its rim.
@@ -36,7 +39,6 @@ struct ColumnMoments {
   float* m0;
   float* m1;
   float* m2;
-  float* square;
 };
 
 /// Fits complete windows around the pixels [radius, width - radius) of a row. `centre`: the row's first pixel; rows are
@@ -46,12 +48,12 @@ void fit_whole_windows(const float* centre, std::ptrdiff_t stride, int width, co
 
 /// Sums over the pixels of one window that a mask selects, by the window's columns.
 struct MaskedColumns {
-  std::array<std::array<float, kMostSide + 1>, 5> weight;  ///< sums of w_l l^b, b = 0 ... 4
-  std::array<std::array<float, kMostSide + 1>, 3> value;   ///< sums of w_l l^b times the pixel's value, b = 0 ... 2
+  std::array<std::array<float, kMostSide + kBlock>, 5> weight;  ///< sums of w_l l^b, b = 0 ... 4
+  std::array<std::array<float, kMostSide + kBlock>, 3> value;  ///< sums of w_l l^b times the pixel's value, b = 0 ... 2
 };
 
-/// `first`: index of the window's top left pixel in `image`. `mask[l]`: bit k selects pixel (k, l). Only the columns
-/// from `from` to before `to` and the rows with a selected pixel are read.
+/// `first`: index of the window's top left pixel in `image`. `mask[l]`: bit k selects pixel (k, l). Only the rows with
+/// a selected pixel are read, and of them the columns from `from` to before `to` and up to a block behind them.
 void sum_masked_columns(const float* image, std::ptrdiff_t first, std::ptrdiff_t stride, const std::uint32_t* mask,
                         const AxisWeights& axis, int from, int to, MaskedColumns& sums);
 

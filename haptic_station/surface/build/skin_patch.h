@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "haptic_station/surface/depth/depth_field.h"
+
+namespace telepalp::surface {
+
+/// A patch of skin as it was first seen: points around a mark. A sideways slide of the patch is found by their slopes.
+struct SkinPatch {
+  struct Node {
+    Eigen::Vector3d at;     ///< [m], depth camera's frame
+    Eigen::Vector2d slope;  ///< derivative of depth by x and by y
+    Eigen::Vector2d from;   ///< offset of the node from the mark, in units of the patch's radius
+  };
+  Eigen::Vector3d mark = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, towards the camera
+  std::vector<Node> nodes;
+  Eigen::Matrix2d slide_information = Eigen::Matrix2d::Zero();  ///< Fisher information on a slide at 1 m depth noise
+};
+
+/// The patch where the line through `point` along `up` meets the surface. nullopt: too few pixels are measured there.
+[[nodiscard]] std::optional<SkinPatch> skin_patch(const DepthField& depth, const Intrinsics& camera,
+                                                  const Eigen::Vector3d& point, const Eigen::Vector3d& up);
+
+}  // namespace telepalp::surface
