@@ -20,7 +20,7 @@ QueueLimit queue_limit(std::string_view topic) noexcept {
 }
 
 SendQueue::Lane& SendQueue::lane_of(const Topic& topic) noexcept {
-  if (apart_ && has_deadline(topic)) return apart_lane_;
+  if (by_datagram_ && has_deadline(topic)) return datagrams_;
   return is_camera(topic) ? camera_ : others_;
 }
 
@@ -90,15 +90,15 @@ std::optional<Message> SendQueue::pop() {
 }
 
 std::optional<Message> SendQueue::pop_newest(std::vector<Message>& gone) {
-  if (apart_lane_.empty()) return std::nullopt;
-  const std::string_view topic = apart_lane_.front().topic.name;
+  if (datagrams_.empty()) return std::nullopt;
+  const std::string_view topic = datagrams_.front().topic.name;
   const auto is_key = [&](const Message& message) { return message.topic.name == topic && message.key_frame; };
   const auto of_topic = [&](const Message& message) { return message.topic.name == topic; };
-  const auto newest_key = std::find_if(apart_lane_.rbegin(), apart_lane_.rend(), is_key);
-  const std::uint64_t first = newest_key == apart_lane_.rend() ? 0 : newest_key->sequence;
-  const auto oldest = [&] { return std::find_if(apart_lane_.begin(), apart_lane_.end(), of_topic); };
-  while (oldest()->sequence < first) gone.push_back(take(apart_lane_, oldest()));
-  return take(apart_lane_, oldest());
+  const auto newest_key = std::find_if(datagrams_.rbegin(), datagrams_.rend(), is_key);
+  const std::uint64_t first = newest_key == datagrams_.rend() ? 0 : newest_key->sequence;
+  const auto oldest = [&] { return std::find_if(datagrams_.begin(), datagrams_.end(), of_topic); };
+  while (oldest()->sequence < first) gone.push_back(take(datagrams_, oldest()));
+  return take(datagrams_, oldest());
 }
 
 std::optional<Message> SendQueue::drop_of_largest() {

@@ -30,16 +30,16 @@ class SendQueue {
   /// older ones would remove its reference.
   std::vector<Message> push(const Message& message);
 
-  /// While true, messages of deadline topics are taken with pop_newest() alone, because another carrier sends them.
-  /// Call it while no such message waits.
-  void set_apart(bool apart) noexcept { apart_ = apart; }
+  /// While `on`, pop() skips the deadline topics, because datagrams carry them: pop_newest() takes their messages. Call
+  /// it while no such message waits.
+  void send_by_datagram(bool on) noexcept { by_datagram_ = on; }
 
   /// The next message to send. Messages of /camera/... go first, oldest first. The other topics, oldest first, get a
   /// quarter of the camera's bytes while both wait, so that neither stops the other.
   std::optional<Message> pop();
 
-  /// The next message of the deadline topics that are set apart: of one topic, the newest that can be decoded without
-  /// an older one that waits. Older messages of its topic go to `gone`. Topics take turns.
+  /// The next message to send by datagram: of one deadline topic, the newest that can be decoded without an older one
+  /// that waits. Older messages of its topic go to `gone`. Topics take turns.
   std::optional<Message> pop_newest(std::vector<Message>& gone);
 
   /// Removes the oldest message of that topic outside /camera/... that occupies the most bytes in the queue.
@@ -47,7 +47,7 @@ class SendQueue {
 
   [[nodiscard]] std::size_t waiting(const Topic& topic) const;
   [[nodiscard]] bool empty() const noexcept { return size() == 0; }
-  [[nodiscard]] std::size_t size() const noexcept { return apart_lane_.size() + camera_.size() + others_.size(); }
+  [[nodiscard]] std::size_t size() const noexcept { return datagrams_.size() + camera_.size() + others_.size(); }
   /// Queued bytes of the topics outside /camera/..., which include all messages that peers publish.
   [[nodiscard]] std::size_t other_bytes() const noexcept { return other_bytes_; }
 
@@ -59,7 +59,7 @@ class SendQueue {
       count_out(message);
       return true;
     };
-    return std::erase_if(apart_lane_, remove) + std::erase_if(camera_, remove) + std::erase_if(others_, remove);
+    return std::erase_if(datagrams_, remove) + std::erase_if(camera_, remove) + std::erase_if(others_, remove);
   }
 
  private:
@@ -76,11 +76,11 @@ class SendQueue {
   void count_in(const Message& message);
   void count_out(const Message& message);
 
-  Lane apart_lane_;  // deadline topics while apart_
+  Lane datagrams_;  // deadline topics while by_datagram_ is true
   Lane camera_;
   Lane others_;
   std::map<std::string_view, Waiting> waiting_;  // key: topic
-  bool apart_ = false;
+  bool by_datagram_ = false;
   std::size_t other_bytes_ = 0;
   std::size_t others_credit_bytes_ = 0;  // bytes that others_ may send, earned by bytes sent from camera_
 };

@@ -139,17 +139,17 @@ void Hub::start_anew(Subscriber& subscriber, const wire::Topic& topic) {
   if (wants(subscriber.topics, topic.name)) request_from_publisher(topic.name);
 }
 
-void Hub::set_apart(SubscriberId id, bool apart) {
+void Hub::send_by_datagram(SubscriberId id, bool on) {
   const auto found = subscribers_.find(id);
-  if (found == subscribers_.end() || found->second.count.apart == apart) return;
+  if (found == subscribers_.end() || found->second.count.by_datagram == on) return;
   Subscriber& subscriber = found->second;
   remove_waiting(subscriber, [](const wire::Message& message) { return wire::has_deadline(message.topic); });
-  subscriber.count.apart = apart;
-  subscriber.queue.set_apart(apart);
+  subscriber.count.by_datagram = on;
+  subscriber.queue.send_by_datagram(on);
   for (const wire::Topic& topic : wire::kDeadlineTopics) restart_group(id, topic);
 }
 
-std::optional<wire::Message> Hub::next_apart(SubscriberId id) {
+std::optional<wire::Message> Hub::next_for_datagram(SubscriberId id) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end()) return std::nullopt;
   std::vector<wire::Message> gone;
@@ -172,8 +172,8 @@ void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
 void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
   ++subscriber.count.topics[message.topic.name].published;
   wire::GroupPosition& position = subscriber.positions[message.topic.name];
-  const bool was_empty =
-      subscriber.queue.empty() || subscriber.count.apart;  // one carrier may wait while the other sends
+  const bool was_empty = subscriber.queue.empty() ||
+                         subscriber.count.by_datagram;  // TCP may wait while datagrams are sent, and the reverse
   const bool usable = can_decode(position, message.sequence, message.key_frame);
   const std::vector<wire::Message> gone = usable ? put_in_queue(subscriber, message) : std::vector{message};
   for (const wire::Message& lost : gone) drop(subscriber.count, lost);

@@ -31,7 +31,7 @@ class Hub {
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
 
   /// Adds a subscriber. publish() calls `wake` when the subscriber's empty queue gets a message.
-  /// `sender`: the number of this peer in what it publishes; 0: it publishes nothing.
+  /// `sender`: the number that marks the messages that this peer publishes; 0: it publishes none.
   SubscriberId join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender = 0);
   void leave(SubscriberId subscriber);
 
@@ -55,12 +55,12 @@ class Hub {
   /// Takes the oldest message from the subscriber's queue; nullopt when the queue is empty.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
-  /// While true, another carrier sends the deadline topics to the subscriber, and takes them with next_apart(). A
-  /// change of the carrier drops the messages of these topics that wait, and the next one sent is a key frame.
-  void set_apart(SubscriberId subscriber, bool apart);
-  /// The newest message of the deadline topics; older ones of its topic are dropped.
-  [[nodiscard]] std::optional<wire::Message> next_apart(SubscriberId subscriber);
-  /// The subscriber's chain of predicted frames of `topic` is broken: it needs a key frame.
+  /// While `on`, datagrams carry the deadline topics to the subscriber: next_for_datagram() takes them, and next() the
+  /// other topics. A change drops the waiting messages of the deadline topics, and the next one sent is a key frame.
+  void send_by_datagram(SubscriberId subscriber, bool on);
+  /// Takes the newest message of a deadline topic; older ones of its topic are dropped.
+  [[nodiscard]] std::optional<wire::Message> next_for_datagram(SubscriberId subscriber);
+  /// The subscriber cannot decode the predicted frames of `topic`: the next one that it gets is a key frame.
   void restart_group(SubscriberId subscriber, const wire::Topic& topic);
 
   /// True when a subscriber not named `other_than` has subscribed to `topic` by its full name, not by a prefix.
@@ -83,7 +83,7 @@ class Hub {
     std::string name;
     std::string address;
     std::uint32_t sender = 0;
-    bool apart = false;  ///< deadline topics go by another carrier: datagrams
+    bool by_datagram = false;  ///< datagrams carry the deadline topics, TCP the others
     TopicCounts topics;
     [[nodiscard]] std::uint64_t sent() const noexcept;
     [[nodiscard]] std::uint64_t dropped() const noexcept;

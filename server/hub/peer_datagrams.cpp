@@ -26,7 +26,7 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
                                         return !raw->address_ || raw->port_.send(datagram, *raw->address_);
                                       },
                                   .next_frame = [&hub, subscriber, raw = made.get()]() -> std::optional<link::Frame> {
-                                    const std::optional<wire::Message> message = hub.next_apart(subscriber);
+                                    const std::optional<wire::Message> message = hub.next_for_datagram(subscriber);
                                     if (!message) return std::nullopt;
                                     return wire::frame_of(*message, raw->peer_.now());
                                   },
@@ -48,7 +48,7 @@ void PeerDatagrams::received(std::span<const std::byte> datagram, const Datagram
 }
 
 void PeerDatagrams::on_phase(wire::DatagramPhase phase) {
-  hub_.set_apart(peer_.subscriber, phase == wire::DatagramPhase::Up);
+  hub_.send_by_datagram(peer_.subscriber, phase == wire::DatagramPhase::Up);
   if (peer_.on_phase) peer_.on_phase(phase);
 }
 

@@ -22,7 +22,7 @@ msg::ServerStats server_stats(const Hub& hub, const DatagramCounts& datagrams, S
     row.set_name(subscriber.name);
     row.set_address(subscriber.address);
     row.set_sender(subscriber.sender);
-    row.set_by_datagram(subscriber.apart);
+    row.set_by_datagram(subscriber.by_datagram);
     row.set_sent(subscriber.sent());
     row.set_dropped(subscriber.dropped());
     for (const auto& [topic, count] : subscriber.topics) fill(*row.add_topics(), topic, count);

@@ -27,7 +27,7 @@ struct RelayedSite : KeyedSite {
   }
   [[nodiscard]] bool images_go_by_datagram() const {
     const auto counts = hub.subscriber_counts();
-    return !counts.empty() && counts.front().apart;
+    return !counts.empty() && counts.front().by_datagram;
   }
   /// Publishes an image; true if it arrives within `patience`.
   bool image_arrives(std::chrono::milliseconds patience = 1s) {
@@ -75,7 +75,7 @@ TEST(DatagramSite, WithoutTlsOnOneMachineTheyAreSealedWithASecretOfTheOffer) {
   Site site;
   Client client(site, {"/camera/*"}, "test", 0, "viewer", true);
   ASSERT_TRUE(site.run_until([&] { return client.link.datagrams() == DatagramPhase::Up; }));
-  ASSERT_TRUE(site.run_until([&] { return site.hub.subscriber_counts().front().apart; }));
+  ASSERT_TRUE(site.run_until([&] { return site.hub.subscriber_counts().front().by_datagram; }));
   site.hub.publish(message(wire::kCameraDepth, "depth"));
   ASSERT_TRUE(site.run_until([&] { return !client.messages.empty(); }));
   EXPECT_EQ(*client.messages[0].payload, "depth");

@@ -40,8 +40,9 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
                          const hub::DatagramCounts& datagrams, std::size_t browsers, bool touch_is_held) {
   using Count = hub::Hub::TopicCount;
   const std::vector<hub::Hub::SubscriberCount> subscribers = hub.subscriber_counts();
-  const auto by_datagram = std::count_if(subscribers.begin(), subscribers.end(),
-                                         [](const hub::Hub::SubscriberCount& subscriber) { return subscriber.apart; });
+  const auto by_datagram =
+      std::count_if(subscribers.begin(), subscribers.end(),
+                    [](const hub::Hub::SubscriberCount& subscriber) { return subscriber.by_datagram; });
   return by_topic(hub, "telepalp_published_messages_total", "Messages published, by topic.", &Count::published) +
          by_topic(hub, "telepalp_published_bytes_total", "Bytes published, by topic.", &Count::bytes) +
          by_topic(hub, "telepalp_sent_messages_total", "Messages sent to subscribers, by topic.", &Count::sent) +
@@ -51,7 +52,7 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
                 subscribers.size()) +
          single("telepalp_datagram_subscribers", "gauge", "Of these, peers whose images go by sealed datagrams.",
                 static_cast<std::uint64_t>(by_datagram)) +
-         single("telepalp_datagrams_taken_total", "counter", "Datagrams of peers.", datagrams.taken) +
+         single("telepalp_datagrams_taken_total", "counter", "Datagrams accepted from peers.", datagrams.taken) +
          refused(datagrams) +
          single("telepalp_browser_connections", "gauge", "Open connections of the web port.", browsers) +
          single("telepalp_waiting_bytes", "gauge", "Bytes that wait for subscribers, without images.",

@@ -1,0 +1,66 @@
+// A send queue whose deadline topics are sent by datagram.
+
+#include <gtest/gtest.h>
+
+#include "proto/wire/send_queue.h"
+
+namespace telepalp::wire {
+namespace {
+
+Message message(const Topic& topic, std::uint64_t sequence, bool key_frame = true) {
+  return {topic, SessionTime{}, std::make_shared<const std::string>(std::to_string(sequence)), sequence, key_frame};
+}
+
+struct DatagramQueue {
+  SendQueue queue;
+  std::vector<Message> gone;
+
+  DatagramQueue() { queue.send_by_datagram(true); }
+  std::string newest() {
+    const auto next = queue.pop_newest(gone);
+    return next ? std::string(next->topic.name) + " " + *next->payload : "none";
+  }
+};
+
+TEST(DatagramQueue, TcpTakesOnlyTheRest) {
+  DatagramQueue waiting;
+  waiting.queue.push(message(kCameraDepth, 1));
+  waiting.queue.push(message(kCameraInfo, 2));
+  waiting.queue.push(message(kStationState, 3));
+  EXPECT_EQ(*waiting.queue.pop()->payload, "2");
+  EXPECT_EQ(*waiting.queue.pop()->payload, "3");
+  EXPECT_FALSE(waiting.queue.pop());
+  EXPECT_FALSE(waiting.queue.empty());
+  EXPECT_EQ(waiting.newest(), "/camera/depth 1");
+  EXPECT_TRUE(waiting.queue.empty());
+}
+
+TEST(DatagramQueue, TheNewestIndependentImageGoesFirstAndOlderOnesAreDropped) {
+  DatagramQueue waiting;
+  waiting.queue.push(message(kCameraDepth, 1));
+  waiting.queue.push(message(kCameraColor, 1));
+  waiting.queue.push(message(kCameraDepth, 2));
+  EXPECT_EQ(waiting.newest(), "/camera/depth 2");
+  ASSERT_EQ(waiting.gone.size(), 1U);
+  EXPECT_EQ(waiting.gone[0].sequence, 1U);
+  EXPECT_EQ(waiting.newest(), "/camera/color 1");
+  EXPECT_EQ(waiting.newest(), "none");
+}
+
+TEST(DatagramQueue, APredictedFrameDoesNotOvertakeTheOneThatItNeeds) {
+  DatagramQueue waiting;
+  waiting.queue.push(message(kCameraDepth, 1));
+  waiting.queue.push(message(kCameraDepth, 2, false));
+  EXPECT_EQ(waiting.newest(), "/camera/depth 1");
+  EXPECT_EQ(waiting.newest(), "/camera/depth 2");
+  EXPECT_TRUE(waiting.gone.empty());
+}
+
+TEST(DatagramQueue, HoldsNoMoreThanTwoImagesOfATopic) {
+  DatagramQueue waiting;
+  for (std::uint64_t i = 1; i <= 100; ++i) waiting.queue.push(message(kCameraDepth, i));
+  EXPECT_EQ(waiting.queue.size(), 2U);
+}
+
+}  // namespace
+}  // namespace telepalp::wire
