@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "codec/color.h"
+#include "foxglove/CameraCalibration.pb.h"
+#include "proto/wire/camera/calibration_message.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::view {
@@ -41,11 +43,11 @@ NewestInstant::Taken NewestInstant::take(const wire::Message& message) {
     return Taken::Yes;
   }
   if (const auto info = parsed<foxglove::CameraCalibration>(message, wire::kCameraInfo)) {
-    if (const auto camera = ar::intrinsics_of(*info)) depth_camera_ = camera;
+    if (const auto camera = wire::intrinsics_of(*info)) depth_camera_ = camera;
     return Taken::Yes;
   }
   if (const auto info = parsed<foxglove::CameraCalibration>(message, wire::kCameraColorInfo)) {
-    if (const auto camera = ar::intrinsics_of(*info)) color_camera_ = camera;
+    if (const auto camera = wire::intrinsics_of(*info)) color_camera_ = camera;
     color_registered_ = info->frame_id() != kColorFrame;
     return Taken::Yes;
   }

@@ -9,6 +9,7 @@
 #include "haptic_station/station/rigs/scene_rig.h"
 #include "haptic_station/station/threads/bill.h"
 #include "haptic_station/station/threads/timer_check.h"
+#include "proto/wire/camera/calibration_message.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/vector_message.h"
 #include "proto/wire/viewer/viewer_hand.h"
@@ -197,7 +198,7 @@ void Station::on_message(const wire::Message& message) {
 void Station::on_camera_info(const wire::Message& message) {
   foxglove::CameraCalibration calibration;
   if (!calibration.ParseFromString(*message.payload)) return;
-  const std::optional<Intrinsics> intrinsics = intrinsics_of(calibration);
+  const std::optional<Intrinsics> intrinsics = wire::intrinsics_of(calibration);
   if (!intrinsics)
     return say("/camera/info dropped: its intrinsics are not finite and positive. fix: camera.textproto");
   camera_ = intrinsics;

@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "foxglove/CameraCalibration.pb.h"
 #include "messages/station.pb.h"
+#include "proto/wire/camera/calibration_message.h"
 #include "server/views/depth_views.h"
 #include "server/views/station_views.h"
 #include "server/views/view_topics.h"
@@ -16,14 +16,7 @@ namespace {
 
 std::optional<Intrinsics> intrinsics_in(const std::string& payload) {
   foxglove::CameraCalibration calibration;
-  if (!calibration.ParseFromString(payload) || calibration.k_size() != 9) return std::nullopt;
-  const Intrinsics camera{.width = static_cast<int>(calibration.width()),
-                          .height = static_cast<int>(calibration.height()),
-                          .fx = calibration.k(0),
-                          .fy = calibration.k(4),
-                          .cx = calibration.k(2),
-                          .cy = calibration.k(5)};
-  return is_well_formed(camera) ? std::optional(camera) : std::nullopt;
+  return calibration.ParseFromString(payload) ? wire::intrinsics_of(calibration) : std::nullopt;
 }
 
 }  // namespace

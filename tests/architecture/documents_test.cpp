@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "where.h"
@@ -84,6 +85,32 @@ TEST(Documents, TheArchitecturePageNamesEachDoor) {
     ++checked;
   }
   EXPECT_GT(checked, 50U);
+}
+
+/// The text of `page` from the heading `from` to the heading `to`.
+std::string section(const std::string& page, const std::string& from, const std::string& to) {
+  const std::size_t begin = page.find("\n" + from);
+  return page.substr(begin, page.find("\n" + to, begin) - begin);
+}
+
+/// docs/architecture.md walks through the code file by file. A path starts at the repository or in haptic_station/; a
+/// name without a folder lies in the folder of the file before it.
+TEST(Documents, TheWalkThroughsNameFilesThatExist) {
+  const std::string page = text_of(root() / "docs/architecture.md");
+  for (const auto& [from, to] : {std::pair{"## The life of a frame", "## The life of a tick"},
+                                 std::pair{"## The life of a tick", "## Rooms and doors"}}) {
+    const std::vector<std::string> named =
+        matches(section(page, from, to), std::regex(R"(`([a-z0-9_/]+\.(?:h|cpp))`)"));
+    EXPECT_GE(named.size(), 14U) << from;
+    fs::path folder;
+    for (const std::string& name : named) {
+      fs::path file = root() / name;
+      if (name.find('/') == std::string::npos) file = folder / name;
+      if (!fs::exists(file)) file = root() / "haptic_station" / name;
+      EXPECT_TRUE(fs::exists(file)) << from << " names " << name;
+      folder = file.parent_path();
+    }
+  }
 }
 
 /// The names Suite.Test of all tests in C++.

@@ -5,6 +5,7 @@
 #include "codec/color.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "messages/camera.pb.h"
+#include "proto/wire/camera/calibration_message.h"
 
 namespace telepalp::export_tool {
 namespace {
@@ -47,14 +48,7 @@ void Frames::note(const wire::Message& message) {
   if (message.topic.name == wire::kCameraColor.name) return note_color(*message.payload);
   foxglove::CameraCalibration model;
   if (message.topic.name != wire::kCameraInfo.name || !model.ParseFromString(*message.payload)) return;
-  if (model.k_size() != 9 || model.width() > kMaxImageSide || model.height() > kMaxImageSide) return;
-  const Intrinsics pinhole{.width = static_cast<int>(model.width()),
-                           .height = static_cast<int>(model.height()),
-                           .fx = model.k(0),
-                           .fy = model.k(4),
-                           .cx = model.k(2),
-                           .cy = model.k(5)};
-  if (is_well_formed(pinhole)) pinhole_ = pinhole;
+  if (const auto pinhole = wire::intrinsics_of(model)) pinhole_ = pinhole;
 }
 
 void Frames::note_color(const std::string& payload) {

@@ -27,19 +27,6 @@ std::optional<Eigen::Quaterniond> attitude_of(const msg::StationState& state) {
 
 }  // namespace
 
-std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration) {
-  if (calibration.k_size() != 9 || calibration.width() > static_cast<unsigned>(kMaxImageSide) ||
-      calibration.height() > static_cast<unsigned>(kMaxImageSide))
-    return std::nullopt;
-  const Intrinsics camera{static_cast<int>(calibration.width()),
-                          static_cast<int>(calibration.height()),
-                          calibration.k(0),
-                          calibration.k(4),
-                          calibration.k(2),
-                          calibration.k(5)};
-  return is_well_formed(camera) ? std::optional(camera) : std::nullopt;
-}
-
 Intrinsics scaled_to(const Intrinsics& camera, int width, int height) {
   const double across = static_cast<double>(width) / camera.width, down = static_cast<double>(height) / camera.height;
   return {width,

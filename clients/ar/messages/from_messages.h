@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "clients/ar/augmented_view.h"
-#include "foxglove/CameraCalibration.pb.h"
 #include "messages/station.pb.h"
 
 namespace telepalp::ar {
-
-/// The pinhole of a calibration message; nullopt: its size or its numbers cannot be those of a camera.
-[[nodiscard]] std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration);
 
 /// `camera` for an image of another size; pixel centres have integer coordinates.
 [[nodiscard]] Intrinsics scaled_to(const Intrinsics& camera, int width, int height);
@@ -20,7 +16,7 @@ namespace telepalp::ar {
 /// True once the station knows the position of its hand in the camera's frame.
 [[nodiscard]] bool is_drawable(const msg::StationState& state);
 
-/// What is drawn of a drawable state.
+/// The touch to draw. Call it only for a state for which is_drawable() is true.
 [[nodiscard]] Touch touch_of(const msg::StationState& state);
 
 /// Lines of the panel: state, force, indentation, age of the surface, and the time since `start_ns` (session time), if

@@ -8,6 +8,7 @@
 #include "codec/color.h"
 #include "codec/depth_stream.h"
 #include "foxglove/CompressedImage.pb.h"
+#include "proto/wire/camera/calibration_message.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/topics.h"
 
@@ -41,8 +42,8 @@ std::int64_t captured_ns(const foxglove::CompressedImage& image) {
 /// Calibration of the frame of reference `name`, or the only calibration of the session.
 std::optional<Intrinsics> camera_named(const Session& session, const std::string& name) {
   const auto found = session.calibrations.find(name);
-  if (found != session.calibrations.end()) return ar::intrinsics_of(found->second);
-  if (session.calibrations.size() == 1) return ar::intrinsics_of(session.calibrations.begin()->second);
+  if (found != session.calibrations.end()) return wire::intrinsics_of(found->second);
+  if (session.calibrations.size() == 1) return wire::intrinsics_of(session.calibrations.begin()->second);
   return std::nullopt;
 }
 

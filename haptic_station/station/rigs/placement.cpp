@@ -49,16 +49,4 @@ std::optional<Transform<HapticBase, DepthCamera>> placed(const scenes::Scene& sc
   return centered_on(scene.haptic_from_camera, *skin);
 }
 
-std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration) {
-  if (calibration.k_size() != 9 || calibration.width() > kMaxImageSide || calibration.height() > kMaxImageSide)
-    return std::nullopt;
-  const Intrinsics intrinsics{.width = static_cast<int>(calibration.width()),
-                              .height = static_cast<int>(calibration.height()),
-                              .fx = calibration.k(0),
-                              .fy = calibration.k(4),
-                              .cx = calibration.k(2),
-                              .cy = calibration.k(5)};
-  return is_well_formed(intrinsics) ? std::optional(intrinsics) : std::nullopt;
-}
-
 }  // namespace telepalp::station

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "foxglove/CameraCalibration.pb.h"
 #include "haptic_station/scenes/scene.h"
 #include "proto/words/frames.h"
 #include "proto/words/rgbd_frame.h"
@@ -24,8 +23,5 @@ namespace telepalp::station {
 [[nodiscard]] std::optional<Transform<HapticBase, DepthCamera>> placed(const scenes::Scene& scene,
                                                                        const DepthImage& depth,
                                                                        const Intrinsics& camera);
-
-/// The depth intrinsics of a calibration message; nullopt when they are not well formed.
-[[nodiscard]] std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration);
 
 }  // namespace telepalp::station

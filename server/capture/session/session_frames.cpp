@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "codec/color.h"
+#include "foxglove/CameraCalibration.pb.h"
+#include "proto/wire/camera/calibration_message.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/topics.h"
 
@@ -17,18 +19,6 @@ std::int64_t captured_ns(const foxglove::CompressedImage& color) {
 }
 
 std::span<const std::byte> bytes_of(const std::string& data) { return std::as_bytes(std::span{data}); }
-
-std::optional<Intrinsics> pinhole_of(const foxglove::CameraCalibration& calibration) {
-  if (calibration.k_size() != 9 || calibration.width() > kMaxImageSide || calibration.height() > kMaxImageSide)
-    return std::nullopt;
-  const Intrinsics pinhole{static_cast<int>(calibration.width()),
-                           static_cast<int>(calibration.height()),
-                           calibration.k(0),
-                           calibration.k(4),
-                           calibration.k(2),
-                           calibration.k(5)};
-  return is_well_formed(pinhole) ? std::optional{pinhole} : std::nullopt;
-}
 
 }  // namespace
 
@@ -75,7 +65,7 @@ void SessionFrames::note(const wire::Message& message) {
   if (message.topic.name == wire::kCameraInfo.name) {
     foxglove::CameraCalibration calibration;
     if (!calibration.ParseFromString(*message.payload)) ++damaged_;
-    if (const auto pinhole = pinhole_of(calibration)) pinhole_ = pinhole;
+    if (const auto pinhole = wire::intrinsics_of(calibration)) pinhole_ = pinhole;
   } else if (message.topic.name == wire::kCameraColor.name) {
     foxglove::CompressedImage color;
     if (!color.ParseFromString(*message.payload)) {

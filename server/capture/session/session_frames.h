@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "codec/depth_stream.h"
-#include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
 #include "proto/wire/mcap/reader.h"
