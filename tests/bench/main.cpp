@@ -1,10 +1,10 @@
 #include <array>
 #include <cstdio>
 
-#include "tests/bench/accuracy_bench.h"
+#include "tests/bench/accuracy/accuracy_bench.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/control_bench.h"
-#include "tests/bench/depth_bench.h"
+#include "tests/bench/depth/depth_bench.h"
 #include "tests/bench/hand/hand_bench.h"
 #include "tests/bench/link/link_bench.h"
 #include "tests/bench/link/subscribers_bench.h"

@@ -20,7 +20,7 @@ class DrainedSockets {
   DrainedSockets(const DrainedSockets&) = delete;
   DrainedSockets& operator=(const DrainedSockets&) = delete;
 
-  /// Bytes that each socket has got so far.
+  /// Number of bytes received by each socket so far.
   [[nodiscard]] std::vector<std::uint64_t> bytes() const;
 
  private:

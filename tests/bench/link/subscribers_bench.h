@@ -4,8 +4,8 @@
 
 namespace telepalp::bench {
 
-/// What a further subscriber costs the server beside a bare send of the same bytes, how 200 share the loopback, and
-/// what a stalled one costs the others. Real sockets on loopback.
+/// Measures the server's cost of a further subscriber, as a ratio to a bare send of the same bytes; the shares of 200
+/// subscribers on the loopback; and the delay that a stalled subscriber causes to the others. Real sockets on loopback.
 [[nodiscard]] Result<Report> run_subscribers(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

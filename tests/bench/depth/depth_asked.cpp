@@ -1,4 +1,4 @@
-#include "tests/bench/depth_asked.h"
+#include "tests/bench/depth/depth_asked.h"
 
 #include <algorithm>
 #include <span>

@@ -1,4 +1,4 @@
-#include "tests/bench/accuracy_pareto.h"
+#include "tests/bench/accuracy/accuracy_pareto.h"
 
 #include <algorithm>
 #include <cmath>

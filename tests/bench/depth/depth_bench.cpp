@@ -1,4 +1,4 @@
-#include "tests/bench/depth_bench.h"
+#include "tests/bench/depth/depth_bench.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include "codec/depth_stream.h"
 #include "codec/levels/level_palette.h"
 #include "server/capture/capture_source.h"
-#include "tests/bench/depth_asked.h"
-#include "tests/bench/depth_peers.h"
+#include "tests/bench/depth/depth_asked.h"
+#include "tests/bench/depth/depth_peers.h"
 #include "tests/bench/distribution.h"
 #include "tools/codec_tool/depth_files.h"
 

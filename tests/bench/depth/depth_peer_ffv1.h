@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/bench/depth_peers.h"
+#include "tests/bench/depth/depth_peers.h"
 
 namespace telepalp::bench {
 

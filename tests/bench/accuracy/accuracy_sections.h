@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tests/bench/accuracy_page.h"
+#include "tests/bench/accuracy/accuracy_page.h"
 #include "tests/bench/report.h"
 
 namespace telepalp::bench {

@@ -1,4 +1,4 @@
-#include "tests/bench/accuracy_depth.h"
+#include "tests/bench/accuracy/accuracy_depth.h"
 
 #include <cmath>
 #include <ctime>
@@ -8,8 +8,8 @@
 #include "haptic_station/surface/touch/touch.h"
 #include "server/capture/capture_source.h"
 #include "support/program/files/shipped.h"
-#include "tests/bench/accuracy_rms.h"
-#include "tests/bench/accuracy_surface.h"
+#include "tests/bench/accuracy/accuracy_rms.h"
+#include "tests/bench/accuracy/accuracy_surface.h"
 #include "tests/bench/distribution.h"
 
 namespace telepalp::bench {

@@ -1,4 +1,4 @@
-#include "tests/bench/accuracy_page.h"
+#include "tests/bench/accuracy/accuracy_page.h"
 
 #include <cmath>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "tests/bench/depth_peer_ffv1.h"
+#include "tests/bench/depth/depth_peer_ffv1.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>

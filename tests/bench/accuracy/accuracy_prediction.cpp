@@ -1,11 +1,11 @@
-#include "tests/bench/accuracy_prediction.h"
+#include "tests/bench/accuracy/accuracy_prediction.h"
 
 #include <cmath>
 
 #include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/tracking/hand_estimate.h"
 #include "haptic_station/tracking/hand_trace.h"
-#include "tests/bench/accuracy_rms.h"
+#include "tests/bench/accuracy/accuracy_rms.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/fixed_kalman.h"
 #include "tests/haptic_station/surface/touch_scenario.h"

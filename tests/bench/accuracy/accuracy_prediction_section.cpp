@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/bench/accuracy_prediction.h"
-#include "tests/bench/accuracy_sections.h"
+#include "tests/bench/accuracy/accuracy_prediction.h"
+#include "tests/bench/accuracy/accuracy_sections.h"
 
 namespace telepalp::bench {
 namespace {

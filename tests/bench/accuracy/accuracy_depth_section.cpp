@@ -2,8 +2,8 @@
 
 #include "support/plot/chart.h"
 #include "support/plot/palette.h"
-#include "tests/bench/accuracy_depth.h"
-#include "tests/bench/accuracy_sections.h"
+#include "tests/bench/accuracy/accuracy_depth.h"
+#include "tests/bench/accuracy/accuracy_sections.h"
 
 namespace telepalp::bench {
 namespace {

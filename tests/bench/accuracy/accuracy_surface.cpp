@@ -1,4 +1,4 @@
-#include "tests/bench/accuracy_surface.h"
+#include "tests/bench/accuracy/accuracy_surface.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "haptic_station/surface/cloud/cloud_snapshot.h"
 #include "haptic_station/surface/paper/paper_surface.h"
-#include "tests/bench/accuracy_surface.h"
+#include "tests/bench/accuracy/accuracy_surface.h"
 
 namespace telepalp::bench {
 namespace {

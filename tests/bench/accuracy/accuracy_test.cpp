@@ -3,8 +3,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "tests/bench/accuracy_page.h"
-#include "tests/bench/accuracy_pareto.h"
+#include "tests/bench/accuracy/accuracy_page.h"
+#include "tests/bench/accuracy/accuracy_pareto.h"
 #include "where.h"
 
 namespace telepalp::bench {
@@ -46,7 +46,8 @@ TEST(Page, AMissingMarkerIsNamed) {
 TEST(Page, ThePageThatShipsHasEveryMarker) {
   std::ifstream in(TELEPALP_SOURCE_DIR "/docs/accuracy.md");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
-  for (const char* part : {"conditions", "surface", "knee", "noise", "density", "time", "hand", "organ", "z-width", "modes", "bounded"}) {
+  for (const char* part :
+       {"conditions", "surface", "knee", "noise", "density", "time", "hand", "organ", "z-width", "modes", "bounded"}) {
     const auto made = with_parts(page, {{part, "x\n"}}, "accuracy.md");
     EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
   }

@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
 
-#include "tests/bench/accuracy_rms.h"
-#include "tests/bench/accuracy_sections.h"
-#include "tests/bench/accuracy_surface.h"
+#include "tests/bench/accuracy/accuracy_rms.h"
+#include "tests/bench/accuracy/accuracy_sections.h"
+#include "tests/bench/accuracy/accuracy_surface.h"
 #include "tests/bench/hand/feed.h"
 #include "tests/bench/hand/patient.h"
 

@@ -4,7 +4,7 @@
 #include "haptic_station/trials/z_width.h"
 #include "support/plot/chart.h"
 #include "support/plot/palette.h"
-#include "tests/bench/accuracy_sections.h"
+#include "tests/bench/accuracy/accuracy_sections.h"
 
 namespace telepalp::bench {
 namespace {

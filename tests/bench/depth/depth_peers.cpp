@@ -1,4 +1,4 @@
-#include "tests/bench/depth_peers.h"
+#include "tests/bench/depth/depth_peers.h"
 
 #include <png.h>
 #include <zstd.h>
@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "support/images/image_file.h"
-#include "tests/bench/depth_peer_ffv1.h"
+#include "tests/bench/depth/depth_peer_ffv1.h"
 
 #if defined(TELEPALP_HAVE_CHARLS)
 #include <charls/charls.h>

@@ -1,10 +1,10 @@
-#include "tests/bench/accuracy_bench.h"
+#include "tests/bench/accuracy/accuracy_bench.h"
 
 #include <algorithm>
 #include <iterator>
 #include <string_view>
 
-#include "tests/bench/accuracy_sections.h"
+#include "tests/bench/accuracy/accuracy_sections.h"
 
 namespace telepalp::bench {
 namespace {

@@ -5,9 +5,9 @@
 #include "support/plot/chart.h"
 #include "support/plot/number.h"
 #include "support/plot/palette.h"
-#include "tests/bench/accuracy_pareto.h"
-#include "tests/bench/accuracy_sections.h"
-#include "tests/bench/accuracy_surface.h"
+#include "tests/bench/accuracy/accuracy_pareto.h"
+#include "tests/bench/accuracy/accuracy_sections.h"
+#include "tests/bench/accuracy/accuracy_surface.h"
 
 namespace telepalp::bench {
 namespace {
