@@ -40,7 +40,7 @@ program::Usage usage() {
                       {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; default: none"},
                       {.name = "allow-origin",
                        .argument = "ORIGIN",
-                       .help = "further page that may open the stream, such as https://app.foxglove.dev",
+                       .help = "page that may open the stream, by its origin: https://app.foxglove.dev",
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: those built beside this program"},
                       {"ready-file", "FILE", "file to write the ports to once it listens"},

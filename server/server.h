@@ -51,11 +51,11 @@ class Server {
   [[nodiscard]] std::uint16_t port() const noexcept { return listener_->port(); }
   [[nodiscard]] const wire::SessionClock& clock() const noexcept { return clock_; }
   [[nodiscard]] hub::Hub& hub() noexcept { return hub_; }
-  /// What came to the UDP port.
+  /// Numbers of datagrams that arrived at the UDP port.
   [[nodiscard]] hub::DatagramCounts datagram_counts() const {
     return listener_ ? listener_->datagram_counts() : hub::DatagramCounts{};
   }
-  /// What is wrong, for a health check; empty: nothing.
+  /// The reason why a health check fails, as text; empty: healthy.
   [[nodiscard]] std::string problem() const;
   /// One line with the run's totals, for the end of the program.
   [[nodiscard]] std::string summary() const;

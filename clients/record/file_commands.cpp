@@ -46,7 +46,7 @@ program::Usage cut_usage() {
           .options = {{"out", "FILE.mcap", "the new file"},
                       {"from", "TIME", "since the session's beginning: 90, 90s, 1.5min", "0s"},
                       {"to", "TIME", "since the session's beginning; default: the end"},
-                      {"topics", "LIST", "patterns as of a shell, comma-separated; !PATTERN leaves out", "*"}},
+                      {"topics", "LIST", "shell patterns, comma-separated; !PATTERN excludes", "*"}},
           .example = "telepalp-record cut session.mcap --from 0.5s --to 1.5s --out part.mcap"};
 }
 

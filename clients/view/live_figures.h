@@ -12,10 +12,10 @@
 
 namespace telepalp::view {
 
-/// Counts the messages of a running server, topic by topic. Pure. Owner: one thread.
+/// Counts the messages that come from a server, topic by topic. Pure. Owner: one thread.
 class LiveFigures {
  public:
-  /// `message` came at `now`, both in session time.
+  /// Counts `message`, which arrived at `now` (session time).
   void add(const wire::Message& message, SessionTime now);
 
   struct Topic {
@@ -26,7 +26,7 @@ class LiveFigures {
     double age_p99_ms = 0.0;
     std::uint64_t missed = 0;  ///< messages that were published and did not come
   };
-  /// Figures over `seconds`. `received`: by topic, as the link counts.
+  /// Figures over the last `seconds`. `received`: wire::ClientLink::received().
   [[nodiscard]] std::vector<Topic> topics(double seconds,
                                           const std::map<std::string_view, wire::ReceivedCount>& received) const;
 

@@ -61,7 +61,7 @@ Result<Asked> asked_of(const program::Arguments& arguments) {
   const Result<program::Patience> patience = program::patience_of(arguments);
   if (!patience) return patience.error();
   if (arguments.has("snapshot") == arguments.has("stats"))
-    return Error{.what = "asked for nothing, or for two things",
+    return Error{.what = "names neither a picture nor figures, or both",
                  .where = kProgram,
                  .fix = "give either --snapshot FILE.png or --stats"};
   return Asked{.server = *server,
@@ -116,13 +116,13 @@ class View {
     if (instant_.take(message) == view::NewestInstant::Taken::NeedsKeyFrame) link_.request_key_frame(message);
     if (instant_.is_complete(true)) stop(save());
   }
-  /// Without a station, the patient alone is a picture too.
+  /// Called when the time is over: saves the patient without a hand if no station came, else ends with an error.
   void lose_patience() {
     if (!asked_.stats && instant_.is_complete(false)) {
       program::log(kProgram, "no station touches this patient: the picture has no hand");
       return stop(save());
     }
-    stop(Error{.what = connected_ ? "the server answers, but no whole picture came" : "does not answer",
+    stop(Error{.what = connected_ ? "the server answers, but no complete picture came" : "does not answer",
                .where = asked_.server.host + ":" + std::to_string(asked_.server.port),
                .fix = connected_
                           ? "look at the server's source, or wait longer by --patience S"

@@ -12,15 +12,15 @@
 
 namespace telepalp::view {
 
-/// The newest instant of which depth and its camera's model have come, from the messages of a server in any order.
+/// Collects a server's messages, in any order, and draws the newest instant that has depth and a camera model.
 /// Pure. Owner: one thread.
 class NewestInstant {
  public:
-  /// What became of a message.
+  /// How a message was used.
   enum class Taken { Yes, NotNeeded, NeedsKeyFrame };
   Taken take(const wire::Message& message);
 
-  /// True once it can be drawn. `with_touch`: only with the station's state of about that instant.
+  /// True once the instant can be drawn. `with_touch`: it also needs the station's state of about that instant.
   [[nodiscard]] bool is_complete(bool with_touch) const;
   /// The picture of the instant. Call it only when is_complete().
   [[nodiscard]] ColorImage picture(int width_px, int height_px) const;
@@ -35,7 +35,7 @@ class NewestInstant {
     ColorImage image;
   };
   codec::DepthReader reader_;
-  RgbdFrame frame_;  ///< depth alone; captured is 0 without an image
+  RgbdFrame frame_;  ///< only its depth is used; `captured` is 0 before the first image
   std::int64_t captured_ns_ = 0;
   std::optional<Intrinsics> depth_camera_;
   std::optional<Intrinsics> color_camera_;

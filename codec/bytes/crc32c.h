@@ -6,7 +6,7 @@
 
 namespace telepalp::codec {
 
-/// CRC-32C (Castagnoli, reflected, as in iSCSI) of `bytes`, carried on from `before`, the CRC of what lies in front. It
+/// CRC-32C (Castagnoli, reflected, as in iSCSI) of `bytes`, continued from `before`, the CRC of the preceding bytes. It
 /// uses the processor's CRC instruction if there is one; the result is the same.
 [[nodiscard]] std::uint32_t crc32c(std::span<const std::byte> bytes, std::uint32_t before = 0) noexcept;
 

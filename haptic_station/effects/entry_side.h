@@ -62,7 +62,7 @@ class EntrySide {
   static constexpr double kLeash_m = 0.005;    ///< length of path over which the direction of a push is measured
   static constexpr double kOblique = 0.5;      ///< cosine; a motion more oblique to the surface is not a push into it
   static constexpr double kSearch_m =
-      0.004;                            ///< half range of the search about the last proxy; contains it up to 8 m/s
+      0.004;  ///< half range of the search about the last proxy; enough for speeds up to 8 m/s
   static constexpr int kHalvings = 14;  ///< bisections of the search: to 0.5 um
 
   /// Unit vector against the device's motion over its last 5 mm; zero while it has moved less than 1 mm.

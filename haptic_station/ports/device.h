@@ -9,7 +9,7 @@ namespace telepalp::ports {
 class Device {
  public:
   virtual ~Device() = default;
-  /// Where the end-effector is. The reading's age is infinite until the device has answered once.
+  /// The position of the end-effector. The reading's age is infinite until the device has answered once.
   [[nodiscard]] virtual DeviceReading read() noexcept = 0;
   /// Holds `force` for the next `dt_s`. `contact`: the contact at the last reading, for devices that draw a picture of
   /// it.

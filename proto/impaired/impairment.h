@@ -18,7 +18,7 @@ struct Impairment {
   double duplicate = 0.0;            ///< share of packets that arrive twice
   double corrupt = 0.0;              ///< share of packets that arrive with one bit inverted
   double rate_B_per_s = 0.0;         ///< rate of the bottleneck; 0: unlimited
-  std::size_t queue_B = 256 * 1024;  ///< room before the bottleneck; a packet that does not fit is dropped
+  std::size_t queue_B = 256 * 1024;  ///< size of the bottleneck's queue; a packet that does not fit is dropped
   Nanoseconds outage_every{0};       ///< period of outages; 0: no outage
   Nanoseconds outage_for{0};         ///< each period ends with an outage of this length
 };

@@ -8,9 +8,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Time between two reports: about ten in the round trip across a continent.
+/// Least time between two reports: about ten reports in a round trip across a continent.
 constexpr Nanoseconds kReportEvery = 5ms;
-/// Time after which a sender without room looks again: a silent path gets room by time alone.
+/// Time after which a sender without room checks again: without feedback, only time makes room.
 constexpr Nanoseconds kLookForRoom = 5ms;
 
 Direction sends(End end) noexcept { return end == End::Client ? Direction::ClientToServer : Direction::ServerToClient; }

@@ -52,13 +52,13 @@ class ClientLink : private ConnectionOwner {
     std::shared_ptr<const keys::KeyFile> key{};  ///< null: plain TCP, to this machine alone
     std::vector<std::string> subscribes{};       ///< topic names; one ending in '*' is a prefix
     std::vector<Topic> publishes{};  ///< topics that publish() accepts; the server accepts only /station/…
-    bool datagrams = true;           ///< takes the deadline topics by sealed datagram where the path lets them through
+    bool datagrams = true;           ///< takes the deadline topics by sealed datagram if the path carries UDP
   };
   struct Handlers {
     std::function<void(const Message&)> on_message{};
     /// `detail`: text for a log line with the peer's address, or the reason why there is no connection.
     std::function<void(LinkState, const std::string& detail)> on_state{};
-    /// How the images come now; `detail`: text for a log line. Called when it changes.
+    /// Called when the carrier of the images changes: Up: datagrams, Blocked: TCP. `detail`: text for a log line.
     std::function<void(DatagramPhase, const std::string& detail)> on_datagrams{};
   };
   struct Counts {
@@ -100,7 +100,7 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const;
   /// Up: the images come by datagram; else over TCP.
   [[nodiscard]] DatagramPhase datagrams() const noexcept;
-  /// Takes another local UDP port, as a NAT between the ends may do at any time.
+  /// Continues on another local UDP port. For tests: to the server it looks like a NAT that changes its mapping.
   void change_datagram_port();
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
   /// Received and missed messages by topic, over all connections.
@@ -144,13 +144,13 @@ class ClientLink : private ConnectionOwner {
   Options options_;
   Handlers handlers_;
   const std::uint64_t run_;  // random number by which a server recognises this link after a reconnection
-  TlsSettings tls_;          // null before the first connection, and without a key
+  TlsSettings tls_;          // null before the first connection, and always without a key
   Error refusal_;
   LinkState state_ = LinkState::Stopped;
   std::shared_ptr<Connection> connection_;      // shared with pending operations; null without a connection
   std::optional<msg::DatagramOffer> offered_;   // nullopt: the server offers no datagrams
   std::unique_ptr<ClientDatagrams> datagrams_;  // null before the clock is synchronised, and without an offer
-  boost::asio::ip::tcp::endpoint server_;       // of the connection
+  boost::asio::ip::tcp::endpoint server_;       // where the connection goes
   std::string peer_name_;
   boost::asio::ip::tcp::resolver resolver_;
   boost::asio::ip::tcp::socket connecting_;

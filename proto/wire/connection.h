@@ -59,13 +59,14 @@ struct ReceivedCount {
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   struct Options {
-    std::string name{};                                         ///< name of the program, sent to the peer
-    std::string role{};                                         ///< technician, doctor, viewer, qa, server
-    std::string token{};                                        ///< bearer token, sent in Hello; empty: none
-    std::uint64_t run = 0;                                      ///< random number of this run of the program; 0: none
-    msg::DatagramCipher datagrams = msg::DATAGRAM_CIPHER_NONE;  ///< of a client: quick here; NONE: it takes none
-    std::vector<Topic> publishes{};                             ///< topics that next_to_send() may return
-    std::size_t max_payload_bytes = kMaxPayloadBytes;           ///< limit for this peer after its Hello
+    std::string name{};     ///< name of the program, sent to the peer
+    std::string role{};     ///< technician, doctor, viewer, qa, server
+    std::string token{};    ///< bearer token, sent in Hello; empty: none
+    std::uint64_t run = 0;  ///< random number of this run of the program; 0: none
+    msg::DatagramCipher datagrams =
+        msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its fastest cipher; NONE: it takes no datagrams
+    std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
+    std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello
     /// Limit on the rate of reading; 0: no limit. Bytes above it stay in the kernel's receive buffer until they are
     /// due, so that TCP's flow control slows this peer alone.
     std::size_t max_read_bytes_per_s = 0;
@@ -108,7 +109,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   struct Incoming {
     std::optional<Topic> topic;  ///< nullopt: an unknown topic, whose messages are ignored
     std::uint64_t last_sequence = 0;
-    bool by_datagram = false;  ///< a message came by datagram: messages may overtake each other
+    bool by_datagram = false;  ///< true once a message came by datagram: then messages may overtake each other
   };
 
   void read();
@@ -151,7 +152,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   std::deque<msg::Control> control_;  // bounded: a peer that sends requests without reading replies is disconnected
   std::uint64_t control_sequence_ = 0;
-  bool has_offer_ = false;  // of datagrams: a second one would use the same keys anew
+  bool has_offer_ = false;  // a datagram offer was received; a second one would reuse its keys and nonces
   bool writing_ = false;
   bool drains_ = false;  // while leaving: the owner's queue is sent before the Goodbye
   bool said_goodbye_ = false;

@@ -9,7 +9,7 @@
 
 namespace telepalp::wire {
 
-/// Topics whose messages are worthless when they are late. The place of a topic is its datagram channel in WIRE.md.
+/// Topics whose messages are worthless when they are late. The index of a topic is its datagram channel (WIRE.md).
 inline constexpr std::array kDeadlineTopics{kCameraDepth, kCameraColor};
 
 /// The datagram channel of `topic`; nullopt: its messages travel over TCP alone.
@@ -22,8 +22,8 @@ inline constexpr std::array kDeadlineTopics{kCameraDepth, kCameraColor};
 [[nodiscard]] constexpr bool has_deadline(const Topic& topic) noexcept { return datagram_channel(topic).has_value(); }
 
 /// A message of a deadline topic as a frame of datagrams: 8 bytes published_ns, 8 bytes sequence, little-endian, and
-/// the payload. The frame's deadline counts from the publication, or from `now` if the publisher's stamp is not of the
-/// last second: an old stamp must not make a frame late before it starts.
+/// the payload. The frame's deadline counts from the publication, or from `now` if the publication is in the future or
+/// more than a second ago: with such a stamp the frame would be late, or never late.
 [[nodiscard]] link::Frame frame_of(const Message& message, SessionTime now);
 
 /// nullopt: no deadline topic has the frame's channel, or the frame is too short.

@@ -113,7 +113,8 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     if (holds_touch_) access().note(access::AuditEvent::TookTouch, in_audit());
     offer_datagrams(peer.datagrams());
   }
-  /// Their secret comes from TLS. Without TLS, the peer is on this machine, and the offer carries a random one.
+  /// The datagrams' keys derive from the TLS session. Without TLS the peer is on this machine, and gets a random
+  /// secret.
   void offer_datagrams(msg::DatagramCipher wanted) {
     if (!listener_.datagrams_->is_open()) return;
     datagrams_ = PeerDatagrams::offer(listener_.io_, *listener_.datagrams_, listener_.hub_, wanted,

@@ -11,26 +11,26 @@
 
 namespace telepalp::hub {
 
-/// The datagrams of one peer: while its path is up, they carry the deadline topics that it subscribes to, and TCP the
-/// rest. Owner: the network thread.
+/// The datagrams of one peer. While its path is up they carry its deadline topics, and TCP carries its other topics.
+/// Owner: the network thread.
 class PeerDatagrams : private DatagramPort::Session {
  public:
   struct Peer {
     SubscriberId subscriber = 0;
     std::function<SessionTime()> now{};
-    std::function<void(wire::DatagramPhase)> on_phase{};  ///< Up or Blocked, when it was another before
+    std::function<void(wire::DatagramPhase)> on_phase{};  ///< called when the phase becomes Up or Blocked
   };
 
-  /// nullptr: `wanted` names no cipher that this end has.
+  /// nullptr: the peer wants no datagrams, or names an unknown cipher.
   static std::unique_ptr<PeerDatagrams> offer(boost::asio::io_context& io, DatagramPort& port, Hub& hub,
                                               msg::DatagramCipher wanted, const wire::KeyingMaterial& from_tls,
                                               Peer peer);
   ~PeerDatagrams() override;
 
-  /// What the peer must be told, once.
+  /// The offer to send to the peer over TCP, once.
   [[nodiscard]] const msg::DatagramOffer& message() const noexcept { return offer_.message; }
   void start() { end_->start(); }
-  /// A message waits in the hub.
+  /// Call it when the hub has a message for the peer.
   void wake() { end_->pump(); }
 
  private:
@@ -44,8 +44,9 @@ class PeerDatagrams : private DatagramPort::Session {
   Peer peer_;
   std::uint32_t number_;
   wire::DatagramOffer offer_;
-  std::optional<DatagramPort::Endpoint> address_;  // of the newest authenticated datagram; nullopt: none came
-  std::unique_ptr<wire::DatagramEnd> end_;         // null only while offer() makes it
+  std::optional<DatagramPort::Endpoint>
+      address_;                             // sender of the newest authenticated datagram; nullopt: none came yet
+  std::unique_ptr<wire::DatagramEnd> end_;  // never null after offer()
 };
 
 }  // namespace telepalp::hub

@@ -76,7 +76,7 @@ PeerListener::PeerListener(asio::io_context& io, Hub& hub, const wire::SessionCl
 
 PeerListener::~PeerListener() = default;
 
-/// Opens the TCP port, and the UDP port of the same number. Where any port will do, one is taken that both have free.
+/// Opens the TCP port, and the UDP port of the same number. For port 0 it takes a number that is free for both.
 error_code PeerListener::open(const tcp::endpoint& endpoint) {
   constexpr int kAttempts = 8;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {

@@ -89,7 +89,7 @@ class PeerListener {
   boost::asio::steady_timer accept_again_;
   boost::asio::steady_timer second_;
   std::uint16_t port_ = 0;
-  std::unique_ptr<DatagramPort> datagrams_;  // of the same number as port_; closed if another program has it
+  std::unique_ptr<DatagramPort> datagrams_;  // the UDP port with the number port_; closed if another program uses it
   std::map<PeerNumber, std::unique_ptr<Peer>> peers_;
   PeerNumber last_number_ = 0;
   Counts counts_;

@@ -7,7 +7,7 @@
 
 namespace telepalp::playback {
 
-/// Added to the sender numbers of recorded stations, so that a live station is told apart from them.
+/// Added to the sender numbers of recorded stations, so that a live station never has the same number.
 inline constexpr std::uint32_t kRecordedSenders = 1000;
 
 /// `recorded` as a message of now: each instant in it (a field NAME_ns of type fixed64 that is not 0, or a Timestamp)

@@ -12,12 +12,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kMostOnTheWay = 64;  // messages; the file is read no further while the network thread is behind
+constexpr int kMostOnTheWay = 64;  // messages; reading pauses while the network thread has more unhandled ones
 constexpr Nanoseconds kStatusEvery = 1s;
-/// A player that is this late (a slow disk, a computer that slept) goes on from now instead of hurrying.
+/// A player that is later than this (slow disk, computer was asleep) continues at normal speed instead of catching up.
 constexpr Nanoseconds kLatest = 500ms;
 constexpr Nanoseconds kBetweenRounds{33'333'333};  // from the last message to the repeated first one
-constexpr Nanoseconds kLongestPause = 2s;  // a longer pause in a recording is cut to this
+constexpr Nanoseconds kLongestPause = 2s;          // a longer pause in a recording is cut to this
 
 double seconds_between(SessionTime from, SessionTime to) { return to_seconds(to - from); }
 
@@ -141,7 +141,7 @@ void SessionPlayer::carry_out(const msg::PlaybackCommand& command) {
   for (std::uint32_t steps = 0; command.has_step() && steps < command.step(); ++steps) step();
 }
 
-/// Time goes on from the present position at the present speed.
+/// Maps the present position to now, at the present speed.
 void SessionPlayer::anchor() { map_ = {.recorded = position_, .now = clock_.now(), .speed = speed_}; }
 
 void SessionPlayer::go_to(SessionTime at) {
@@ -152,7 +152,7 @@ void SessionPlayer::go_to(SessionTime at) {
   for (const wire::Message& message : needed) publish(message);
 }
 
-/// Publishes the next depth image and all up to the one behind it.
+/// Publishes the next depth image and the messages that follow it, up to the depth image after it.
 void SessionPlayer::step() {
   const auto is_depth = [&] { return next_ && next_->topic.name == wire::kCameraDepth.name; };
   bool shown = false;

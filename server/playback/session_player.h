@@ -18,8 +18,8 @@
 
 namespace telepalp::playback {
 
-/// Publishes a recorded session again: its bytes as recorded, its instants mapped to now. The thread of the player owns
-/// the file and waits for the time of each message; commands wake it. It uses a mutex and a condition variable, because
+/// Publishes a recorded session again: its bytes as recorded, its instants mapped to now. A thread of its own reads the
+/// file and waits until each message is due; commands wake it. It uses a mutex and a condition variable, because
 /// it must sleep until the next message or command; no real-time thread waits for it.
 class SessionPlayer {
  public:
@@ -28,7 +28,7 @@ class SessionPlayer {
     std::function<void()> on_end;                   ///< on the network thread, once, at the end without a loop
   };
 
-  /// Error: the file cannot be read, or begins after `from_s`.
+  /// Error: the file cannot be read, or the session is shorter than `from_s`.
   [[nodiscard]] static Result<std::unique_ptr<SessionPlayer>> open(const PlaybackSpec& spec, bool loop,
                                                                    wire::SessionClock clock);
   ~SessionPlayer();

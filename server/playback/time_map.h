@@ -6,8 +6,8 @@
 
 namespace telepalp::playback {
 
-/// Maps instants of a recording to session time now: an affine map, so that all ages in it stay consistent. At speed 1
-/// differences are kept to the nanosecond.
+/// Maps instants of a recording to the session time at which they are played. The map is affine, so that ages in the
+/// recording stay consistent. At speed 1 the differences of instants are exact to the nanosecond.
 struct TimeMap {
   SessionTime recorded{};  ///< this instant of the recording …
   SessionTime now{};       ///< … is played at this one

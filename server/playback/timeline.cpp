@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 /// How far back a seek reads for a key frame and a camera model: they come at least every second, unless much was lost.
 constexpr Nanoseconds kLookBack[] = {1s, 10s};
 
-/// A group of pictures that needs more memory is not from telepalp's encoder: it is passed over until its next key
+/// A group of pictures that needs more memory is not from telepalp's encoder: it is skipped up to its next key
 /// frame.
 constexpr std::size_t kMostGroupBytes = std::size_t{64} << 20;
 
@@ -65,7 +65,7 @@ Result<Timeline> Timeline::open(const std::filesystem::path& file, std::vector<s
 
 bool Timeline::is_played(std::string_view topic) const { return is_wanted(topics_, topic); }
 
-/// The topics whose last message a receiver needs, as far as the file has them.
+/// The topics of the file whose last message a receiver needs.
 std::vector<std::string> Timeline::needed_topics() const {
   std::vector<std::string> needed;
   for (const auto& [id, stored] : reader_.summary().channels.all()) {

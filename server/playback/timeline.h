@@ -10,7 +10,8 @@
 
 namespace telepalp::playback {
 
-/// The messages of a session file in order of time, from any instant on. Memory holds the chunks of one instant.
+/// Reads the messages of a session file in order of time, from any instant on. Only the chunks that hold the current
+/// instant are in memory.
 class Timeline {
  public:
   /// `topics`: full names, or prefixes that end in '*'. Error: not a session file, or it has no message on them.
@@ -19,11 +20,11 @@ class Timeline {
   [[nodiscard]] SessionTime begin() const noexcept { return begin_; }
   [[nodiscard]] SessionTime end() const noexcept { return end_; }
 
-  /// Moves to `at`: next() then gives the messages from `at` on. Returns the messages before it that a receiver needs
-  /// there: the last camera models, and the depth images since the last key frame, in order of time. Reads a second
-  /// before `at`, and more only if that holds no key frame.
+  /// Moves to `at`: next() then returns the messages from `at` on. Returns the earlier messages that a receiver needs
+  /// at `at`, in order of time: the last camera models, and the depth images since the last key frame. Reads the second
+  /// before `at`, and earlier ones only if it holds no key frame.
   [[nodiscard]] std::vector<wire::Message> seek(SessionTime at);
-  /// The next message; nullopt at the end. Damaged places are passed over and counted.
+  /// The next message; nullopt at the end. Damaged parts are skipped and counted.
   [[nodiscard]] std::optional<wire::Message> next();
 
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }

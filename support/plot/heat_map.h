@@ -16,7 +16,7 @@ struct HeatMap {
   double width_px = 720.0;
 };
 
-/// The map as a self-contained SVG element. The colours go from white to blue, so that they can be told apart in grey.
+/// The map as a self-contained SVG element. The colours go from white to blue, so that they differ in greyscale, too.
 [[nodiscard]] std::string to_svg(const HeatMap& map);
 
 }  // namespace telepalp::plot

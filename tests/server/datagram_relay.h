@@ -7,7 +7,7 @@
 namespace telepalp::server {
 
 /// Forwards TCP and UDP between one client and a server on loopback, as a NAT does: the server sees the relay's
-/// address. What crosses is kept.
+/// address. It keeps a copy of all bytes.
 class DatagramRelay {
  public:
   using udp = boost::asio::ip::udp;
@@ -34,7 +34,7 @@ class DatagramRelay {
     to_server_ = std::make_unique<udp::socket>(to_client_.get_executor(), udp::endpoint(udp::v4(), 0));
     read_server();
   }
-  /// Sends `datagram` to the server from an address of its own, and returns what comes back to it within `patience`.
+  /// Sends `datagrams` to the server from a new address, and returns the number of answers within 0.3 s.
   [[nodiscard]] static std::size_t answers_to(boost::asio::io_context& io, std::uint16_t server_port,
                                               const std::vector<std::string>& datagrams) {
     udp::socket stranger(io, udp::endpoint(boost::asio::ip::make_address("127.0.0.1"), 0));

@@ -18,8 +18,8 @@ class Frames {
   /// Error: not a session file.
   [[nodiscard]] static Result<Frames> open(const std::filesystem::path& file);
 
-  /// Gives each frame to `take` until that returns false or the session ends. Damaged frames are counted. Error: of
-  /// `take`.
+  /// Calls `take` with each frame until it returns false or the session ends. Damaged frames are skipped and counted.
+  /// Error: the error that `take` returned.
   [[nodiscard]] Result<void> for_each(const std::function<Result<bool>(const RgbdFrame&)>& take);
 
   /// The last frame that was published up to `at_s` after the session's first message. Error: none, or it cannot be
@@ -43,7 +43,7 @@ class Frames {
   wire::McapReader reader_;
   codec::DepthReader depth_;
   std::optional<Intrinsics> pinhole_;
-  std::optional<foxglove::CompressedImage> color_;  // without its depth image yet
+  std::optional<foxglove::CompressedImage> color_;  // its depth image has not come yet
   std::optional<Waiting> waiting_;                  // depth image whose colour may follow
   std::uint64_t damaged_ = 0;
 };

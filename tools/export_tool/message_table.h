@@ -7,9 +7,9 @@
 
 namespace telepalp::export_tool {
 
-/// The messages of one topic as the lines of a CSV file. The columns are `published_ns` and the topic's fields by name,
-/// a field of a part as `hand.x`. A message with lists of numbers (a batch of ticks) gives one line for each of their
-/// entries. Of lists of parts, and of bytes, only the number is given.
+/// The messages of one topic as the lines of a CSV file. The columns are `published_ns` and the fields of the topic's
+/// type; a field of a nested message is named `hand.x`. A message with lists of numbers (a batch of ticks) gives one
+/// line for each entry. A list of messages is replaced by its length, and bytes by their number.
 class MessageTable {
  public:
   explicit MessageTable(const wire::Topic& topic);

@@ -1,4 +1,4 @@
-// telepalp-replay: what a network would do to the doctor's hand, in virtual time.
+// telepalp-replay: runs a session over a simulated network in virtual time and measures the force on the hand.
 
 #include "tools/replay/commands/request.h"
 #include "tools/replay/commands/run_command.h"

@@ -15,7 +15,7 @@ constexpr std::uint64_t kPreludeNs = 10'000'000'000;  // key frames and camera m
 constexpr std::string_view kLatched[] = {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraStatus.name,
                                          wire::kHandHolder.name};
 
-/// A group of pictures that needs more memory is not from telepalp's encoder: it is left out until its next key frame.
+/// A group of pictures that needs more memory is not from telepalp's encoder: it is skipped up to its next key frame.
 constexpr std::size_t kMostGroupBytes = std::size_t{64} << 20;
 
 bool is_key_frame(const wire::mcap::MessageRecord& record) {
@@ -37,7 +37,7 @@ wire::McapSelection between(std::vector<std::string> topics, std::uint64_t from,
           .until = session_time(static_cast<std::int64_t>(std::min<std::uint64_t>(until, INT64_MAX)))};
 }
 
-/// Gives each selected message to `take`; damaged places are noted and passed over.
+/// Gives each selected message to `take`; damaged places are noted and skipped.
 template <class Take>
 Result<void> for_each(wire::McapReader& reader, std::vector<std::string>& damages, Take take) {
   for (;;) {

@@ -20,7 +20,7 @@ struct CutOptions {
 
 struct EditReport {
   std::uint64_t messages = 0;        ///< number of messages written
-  std::uint64_t left_out = 0;        ///< duplicates that merge() did not repeat
+  std::uint64_t left_out = 0;        ///< duplicates: merge() writes each message once
   std::vector<std::string> damages;  ///< places that could not be read, at most 100
 };
 

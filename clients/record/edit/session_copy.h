@@ -18,7 +18,7 @@ class KeptMessage {
   [[nodiscard]] Result<void> copy_to(wire::McapWriter& writer) const;
 
  private:
-  const wire::mcap::StoredChannel* channel_;  // of the reader's summary
+  const wire::mcap::StoredChannel* channel_;  // owned by the reader's summary
   wire::mcap::MessageRecord record_;
   std::string data_;
 };

@@ -15,7 +15,7 @@ namespace telepalp::record {
 class SessionSurvey {
  public:
   void add(const wire::mcap::StoredMessage& message);
-  /// Moves what was found into `facts`, whose `seconds` are known.
+  /// Moves the collected facts into `facts`. The caller has set `facts.seconds`.
   void finish(SessionFacts& facts);
 
  private:

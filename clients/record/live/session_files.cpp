@@ -137,15 +137,15 @@ void SessionFiles::flush() {
   if (const Result<void> flushed = writer_->flush(); !flushed) fail(flushed.error());
 }
 
-/// Completes the part with what it holds. The stream goes on: the recorder keeps reading, so that the server's queue to
-/// it does not fill, and tries again.
+/// Completes the part with the messages that it has. The recorder keeps reading, so that the server's queue to it does
+/// not fill, and tries again later.
 void SessionFiles::fail(const Error& error) {
   failed_at_ = Clock::now();
   if (!failed_) failed_ = error;
   if (!std::exchange(is_failing_, true)) alarm_("ALARM: " + to_string(error));
   if (!writer_) return;
   const std::filesystem::path name = writer_->name();
-  (void)end_part(nullptr);  // its error is the one above, or that the index does not fit
+  (void)end_part(nullptr);  // its error is the one above, or there was no room for the index
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored))
     alarm_("ALARM: " + name.string() + ".partial is not complete. fix: telepalp-record repair " + name.string());

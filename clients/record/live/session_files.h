@@ -19,15 +19,15 @@ namespace telepalp::record {
 
 /// When a recording begins a new file, and which files it keeps.
 struct Splitting {
-  std::optional<std::uint64_t> bytes;    ///< a file's size
-  std::optional<Nanoseconds> time;       ///< a file's duration
+  std::optional<std::uint64_t> bytes;    ///< largest size of a file
+  std::optional<Nanoseconds> time;       ///< longest duration of a file
   std::optional<Nanoseconds> keep_last;  ///< older files are removed; the last files with at least this duration stay
 };
 
 /// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session: it
-/// begins with a depth key frame and repeats the camera models and states that were published last. When the disk does
-/// not take a part, the part is completed with what it holds, messages are dropped and counted, and a new part begins
-/// once there is room. Owner: the disk thread, except where a comment says otherwise.
+/// begins with a depth key frame and repeats the camera models and states that were published last. When a
+/// write fails, the part is completed with the messages that it holds. Later messages are dropped and counted until
+/// there is room for a new part. Owner: the disk thread, except where a comment says otherwise.
 class SessionFiles {
  public:
   struct Plan {
@@ -58,7 +58,7 @@ class SessionFiles {
   [[nodiscard]] Counts counts() const;
   /// Messages dropped because the disk failed or was full. Any thread.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
-  /// True while nothing is written until a key frame comes. Any thread.
+  /// True while messages are dropped because a new part waits for a key frame. Any thread.
   [[nodiscard]] bool needs_key_frame() const noexcept { return needs_key_frame_; }
 
  private:
@@ -84,7 +84,7 @@ class SessionFiles {
   std::map<std::string_view, wire::Message> latched_;
   int part_number_ = 0;
   std::uint64_t messages_ = 0;
-  std::uint64_t offered_to_part_ = 0;         // messages; those of an unwritten chunk are lost when the disk fails
+  std::uint64_t offered_to_part_ = 0;  // messages given to the part; those of its last chunk are lost if the disk fails
   std::optional<SessionTime> part_began_;     // time of the part's first message
   std::optional<SessionTime> waiting_since_;  // when a new part became due; it waits for a key frame
   SessionTime newest_{};

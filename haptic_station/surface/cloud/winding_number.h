@@ -16,7 +16,7 @@ namespace telepalp::surface {
 class WindingNumber {
  public:
   explicit WindingNumber(const models::PointModel& mesh);
-  /// Each point stands for a disc of its own area. Error: below 0.1 from 1.5 spacings off the cloud on.
+  /// Each point stands for a disc of its own area. Error: below 0.1 at distances above 1.5 spacings from the cloud.
   WindingNumber(const std::vector<CloudPoint>& cloud, const std::vector<double>& areas_m2);
 
   [[nodiscard]] double at(const Eigen::Vector3d& query) const;

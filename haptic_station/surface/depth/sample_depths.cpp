@@ -7,8 +7,8 @@ namespace {
 
 constexpr int kFirstImages = 8;             // each is checked until one shows levels
 constexpr int kCheckEvery = 32;             // period of the checks [images]
-constexpr double kStillOnLevels = 0.9;      // share of the pixels; the rest may be of an image put together by software
-constexpr std::uint64_t kFewPixels = 1000;  // an image with fewer measured pixels, as a black one, tells nothing
+constexpr double kStillOnLevels = 0.9;      // share of the pixels; software may have changed the others
+constexpr std::uint64_t kFewPixels = 1000;  // an image with fewer measured pixels is not checked
 
 }  // namespace
 

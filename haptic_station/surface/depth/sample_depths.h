@@ -9,8 +9,8 @@
 namespace telepalp::surface {
 
 /// Converts samples to depth. If the images themselves show that the camera measures disparity in whole steps, each
-/// sample gets the depth of its level, and otherwise its own value. One image in 32 is checked again, so that a change
-/// of the camera is noticed. Owner: surface thread.
+/// sample is replaced by the depth of its level; otherwise it is kept. One image in 32 is checked again, so that a
+/// change of the camera is noticed. Owner: surface thread.
 class SampleDepths {
  public:
   /// The depths of the next image of the stream.

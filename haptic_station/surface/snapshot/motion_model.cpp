@@ -20,7 +20,7 @@ Progress lived(double age_s, double freeze_from_s) noexcept {
   return {freeze_from_s + late - late * late / (2.0 * freeze_from_s), 1.0 - late / freeze_from_s};
 }
 
-/// The share at an age, and its rate; C1.
+/// Weight of a predicted motion at an age, and its derivative by age; both are continuous.
 Progress believed(const ForesightShare& share, double age_s) noexcept {
   const bool late = age_s > kForesightAges_s[1];
   const double from_s = kForesightAges_s[late ? 1 : 0];

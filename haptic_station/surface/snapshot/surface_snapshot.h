@@ -21,10 +21,10 @@ struct MotionBasis {
   MotionTerms rate{};
 };
 
-/// The ages at which the share of a prediction that is believed is known. Before the first one and after the last one
-/// it is constant.
+/// The prediction ages at which the weight of a predicted motion is learned. Between them it is interpolated; below the
+/// first one and above the last one it is constant.
 inline constexpr std::array kForesightAges_s{0.065, 0.12, 0.215};
-/// The share of a predicted motion that is believed, at each of these ages.
+/// Weight of a predicted motion at each of these ages: 1: fully applied, 0: ignored.
 using ForesightShare = std::array<double, kForesightAges_s.size()>;
 inline constexpr ForesightShare kFullForesight{1.0, 1.0, 1.0};
 

@@ -14,15 +14,16 @@ constexpr double kQuick_s = 0.07;
 constexpr double kCalmUpTo = 2.0;   // mean innovation [sigma]
 constexpr double kQuickFrom = 6.0;  // mean innovation [sigma]
 constexpr double kLeanGain = 0.3;
-constexpr double kOutlier = 4.0;          // a cell that deviates by more counts less [sigma] …
-constexpr double kOddShare = 0.3;         // … unless it deviates by less than this part of its expected innovation
-constexpr double kMovesWithIt = 0.3;      // least share of a cell whose innovation is asked for the median
-constexpr double kLeastAgreement = 0.85;  // share of the cells; fewer move apart, as when the camera is pushed
+constexpr double kOutlier = 4.0;      // a cell that deviates by more counts less [sigma] …
+constexpr double kOddShare = 0.3;     // … unless it deviates by less than this part of its expected innovation
+constexpr double kMovesWithIt = 0.3;  // least share of a cell that enters the median
+constexpr double kLeastAgreement =
+    0.85;  // share of the cells; with less, the motion is not shared: the camera was pushed
 constexpr int kLooks = 2;
 constexpr double kLearnOver_s = 6.0;
-constexpr double kFirstShare_m2 = 0.09e-6;  // before (0.3 mm)² of motion are seen, all cells are taken to move alike
+constexpr double kFirstShare_m2 = 0.09e-6;  // prior: until the variance exceeds (0.3 mm)², all shares are near 1
 constexpr double kJudgeOver_s = 10.0;
-constexpr double kGoodFaith = 1.5e-5;  // weight of the first guess that all of a prediction is right [m² s / s²]
+constexpr double kGoodFaith = 1.5e-5;  // weight of the prior that both coefficients are 1 [m² s / s²]
 
 }  // namespace
 
@@ -51,7 +52,7 @@ void SharedMotion::predict(std::span<const SharedPrediction> cells, double dt_s,
   rad_per_s_ = rad_per_s;
 }
 
-/// The median of what the cells say that move with the body.
+/// The median innovation, over the cells that move with the body.
 double SharedMotion::median_m(std::span<const SharedInnovation> seen) {
   said_m_.clear();
   for (std::size_t i = 0; i < seen.size(); ++i)
@@ -62,7 +63,7 @@ double SharedMotion::median_m(std::span<const SharedInnovation> seen) {
   return *middle;
 }
 
-/// Least squares over the cells; from the median on, those far off count little.
+/// Iterated least squares over the cells, starting at the median; outliers get small weights.
 SharedMotion::Estimate SharedMotion::estimate_of(std::span<const SharedInnovation> seen) {
   Estimate estimate{.m = median_m(seen)};
   for (int look = 0; look < kLooks; ++look) {
@@ -111,8 +112,8 @@ void SharedMotion::correct(std::span<const SharedInnovation> seen, double dt_s) 
   for (Judge& one : judges_) judge(one, dt_s);
 }
 
-/// Compares what came with the prediction of `one.ahead_s` ago. A motion that stops as suddenly as it begins, as a
-/// cough does, is thus predicted less far than a breath.
+/// Compares the motion of the last `one.ahead_s` with its prediction. A cough stops as suddenly as it begins, so its
+/// predictions get less weight than those of a breath.
 void SharedMotion::judge(Judge& one, double dt_s) noexcept {
   const double keep = std::exp(-dt_s / kJudgeOver_s);
   one.normal *= keep;

@@ -16,7 +16,7 @@ struct SharedInnovation {
   double sigma_m = 0.0;  ///< 1-sigma of `m` under noise alone; 0: not measured
 };
 
-/// What is predicted of a cell until the next frame, without the cell's own velocity.
+/// The prediction for a cell at the next frame, without the cell's own velocity.
 struct SharedPrediction {
   double change_m = 0.0;
   double speed_m_per_s = 0.0;
@@ -25,14 +25,14 @@ struct SharedPrediction {
 
 /// The motion that the whole body shares, such as a breath or a cough: one displacement over time, of which each cell
 /// shows a learned share. All cells measure it together, so its speed and acceleration are known far better than those
-/// of one cell. How far they tell the future is learned from how well they told it in the last seconds. Owner: surface
-/// thread.
+/// of one cell. The weight that predictions get is learned: past predictions are compared with the motion that
+/// followed. Owner: surface thread.
 class SharedMotion {
  public:
   explicit SharedMotion(std::size_t cells);
 
-  /// Moves on by `dt_s` as predicted for the cells. `rad_per_s`: rate at which predictions swing, so that they cannot
-  /// run away.
+  /// Advances the motion by `dt_s` to the weighted mean of the cells' predictions. `rad_per_s`: angular frequency of
+  /// the oscillation by which speed and acceleration are extrapolated, which bounds the extrapolation.
   void predict(std::span<const SharedPrediction> cells, double dt_s, double rad_per_s) noexcept;
   /// Updates the motion with a frame's innovations. Cells that deviate from the others count little.
   void correct(std::span<const SharedInnovation> seen, double dt_s);
@@ -42,10 +42,12 @@ class SharedMotion {
   /// The cell's part of the motion.
   [[nodiscard]] double share(std::size_t cell) const noexcept { return share_[cell]; }
   [[nodiscard]] double innovation_m() const noexcept { return innovation_m_; }  ///< of the last frame
-  [[nodiscard]] double corrected_m() const noexcept { return corrected_m_; }    ///< the part of it that was believed
+  [[nodiscard]] double corrected_m() const noexcept {
+    return corrected_m_;
+  }  ///< the part of it that the filter adopted
   [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
   [[nodiscard]] double acceleration_m_per_s2() const noexcept { return acceleration_m_per_s2_; }
-  /// Shares of speed and acceleration that were right in the last seconds.
+  /// Weights of the predictions from speed and from acceleration, learned over the last ten seconds.
   [[nodiscard]] ForesightShare speed_share() const noexcept { return right_share(0); }
   [[nodiscard]] ForesightShare acceleration_share() const noexcept { return right_share(1); }
 
@@ -60,12 +62,12 @@ class SharedMotion {
     double speed_m_per_s;
     double acceleration_m_per_s2;
   };
-  /// Regression of the motion that came on the motions that speed and acceleration had predicted for it.
+  /// Least-squares regression of the measured motion on the motions predicted from speed and from acceleration.
   struct Judge {
     double ahead_s = 0.0;  ///< age of the prediction
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
     Eigen::Vector2d came = Eigen::Vector2d::Zero();
-    Eigen::Vector2d right = Eigen::Vector2d::Ones();  ///< share of each that was right
+    Eigen::Vector2d right = Eigen::Vector2d::Ones();  ///< the regression's coefficients, in [0, 1]
   };
   struct Estimate {
     double m = 0.0;
@@ -80,7 +82,7 @@ class SharedMotion {
 
   std::vector<double> share_;
   std::vector<Moments> moments_;
-  std::vector<double> said_m_;  ///< scratch of median_m()
+  std::vector<double> said_m_;  ///< buffer of median_m()
   double mean_m_ = 0.0;         ///< of the shared displacement
   double variance_m2_ = 0.0;    ///< of the shared displacement
   double learned_s_ = 0.0;      ///< time over which the shares were learned

@@ -10,7 +10,7 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-constexpr int kBatch = 64;  // datagrams at once; then the thread serves its other sockets
+constexpr int kBatch = 64;  // the most datagrams read in one go; then the thread serves its other sockets
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void ClientDatagrams::close() noexcept {
   socket_.close(ignored);
 }
 
-/// Without a socket, nothing is heard, and the watch finds the path blocked.
+/// If no socket can be opened, no datagram arrives, and the PathWatch reports the path as blocked.
 void ClientDatagrams::change_socket() {
   ++socket_number_;
   error_code failed;
@@ -67,7 +67,7 @@ void ClientDatagrams::read_some() {
   for (int i = 0; i < kBatch && !closed_; ++i) {
     error_code failed;
     const std::size_t bytes = socket_.receive(asio::buffer(buffer_), 0, failed);
-    if (failed) break;  // nothing more, or the server's machine refused a datagram: it may be back later
+    if (failed) break;  // no datagram waits, or the server's machine refused one (ICMP); its server may come back
     (void)end_.received(std::span<const std::byte>(buffer_).first(bytes));
   }
   end_.pump();

@@ -10,8 +10,9 @@
 
 namespace telepalp::wire {
 
-/// The datagrams of a client's connection: a UDP socket to the server, and the client's end. Each attempt after a
-/// blocked one uses a new socket: a NAT may have forgotten the old one. Owner: the thread of `io`.
+/// The datagrams of a client's connection: a UDP socket to the server, and the client's end of the datagram link. After
+/// the path was blocked, a new socket is used, because a NAT may have dropped the mapping of the old one. Owner: the
+/// thread of `io`.
 class ClientDatagrams {
  public:
   struct Handlers {
@@ -25,7 +26,7 @@ class ClientDatagrams {
 
   void start();
   void close() noexcept;  ///< no handler is called any more
-  /// Takes another local port, as a NAT may do at any time.
+  /// Continues on another local port. For tests: to the server it looks like a NAT that changes its mapping.
   void change_socket();
 
   [[nodiscard]] const DatagramEnd& end() const noexcept { return end_; }
@@ -39,11 +40,10 @@ class ClientDatagrams {
   std::function<void(DatagramPhase)> on_phase_;
   boost::asio::ip::udp::socket socket_;
   DatagramEnd end_;
-  std::array<std::byte, link::kDatagramBytes + 1>
-      buffer_{};                     // one more: a longer datagram is not taken for a whole one
-  std::uint64_t socket_number_ = 0;  // a read of an earlier socket is no read of this one
+  std::array<std::byte, link::kDatagramBytes + 1> buffer_{};  // one byte more, to recognise datagrams that are too long
+  std::uint64_t socket_number_ = 0;                           // by it, a pending read of a replaced socket is ignored
   bool closed_ = false;
-  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending reads look at it
+  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending reads hold weak_ptrs to it
 };
 
 }  // namespace telepalp::wire

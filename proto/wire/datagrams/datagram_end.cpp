@@ -8,12 +8,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Time between reports on a path without frames: ten may be lost before the path counts as silent.
+/// Time between reports on a path without frames: the path counts as silent when ten in a row are lost.
 constexpr Nanoseconds kReportEvery = 100ms;
-/// A client begins when it has the offer and its clock is synchronised: two round trips later, by satellite 1.2 s.
+/// A client sends its first report once it has the offer and a synchronised clock. That takes two round trips: 1.2 s
+/// by satellite.
 constexpr Nanoseconds kUntilClientBegins = 1500ms;
 constexpr Nanoseconds kFullSocket = 1ms;
-/// Datagrams at once; then the thread serves its other sockets. A depth image is about a hundred.
+/// The most datagrams sent in one go; then the thread serves its other sockets. A depth image has about a hundred.
 constexpr int kBatch = 64;
 
 }  // namespace
@@ -44,7 +45,7 @@ std::optional<bool> DatagramEnd::received(std::span<const std::byte> datagram) {
   heard_at_ = now;
   if (std::exchange(answers_, link_.path().answers()) != link_.path().answers()) watch_.answered(now);
   take_frames(now);
-  if (!closed_) hear_wishes(now);
+  if (!closed_) request_key_frames(now);
   return newest;
 }
 
@@ -57,7 +58,7 @@ void DatagramEnd::take_frames(SessionTime now) {
   }
 }
 
-void DatagramEnd::hear_wishes(SessionTime now) {
+void DatagramEnd::request_key_frames(SessionTime now) {
   const std::uint16_t wanted = link_.key_frames_wanted();
   for (std::uint8_t channel = 0; channel < link::kMostChannels; ++channel) {
     const bool wants = ((wanted >> channel) & 1U) != 0;
@@ -66,7 +67,7 @@ void DatagramEnd::hear_wishes(SessionTime now) {
   }
 }
 
-/// A client reports unless the path is blocked, a server while the client does.
+/// True while this end sends reports: a client unless the path is blocked, a server while the client sends them.
 bool DatagramEnd::reports(SessionTime now) const noexcept {
   if (end_ == link::End::Server) return heard_at_ != SessionTime{} && now - heard_at_ <= PathWatch::kSilence;
   return watch_.phase() == DatagramPhase::Trying || watch_.phase() == DatagramPhase::Up;
@@ -78,10 +79,10 @@ void DatagramEnd::report_when_due(SessionTime now) {
   link_.want_report();
 }
 
-void DatagramEnd::tell_phase() {
+void DatagramEnd::report_phase() {
   const DatagramPhase phase = watch_.phase();
   const bool settled = phase == DatagramPhase::Up || phase == DatagramPhase::Blocked;
-  if (settled && std::exchange(told_, phase) != phase && handlers_.on_phase) handlers_.on_phase(phase);
+  if (settled && std::exchange(reported_phase_, phase) != phase && handlers_.on_phase) handlers_.on_phase(phase);
 }
 
 void DatagramEnd::offer_next(SessionTime now) {
@@ -107,8 +108,8 @@ void DatagramEnd::pump() {
   if (closed_) return;
   const SessionTime now = handlers_.now();
   watch_.step(now);
-  tell_phase();
-  if (closed_) return;  // the owner may end this end when it is told
+  report_phase();
+  if (closed_) return;  // the handler may have closed this end
   report_when_due(now);
   int sent = 0;
   while (sent < kBatch && send_next(now)) ++sent;
@@ -121,7 +122,7 @@ void DatagramEnd::pump() {
 }
 
 void DatagramEnd::wake_at(SessionTime at, SessionTime now) {
-  if (wakes_at_ && *wakes_at_ <= at) return;  // pump() will look again then
+  if (wakes_at_ && *wakes_at_ <= at) return;  // the timer already runs, and pump() sets it anew
   wakes_at_ = at;
   timer_.expires_after(std::max<Nanoseconds>(at - now, 0ns));
   timer_.async_wait([this, alive = std::weak_ptr<const bool>(alive_)](const boost::system::error_code& cancelled) {

@@ -15,30 +15,30 @@
 namespace telepalp::wire {
 
 /// One end of a connection's datagrams: the sealed link, the watch over its path, and the timer that both need. The
-/// owner has the socket. A client starts and keeps the path open by reports; a server answers them, and sends frames
-/// while the path is up. Owner: the thread of its executor.
+/// caller has the socket. The client opens the path and keeps it open by sending reports. The server answers the
+/// reports, and sends frames while the path is up. Owner: the thread of its executor.
 class DatagramEnd {
  public:
   struct Handlers {
     std::function<bool(std::span<const std::byte>)> send{};    ///< false: the socket is full, try again
-    std::function<std::optional<link::Frame>()> next_frame{};  ///< to send; null: this end sends none
-    std::function<void(link::Frame)> on_frame{};               ///< complete, and newer than the one before
-    /// The peer lacks a frame on which those of `channel` depend.
+    std::function<std::optional<link::Frame>()> next_frame{};  ///< the next frame to send; empty: this end sends none
+    std::function<void(link::Frame)> on_frame{};  ///< complete, and newer than all before it on its channel
+    /// The peer cannot decode `channel` until it gets a key frame.
     std::function<void(std::uint8_t channel)> on_key_frame_needed{};
-    std::function<void(DatagramPhase)> on_phase{};  ///< Up or Blocked, when it was another before
+    std::function<void(DatagramPhase)> on_phase{};  ///< called when the phase becomes Up or Blocked
     std::function<SessionTime()> now{};
   };
 
   DatagramEnd(const boost::asio::any_io_executor& executor, const link::SealSettings& seal, link::End end,
               Handlers handlers);
 
-  /// A client begins to report, and a server to wait for it.
+  /// Opens the path: a client begins to send reports, and a server begins to wait for them.
   void start();
-  /// Takes a datagram; as link::DatagramLink::received(). Call pump() after one or more.
+  /// Processes a received datagram, and returns what link::DatagramLink::received() returns. Call pump() afterwards.
   std::optional<bool> received(std::span<const std::byte> datagram);
-  /// Sends what may be sent now. Call it when next_frame() has a frame again.
+  /// Sends datagrams while the path and the socket have room. Call it when next_frame() has a frame again.
   void pump();
-  /// Nothing is called or sent any more.
+  /// Ends the timer: no handler is called afterwards, and nothing is sent.
   void close() noexcept;
 
   [[nodiscard]] DatagramPhase phase() const noexcept { return watch_.phase(); }
@@ -47,9 +47,9 @@ class DatagramEnd {
   [[nodiscard]] std::uint64_t late() const noexcept { return late_; }
 
  private:
-  void tell_phase();
+  void report_phase();
   void take_frames(SessionTime now);
-  void hear_wishes(SessionTime now);
+  void request_key_frames(SessionTime now);
   void report_when_due(SessionTime now);
   [[nodiscard]] bool reports(SessionTime now) const noexcept;
   void offer_next(SessionTime now);
@@ -61,16 +61,16 @@ class DatagramEnd {
   link::DatagramLink link_;
   PathWatch watch_;
   KeyFrameRepair repair_;
-  DatagramPhase told_ = DatagramPhase::Off;
-  std::uint64_t answers_ = 0;  // of link_.path(), when it was last looked at
-  SessionTime heard_at_{};     // the newest authenticated datagram
+  DatagramPhase reported_phase_ = DatagramPhase::Off;
+  std::uint64_t answers_ = 0;  // link_.path().answers() at the last received datagram
+  SessionTime heard_at_{};     // arrival of the newest authenticated datagram
   SessionTime reported_at_{};
-  std::optional<link::Datagram> unsent_;  // the socket was full
+  std::optional<link::Datagram> unsent_;  // waits until the socket has room
   std::uint64_t late_ = 0;
   bool closed_ = false;
   boost::asio::steady_timer timer_;
   std::optional<SessionTime> wakes_at_;                                     // nullopt: the timer does not run
-  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // an expired timer's handler looks at it
+  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // the timer's handlers hold weak_ptrs to it
 };
 
 }  // namespace telepalp::wire

@@ -16,22 +16,23 @@ inline constexpr std::string_view kDatagramKeyLabel = "EXPORTER-telepalp-datagra
 
 using KeyingMaterial = std::optional<std::array<std::byte, 32>>;
 
-/// The cipher that is quick on this processor, for Hello.
+/// The fastest cipher on this processor. A client names it in its Hello.
 [[nodiscard]] msg::DatagramCipher quick_cipher() noexcept;
 
-/// What both ends of an offer use, and the message that tells the client.
+/// A server's offer of datagrams: the message to the client, and the settings that both ends then use.
 struct DatagramOffer {
   msg::DatagramOffer message;
   link::SealSettings seal;
 };
 
-/// A server's offer to a client that named `wanted` in its Hello. AES-256-GCM if it is quick at both ends. `from_tls`:
-/// the session's secret; without TLS, which ends on this machine, the offer carries a secret drawn at random. nullopt:
-/// the client takes no datagrams, or this machine gives no random bytes.
+/// A server's offer to a client that named the cipher `wanted` in its Hello. The cipher is AES-256-GCM if it is the
+/// fastest at both ends, else ChaCha20-Poly1305. `from_tls`: the secret of the TLS session. Without TLS both ends are
+/// on one machine, and the offer carries a random secret. nullopt: the client takes no datagrams, or the operating
+/// system gives no random bytes.
 [[nodiscard]] std::optional<DatagramOffer> make_offer(std::uint32_t session, msg::DatagramCipher wanted,
                                                       const KeyingMaterial& from_tls);
 
-/// The client's side of `offer`; nullopt: it names an unknown cipher, or has no usable secret.
+/// The settings that a client uses for `offer`; nullopt: it names an unknown cipher, or has no usable secret.
 [[nodiscard]] std::optional<link::SealSettings> accept_offer(const msg::DatagramOffer& offer,
                                                              const KeyingMaterial& from_tls);
 

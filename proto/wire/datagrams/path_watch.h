@@ -9,12 +9,12 @@
 
 namespace telepalp::wire {
 
-/// Whether datagrams get through, as one end of a connection knows it. Images travel by datagram in the phase Up alone.
+/// Whether datagrams arrive at the peer, as one end of a connection knows it. Images go by datagram in Up only.
 enum class DatagramPhase {
-  Off,      ///< nothing was offered
-  Trying,   ///< offered; the peer has not answered a datagram yet
+  Off,      ///< the server has offered no datagrams
+  Trying,   ///< offered, but the peer has not answered a datagram yet
   Up,       ///< the peer answers
-  Blocked,  ///< no answer: a firewall, or the path is gone; it is tried again after a pause
+  Blocked,  ///< no answer, because of a firewall or an outage; tried again after a pause
 };
 enum class DatagramEvent { Offered, Answered, Silent, PauseOver };
 
@@ -55,11 +55,12 @@ inline constexpr DatagramRow kDatagramTransitions[] = {
 class PathWatch {
  public:
   static constexpr Nanoseconds kAnswerWithin =
-      std::chrono::milliseconds(1500);  ///< of the offer: with a slow TLS start
-  static constexpr Nanoseconds kSilence = std::chrono::seconds(1);
+      std::chrono::milliseconds(1500);  ///< from the offer to the first answer; long enough for a slow TLS handshake
+  static constexpr Nanoseconds kSilence = std::chrono::seconds(1);  ///< without an answer, before Up ends
   static constexpr Nanoseconds kFirstPause = std::chrono::seconds(2);
   static constexpr Nanoseconds kLongestPause = std::chrono::seconds(30);
-  static constexpr Nanoseconds kSteady = std::chrono::seconds(10);  ///< Up for so long: the pauses start again
+  static constexpr Nanoseconds kSteady =
+      std::chrono::seconds(10);  ///< after so long in Up, the next pause is kFirstPause again
 
   void offered(SessionTime now) noexcept { on(DatagramEvent::Offered, now); }
   /// The peer acknowledged a datagram of this end: the path works in both directions.
@@ -67,12 +68,12 @@ class PathWatch {
     answered_at_ = now;
     on(DatagramEvent::Answered, now);
   }
-  /// Call it when due() has come.
+  /// Call it at the time due().
   void step(SessionTime now) noexcept {
     const auto at = due();
     if (at && now >= *at) on(phase_ == DatagramPhase::Blocked ? DatagramEvent::PauseOver : DatagramEvent::Silent, now);
   }
-  /// When the phase changes if nothing is heard until then; nullopt: never.
+  /// When the phase changes unless the peer answers before; nullopt: never.
   [[nodiscard]] std::optional<SessionTime> due() const noexcept {
     switch (phase_) {
       case DatagramPhase::Trying:

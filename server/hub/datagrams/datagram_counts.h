@@ -4,13 +4,13 @@
 
 namespace telepalp::hub {
 
-/// What came to the server's UDP port.
+/// Numbers of datagrams that arrived at the server's UDP port.
 struct DatagramCounts {
-  std::uint64_t taken = 0;
-  std::uint64_t strangers = 0;  ///< of no session: garbage, or of a session that has ended
-  std::uint64_t malformed = 0;  ///< of a session, under a key that is not in use
-  std::uint64_t replayed = 0;
-  std::uint64_t forged = 0;  ///< of a session, and the tag is wrong
+  std::uint64_t taken = 0;      ///< accepted
+  std::uint64_t strangers = 0;  ///< named no running session: noise, or a session that has ended
+  std::uint64_t malformed = 0;  ///< named a session, and a key that is not in use
+  std::uint64_t replayed = 0;   ///< named a session, and came a second time
+  std::uint64_t forged = 0;     ///< named a session, and the authentication tag is wrong
 };
 
 }  // namespace telepalp::hub

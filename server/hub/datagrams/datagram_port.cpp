@@ -10,7 +10,7 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-/// Datagrams at once; then the thread serves its other sockets. A flood costs the other sockets no more than this.
+/// The most datagrams read in one go; then the thread serves its other sockets, so that a flood does not starve them.
 constexpr int kBatch = 64;
 
 }  // namespace
@@ -74,7 +74,7 @@ void DatagramPort::take(std::span<const std::byte> datagram, const Endpoint& fro
   Session& session = *found->second;
   const link::OpenerStatistics before = session.refused();
   session.received(datagram, from);
-  if (!sessions_.contains(header->session)) return;  // it ended with this datagram
+  if (!sessions_.contains(header->session)) return;  // the session ended while it processed this datagram
   const link::OpenerStatistics& after = session.refused();
   const std::uint64_t malformed = after.malformed - before.malformed;
   const std::uint64_t replayed = after.replayed - before.replayed;

@@ -14,8 +14,8 @@
 
 namespace telepalp::hub {
 
-/// The server's UDP socket, shared by the sessions of its peers. A datagram goes to the session that its header names;
-/// no refused one is answered. Owner: the network thread.
+/// The server's UDP socket, shared by the datagram sessions of its peers. A datagram goes to the session that its
+/// header names. A refused datagram is not answered. Owner: the network thread.
 class DatagramPort {
  public:
   using Endpoint = boost::asio::ip::udp::endpoint;
@@ -31,7 +31,7 @@ class DatagramPort {
   [[nodiscard]] boost::system::error_code open(const Endpoint& at);
   void close() noexcept;
 
-  /// Adds `session`, and returns its number, which is drawn at random. The caller removes it before it ends.
+  /// Adds `session` and returns its random number. The caller calls leave() before it destroys the session.
   std::uint32_t join(Session& session);
   void leave(std::uint32_t number) noexcept { sessions_.erase(number); }
 
@@ -47,11 +47,10 @@ class DatagramPort {
   void take(std::span<const std::byte> datagram, const Endpoint& from);
 
   boost::asio::ip::udp::socket socket_;
-  std::map<std::uint32_t, Session*> sessions_;  // one of each peer, so that the places of peers bound them
-  std::array<std::byte, link::kDatagramBytes + 1>
-      buffer_{};  // one more: a longer datagram is not taken for a whole one
+  std::map<std::uint32_t, Session*> sessions_;                // bounded: each peer has one, and their number is limited
+  std::array<std::byte, link::kDatagramBytes + 1> buffer_{};  // one byte more, to recognise datagrams that are too long
   DatagramCounts counts_;
-  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending reads look at it
+  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending reads hold weak_ptrs to it
 };
 
 }  // namespace telepalp::hub

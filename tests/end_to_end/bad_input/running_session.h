@@ -22,7 +22,7 @@ using SteadyClock = std::chrono::steady_clock;
 [[nodiscard]] bool comes(const std::filesystem::path& file, const std::string& phrase,
                          std::chrono::milliseconds patience = std::chrono::seconds(8));
 
-/// What a doctor's station published while something happened.
+/// The messages that a doctor's station published during an attack.
 struct Felt {
   std::size_t states = 0;    ///< of /station/state, published at 100 Hz
   std::size_t surfaces = 0;  ///< of /station/surface, one for each depth image that became touchable
@@ -49,9 +49,9 @@ class RunningSession {
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return ring_.folder.path() / name; }
   [[nodiscard]] std::string audit() const { return text_of(file("audit.log")); }
 
-  /// What the doctor felt during `attack`, which runs on this thread, and for a second after it.
+  /// The station's messages during `attack`, which runs on this thread, and for a second after it.
   [[nodiscard]] Felt during(const std::function<void()>& attack);
-  /// The same; checks that the session went on as before and that both programs stayed small.
+  /// Runs `attack` like during(), and expects no gap of 1 s in states and surfaces, and bounded memory.
   void expect_undisturbed_by(const std::function<void()>& attack);
 
  private:

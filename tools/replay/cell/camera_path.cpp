@@ -7,7 +7,8 @@
 namespace telepalp::replay {
 namespace {
 
-/// The secret differs for each link session. It protects nothing here: both ends are in this process.
+/// A secret that differs for each link session, so that datagrams of an earlier session are refused. It need not be
+/// secret, because both ends are in this process.
 link::DatagramLinkSettings settings_of(const Scenario& scenario, std::uint32_t link_session) {
   std::array<std::byte, link::Secret::kBytes> secret{};
   std::memcpy(secret.data(), &scenario.seed, sizeof scenario.seed);
@@ -48,8 +49,8 @@ void CameraPath::exchange(SessionTime now) {
   counts_.lost = down.lost + down.dropped;
 }
 
-/// Moves the packets that have crossed `from` into `to`. After a restart, datagrams of the session before still arrive;
-/// `to` refuses them, because they were sealed with another key.
+/// Delivers the packets that have arrived over `from` to `to`. After a restart, datagrams of the session before still
+/// arrive; `to` refuses them, because they were sealed with another key.
 void CameraPath::deliver(impaired::ImpairedLink& from, link::DatagramLink& to, SessionTime now) {
   while (const auto packet = from.receive(since_begin(now))) (void)to.received(packet->bytes, now);
 }

@@ -27,11 +27,11 @@ class CameraPath {
 
   /// Queues a frame at the server. True: it replaced a frame that was not sent.
   bool offer(link::Frame frame);
-  /// Moves what has arrived, and sends what is due. Call it once a tick.
+  /// Delivers the datagrams that have arrived, and sends those that are due. Call it once a tick.
   void exchange(SessionTime now);
   /// The next frame that is complete at the station.
   [[nodiscard]] std::optional<link::Frame> take(SessionTime now);
-  /// True if the station needs a depth frame that stands alone. Reading clears it.
+  /// True if the station needs a depth key frame. The call clears the request.
   [[nodiscard]] bool key_frame_wanted();
   /// True while the server is away.
   [[nodiscard]] bool server_is_away(SessionTime now) const noexcept;

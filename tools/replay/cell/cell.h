@@ -8,18 +8,18 @@
 
 namespace telepalp::replay {
 
-/// Counters of one run's frames. A frame counts once its deadline has passed, so that those on their way at the end do
-/// not look lost.
+/// Counters of one run's frames. A frame counts once its deadline has passed, so that
+/// frames on their way at the end do not count as lost.
 struct FrameCounts {
-  std::uint64_t offered = 0;  ///< captured while the server was there
-  std::uint64_t in_time = 0;  ///< depth, and colour if there is one, complete by the deadline
+  std::uint64_t offered = 0;  ///< captured while the server was running
+  std::uint64_t in_time = 0;  ///< depth and colour were complete by the deadline
   std::uint64_t touched = 0;  ///< became a surface
   std::uint64_t undecodable = 0;
   std::uint64_t offered_B = 0;  ///< of all frames
 };
 
-/// One run of the source over one network: the server's sender, the network and the station, in virtual time. Two cells
-/// share nothing that one of them writes, so that they may run on different threads. Pure but for `publish`.
+/// One run of the source over one network: the server's sender, the network and the station, in virtual time. Cells
+/// share no state that one of them writes, so that they may run on different threads. Pure, except for `publish`.
 class Cell {
  public:
   /// `truth`: empty for a recording.

@@ -18,10 +18,10 @@ class FrameSender {
   FrameSender(const Scenario& scenario, const TapeSettings& tape);
 
   void captured(std::shared_ptr<const TapeFrame> frame) { captured_.push_back(std::move(frame)); }
-  /// Offers what is encoded by `now`. Call it once a tick, before the path's exchange().
+  /// Offers the frames whose encoding is done by `now`. Call it once a tick, before the path's exchange().
   void step(SessionTime now, CameraPath& path, Stopwatch& watch);
 
-  /// A frame on its way, which the station gives back by number.
+  /// The frame that was sent under `number`; nullptr: unknown, or sent too long ago.
   [[nodiscard]] std::shared_ptr<const TapeFrame> sent(std::uint32_t number);
   /// Capture times of the frames that were offered, in order.
   [[nodiscard]] const std::vector<SessionTime>& offered() const noexcept { return offered_; }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRestHeight_m = 0.10;  // as in the station
 
-/// Heights below zero are what the person aims at; the arm yields, so the skin is indented less.
+/// Heights below zero are the person's targets inside the body; the arm yields, so the skin is indented less.
 constexpr auto kExamination = std::to_array<device::Waypoint>({
     {1.0, 0.0, 0.07, 0.0},  // above the waiting plane
     {0.6, 0.0, 0.02, 0.0},  // through the plane

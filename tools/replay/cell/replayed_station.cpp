@@ -87,12 +87,13 @@ ports::DeviceReading ReplayedStation::spoiled(ports::DeviceReading reading, Nano
   return reading;
 }
 
-/// `now`: as the station's clock shows it. Messages carry `true_now`, so that a fault of the clock disorders no topic.
+/// `now`: as the station's clock shows it. Messages carry `true_now`, so that a wrong clock does not put the messages
+/// of a topic out of order.
 void ReplayedStation::adopt(BuiltSurface built, SessionTime now, SessionTime true_now) {
   if (telemetry_) telemetry_->touchable(built, true_now);
   touchable_ = built.times;
   loop_.adopt(built.surface, now);
-  touched_ = std::move(built.surface.snapshot);  // after adopt(): the loop has let go of the one before
+  touched_ = std::move(built.surface.snapshot);  // after adopt(), when the loop no longer refers to the last snapshot
 }
 
 TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {

@@ -11,7 +11,7 @@
 
 namespace telepalp::replay {
 
-/// What all stations of a replay share.
+/// The settings that all stations of a replay share.
 struct StationSetup {
   const scenes::Scene& scene;
   surface::SurfaceSettings surface;
@@ -22,7 +22,7 @@ struct StationSetup {
 /// The outcome of one tick.
 struct TickOutcome {
   SessionTime at;
-  Point<HapticBase> device{};  ///< as it is, without an encoder's glitch
+  Point<HapticBase> device{};  ///< true position, without the scenario's encoder glitches
   loop::HapticLoop::Act act{};
   bool tracker_lost = false;
 };
@@ -52,8 +52,8 @@ class ReplayedStation {
   loop::HapticLoop loop_;
   SurfaceStage surfaces_;
   std::optional<FrameTimes> touchable_;
-  std::shared_ptr<const surface::SurfaceSnapshot> touched_;  // the loop borrows it
-  std::unique_ptr<Telemetry> telemetry_;                     // nullptr: nobody listens
+  std::shared_ptr<const surface::SurfaceSnapshot> touched_;  // the snapshot that the loop refers to
+  std::unique_ptr<Telemetry> telemetry_;                     // nullptr: no message is published
   Point<HapticBase> device_;
 };
 

@@ -8,10 +8,11 @@
 
 namespace telepalp::replay {
 
-/// Gets the messages of a station in the order of its publishing; empty: nobody listens, and none are made.
+/// Called with each message of a station, in order of publication; empty: no messages are made.
 using Publish = std::function<void(wire::Message)>;
 
-/// The times of one depth frame on its way to the hand [ns of session time]; 0: not reached.
+/// The times of one depth frame on its way to the hand [ns of session time]; 0: it did not get
+/// so far.
 struct FrameTimes {
   std::uint32_t number = 0;
   std::int64_t captured_ns = 0;

@@ -20,7 +20,7 @@ namespace telepalp::replay {
 struct ArrivedDepth {
   std::uint32_t number = 0;
   std::vector<std::byte> bytes{};                    ///< a serialised DepthImage
-  std::shared_ptr<const TapeFrame> taped = nullptr;  ///< what was sent; nullptr: unknown
+  std::shared_ptr<const TapeFrame> taped = nullptr;  ///< the frame as it was sent; nullptr: unknown
   SessionTime received{};
 };
 
@@ -31,15 +31,16 @@ struct BuiltSurface {
   double build_s = 0.0;
 };
 
-/// The station's surface thread in virtual time: while it works on a frame others wait, then it takes the newest, as
-/// the station does. Decoding and building take the time that the scenario gives them.
+/// The station's surface thread in virtual time: frames that arrive while it works wait; then it takes the newest, as
+/// the station does. Decoding and building take the times StageTimes of the scenario.
 class SurfaceStage {
  public:
   SurfaceStage(const StageTimes& stages, const surface::SurfaceSettings& settings,
                const Transform<HapticBase, DepthCamera>& haptic_from_camera, const effects::EffectBank& effects);
 
   void arrived(ArrivedDepth frame) { waiting_.push_back(std::move(frame)); }
-  /// Works until `now`. `device`: the middle of what the hand can reach. Returns a surface that becomes touchable now.
+  /// Works until `now`. `device`: centre of the region in which a surface is built. Returns a surface that becomes
+  /// touchable now.
   [[nodiscard]] std::optional<BuiltSurface> step(SessionTime now, const Point<HapticBase>& device, Stopwatch& watch);
   /// Frames that could not be decoded.
   [[nodiscard]] std::uint64_t undecodable() const noexcept { return undecodable_; }

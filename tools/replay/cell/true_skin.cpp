@@ -6,7 +6,7 @@
 namespace telepalp::replay {
 namespace {
 
-constexpr double kNear_m = 0.045;  // farther from the skin, the nearest point is not searched
+constexpr double kNear_m = 0.045;  // at a larger distance from the skin the nearest point is not computed
 
 bool is_at_object(control::Phase phase) noexcept {
   return control::is_inside(phase) && phase != control::Phase::InBody;

@@ -12,14 +12,14 @@ namespace telepalp::replay {
 
 inline constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-/// What figures need to know of one tick.
+/// The values of one tick from which the figures are computed.
 struct TickRecord {
   Eigen::Vector3f force_N = Eigen::Vector3f::Zero();  ///< in H
   control::Phase phase = control::Phase::Released;
   bool felt = false;               ///< the controller displays the skin or an object in it
   float depth_m = kUnknown;        ///< of the device below the true skin; negative: outside
-  float off_truth_N = kUnknown;    ///< force along the true normal beyond the force of the true skin
-  float surface_off_m = kUnknown;  ///< the displayed surface's distance from the device, beyond the true one's
+  float off_truth_N = kUnknown;    ///< along the true normal: displayed force minus the true skin's
+  float surface_off_m = kUnknown;  ///< device's distance to the displayed surface minus to the true one
   float surface_age_s = kUnknown;
   float passivity_J = 0.0F;
   float hand_excess_J = 0.0F;

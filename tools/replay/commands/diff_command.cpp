@@ -32,7 +32,8 @@ std::string fields_that_differ(const wire::Message& a, const wire::Message& b) {
       google::protobuf::MessageFactory::generated_factory()->GetPrototype(type);
   const std::unique_ptr<google::protobuf::Message> left(prototype->New());
   const std::unique_ptr<google::protobuf::Message> right(prototype->New());
-  if (!left->ParseFromString(*a.payload) || !right->ParseFromString(*b.payload)) return "one of them is damaged\n";
+  if (!left->ParseFromString(*a.payload) || !right->ParseFromString(*b.payload))
+    return "one of the two messages is damaged\n";
   std::string fields;
   google::protobuf::util::MessageDifferencer differencer;
   differencer.ReportDifferencesToString(&fields);

@@ -7,8 +7,8 @@
 
 namespace telepalp::replay {
 
-/// What the run was, its metrics beside the unimpaired run's, and the assertions: report.txt. The same run gives the
-/// same text.
+/// The text of report.txt: the settings of the run, its metrics beside those of the unimpaired run, and the assertions.
+/// The same run gives the same text.
 [[nodiscard]] std::string report_text(const Request& request, const RunResults& results,
                                       const std::vector<Judgement>& judgements);
 
@@ -19,7 +19,7 @@ namespace telepalp::replay {
 /// The assertions in the form that continuous integration servers read (JUnit's XML). `suite`: name of the run.
 [[nodiscard]] std::string junit_xml(const std::string& suite, const std::vector<Judgement>& judgements);
 
-/// Speed, and the share of each part in the processor time. Unlike the reports it differs from run to run.
+/// Speed, and the share of each part in the processor time. It differs each time, unlike the reports.
 [[nodiscard]] std::string cost_in_words(const RunResults& results, double wall_s);
 
 /// The network and the faults in one line: "80 ms ± 15 ms, 5 % lost in bursts of 4".

@@ -139,17 +139,18 @@ program::Usage usage() {
       .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
   for (const program::Option& option : network_options()) usage.options.push_back(option);
-  usage.options.insert(usage.options.end(), {{"hand", "recorded|examine", "default: the session's, if it has one"},
-                                             {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
-                                             {"seconds", "S", "0: a recording once, or 20 s of a patient", "0"},
-                                             {"threads", "N", "0: all cores; changes no result", "0"},
-                                             {"sweep", "AXIS=… AXIS=…", "a grid: delay=0:50:300 loss=0,1,5,10%"},
-                                             {"storm", "SEEDS", "draw so many cases from seeds, and check each tick"},
-                                             {"check", "", "check each tick as a storm does"},
-                                             {"out", "DIR", "for sessions, reports, tables and heat maps"},
-                                             {"assert", "LIST", "METRIC<NUMBER,…; exit 1 if one does not hold"},
-                                             {"junit", "FILE", "the assertions as a JUnit report"},
-                                             {"json", "", "print report.json instead of the table"}});
+  usage.options.insert(usage.options.end(),
+                       {{"hand", "recorded|examine", "default: recorded, if the session has a hand"},
+                        {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
+                        {"seconds", "S", "0: the whole recording, or 20 s of a patient", "0"},
+                        {"threads", "N", "0: all cores; changes no result", "0"},
+                        {"sweep", "AXIS=… AXIS=…", "a grid: delay=0:50:300 loss=0,1,5,10%"},
+                        {"storm", "SEEDS", "check the invariants in this many random cases"},
+                        {"check", "", "check the invariants of --storm at each tick"},
+                        {"out", "DIR", "for sessions, reports, tables and heat maps"},
+                        {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one does not hold"},
+                        {"junit", "FILE", "the assertions as a JUnit report"},
+                        {"json", "", "print report.json instead of the table"}});
   return usage;
 }
 

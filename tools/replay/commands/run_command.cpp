@@ -56,7 +56,7 @@ Result<void> write_reports(const Request& request, const std::string& text, cons
   return program::write_whole_file(request.junit, junit_xml(request.source, judgements), program::Readers::Anyone);
 }
 
-/// Lets the invariants see what the run does.
+/// Passes the run's ticks and messages to the invariants.
 void check_with(Invariants& invariants, RunOrder& order) {
   order.publish = [&invariants, publish = order.publish](const wire::Message& message) {
     invariants.add(message);

@@ -8,12 +8,12 @@
 
 namespace telepalp::replay {
 
-/// A session file with what a replayed station publishes. The same run gives the same bytes.
+/// A session file with the messages of a replayed station. The same run gives the same bytes.
 class StationFile {
  public:
   [[nodiscard]] static Result<std::unique_ptr<StationFile>> open(const std::filesystem::path& file,
                                                                  const Request& request);
-  /// Writes a message. After an error, later messages are ignored and close() tells the error.
+  /// Writes a message. After an error, later messages are ignored and close() returns the error.
   void write(const wire::Message& message);
   [[nodiscard]] Result<void> close();
 

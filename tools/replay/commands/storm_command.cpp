@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kName = "telepalp-replay";
 
-/// What the threads of a storm find.
+/// The results of a storm, written by its threads.
 class Findings {
  public:
   explicit Findings(int seeds) : bar_(seeds) {}
@@ -53,9 +53,10 @@ Result<void> print_shrunk(std::uint64_t seed) {
   if (!simplest) return simplest.error();
   const Result<StormOutcome> outcome = run_case(*simplest);
   if (!outcome) return outcome.error();
-  std::printf("seed %llu: %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
-              outcome->violation ? in_words(*outcome->violation).c_str() : "holds when it runs alone",
-              command_line(*simplest).c_str());
+  std::printf(
+      "seed %llu: %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
+      outcome->violation ? in_words(*outcome->violation).c_str() : "all invariants hold when this case runs alone",
+      command_line(*simplest).c_str());
   std::fflush(stdout);  // the next seed takes a while to shrink
   return {};
 }

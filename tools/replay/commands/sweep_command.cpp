@@ -16,7 +16,7 @@ namespace {
 constexpr auto kMaps = std::to_array<std::string_view>(
     {"force_rmse_N", "true_force_rmse_N", "contact_lost_pct", "surface_age_p50_s", "frames_in_time_pct"});
 
-/// What is asked of one cell, under the name of the cell.
+/// The assertions of one cell, with the cell's name in front.
 std::vector<Judgement> judge_cells(const Request& request, const SweepResult& result) {
   std::vector<Judgement> all;
   for (std::size_t i = 0; i < result.cells.size(); ++i) {

@@ -8,16 +8,16 @@
 
 namespace telepalp::replay {
 
-/// The figures of a sweep: those of `cells[i]` are `figures[i]`.
+/// The figures of a sweep: `figures[i]` are those of `cells[i]`.
 struct SweepResult {
   const std::vector<SweepAxis>& axes;
   const std::vector<SweepCell>& cells;
   std::vector<Figures> figures;
 };
 
-/// One line a cell with the metrics that matter first.
+/// One line for each cell, with eight of the metrics.
 [[nodiscard]] std::string sweep_text(const SweepResult& result);
-/// One line a cell with all metrics; the first line names the columns.
+/// One line for each cell, with all metrics; the first line names the columns.
 [[nodiscard]] std::string sweep_csv(const SweepResult& result);
 [[nodiscard]] std::string sweep_json(const SweepResult& result, const std::string& source);
 /// The metric over the first two axes, at the first value of all others, as SVG.

@@ -11,7 +11,7 @@ namespace telepalp::replay {
 
 enum class Comparison { Less, AtMost, More, AtLeast };
 
-/// What a user asks of one metric: "force_rmse_N<0.05".
+/// A limit that a user sets for one metric: "force_rmse_N<0.05".
 struct Assertion {
   const Metric* metric = nullptr;
   Comparison comparison = Comparison::Less;
@@ -29,7 +29,7 @@ struct Judgement {
   bool holds = false;
   std::string reason;  ///< empty if it holds: "force_rmse_N is 0.07"
 };
-/// A metric that is not known does not hold.
+/// An assertion fails if its metric is NaN.
 [[nodiscard]] std::vector<Judgement> judge(const std::vector<Assertion>& assertions, const Figures& figures);
 
 }  // namespace telepalp::replay

@@ -44,7 +44,7 @@ void FigureSum::add_force(const TickRecord& tick, const TickRecord& unimpaired) 
   largest_excess_J_ = std::max(largest_excess_J_, double{tick.hand_excess_J});
 }
 
-/// Where the true skin is known it decides whether something should be felt, else the unimpaired run does.
+/// Whether the skin should be felt: decided by the true skin or, where it is unknown, by the unimpaired run.
 void FigureSum::add_contact(const TickRecord& tick, const TickRecord& unimpaired) {
   const bool should = std::isfinite(tick.depth_m) ? tick.depth_m > kSurelyInside_m : unimpaired.felt;
   if (should) ++should_feel_;

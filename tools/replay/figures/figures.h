@@ -9,8 +9,8 @@
 
 namespace telepalp::replay {
 
-/// What one run did to the hand, in plain numbers. A figure that cannot be known is NaN: without a true skin, or where
-/// nothing was touched.
+/// What the hand felt in one run, in numbers. A figure that cannot be computed is NaN, for example because the source
+/// has no true skin, or because nothing was touched.
 struct Figures {
   double seconds = 0.0;
   double force_rmse_N = 0.0;       ///< against the unimpaired run, tick by tick, over all ticks
@@ -29,7 +29,7 @@ struct Figures {
   double surface_age_p99_s = 0.0;
   double energy_J = 0.0;       ///< least balance of the display's ledger; below zero the display was active
   double hand_excess_J = 0.0;  ///< largest work on the hand in a contact beyond the measured skin's
-  double frames = 0.0;         ///< offered to the network, and past their deadline
+  double frames = 0.0;         ///< number of frames offered to the network whose deadline has passed
   double frames_in_time_pct = 0.0;
   double frames_touched_pct = 0.0;
   double network_p50_s = 0.0;  ///< from encoded to received, of touched frames
@@ -37,16 +37,16 @@ struct Figures {
   double station_p50_s = 0.0;  ///< from received to touchable
   double total_p50_s = 0.0;    ///< from captured to touchable
   double total_p99_s = 0.0;
-  double content_B = 0.0;   ///< of the encoded frames
-  double sent_B = 0.0;      ///< by the server, repairs included
-  double answered_B = 0.0;  ///< by the station
+  double content_B = 0.0;   ///< size of the encoded frames
+  double sent_B = 0.0;      ///< sent by the server, with repairs
+  double answered_B = 0.0;  ///< sent by the station
   double datagrams_lost = 0.0;
 };
 
 /// Accumulates the figures of a run, window by window.
 class FigureSum {
  public:
-  /// `ticks`: of this run. `unimpaired`: the same ticks of the unimpaired run; the run itself for the unimpaired one.
+  /// `ticks`: of this run. `unimpaired`: the same ticks in the unimpaired run; for that run itself, `ticks` again.
   void add(std::span<const TickRecord> ticks, std::span<const TickRecord> unimpaired);
   void add(const std::vector<FrameTimes>& touchable);
   [[nodiscard]] Figures figures(const Cell& cell) const;

@@ -13,9 +13,9 @@ namespace telepalp::replay {
 namespace {
 
 constexpr Nanoseconds kWindow{500'000'000};
-constexpr double kLongestStart_s = 10.0;  // frames without a place for the scene
+constexpr double kLongestStart_s = 10.0;  // of frames in which the scene cannot be placed
 
-/// One run with what it accumulates.
+/// One run with its cell, its figures and its recent ticks.
 struct Running {
   Running(const StationSetup& setup, RunOrder& order, const Tape& tape)
       : cell(setup, order.scenario, tape.settings(), tape.truth(), std::move(order.publish)),

@@ -7,7 +7,7 @@
 
 namespace telepalp::replay {
 
-/// What to run: a source, a scene and a hand. They are the same for each network.
+/// The settings that all runs share.
 struct RunSettings {
   const scenes::Scene& scene;
   surface::SurfaceSettings surface;
@@ -19,8 +19,9 @@ struct RunSettings {
 /// One network to run the source over.
 struct RunOrder {
   Scenario scenario;
-  Publish publish = {};  ///< called on one thread at a time, in the order of the session
-  std::function<void(const std::vector<TickRecord>&)> on_ticks = {};  ///< called with each window of ticks, likewise
+  Publish publish = {};  ///< called with each message in order, on one thread at a time
+  std::function<void(const std::vector<TickRecord>&)> on_ticks =
+      {};  ///< called with the ticks of each window in order, on one thread at a time
 };
 
 struct RunResult {
@@ -35,9 +36,9 @@ struct RunResults {
 };
 
 /// Runs the tape over the networks of `orders`, side by side, window by window: the tape is read once, and memory holds
-/// a few windows at any length. The first order is what the others are compared with. `progress`: called after each
+/// a few windows at any length. The other runs are compared with that of the first order. `progress`: called after each
 /// window with the session time that is done. Error: the source has no frame in which the scene can be placed, or
-/// cannot be read on.
+/// cannot be read.
 [[nodiscard]] Result<RunResults> run_session(Tape& tape, const RunSettings& settings, std::vector<RunOrder> orders,
                                              const std::function<void(double seconds)>& progress = {});
 

@@ -12,7 +12,7 @@ inline constexpr std::size_t kPartCount = 8;
 inline constexpr std::array<const char*, kPartCount> kPartNames{"source", "encode", "link",  "decode",
                                                                 "build",  "loop",   "judge", "record"};
 
-/// Reads a clock [ns]. The simulation itself has no clock: its caller may lend one to learn what each part costs.
+/// Reads a clock [ns]. The simulation has no clock of its own; its caller passes one to measure the cost of the parts.
 using CostClock = std::int64_t (*)() noexcept;
 [[nodiscard]] inline std::int64_t no_clock() noexcept { return 0; }
 
@@ -21,7 +21,7 @@ class Stopwatch {
  public:
   explicit Stopwatch(CostClock clock = no_clock) noexcept : clock_(clock) {}
 
-  /// Runs `work` and books its cost to `part`.
+  /// Runs `work` and adds its cost to `part`.
   template <class Work>
   decltype(auto) time(Part part, Work&& work) {
     const Booking booking(*this, part);

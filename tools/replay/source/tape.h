@@ -14,11 +14,11 @@
 
 namespace telepalp::replay {
 
-/// One frame of the source with what all runs share: it is read, encoded and decoded once.
+/// One frame of the source. All runs share it, so that it is read, encoded and decoded once.
 struct TapeFrame {
   std::uint32_t number = 0;  ///< from 0
   RgbdFrame frame;           ///< without colour; `captured` is in the replay's session time
-  std::string depth;         ///< a serialised DepthImage; empty: each run encodes for itself
+  std::string depth;         ///< a serialised DepthImage; empty: each run encodes the frame itself
   std::string color;         ///< a serialised CompressedImage; empty: no colour
 };
 using TapeFrames = std::vector<std::shared_ptr<const TapeFrame>>;  // shared: frames are in flight in many runs
@@ -35,7 +35,8 @@ struct TapeSettings {
   CostClock clock = no_clock;
 };
 
-/// The frames of a source in the replay's session time, window by window, so that memory is bounded at any length.
+/// The frames of a source in the replay's session time. They are read in windows of time, so that memory is bounded at
+/// any length.
 class Tape {
  public:
   /// `source`: a *.mcap or *.oni file, or what `--source` of the server names: oni:FILE, images:DIR, pcd:FILE,
@@ -45,15 +46,16 @@ class Tape {
   Tape(Tape&&) noexcept;
   Tape& operator=(Tape&&) noexcept;
 
-  /// The frames that were captured before `until` and not returned yet. Error: a frame that changes on its way through
-  /// the encoder and the decoder.
+  /// The frames that were captured before `until` and not returned yet. Error: decoding a losslessly encoded frame
+  /// gives other depth.
   [[nodiscard]] Result<TapeFrames> read_until(SessionTime until);
   /// True when no frame follows.
   [[nodiscard]] bool ended() const noexcept;
 
-  /// The truth, for a synthetic source; empty for a recording.
+  /// The true surface of a synthetic source; empty for a recording.
   [[nodiscard]] const TruthAt& truth() const noexcept;
-  /// False: frames are predicted from frames before, so that each run encodes what its own losses ask for.
+  /// False in the modes with predicted frames: each run encodes for itself, because its losses decide which frames are
+  /// key frames.
   [[nodiscard]] bool is_encoded() const noexcept;
   [[nodiscard]] const TapeSettings& settings() const noexcept;
   [[nodiscard]] const Stopwatch& costs() const noexcept;

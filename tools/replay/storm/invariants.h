@@ -11,9 +11,9 @@ namespace telepalp::replay {
 
 /// What must hold at every tick, whatever the network and the faults do:
 /// - the force is finite, at most the scene's peak, and changes by at most the scene's slew;
-/// - neither energy ledger leaves its bound; the hand's is not judged in a contact whose surface was older than 0.9 s,
-///   because a station that lets go does less work than the skin would take;
-/// - 0.5 s after the newest surface is 2.5 s old, or was forgotten, the station has let go;
+/// - neither energy ledger leaves its bound. The ledger of the hand is not checked in a contact whose surface was older
+///   than 0.9 s, because a station that lets go does less work on the hand than the skin would;
+/// - 0.5 s after the newest surface is 2.5 s old, the station has let go;
 /// - 3 s after the last fault, a device that stays deeper than 5 mm in the true skin, on surfaces younger than 0.8 s,
 ///   feels it within 1.5 s;
 /// - on each topic times do not go back, and ticks are numbered without a gap.
@@ -42,7 +42,7 @@ class Invariants {
   [[nodiscard]] Nanoseconds now() const noexcept { return kTick * ticks_; }
 
   control::ControlSettings control_;
-  Nanoseconds calm_from_{0};  ///< the last fault is this long past
+  Nanoseconds calm_from_{0};  ///< when the last fault's effects are over; since the session's start
   std::int64_t ticks_ = 0;
   Eigen::Vector3f last_force_N_ = Eigen::Vector3f::Zero();
   Nanoseconds stale_{0};   ///< for how long the surface has been too old

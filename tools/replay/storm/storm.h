@@ -8,7 +8,7 @@
 
 namespace telepalp::replay {
 
-/// Changes each tick before it is judged; only a test that plants a defect gives one.
+/// Changes each tick before it is checked. Only tests use it, to plant a defect.
 using Spoil = std::function<void(TickRecord&)>;
 
 /// The outcome of one case.

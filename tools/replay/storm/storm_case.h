@@ -24,7 +24,8 @@ struct StormCase {
 /// The command line that repeats a case, without the program's name.
 [[nodiscard]] std::string command_line(const StormCase& storm);
 
-/// Makes a case simpler by one part: a fault less, a network figure at its best, a still patient, the plain scene.
+/// Makes a case simpler by one part: one fault fewer, an unimpaired network figure, a patient who does not
+/// move, or the plain scene.
 using Simplification = void (*)(StormCase& storm);
 [[nodiscard]] std::span<const Simplification> simplifications() noexcept;
 

@@ -95,11 +95,11 @@ std::vector<program::Option> network_options() {
   for (const Share& share : shares()) options.push_back(share.option);
   options.insert(options.end(), {{"outage", "10s+500ms", "nothing crosses the network; several with commas"},
                                  {"restart", "10s+2s", "the server is away"},
-                                 {"tracker-lost", "10s+2s", "no samples of the hand"},
+                                 {"tracker-lost", "10s+2s", "the tracker gives no samples"},
                                  {"glitch", "10s+4ms:MM", "the device's encoder is off by MM"},
                                  {"clock-step", "10s+2s:60ms", "the station's clock is wrong"},
-                                 {"deadline-ms", "MS", "of a frame, from its capture; default: 100 + delay"},
-                                 {"seed", "N", "of network and tracker", "1"}});
+                                 {"deadline-ms", "MS", "deadline of a frame; default: 100 + delay"},
+                                 {"seed", "N", "seed of network and tracker", "1"}});
   return options;
 }
 

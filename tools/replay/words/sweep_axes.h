@@ -28,8 +28,8 @@ struct SweepCell {
 /// than 1000 values.
 [[nodiscard]] Result<std::vector<SweepAxis>> parse_axes(const std::vector<std::string>& words);
 
-/// Every combination of the axes' values, the last axis fastest; what no axis sets is as in `base`. The deadline
-/// follows the delay if `deadline_follows`. Error: more than 4096 cells.
+/// Every combination of the axes' values; the last axis varies fastest. Figures without an axis are as in `base`. If
+/// `deadline_follows`, each cell has the deadline usual_deadline(). Error: more than 4096 cells.
 [[nodiscard]] Result<std::vector<SweepCell>> sweep_cells(const std::vector<SweepAxis>& axes, const Scenario& base,
                                                          bool deadline_follows);
 

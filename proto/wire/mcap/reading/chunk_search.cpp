@@ -10,7 +10,7 @@
 namespace telepalp::wire::mcap {
 namespace {
 
-// Mostly the next chunk is near. A file with many damaged places must not cost a large window for each.
+// The window is small, because the next chunk is usually near, and a file may have many damaged places.
 constexpr std::uint64_t kFirstWindowBytes = std::uint64_t{1} << 10;
 constexpr std::uint64_t kLargestWindowBytes = std::uint64_t{1} << 20;
 constexpr std::uint64_t kFixedHeaderBytes = 8 + 8 + 8 + 4 + 4 + 8;  // of a chunk without the name of its compression

@@ -13,8 +13,8 @@ using mcap::StoredMessage;
 
 namespace {
 
-/// False for the opcode 0, which the specification reserves, and for ends of the data of a wrong length: a damaged head
-/// would otherwise hide the rest of the file.
+/// False for the opcode 0, which the specification reserves, and for end-of-data records of a wrong length: a damaged
+/// head would otherwise hide the rest of the file.
 bool is_plausible(const RecordHead& head) noexcept {
   constexpr std::uint64_t kDataEndBytes = 4;
   constexpr std::uint64_t kFooterBytes = 20;
