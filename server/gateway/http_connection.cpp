@@ -80,7 +80,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
       close();
   }
 
-  /// A browser that was told http:// where https:// is spoken.
+  /// Answers a browser that sends plain HTTP to this TLS port.
   void say_https() {
     static constexpr std::string_view kText =
         "HTTP/1.1 400 Bad Request\r\nContent-Type: text/plain\r\nConnection: close\r\nContent-Length: 44\r\n\r\n"

@@ -13,7 +13,7 @@
 #include "messages/playback.pb.h"
 #include "proto/wire/session_clock.h"
 #include "server/playback/playback_command.h"
-#include "server/playback/time_map.h"
+#include "server/playback/retimed.h"
 #include "server/playback/timeline.h"
 
 namespace telepalp::playback {

@@ -91,8 +91,8 @@ void add_force(foxglove::SceneUpdate& scene, const msg::StationState& station) {
 
 /// The hand's attitude as a unit quaternion; the identity when the station sent none, or one that is not a rotation.
 Eigen::Quaterniond attitude(const msg::StationState& station) {
-  const msg::Rotation& told = station.hand_attitude_camera();
-  const Eigen::Quaterniond q(told.w(), told.x(), told.y(), told.z());
+  const msg::Rotation& rotation = station.hand_attitude_camera();
+  const Eigen::Quaterniond q(rotation.w(), rotation.x(), rotation.y(), rotation.z());
   return std::abs(q.norm() - 1.0) < 0.01 ? q.normalized() : Eigen::Quaterniond::Identity();
 }
 

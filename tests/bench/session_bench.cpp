@@ -119,8 +119,8 @@ Opening open_in_child(const fs::path& file, double from_s) {
     rusage used{};
     ::getrusage(RUSAGE_SELF, &used);
     opening.peak_MB = static_cast<double>(used.ru_maxrss) / 1024.0;
-    const bool told = ::write(ends[1], &opening, sizeof opening) == static_cast<ssize_t>(sizeof opening);
-    ::_exit(told ? 0 : 1);
+    const bool written = ::write(ends[1], &opening, sizeof opening) == static_cast<ssize_t>(sizeof opening);
+    ::_exit(written ? 0 : 1);
   }
   ::close(ends[1]);
   if (::read(ends[0], &opening, sizeof opening) != static_cast<ssize_t>(sizeof opening)) opening = {-1.0, -1.0};

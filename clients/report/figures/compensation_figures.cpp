@@ -33,8 +33,8 @@ Chart chart_of(std::string title, std::string unit, std::vector<Series> series) 
 /// `take` of the object with the number `at` of every message; 0 where the message has no such object.
 template <class Take>
 Series over_object(const Session& session, int at, std::string name, std::string_view color, Take take) {
-  return over_time(session, std::move(name), color, [at, take](const msg::StationCompensation& told) {
-    return at < told.objects_size() ? take(told.objects(at)) : 0.0;
+  return over_time(session, std::move(name), color, [at, take](const msg::StationCompensation& message) {
+    return at < message.objects_size() ? take(message.objects(at)) : 0.0;
   });
 }
 

@@ -17,9 +17,9 @@ template <class Messages, class Take>
 Series over_time(const Session& session, const Messages& messages, std::string name, std::string_view color,
                  Take take) {
   Series series{std::move(name), {}, {}, std::string(color)};
-  for (const auto& told : messages) {
-    const auto since_ns = static_cast<std::int64_t>(told.stamp_ns()) - session.first_ns.value_or(0);
-    const double value = take(told);
+  for (const auto& message : messages) {
+    const auto since_ns = static_cast<std::int64_t>(message.stamp_ns()) - session.first_ns.value_or(0);
+    const double value = take(message);
     series.x.push_back(static_cast<double>(since_ns) * 1e-9);
     series.y.push_back(std::isfinite(value) ? value : kUnknown);
   }
@@ -31,7 +31,7 @@ Series over_time(const Session& session, const Messages& messages, std::string n
 std::vector<Chart> energy(const Session& session) {
   if (session.states.empty()) return {};
   using State = const msg::StationState&;
-  using Told = const msg::StationCompensation&;
+  using Message = const msg::StationCompensation&;
   return {{.title = "Energy of the contact",
            .x = {"time [s]"},
            .y = {"energy [mJ]", plot::Range{0.0, 0.0}},
@@ -40,7 +40,7 @@ std::vector<Chart> energy(const Session& session) {
                       over_time(session, session.states, "given to the hand beyond the measured skin", plot::kVermilion,
                                 [](State s) { return s.hand_excess_j() * 1e3; }),
                       over_time(session, session.compensations, "by lift and position control", plot::kGrey,
-                                [](Told t) { return t.drive_j() * 1e3; })},
+                                [](Message m) { return m.drive_j() * 1e3; })},
            .height_px = 240.0}};
 }
 

@@ -21,7 +21,7 @@ struct SessionInfo {
   std::string source;         ///< address of the recorded server ("127.0.0.1:7000"), or a file
   std::string scene;          ///< text of the scene file, or empty
   std::string recorded_by{};  ///< person or account: "doctor anna"; empty: not stated
-  std::string consent{};      ///< the patient's consent, as the recorder was told; empty: not stated
+  std::string consent{};      ///< the patient's consent, as stated to the recorder; empty: not stated
 };
 inline constexpr std::string_view kSessionMetadata = "telepalp.session";
 inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  ///< results known at the recording's end

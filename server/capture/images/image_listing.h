@@ -17,7 +17,7 @@ struct ImagePair {
 
 /// Orders the images of a directory into a sequence. Three layouts are recognised:
 ///   depth/ and rgb/ (or color/) with equal file names in both,
-///   depth and colour side by side, told apart by a word in the name: frame_7_depth.tiff, frame_7_rgb.tiff, and
+///   depth and colour side by side, distinguished by a word in the name: frame_7_depth.tiff, frame_7_rgb.tiff, and
 ///   depth alone: 30.png, 50.png, ….
 /// `files` are relative paths; files other than PNG and TIFF are ignored. Names are ordered by their last number, which
 /// must increase in equal steps; names with a time of day (…T142255.814212) are ordered as text. `where`: the

@@ -271,8 +271,8 @@ TEST(EnergyFigures, DrawBothLedgersAndHeatOnlyWhereItWasNear) {
   ASSERT_EQ(energy(warm).size(), 1U);
   EXPECT_EQ(energy(warm)[0].series.size(), 3U);
   ASSERT_EQ(heat(warm).size(), 1U);
-  const auto told = std::ranges::count_if(heat(warm)[0].series[0].y, [](double s) { return std::isfinite(s); });
-  EXPECT_NEAR(static_cast<double>(told), 29.0, 2.0) << "0.3 s of states, the rest is a gap";
+  const auto warned = std::ranges::count_if(heat(warm)[0].series[0].y, [](double s) { return std::isfinite(s); });
+  EXPECT_NEAR(static_cast<double>(warned), 29.0, 2.0) << "0.3 s of states, the rest is a gap";
   EXPECT_TRUE(heat(session_of({.seconds = 1.0})).empty());
   EXPECT_TRUE(energy(session_of({.seconds = 1.0, .with_station = false})).empty());
 }

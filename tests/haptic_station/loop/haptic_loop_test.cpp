@@ -133,15 +133,15 @@ TEST(HapticLoop, TellsTheHandsAttitudePredictedToNowInTheCamerasFrame) {
   const auto turned = [](int tick) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(2.0 * tick * kTick_s, Eigen::Vector3d::UnitY()));
   };
-  TickSample told;
+  TickSample sample;
   for (int tick = 0; tick < 2010; ++tick) {
     if (tick == 10) {
-      EXPECT_EQ(told.hand_attitude_camera, (std::array<float, 4>{})) << "no hand yet";
+      EXPECT_EQ(sample.hand_attitude_camera, (std::array<float, 4>{})) << "no hand yet";
     }
     if (tick >= 10 && tick % 20 == 0) loop.hand_sampled(at_tick(tick), {{0.0, 0.02, 0.0}}, turned(tick));
-    told = loop.tick({.at = {{0.0, 0.03, 0.0}}, .velocity = {}}, at_tick(tick), kTick_s).sample;
+    sample = loop.tick({.at = {{0.0, 0.03, 0.0}}, .velocity = {}}, at_tick(tick), kTick_s).sample;
   }
-  const auto& q = told.hand_attitude_camera;
+  const auto& q = sample.hand_attitude_camera;
   const Eigen::Quaterniond got(q[3], q[0], q[1], q[2]);
   EXPECT_LT(got.angularDistance(camera_turn.conjugate() * turned(2009)), 0.002);
 }

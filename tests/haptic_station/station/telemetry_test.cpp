@@ -96,14 +96,14 @@ TEST(CompensationMessage, TellsWhereEachObjectInTheBodyIsAndHowWellThatIsKnown) 
                              .moved = {0.0F, 0.01F, 0.0F},
                              .sigma_normal_m = 0.0003F,
                              .sigma_slide_m = 0.004F};
-  const msg::StationCompensation told = compensation_message(compensation);
-  ASSERT_EQ(told.objects_size(), 1) << "an effect that is no object has no place";
-  EXPECT_EQ(told.objects(0).name(), "sphere");
-  EXPECT_EQ(told.objects(0).effect(), 2u);
-  EXPECT_FALSE(told.objects(0).unseen());
-  EXPECT_TRUE(told.objects(0).slide_unseen());
-  EXPECT_NEAR(told.objects(0).moved().y(), 0.01, 1e-6);
-  EXPECT_NEAR(told.objects(0).sigma_slide_m(), 0.004, 1e-6);
+  const msg::StationCompensation message = compensation_message(compensation);
+  ASSERT_EQ(message.objects_size(), 1) << "an effect that is no object has no place";
+  EXPECT_EQ(message.objects(0).name(), "sphere");
+  EXPECT_EQ(message.objects(0).effect(), 2u);
+  EXPECT_FALSE(message.objects(0).unseen());
+  EXPECT_TRUE(message.objects(0).slide_unseen());
+  EXPECT_NEAR(message.objects(0).moved().y(), 0.01, 1e-6);
+  EXPECT_NEAR(message.objects(0).sigma_slide_m(), 0.004, 1e-6);
   loop::TickSample tick = sample(1, msg::PHASE_IN_BODY, 0.0F);
   tick.object_slide_unseen = true;
   EXPECT_TRUE(state_message(tick).object_slide_unseen());

@@ -87,7 +87,7 @@ TEST(SkinMark, SaysThatASmoothBodyDoesNotTellItsSlide) {
   EXPECT_FALSE(watched.mark().slide_seen);
   EXPECT_GT(watched.mark().sigma_slide_m, 0.001) << "and how little it is known";
   EXPECT_LE(watched.mark().moved_m.head<2>().norm(), 0.001) << "it stays";
-  EXPECT_NEAR(watched.mark().moved_m.z(), -0.01, 0.001) << "its rise is told all the same";
+  EXPECT_NEAR(watched.mark().moved_m.z(), -0.01, 0.001) << "its rise is still measured";
 }
 
 TEST(SkinMark, IsHeldWhileItsSkinIsHidden) {

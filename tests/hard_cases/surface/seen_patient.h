@@ -32,7 +32,7 @@ struct Returned {
   double felt_after_s = 1e9;   ///< time from well_again_s until a lasting contact with force
   double off_after_3_s = 1e9;  ///< largest relative error of the displayed depth, 3 to 3.5 s after well_again_s
   double worst_off = 0.0;      ///< largest relative error of the displayed depth from 1.5 s on
-  double anchor_off_m = 1e9;   ///< distance of the contact's anchor, moved as told, from the true skin at the end
+  double anchor_off_m = 1e9;   ///< distance of the contact's anchor, moved as displayed, from the true skin at the end
   double worst_step_N = 0.0;   ///< while the device is at rest or slides at the path's own speed
 };
 

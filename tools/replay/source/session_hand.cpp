@@ -17,7 +17,7 @@ constexpr double kFarthest_m = 10.0;  // a place beyond this is no hand's
 
 bool is_place(const Eigen::Vector3d& at) { return at.allFinite() && at.norm() < kFarthest_m; }
 
-/// The columns of a batch are of equal length in a message of ours; another one's is passed over.
+/// True if all columns of the batch have one length, as telepalp writes them. Other batches are skipped.
 bool has_all_columns(const msg::StationTicks& ticks) {
   const int size = ticks.device_x_size();
   return ticks.device_y_size() == size && ticks.device_z_size() == size && ticks.hand_x_size() == size &&

@@ -62,13 +62,13 @@ TEST(LeapText, LeavesOutHandsWhoseNumbersCannotBeRight) {
 }
 
 TEST(LeapText, AHandWhoseDirectionsSayNothingHasNoAttitude) {
-  for (const char* told : {R"("direction":[0,0,-1])", R"("direction":[0,0,0],"palmNormal":[0,-1,0])",
+  for (const char* text : {R"("direction":[0,0,-1])", R"("direction":[0,0,0],"palmNormal":[0,-1,0])",
                            R"("direction":[0,0,-9],"palmNormal":[0,-1,0])", R"("direction":[0],"palmNormal":[0,-1,0])",
                            R"("direction":[0,-1,0],"palmNormal":[0,-1,0])"}) {
-    const auto read = leap::parse_text(frame_text(1, R"({"id":1,"palmPosition":[1,2,3],)" + std::string(told) + "}"));
-    ASSERT_TRUE(read) << told;
-    ASSERT_EQ(std::get<leap::Frame>(*read).hands.size(), 1u) << told;
-    EXPECT_FALSE(std::get<leap::Frame>(*read).hands[0].attitude) << told;
+    const auto read = leap::parse_text(frame_text(1, R"({"id":1,"palmPosition":[1,2,3],)" + std::string(text) + "}"));
+    ASSERT_TRUE(read) << text;
+    ASSERT_EQ(std::get<leap::Frame>(*read).hands.size(), 1u) << text;
+    EXPECT_FALSE(std::get<leap::Frame>(*read).hands[0].attitude) << text;
   }
 }
 
