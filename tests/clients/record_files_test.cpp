@@ -160,7 +160,7 @@ TEST_F(Files, VerifyFindsAChunkThatPosesAsARecordOfALaterVersionAndRepairNotesIt
   EXPECT_GT(report->messages, 280u);
 }
 
-TEST_F(Files, VerifyTellsMessagesThatAreNotOfTheirType) {
+TEST_F(Files, VerifyNamesMessagesThatAreNotOfTheirType) {
   std::vector<wire::Message> messages = states(0.5);
   messages[10].payload = std::make_shared<const std::string>("\xff\xff\xff not protobuf");
   const auto facts = inspect(write("session.mcap", messages));

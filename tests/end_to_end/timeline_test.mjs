@@ -102,7 +102,7 @@ test('speed, loop and play are reached by Tab, with a name and a visible focus',
   await untilState('it plays on', (now) => now.playing && now.position_s !== position_s);
 });
 
-test('a refused command is a sentence on the page; a server that is gone is one, too', async () => {
+test('a refused command and a server that does not answer are explained on the page', async () => {
   const {page} = browser;
   const problem = page.locator('#timeline-problem');
   await page.route('**/playback', (route) => (route.request().method() === 'POST'

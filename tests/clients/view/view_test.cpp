@@ -74,7 +74,7 @@ TEST(NewestInstant, AsksForAKeyFrameWhereItCannotDecode) {
             Taken::NotNeeded);
 }
 
-TEST(NewestInstant, ACameraThatCannotBeIsNotBelieved) {
+TEST(NewestInstant, AnImpossibleCameraModelIsIgnored) {
   const Camera camera;
   NewestInstant instant;
   foxglove::CameraCalibration broken = pipeline::calibration_message(camera.frame);

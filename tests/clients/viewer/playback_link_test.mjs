@@ -51,7 +51,7 @@ for (const status of [403, 404])
     assert.equal(asked.length, 2);
   });
 
-test('a refused command is told, until one is accepted', async () => {
+test('the reason of a refused command is shown until one is accepted', async () => {
   let status = 200;
   const {link, look} = linkTo((command) => (command?.play === undefined ? ok() : {...ok(), status, text: 'not for you'}));
   await look(SESSION);
@@ -66,7 +66,7 @@ test('a refused command is told, until one is accepted', async () => {
   assert.equal(link.problem, '');
 });
 
-test('a server that is gone is told of and asked seldom; its return is seen', async () => {
+test('a server that does not answer is reported and asked seldom; its return is noticed', async () => {
   let there = true;
   let absence;
   const {link, asked, look} = linkTo(() => (there ? ok() : absence));

@@ -222,7 +222,7 @@ TEST(BadInput04, AJpegThatClaims20000PixelsASideIsRefusedBeforeItsMemory) {
   expect_session_is_survived(jpeg_that_claims(20'000, 0xc0));
 }
 
-TEST(BadInput05, ATruncatedJpegIsNoPicture) {
+TEST(BadInput05, ATruncatedJpegIsRefused) {
   const std::string whole = pipeline::color_message(good_frame(0, session_time(1)), 85).data();
   expect_session_is_survived(whole.substr(0, whole.size() / 2));
 }

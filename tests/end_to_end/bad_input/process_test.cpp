@@ -37,7 +37,7 @@ TEST(BadInput36, AFrozenStationLosesItsPlaceAndAsksForItAgain) {
   session.expect_undisturbed_by([] { std::this_thread::sleep_for(1s); });
 }
 
-TEST(BadInput10, ADeviceThatGivesNoNumberGetsNoForceAndLatchesAFault) {
+TEST(BadInput10, ADevicePoseThatIsNaNGetsNoForceAndLatchesAFault) {
   using Fault = device::FakeUdpDevice::Fault;
   device::FakeUdpDevice device;
   server::Site site;

@@ -39,7 +39,7 @@ double worst_m(const DepthField& field, const std::function<double(double)>& tru
   return worst;
 }
 
-TEST(SampleDepths, ADisparitySensorsDepthsAreItsLevelsFromTheFirstImageOn) {
+TEST(SampleDepths, DepthsOfADisparitySensorAreReplacedByItsLevelsFromTheFirstImageOn) {
   for (const double bed_m : {0.85, 1.2}) {
     SampleDepths samples;
     const DepthImage image = belly(bed_m, {});

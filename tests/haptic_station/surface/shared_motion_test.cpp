@@ -59,7 +59,7 @@ double breath_m(double t) { return 0.0025 * (1.0 - std::cos(1.6 * t)); }
 double breath_m_per_s(double t) { return 0.0025 * 1.6 * std::sin(1.6 * t); }
 
 /// The speed of one cell from two frames has a standard deviation of 4 mm/s.
-TEST(SharedMotion, SpeedIsKnownFarBetterThanOneCellTellsIt) {
+TEST(SharedMotion, SpeedIsFarMoreAccurateThanThatOfOneCell) {
   for (const double until_s : {9.0, 9.7, 10.4, 11.1}) {
     const SharedMotion motion = followed(breath_m, until_s);
     const std::size_t cell = kCells - 1;
@@ -68,7 +68,7 @@ TEST(SharedMotion, SpeedIsKnownFarBetterThanOneCellTellsIt) {
   }
 }
 
-TEST(SharedMotion, CellsThatMoveForThemselvesHardlyDisturbIt) {
+TEST(SharedMotion, CellsThatMoveByThemselvesHardlyDisturbIt) {
   const SharedMotion motion = followed(breath_m, 10.4, kCells / 10);
   const std::size_t cell = kCells - 1;
   EXPECT_NEAR(motion.share(cell) * motion.speed_m_per_s(), share_of(cell) * breath_m_per_s(10.4), 2e-3);

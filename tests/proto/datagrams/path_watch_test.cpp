@@ -99,7 +99,7 @@ TEST(PathWatch, BeforeAnOfferNothingHappens) {
   EXPECT_FALSE(watch.due());
 }
 
-TEST(KeyFrameRepair, AWishIsDueUnlessAKeyFrameIsOnItsWay) {
+TEST(KeyFrameRepair, ARequestIsPassedOnUnlessAKeyFrameIsOnItsWay) {
   KeyFrameRepair repair;
   EXPECT_TRUE(repair.is_due(0, kStart, 100ms));
   repair.key_frame_sent(0, kStart);

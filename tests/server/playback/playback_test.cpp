@@ -116,7 +116,7 @@ TEST(Timeline, ASeekReturnsTheCameraModelAndTheGroupAndNextGoesOnFromThere) {
   EXPECT_TRUE(decoder.decode(std::as_bytes(std::span(depth_of(*next).data()))));
 }
 
-TEST(Timeline, WithoutItsTopicsItSaysSo) {
+TEST(Timeline, AFileWithoutTheTopicsIsAnError) {
   const auto timeline = Timeline::open(session("none", 3), {"/nothing/*"});
   ASSERT_FALSE(timeline);
   EXPECT_NE(timeline.error().what.find("no message on the topics"), std::string::npos);
@@ -221,7 +221,7 @@ TEST(SessionPlayer, RefusesWhatLiesBehindTheEnd) {
   EXPECT_NE(applied.error().what.find("the session lasts"), std::string::npos);
 }
 
-TEST(SessionPlayer, ADamagedChunkIsPassedOverAndCounted) {
+TEST(SessionPlayer, ADamagedChunkIsSkippedAndCounted) {
   const auto file = session("damaged", 40);
   const auto chunk = wire::McapReader::open(file)->summary().chunks[2];
   std::string bytes = wire::samples::bytes_of(file);

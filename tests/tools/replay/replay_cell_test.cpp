@@ -77,7 +77,7 @@ TEST(ReplayCell, GivesOtherBytesWithAnotherSeed) {
   EXPECT_FALSE(run(network(60ms, 0.1), 2.0).published == run(other, 2.0).published);
 }
 
-TEST(ReplayCell, ARunOverAnUnimpairedNetworkDiffersByNothing) {
+TEST(ReplayCell, ARunOverAnUnimpairedNetworkHasNoDifferences) {
   const Ran ran = run(Scenario{}, 4.0);
   EXPECT_EQ(last(ran).force_rmse_N, 0.0);
   EXPECT_EQ(last(ran).phase_differs_pct, 0.0);
@@ -97,7 +97,7 @@ TEST(ReplayCell, TheHandFeelsTheSkinAndTheDelay) {
   EXPECT_NEAR(last(ran).network_p50_s - unimpaired.network_p50_s, 0.15, 0.04);
 }
 
-TEST(ReplayCell, RepairsLossesAndCountsWhatTheyCost) {
+TEST(ReplayCell, RepairsLossesAndCountsTheBytesOfTheRepairs) {
   const Ran ran = run(network(20ms, 0.05), 4.0);
   EXPECT_GT(last(ran).datagrams_lost, 100.0);
   EXPECT_GT(last(ran).frames_in_time_pct, 90.0);
@@ -122,7 +122,7 @@ TEST(ReplayCell, AServerThatRestartsIsHeardAgain) {
   EXPECT_GT(figures.frames_touched_pct, 95.0);
 }
 
-TEST(ReplayCell, PredictedFramesAreEncodedAsTheirOwnLossesAsk) {
+TEST(ReplayCell, EachRunGetsTheKeyFramesThatItsOwnLossesRequire) {
   const Figures figures = last(run(network(20ms, 0.1), 4.0, 2, codec::DepthMode::Temporal));
   EXPECT_EQ(figures.frames, 117.0);
   EXPECT_GT(figures.frames_touched_pct, 60.0);

@@ -61,13 +61,13 @@ TEST_F(ReplayProgram, WritesTheSameBytesTwiceAndFindsWhereTwoRunsDiffer) {
   EXPECT_NE(where.find("message "), std::string::npos) << where;
 }
 
-TEST_F(ReplayProgram, ItsSessionIsAReportsInput) {
+TEST_F(ReplayProgram, ItsSessionIsReadByTheReport) {
   ASSERT_EQ(replay({"--delay-ms", "40", "--out", in("a")}).first, 0);
   const auto [code, said] = run("telepalp-report", {in("a/session.mcap"), "--out", in("report.html")});
   EXPECT_EQ(code, 0) << said;
 }
 
-TEST_F(ReplayProgram, IsAGateWithReasons) {
+TEST_F(ReplayProgram, FailsWithTheReasonWhenAnAssertionFails) {
   const auto [failed, said] =
       replay({"--delay-ms", "200", "--assert", "surface_age_p50_s<0.1,frames>10", "--junit", in("junit.xml")});
   EXPECT_EQ(failed, 1);

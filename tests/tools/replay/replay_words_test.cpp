@@ -93,7 +93,7 @@ TEST(ReplayAssertion, ReadsComparisonsAndJudges) {
   EXPECT_FALSE(judged[3].holds);
 }
 
-TEST(ReplayAssertion, WhatIsNotKnownDoesNotHold) {
+TEST(ReplayAssertion, AMetricThatIsNaNFailsItsAssertion) {
   Figures figures;
   figures.true_force_rmse_N = std::numeric_limits<double>::quiet_NaN();
   for (const char* text : {"true_force_rmse_N<1", "true_force_rmse_N>=0"})
