@@ -17,7 +17,7 @@ constexpr int kLooks = 2;           // how often the residuals are computed agai
 constexpr int kReweighted = 2;      // reweighted fits to each set of residuals
 constexpr double kFirstScale_m = 0.01;
 constexpr double kLeastNoise_m = 0.0005;
-constexpr double kTogether = 9.0;  // errors of neighbouring nodes are correlated: this many nodes count as one
+constexpr double kCorrelatedNodes = 9.0;  // errors of neighbouring nodes are correlated: this many nodes count as one
 constexpr int kHalf_px = 2;
 constexpr int kLeast_px = 18;
 
@@ -36,7 +36,7 @@ double median(std::vector<double> values) {
 
 double sigma_of(const Eigen::Matrix2d& information, double noise_m) {
   const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(information).eigenvalues()[0];
-  return noise_m * std::sqrt(kTogether / std::max(least, 1e-9));
+  return noise_m * std::sqrt(kCorrelatedNodes / std::max(least, 1e-9));
 }
 
 /// Mean depth of a window with holes, extrapolated to `pixel`.
@@ -179,7 +179,7 @@ PatchPose PatchSearch::found(bool slides) const {
   pose.seen = true;
   pose.slide_m = found.head<2>();
   pose.deeper_m = found[2] + fit.middle_m;
-  pose.sigma_depth_m = fit.scale_m * std::sqrt(kTogether / std::max(1.0, fit.middle_weight));
+  pose.sigma_depth_m = fit.scale_m * std::sqrt(kCorrelatedNodes / std::max(1.0, fit.middle_weight));
   pose.sigma_slide_m = sigma_of(slide_information(fit.normal), fit.scale_m);
   return pose;
 }
