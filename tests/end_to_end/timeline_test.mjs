@@ -89,7 +89,7 @@ test('speed, loop and play are reached by Tab, with a name and a visible focus',
       return [at.id, at.ariaLabel ?? at.textContent, getComputedStyle(at).outlineStyle].join(' ');
     }));
   }
-  assert.deepEqual(names.slice(1), ['timeline-step Step one image on solid',
+  assert.deepEqual(names.slice(1), ['timeline-step Step one image forward solid',
     'timeline-slider Position in the session solid', 'timeline-speed Speed solid', 'timeline-loop Loop solid']);
   await page.keyboard.press('Space');
   await untilState('the loop is off', ({loop}) => !loop);

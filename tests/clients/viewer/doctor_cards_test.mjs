@@ -46,12 +46,12 @@ test('hand and skin are told with two standard deviations, and damping that acts
     surfaceSigmaM: 0.0003, slewedM: 0, support: 1, shownOffsetM: 0.02, dampingN: 0, handExcessJ: 0.0011, driveJ: 0,
   };
   const rows = compensationRows(still, {passivityJ: -0.00001});
-  assert.equal(valueOf(rows, 'Hand, to now'), '4.2 ± 1.0 mm');
-  assert.equal(valueOf(rows, 'Skin, to now'), '0.0 ± 0.6 mm');
+  assert.equal(valueOf(rows, 'Hand predicted'), '4.2 ± 1.0 mm');
+  assert.equal(valueOf(rows, 'Skin predicted'), '0.0 ± 0.6 mm');
   assert.equal(valueOf(rows, 'Ledger of the coupling'), '0.0 mJ');
   assert.equal(rows.find(({name}) => name === 'Damping').level, undefined);
   const damped = compensationRows({...still, dampingN: 0.4, support: 0.5, slewedM: 0.002}, undefined);
   assert.equal(damped.find(({name}) => name === 'Damping').level, 'warn');
   assert.equal(valueOf(damped, 'Contact displayed'), '50 %');
-  assert.equal(valueOf(damped, 'Skin, still moving'), '+2.0 mm');
+  assert.equal(valueOf(damped, 'Skin, gradual change'), '+2.0 mm');
 });

@@ -4,7 +4,7 @@ import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
 
-const {presentableUntil, fallsInGap, goesAlone, nearest} = await bundled('present/presented_instant.ts');
+const {presentableUntil, fallsInGap, continuesWithoutPicture, nearest} = await bundled('present/presented_instant.ts');
 
 const ms = (value) => BigInt(value) * 1_000_000n;
 
@@ -18,9 +18,9 @@ test('a station that is silent, far behind or not there is not waited for', () =
 });
 
 test('numbers go on without a picture once none came for a quarter of a second', () => {
-  assert.equal(goesAlone(ms(1200), ms(1000)), false);
-  assert.equal(goesAlone(ms(1251), ms(1000)), true);
-  assert.equal(goesAlone(ms(1), undefined), true);
+  assert.equal(continuesWithoutPicture(ms(1200), ms(1000)), false);
+  assert.equal(continuesWithoutPicture(ms(1251), ms(1000)), true);
+  assert.equal(continuesWithoutPicture(ms(1), undefined), true);
 });
 
 test('a picture falls in a gap when numbers on both sides are too far from it, for a second at most', () => {

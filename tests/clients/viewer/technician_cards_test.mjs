@@ -59,7 +59,7 @@ test('light: dark, bright, burnt out, and none', () => {
   assert.match(light(20), /too dark/);
   assert.match(light(120), /good/);
   assert.match(light(240), /too bright/);
-  assert.equal(row(rowsOf(flat, {mean: 150, clipped: 0.3}), 'Burnt out').level, 'alarm');
+  assert.equal(row(rowsOf(flat, {mean: 150, clipped: 0.3}), 'Overexposed').level, 'alarm');
   assert.equal(row(pictureRows(summarise(picture(flat)), undefined, 30), 'Light').value, 'no colour');
 });
 

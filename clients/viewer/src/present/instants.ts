@@ -2,7 +2,7 @@ import type {DecodedDepth} from '../depth/depth_decoder';
 import type {StationState, Vec3} from '../link/messages';
 import type {Instant, Touch} from './instant';
 import {type Packet, PacketLine} from './packet_line';
-import {fallsInGap, goesAlone, nearest, presentableUntil} from './presented_instant';
+import {fallsInGap, continuesWithoutPicture, nearest, presentableUntil} from './presented_instant';
 
 const MOST_STATES = 256;  // 2.5 s of /station/state
 const MOST_COLORS = 40;
@@ -29,7 +29,7 @@ export interface Chosen extends Omit<Instant, 'picture' | 'times'> {
 }
 
 /** The functions that Instants calls. */
-export interface Means {
+export interface Callbacks {
   now_ms(): number;
   decode(packet: Packet): void;     // answered by Instants.decoded or Instants.undecodable
   present(chosen: Chosen): void;    // once for each ask()
@@ -55,7 +55,7 @@ export class Instants {
   private presentedCapture_ns: bigint | undefined;
   private presentedStamp_ns = 0n;
 
-  constructor(private readonly means: Means) {}
+  constructor(private readonly callbacks: Callbacks) {}
 
   get overtaken(): number {
     return this.line.overtaken;
@@ -76,7 +76,7 @@ export class Instants {
     this.newestCapture_ns = packet.captured_ns;
     this.arrivals.push({captured_ns: packet.captured_ns, published_ns: packet.published_ns, complete_ms: undefined});
     if (this.arrivals.length > 2 * MOST_STATES) this.arrivals.shift();
-    if (!this.line.push(packet)) this.means.requestKeyFrame();
+    if (!this.line.push(packet)) this.callbacks.requestKeyFrame();
     this.serve();
   }
 
@@ -136,16 +136,16 @@ export class Instants {
     this.noteComplete(until_ns);
     if (this.decoding === undefined) {
       this.decoding = this.line.next(until_ns, this.asked && this.ready === undefined);
-      if (this.decoding !== undefined) this.means.decode(this.decoding);
+      if (this.decoding !== undefined) this.callbacks.decode(this.decoding);
     }
     if (!this.asked) return;
     if (this.ready !== undefined) return this.presentPicture(this.ready.decoded, this.ready.captured_ns);
-    if (this.decoding === undefined) this.presentAlone();
+    if (this.decoding === undefined) this.presentWithoutPicture();
   }
 
   private noteComplete(until_ns: bigint): void {
     for (const arrival of this.arrivals)
-      if (arrival.captured_ns <= until_ns) arrival.complete_ms ??= this.means.now_ms();
+      if (arrival.captured_ns <= until_ns) arrival.complete_ms ??= this.callbacks.now_ms();
   }
 
   private presentPicture(decoded: DecodedDepth, captured_ns: bigint): void {
@@ -159,10 +159,10 @@ export class Instants {
     this.give({decoded, station, color, arrival, trail: this.trailTo(station)});
   }
 
-  private presentAlone(): void {
+  private presentWithoutPicture(): void {
     const station = this.newestState;
     if (station === undefined || station.stampNs <= this.presentedStamp_ns) return;
-    if (!goesAlone(station.stampNs, this.presentedCapture_ns)) return;
+    if (!continuesWithoutPicture(station.stampNs, this.presentedCapture_ns)) return;
     this.give({decoded: undefined, color: undefined, arrival: undefined, station, trail: this.trailTo(station)});
   }
 
@@ -179,6 +179,6 @@ export class Instants {
   private give(chosen: Chosen): void {
     if (chosen.station !== undefined) this.presentedStamp_ns = chosen.station.stampNs;
     this.asked = false;
-    this.means.present(chosen);
+    this.callbacks.present(chosen);
   }
 }

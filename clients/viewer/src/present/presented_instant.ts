@@ -9,7 +9,7 @@ const LONGEST_WAIT_NS = 500_000_000n;
  * If the newest picture is older than the station's newest values by more than this, the values are presented without a
  * new picture.
  */
-const ALONE_NS = 250_000_000n;
+const WITHOUT_PICTURE_NS = 250_000_000n;
 
 /**
  * Pictures captured until this time can be presented: the station's values of their instant have arrived, or the viewer
@@ -37,8 +37,8 @@ export function fallsInGap(
 }
 
 /** True when the station's values are presented without a new picture, because no picture comes. */
-export function goesAlone(stamp_ns: bigint, presentedCapture_ns: bigint | undefined): boolean {
-  return presentedCapture_ns === undefined || stamp_ns - presentedCapture_ns > ALONE_NS;
+export function continuesWithoutPicture(stamp_ns: bigint, presentedCapture_ns: bigint | undefined): boolean {
+  return presentedCapture_ns === undefined || stamp_ns - presentedCapture_ns > WITHOUT_PICTURE_NS;
 }
 
 /** The item whose time is nearest to `at_ns`; undefined when there is none. */

@@ -4,7 +4,7 @@ import {nearest} from './presented_instant';
 const MOST_KEPT = 256;              // 2.5 s of messages at 100 Hz
 const TOGETHER_NS = 10_000_000n;    // a compensation further from the state belongs to another instant
 
-/** What the station told lately, besides the states: looked up for the instant that is presented. */
+/** The newest phases and compensations of the station, to be looked up for the presented instant. */
 export class StationPast {
   private phases: {from_s: number; phase: Phase}[] = [];
   private compensations: StationCompensation[] = [];

@@ -16,29 +16,33 @@ const DAMPED_N = 0.05;
  */
 export function compensationRows(
     compensation: StationCompensation | undefined, state: Pick<StationState, 'passivityJ'> | undefined): Row[] {
-  if (compensation === undefined) return [{name: 'Nothing', value: 'no station tells'}];
+  if (compensation === undefined) return [{name: 'Nothing', value: 'no station reports'}];
   const {handCarriedM, handSigmaM, surfaceCarriedM, surfaceSigmaM, slewedM, dampingN, handExcessJ, driveJ} = compensation;
   const rows: Row[] = [
     {
-      name: 'Hand, to now',
+      name: 'Hand predicted',
       value: `${fixed(1000 * handCarriedM, 1)} ± ${mm(2 * handSigmaM)}`,
-      says: `The tracker's newest sample is ${ms(compensation.handAgeS)} old; the hand is predicted from it. ± is two ` +
+      says: `Distance from the tracker's newest sample, ${ms(compensation.handAgeS)} old, to the predicted hand. ± is two ` +
           'standard deviations.',
     },
     {
-      name: 'Skin, to now',
+      name: 'Skin predicted',
       value: `${signed(surfaceCarriedM).replace(' mm', '')} ± ${mm(2 * surfaceSigmaM)}`,
       says: `The surface was captured ${ms(compensation.surfaceAgeS)} ago. + is out of the body. ± is two standard ` +
           'deviations of noise, fit and prediction.',
     },
     {
-      name: 'Hand, to the skin',
+      name: 'Hand drawn on the skin',
       value: mm(compensation.shownOffsetM),
-      says: 'The hand is drawn on the skin (S1 II.E), not where the tracker sees it.',
+      says: 'Distance of the drawn hand from the tracked one: it is drawn on the skin (S1 II.E).',
     },
   ];
   if (Math.abs(slewedM) > SLEWED_M)
-    rows.push({name: 'Skin, still moving', value: signed(slewedM), says: 'Fades out, so that the skin never jumps.'});
+    rows.push({
+      name: 'Skin, gradual change',
+      value: signed(slewedM),
+      says: 'Distance of the displayed skin from the measured one. It shrinks gradually, so that the skin never jumps.',
+    });
   if (compensation.support < 0.995)
     rows.push({
       name: 'Contact displayed',
@@ -61,7 +65,7 @@ export function compensationRows(
       {
         name: 'Damping',
         value: `${fixed(dampingN, 2)} N`,
-        says: 'The force with which the passivity controller takes energy back.',
+        says: 'Force of the passivity controller, which removes energy that the display has added.',
         level: dampingN > DAMPED_N ? 'warn' : undefined,
       });
   return rows;

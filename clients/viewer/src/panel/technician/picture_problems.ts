@@ -56,7 +56,7 @@ function framingRow({x, y}: DepthSummary['aside']): Row {
     name: 'Framing',
     value: off < ASIDE.warn ? 'centred' : `at the ${side}`,
     level: levelOf(off, ASIDE),
-    says: 'Where the part nearest to the camera, the patient’s front, lies. Turn the camera until it is centred.',
+    says: 'Place of the nearest part, the patient’s front, in the picture. Turn the camera until it is centred.',
   };
 }
 
@@ -67,7 +67,7 @@ function lightRows(light: Light | undefined): Row[] {
   return [
     {name: 'Light', value: `${word} (${mean.toFixed(0)})`, level: word === 'good' ? 'good' : 'warn',
      says: 'Mean brightness of the colour picture, 0 to 255. Change the lamps or the camera’s exposure.'},
-    {name: 'Burnt out', value: percent(clipped), level: levelOf(clipped, CLIPPED),
+    {name: 'Overexposed', value: percent(clipped), level: levelOf(clipped, CLIPPED),
      says: 'Share of the picture that is white. Turn lamps away, or lower the exposure.'},
   ];
 }
