@@ -209,7 +209,7 @@ Result<void> predict_hands(Report& report) {
     if (!trace) return trace.error();
     const PredictionError error = predict_held_out(*trace);
     report.rows.push_back(measured(name + ": hold last", error.hold_m * 1e3, "mm"));
-    report.rows.push_back(measured(name + ": straight on", error.line_m * 1e3, "mm"));
+    report.rows.push_back(measured(name + ": straight line", error.line_m * 1e3, "mm"));
     report.rows.push_back(measured(name + ": fixed noise, damped velocity", error.fixed_m * 1e3, "mm"));
     report.rows.push_back(at_most(name + ": adaptive (default)", error.estimate_m * 1e3, "mm",
                                   std::min(error.hold_m, error.line_m) * 1e3));

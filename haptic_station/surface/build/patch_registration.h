@@ -31,9 +31,9 @@ struct PatchFit {
   double middle_m = 0.0;  ///< mean residual in the patch's middle
 };
 
-/// Finds a patch in an image by iterated least squares with Tukey's weights, starting at a pose. The first look is the
-/// same whether the patch may slide or not, so it is made once. Borrows patch and image. A pure function of its
-/// arguments.
+/// Finds a patch in an image by iterated least squares with Tukey's weights, starting at a pose. The residuals
+/// at the start are the same whether the patch may slide or not, so they are computed once. Patch and image must outlive
+/// the search. Pure.
 class PatchSearch {
  public:
   PatchSearch(const SkinPatch& patch, const DepthField& depth, const Intrinsics& camera, const PatchPose& start);
@@ -47,7 +47,7 @@ class PatchSearch {
   const Intrinsics& camera_;
   const PatchPose start_;
   PatchResiduals residuals_;  ///< at the start
-  PatchFit fit_;              ///< to them
+  PatchFit fit_;              ///< of these residuals
 };
 
 }  // namespace telepalp::surface

@@ -19,7 +19,7 @@ struct HandPredictionError {
   std::array<double, 5> height_m{};
 };
 
-inline constexpr std::array<const char*, 5> kHandModels{"hold last", "straight on", "fixed noise, constant velocity",
+inline constexpr std::array<const char*, 5> kHandModels{"hold last", "straight line", "fixed noise, constant velocity",
                                                         "fixed noise, damped velocity", "adaptive"};
 inline constexpr std::size_t kDefaultHandModel = 4;
 
