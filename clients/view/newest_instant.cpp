@@ -7,6 +7,7 @@
 #include "codec/color.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "proto/wire/camera/calibration_message.h"
+#include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::view {
@@ -15,7 +16,6 @@ namespace {
 constexpr std::size_t kMostColors = 4;
 constexpr std::size_t kMostStates = 64;  // 0.6 s at 100 Hz
 constexpr std::int64_t kSameInstant_ns = 20'000'000;
-constexpr const char* kColorFrame = "camera_color";
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
@@ -38,7 +38,7 @@ NewestInstant::Taken NewestInstant::take(const wire::Message& message) {
   if (const auto depth = parsed<msg::DepthImage>(message, wire::kCameraDepth)) return take_depth(*depth);
   if (const auto color = parsed<foxglove::CompressedImage>(message, wire::kCameraColor)) {
     Result<ColorImage> image = codec::decode_color(bytes_of(color->data()));
-    const std::int64_t captured_ns = color->timestamp().seconds() * 1'000'000'000 + color->timestamp().nanos();
+    const std::int64_t captured_ns = wire::stamp_ns(color->timestamp());
     if (image) keep_newest(colors_, Color{captured_ns, std::move(image).value()}, kMostColors);
     return Taken::Yes;
   }
@@ -48,7 +48,7 @@ NewestInstant::Taken NewestInstant::take(const wire::Message& message) {
   }
   if (const auto info = parsed<foxglove::CameraCalibration>(message, wire::kCameraColorInfo)) {
     if (const auto camera = wire::intrinsics_of(*info)) color_camera_ = camera;
-    color_registered_ = info->frame_id() != kColorFrame;
+    color_registered_ = info->frame_id() != wire::kColorFrameId;
     return Taken::Yes;
   }
   if (auto state = parsed<msg::StationState>(message, wire::kStationState)) {

@@ -2,28 +2,22 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "codec/color.h"
+#include "proto/wire/camera/camera_stamp.h"
 
 namespace telepalp::pipeline {
 namespace {
 
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
-
-void stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
-  const std::int64_t nanoseconds = to_nanoseconds(at);
-  timestamp.set_seconds(nanoseconds / kNanosecondsPerSecond);
-  timestamp.set_nanos(static_cast<std::int32_t>(nanoseconds % kNanosecondsPerSecond));
-}
-
 std::string_view color_frame_id(const RgbdFrame& frame) noexcept {
-  return frame.camera.color_registered ? kDepthFrameId : kColorFrameId;
+  return frame.camera.color_registered ? wire::kDepthFrameId : wire::kColorFrameId;
 }
 
 foxglove::CameraCalibration pinhole_message(const Intrinsics& k, SessionTime captured, std::string_view frame_id) {
   foxglove::CameraCalibration calibration;
-  stamp(*calibration.mutable_timestamp(), captured);
+  wire::set_stamp(*calibration.mutable_timestamp(), captured);
   calibration.set_frame_id(std::string(frame_id));
   calibration.set_width(static_cast<std::uint32_t>(k.width));
   calibration.set_height(static_cast<std::uint32_t>(k.height));
@@ -51,7 +45,7 @@ msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encode
   msg::DepthImage image;
   image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(frame.captured)));
   image.set_sequence(frame.sequence);
-  image.set_frame_id(std::string(kDepthFrameId));
+  image.set_frame_id(std::string(wire::kDepthFrameId));
   image.set_width(static_cast<std::uint32_t>(frame.depth.width));
   image.set_height(static_cast<std::uint32_t>(frame.depth.height));
   image.set_unit_m(frame.depth.unit_m);
@@ -66,7 +60,7 @@ msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encode
 
 foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality) {
   foxglove::CompressedImage image;
-  stamp(*image.mutable_timestamp(), frame.captured);
+  wire::set_stamp(*image.mutable_timestamp(), frame.captured);
   image.set_frame_id(std::string(color_frame_id(frame)));
   image.set_format("jpeg");
   image.set_data(codec::encode_color(frame.color, jpeg_quality));
@@ -74,7 +68,7 @@ foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality
 }
 
 foxglove::CameraCalibration calibration_message(const RgbdFrame& frame) {
-  return pinhole_message(frame.camera.depth, frame.captured, kDepthFrameId);
+  return pinhole_message(frame.camera.depth, frame.captured, wire::kDepthFrameId);
 }
 
 foxglove::CameraCalibration color_calibration_message(const RgbdFrame& frame) {

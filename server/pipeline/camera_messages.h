@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "codec/depth.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
@@ -11,11 +8,6 @@
 #include "server/capture/capture_source.h"
 
 namespace telepalp::pipeline {
-
-/// Names of the frames of reference in messages: the depth camera (K), and the colour camera when it is not registered
-/// to depth.
-inline constexpr std::string_view kDepthFrameId = "camera_depth";
-inline constexpr std::string_view kColorFrameId = "camera_color";
 
 /// The depth message of `frame`, compressed as `encoded`. The caller sets `encoded_ns`, because this function reads no
 /// clock.

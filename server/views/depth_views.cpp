@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "server/views/stamp.h"
+#include "proto/wire/camera/camera_stamp.h"
 
 namespace telepalp::views {
 namespace {
@@ -42,8 +42,8 @@ std::uint16_t millimetres(std::uint16_t sample, double unit_m) noexcept {
 
 foxglove::RawImage depth_view(const DepthImage& depth, SessionTime captured) {
   foxglove::RawImage image;
-  stamp(*image.mutable_timestamp(), captured);
-  image.set_frame_id(kDepthFrame);
+  wire::set_stamp(*image.mutable_timestamp(), captured);
+  image.set_frame_id(wire::kDepthFrameId);
   image.set_width(static_cast<std::uint32_t>(depth.width));
   image.set_height(static_cast<std::uint32_t>(depth.height));
   image.set_encoding("16UC1");
@@ -59,8 +59,8 @@ foxglove::RawImage depth_view(const DepthImage& depth, SessionTime captured) {
 
 foxglove::PointCloud cloud_view(const DepthImage& depth, const Intrinsics& camera, SessionTime captured) {
   foxglove::PointCloud cloud;
-  stamp(*cloud.mutable_timestamp(), captured);
-  cloud.set_frame_id(kDepthFrame);
+  wire::set_stamp(*cloud.mutable_timestamp(), captured);
+  cloud.set_frame_id(wire::kDepthFrameId);
   cloud.mutable_pose()->mutable_position();
   cloud.mutable_pose()->mutable_orientation()->set_w(1.0);
   cloud.set_point_stride(kBytesPerPoint);

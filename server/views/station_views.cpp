@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/vector_message.h"
-#include "server/views/stamp.h"
 
 namespace telepalp::views {
 namespace {
@@ -41,7 +41,7 @@ void set(foxglove::Pose& pose, const Eigen::Vector3d& at, const Eigen::Quaternio
 void add_transform(foxglove::FrameTransforms& all, SessionTime now, const char* parent, const char* child,
                    const Eigen::Vector3d& at, const Eigen::Quaterniond& turned) {
   foxglove::FrameTransform& one = *all.add_transforms();
-  stamp(*one.mutable_timestamp(), now);
+  wire::set_stamp(*one.mutable_timestamp(), now);
   one.set_parent_frame_id(parent);
   one.set_child_frame_id(child);
   wire::set_vector(*one.mutable_translation(), at);
@@ -50,15 +50,15 @@ void add_transform(foxglove::FrameTransforms& all, SessionTime now, const char* 
 
 void remove(foxglove::SceneUpdate& scene, const msg::StationState& station, const char* id) {
   foxglove::SceneEntityDeletion& deletion = *scene.add_deletions();
-  stamp(*deletion.mutable_timestamp(), stamp_of(station));
+  wire::set_stamp(*deletion.mutable_timestamp(), stamp_of(station));
   deletion.set_type(foxglove::SceneEntityDeletion::MATCHING_ID);
   deletion.set_id(id);
 }
 
 foxglove::SceneEntity& add(foxglove::SceneUpdate& scene, const msg::StationState& station, const char* id) {
   foxglove::SceneEntity& entity = *scene.add_entities();
-  stamp(*entity.mutable_timestamp(), stamp_of(station));
-  entity.set_frame_id(kDepthFrame);
+  wire::set_stamp(*entity.mutable_timestamp(), stamp_of(station));
+  entity.set_frame_id(wire::kDepthFrameId);
   entity.set_id(id);
   entity.mutable_lifetime()->set_seconds(1);
   return entity;
@@ -102,14 +102,15 @@ foxglove::FrameTransforms transforms_view(const std::optional<msg::StationState>
   const Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
   const Eigen::Quaterniond half_turn_about_x(0.0, 1.0, 0.0, 0.0);
   foxglove::FrameTransforms all;
-  add_transform(all, now, "patient_site", kDepthFrame, Eigen::Vector3d::Zero(), half_turn_about_x);
+  add_transform(all, now, "patient_site", wire::kDepthFrameId, Eigen::Vector3d::Zero(), half_turn_about_x);
   if (!station) return all;
   if (station->has_displayed_hand_camera())
-    add_transform(all, now, kDepthFrame, "hand", wire::vector_of(station->displayed_hand_camera()), attitude(*station));
+    add_transform(all, now, wire::kDepthFrameId, "hand", wire::vector_of(station->displayed_hand_camera()),
+                  attitude(*station));
   if (station->has_proxy_camera())
-    add_transform(all, now, kDepthFrame, "proxy", wire::vector_of(station->proxy_camera()), none);
+    add_transform(all, now, wire::kDepthFrameId, "proxy", wire::vector_of(station->proxy_camera()), none);
   if (station->has_device_camera())
-    add_transform(all, now, kDepthFrame, "device", wire::vector_of(station->device_camera()), none);
+    add_transform(all, now, wire::kDepthFrameId, "device", wire::vector_of(station->device_camera()), none);
   return all;
 }
 

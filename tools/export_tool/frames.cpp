@@ -6,17 +6,13 @@
 #include "foxglove/CameraCalibration.pb.h"
 #include "messages/camera.pb.h"
 #include "proto/wire/camera/calibration_message.h"
+#include "proto/wire/camera/camera_stamp.h"
 
 namespace telepalp::export_tool {
 namespace {
 
-constexpr std::string_view kRegisteredFrameId = "camera_depth";
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kLookBack_ns = 10 * kSecond_ns;  // a key frame and a camera model come at least this often
-
-std::int64_t captured_ns(const foxglove::CompressedImage& color) {
-  return color.timestamp().seconds() * kSecond_ns + color.timestamp().nanos();
-}
 
 std::vector<std::string> camera_topics() {
   return {std::string(wire::kCameraInfo.name), std::string(wire::kCameraDepth.name),
@@ -55,7 +51,7 @@ void Frames::note_color(const std::string& payload) {
   foxglove::CompressedImage color;
   if (!color.ParseFromString(payload)) {
     ++damaged_;
-  } else if (waiting_ && captured_ns(color) == waiting_->captured_ns) {
+  } else if (waiting_ && wire::stamp_ns(color.timestamp()) == waiting_->captured_ns) {
     waiting_->color = std::move(color);
   } else {
     color_ = std::move(color);
@@ -74,7 +70,7 @@ Result<RgbdFrame> Frames::decode(const Waiting& waiting) {
     Result<ColorImage> color = codec::decode_color(std::as_bytes(std::span(waiting.color->data())));
     if (!color) ++damaged_;
     if (color) frame.color = std::move(*color);
-    frame.camera.color_registered = waiting.color->frame_id() == kRegisteredFrameId;
+    frame.camera.color_registered = waiting.color->frame_id() == wire::kDepthFrameId;
   }
   if (!is_well_formed(frame)) return no_frame("the sizes of an image and its camera model contradict each other");
   return frame;
@@ -99,7 +95,8 @@ Result<void> Frames::for_each(const std::function<Result<bool>(const RgbdFrame&)
     msg::DepthImage image;
     if (message->topic.name != wire::kCameraDepth.name || !image.ParseFromString(*message->payload)) continue;
     waiting_ = Waiting{std::move(*image.mutable_data()), static_cast<std::int64_t>(image.captured_ns()), {}};
-    if (color_ && captured_ns(*color_) == waiting_->captured_ns) waiting_->color = std::exchange(color_, std::nullopt);
+    if (color_ && wire::stamp_ns(color_->timestamp()) == waiting_->captured_ns)
+      waiting_->color = std::exchange(color_, std::nullopt);
   }
 }
 
@@ -117,7 +114,8 @@ Result<RgbdFrame> Frames::at(double at_s) {
     if (!is_depth || !image.ParseFromString(*message->payload)) continue;
     if (waiting_) depth_.skip(std::move(waiting_->packet));
     waiting_ = Waiting{std::move(*image.mutable_data()), static_cast<std::int64_t>(image.captured_ns()), {}};
-    if (color_ && captured_ns(*color_) == waiting_->captured_ns) waiting_->color = std::exchange(color_, std::nullopt);
+    if (color_ && wire::stamp_ns(color_->timestamp()) == waiting_->captured_ns)
+      waiting_->color = std::exchange(color_, std::nullopt);
   }
   if (!waiting_) return no_frame("no depth image was published in the 10 s before that time");
   return decode(*std::exchange(waiting_, std::nullopt));

@@ -6,6 +6,7 @@
 
 #include "codec/depth.h"
 #include "foxglove/CompressedImage.pb.h"
+#include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::report {
@@ -163,7 +164,7 @@ bool add_readable(Session& session, const wire::Message& message) {
     });
   if (topic == wire::kCameraColor.name)
     return read<foxglove::CompressedImage>(message, [&](const auto& image) {
-      session.color_captured_ns.push_back(image.timestamp().seconds() * 1'000'000'000 + image.timestamp().nanos());
+      session.color_captured_ns.push_back(wire::stamp_ns(image.timestamp()));
       return true;
     });
   return true;

@@ -9,6 +9,7 @@
 #include "codec/depth_stream.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "proto/wire/camera/calibration_message.h"
+#include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/topics.h"
 
@@ -35,10 +36,6 @@ std::optional<std::int64_t> nearest_time(const std::vector<std::int64_t>& times,
   return times[*found];
 }
 
-std::int64_t captured_ns(const foxglove::CompressedImage& image) {
-  return image.timestamp().seconds() * 1'000'000'000 + image.timestamp().nanos();
-}
-
 /// Calibration of the frame of reference `name`, or the only calibration of the session.
 std::optional<Intrinsics> camera_named(const Session& session, const std::string& name) {
   const auto found = session.calibrations.find(name);
@@ -57,7 +54,7 @@ void take_depth(RgbdFrame& frame, msg::DepthImage& image, std::int64_t wanted_ns
 }
 
 void take_color(RgbdFrame& frame, const foxglove::CompressedImage& image, std::optional<std::int64_t> wanted_ns) {
-  if (captured_ns(image) != wanted_ns || image.format() != "jpeg") return;
+  if (wire::stamp_ns(image.timestamp()) != wanted_ns || image.format() != "jpeg") return;
   Result<ColorImage> color = codec::decode_color(bytes_of(image.data()));
   if (color) frame.color = std::move(color).value();
 }
@@ -87,7 +84,7 @@ Result<Session> read_session(const std::filesystem::path& file) {
 Result<std::optional<RgbdFrame>> read_frame(const std::filesystem::path& file, const Session& session,
                                             std::int64_t at_ns) {
   const auto nearest_depth = nearest(session.depth_captured_ns, at_ns);
-  const auto camera = camera_named(session, "camera_depth");
+  const auto camera = camera_named(session, wire::kDepthFrameId);
   if (!nearest_depth || !camera) return std::optional<RgbdFrame>();
   const std::int64_t depth_ns = session.depth_captured_ns[*nearest_depth];
   const std::int64_t key_ns = session.depth_key_ns[*nearest_depth];
@@ -115,7 +112,7 @@ Result<std::optional<RgbdFrame>> read_frame(const std::filesystem::path& file, c
   }
   if (frame.depth.samples.empty()) return std::optional<RgbdFrame>();
   frame.camera.depth = ar::scaled_to(*camera, frame.depth.width, frame.depth.height);
-  const auto color_camera = camera_named(session, "camera_color");
+  const auto color_camera = camera_named(session, wire::kColorFrameId);
   frame.camera.color = frame.color.rgb.empty()
                            ? frame.camera.depth
                            : ar::scaled_to(color_camera.value_or(*camera), frame.color.width, frame.color.height);

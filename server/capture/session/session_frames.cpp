@@ -5,18 +5,14 @@
 #include "codec/color.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "proto/wire/camera/calibration_message.h"
+#include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::capture {
 namespace {
 
-constexpr std::string_view kRegisteredFrameId = "camera_depth";
-
 std::int64_t captured_ns(const msg::DepthImage& depth) { return static_cast<std::int64_t>(depth.captured_ns()); }
-std::int64_t captured_ns(const foxglove::CompressedImage& color) {
-  return color.timestamp().seconds() * 1'000'000'000 + color.timestamp().nanos();
-}
 
 std::span<const std::byte> bytes_of(const std::string& data) { return std::as_bytes(std::span{data}); }
 
@@ -72,7 +68,7 @@ void SessionFrames::note(const wire::Message& message) {
       ++damaged_;
       return;
     }
-    if (gathering_ && captured_ns(color) == captured_ns(gathering_->depth)) {
+    if (gathering_ && wire::stamp_ns(color.timestamp()) == captured_ns(gathering_->depth)) {
       gathering_->color = std::move(color);
       next_ = std::exchange(gathering_, std::nullopt);
     } else {
@@ -87,7 +83,7 @@ void SessionFrames::note(const wire::Message& message) {
     next_ = std::exchange(gathering_, std::nullopt);
     if (!pinhole_) return depth_.skip(std::move(*encoded.depth.mutable_data()));
     encoded.pinhole = *pinhole_;
-    if (color_ && captured_ns(*color_) == captured_ns(encoded.depth))
+    if (color_ && wire::stamp_ns(color_->timestamp()) == captured_ns(encoded.depth))
       encoded.color = std::exchange(color_, std::nullopt);
     gathering_ = std::move(encoded);
   }
@@ -111,7 +107,7 @@ std::optional<RgbdFrame> SessionFrames::take() {
   frame.depth = std::move(depth->image);
   frame.loss = wire::loss_of(wire::depth_fidelity(encoded.depth));
   if (encoded.color) {
-    frame.camera.color_registered = encoded.color->frame_id() == kRegisteredFrameId;
+    frame.camera.color_registered = encoded.color->frame_id() == wire::kDepthFrameId;
     Result<ColorImage> color = codec::decode_color(bytes_of(encoded.color->data()));
     if (color) frame.color = std::move(*color);
     if (!color) ++damaged_;
