@@ -1,5 +1,5 @@
 // node write_mcap.mjs OUT.mcap MESSAGES.json OPTIONS.json: an MCAP file made by @mcap/core.
-// OPTIONS: {chunkSize, compression: "" | "zstd" | "lz4", compressor: [program, arguments …], writer: {…}}
+// OPTIONS: {chunkSize, compression: "" | "zstd" | "lz4" | a name that is not read, compressor: program, writer: {…}}
 import { spawnSync } from "node:child_process";
 import { readFile, writeFile } from "node:fs/promises";
 import { McapWriter } from "@mcap/core";
@@ -9,11 +9,11 @@ const { messages, schemas } = JSON.parse(await readFile(messagesFile, "utf8"));
 const options = JSON.parse(await readFile(optionsFile, "utf8"));
 
 function compressChunk(chunk) {
-  if (options.compression === "lz4") return { compression: "lz4", compressedData: chunk }; // only its name is read
-  const [program, ...words] = options.compressor;
-  const done = spawnSync(program, words, { input: chunk, maxBuffer: 1 << 28 });
-  if (done.status !== 0) throw new Error(`${program}: ${done.stderr}`);
-  return { compression: "zstd", compressedData: done.stdout };
+  const { compression, compressor } = options;
+  if (!compressor) return { compression, compressedData: chunk }; // only its name is read
+  const done = spawnSync(compressor, [compression], { input: chunk, maxBuffer: 1 << 28 });
+  if (done.status !== 0) throw new Error(`${compressor}: ${done.stderr}`);
+  return { compression, compressedData: done.stdout };
 }
 
 const parts = [];

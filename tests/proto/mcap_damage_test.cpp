@@ -2,7 +2,7 @@
 // allocate little.
 
 #include <gtest/gtest.h>
-
+#include <lz4frame.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -245,6 +245,22 @@ TEST(McapDamage, AZstdBombIsRefusedByItsDeclaredSizeOrStoppedAtIt) {
   ASSERT_FALSE(declared_truly);
   EXPECT_NE(declared_truly.error().what.find("limit"), std::string::npos);
   EXPECT_FALSE(mcap::unpack({5, 5, 1000, 0, "zstd", bomb}));
+}
+
+TEST(McapDamage, AnLz4BombIsStoppedAtItsDeclaredSizeAndADamagedFrameIsNamed) {
+  const std::string plain(20u << 20, '\0');
+  std::string bomb(LZ4F_compressFrameBound(plain.size(), nullptr), '\0');
+  bomb.resize(LZ4F_compressFrame(bomb.data(), bomb.size(), plain.data(), plain.size(), nullptr));
+  ASSERT_LT(bomb.size(), 200'000u);
+  EXPECT_TRUE(mcap::unpack({5, 5, plain.size(), 0, "lz4", bomb}));
+  EXPECT_FALSE(mcap::unpack({5, 5, 200u << 20, 0, "lz4", bomb}));
+  for (const std::uint64_t declared : {std::uint64_t{0}, std::uint64_t{1000}, plain.size() - 1, plain.size() + 1})
+    EXPECT_FALSE(mcap::unpack({5, 5, declared, 0, "lz4", bomb})) << declared;
+  for (std::size_t length = 0; length < bomb.size(); length += 97)
+    EXPECT_FALSE(mcap::unpack({5, 5, plain.size(), 0, "lz4", std::string_view(bomb).substr(0, length)})) << length;
+  const auto damaged = mcap::unpack({5, 5, plain.size(), 0, "lz4", "no frame"});
+  ASSERT_FALSE(damaged);
+  EXPECT_NE(damaged.error().what.find("its lz4 data is damaged"), std::string::npos);
 }
 
 TEST(McapDamage, AChunkInAChunkIsRefused) {

@@ -126,7 +126,7 @@ class ForeignMcap : public testing::TestWithParam<Foreign> {
   support::TemporaryFolder folder_;
 };
 
-#define TELEPALP_COMPRESSOR "\"compressor\": [\"" TELEPALP_BINARY_DIR "/bin/mcap_compressor\"]"
+#define TELEPALP_COMPRESSOR "\"compressor\": \"" TELEPALP_BINARY_DIR "/bin/mcap_compressor\""
 
 TEST_P(ForeignMcap, IsReadWhole) {
   const auto file = make(GetParam().options);
@@ -156,19 +156,20 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Foreign{"PlainChunks", R"({"chunkSize": 1048576, "compression": ""})"},
                     Foreign{"TinyPlainChunks", R"({"chunkSize": 10, "compression": ""})"},
                     Foreign{"ZstdChunks", R"({"chunkSize": 20000, "compression": "zstd", )" TELEPALP_COMPRESSOR "}"},
+                    Foreign{"Lz4Chunks", R"({"chunkSize": 20000, "compression": "lz4", )" TELEPALP_COMPRESSOR "}"},
                     Foreign{"NoSummaryOffsets",
                             R"({"chunkSize": 20000, "compression": "", "writer": {"useSummaryOffsets": false}})"},
                     Foreign{"NoMessageIndex",
                             R"({"chunkSize": 20000, "compression": "", "writer": {"useMessageIndex": false}})"}),
     [](const auto& chosen) { return std::string(chosen.param.name); });
 
-TEST_F(ForeignMcap, Lz4IsNamedAsWhatWeDoNotRead) {
-  auto reader = McapReader::open(make(R"({"chunkSize": 20000, "compression": "lz4"})"));
+TEST_F(ForeignMcap, ACompressionThatIsNotReadIsNamed) {
+  auto reader = McapReader::open(make(R"({"chunkSize": 20000, "compression": "snappy"})"));
   ASSERT_TRUE(reader);
   const auto next = reader->next();
   ASSERT_FALSE(next);
-  EXPECT_NE(next.error().what.find("lz4"), std::string::npos) << to_string(next.error());
-  EXPECT_NE(next.error().fix.find("zstd"), std::string::npos);  // a repair would not help
+  EXPECT_NE(next.error().what.find("snappy"), std::string::npos) << to_string(next.error());
+  EXPECT_NE(next.error().fix.find("lz4"), std::string::npos);  // a repair would not help
 }
 
 TEST_F(ForeignMcap, WithoutChunksIsReadFromFrontToBackAndTheIndexedReaderSaysWhyNot) {

@@ -20,6 +20,11 @@ bool matches(const std::string& pattern, const std::string& topic) {
   return pattern == topic;
 }
 
+bool matches_any(const std::vector<std::string>& patterns, const std::string& topic) {
+  return patterns.empty() ||
+         std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) { return matches(pattern, topic); });
+}
+
 std::uint64_t stored_time(SessionTime at) {
   return static_cast<std::uint64_t>(std::max<std::int64_t>(to_nanoseconds(at), 0));
 }
@@ -53,8 +58,9 @@ bool McapReader::wanted(std::size_t chunk) const {
   const ChunkIndex& index = summary_.chunks[chunk];
   if (index.message_end_time < from_ || index.message_start_time > last_) return false;
   if (index.message_index_offsets.empty()) return true;  // no index of the chunk: it may contain any channel
-  return std::any_of(index.message_index_offsets.begin(), index.message_index_offsets.end(),
-                     [&](const auto& entry) { return channels_.contains(entry.first); });
+  return std::any_of(index.message_index_offsets.begin(), index.message_index_offsets.end(), [&](const auto& entry) {
+    return channels_.contains(entry.first) || summary_.channels.find(entry.first) == nullptr;
+  });
 }
 
 void McapReader::select(const McapSelection& selection) {
@@ -62,11 +68,9 @@ void McapReader::select(const McapSelection& selection) {
   order_.clear();
   open_bytes_ = 0;
   channels_.clear();
-  for (const auto& [id, stored] : summary_.channels.all()) {
-    const auto asked = [&](const std::string& pattern) { return matches(pattern, stored.channel.topic); };
-    if (selection.topics.empty() || std::any_of(selection.topics.begin(), selection.topics.end(), asked))
-      channels_.insert(id);
-  }
+  topics_ = selection.topics;
+  for (const auto& [id, stored] : summary_.channels.all())
+    if (matches_any(topics_, stored.channel.topic)) channels_.insert(id);
   from_ = selection.from ? stored_time(*selection.from) : 0;
   const bool nothing = selection.until && stored_time(*selection.until) == 0;
   last_ = selection.until && !nothing ? stored_time(*selection.until) - 1 : UINT64_MAX;
@@ -89,6 +93,20 @@ Result<void> McapReader::read_record(std::uint64_t offset, std::uint64_t length,
   return mcap::read_content(*source_, *head, into);
 }
 
+/// A summary need not repeat the definitions that a chunk contains.
+void McapReader::learn(mcap::Opcode opcode, std::string_view content) {
+  if (opcode == mcap::Opcode::Schema) {
+    if (auto schema = mcap::parse<mcap::Schema>(content)) (void)summary_.channels.add(*std::move(schema));
+  } else if (opcode == mcap::Opcode::Channel) {
+    auto channel = mcap::parse<mcap::Channel>(content);
+    if (!channel) return;
+    const std::uint16_t id = channel->id;
+    const bool is_new = summary_.channels.find(id) == nullptr;
+    const bool asked = matches_any(topics_, channel->topic);
+    if (summary_.channels.add(*std::move(channel)) && is_new && asked) channels_.insert(id);
+  }
+}
+
 Result<void> McapReader::open_chunk(std::size_t chunk) {
   const ChunkIndex& index = summary_.chunks[chunk];
   std::string content;
@@ -108,7 +126,10 @@ Result<void> McapReader::open_chunk(std::size_t chunk) {
     const auto entry = walk.next();
     if (!entry) return in_chunk(chunk, entry.error());
     if (!*entry) break;
-    if ((*entry)->opcode != mcap::Opcode::Message) continue;
+    if ((*entry)->opcode != mcap::Opcode::Message) {
+      learn((*entry)->opcode, (*entry)->content);
+      continue;
+    }
     const auto message = mcap::parse<MessageRecord>((*entry)->content);
     if (!message || summary_.channels.find(message->channel_id) == nullptr)
       return in_chunk(chunk, "a message is damaged, or its channel is not known");

@@ -54,6 +54,7 @@ class McapReader {
   explicit McapReader(std::unique_ptr<mcap::ByteSource> source) : source_(std::move(source)) {}
   [[nodiscard]] bool wanted(std::size_t chunk) const;
   [[nodiscard]] Result<void> open_chunk(std::size_t chunk);
+  void learn(mcap::Opcode opcode, std::string_view content);
   [[nodiscard]] Result<void> read_record(std::uint64_t offset, std::uint64_t length, mcap::Opcode opcode,
                                          std::string& into);
   [[nodiscard]] Error in_chunk(std::size_t chunk, const char* what) const;
@@ -61,6 +62,7 @@ class McapReader {
 
   std::unique_ptr<mcap::ByteSource> source_;
   mcap::Summary summary_;
+  std::vector<std::string> topics_;   // selected patterns
   std::set<std::uint16_t> channels_;  // selected channel ids
   std::uint64_t from_ = 0;
   std::uint64_t last_ = UINT64_MAX;

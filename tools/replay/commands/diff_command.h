@@ -1,17 +1,6 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-
-#include "proto/words/result.h"
-
 namespace telepalp::replay {
-
-/// The first difference of two sessions in words; nullopt: their messages are equal. Metadata, such as the program's
-/// version, is not compared. Error: a file cannot be read.
-[[nodiscard]] Result<std::optional<std::string>> first_difference(const std::filesystem::path& a,
-                                                                  const std::filesystem::path& b);
 
 /// `telepalp-replay diff A B`.
 [[nodiscard]] int diff_command(int argc, const char* const* argv);

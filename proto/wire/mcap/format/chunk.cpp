@@ -18,14 +18,15 @@ Result<std::string> unpack(const ChunkRecord& chunk) {
   if (chunk.compression.empty()) {
     if (chunk.records.size() != chunk.uncompressed_size) return what("its size is not the declared one");
     records = chunk.records;
-  } else if (chunk.compression == "zstd") {
-    std::optional<std::string> unpacked = zstd_decompress(chunk.records, chunk.uncompressed_size);
-    if (!unpacked) return what("its zstd data is damaged");
+  } else if (chunk.compression == "zstd" || chunk.compression == "lz4") {
+    const auto decompress = chunk.compression == "zstd" ? zstd_decompress : lz4_decompress;
+    std::optional<std::string> unpacked = decompress(chunk.records, chunk.uncompressed_size);
+    if (!unpacked) return what("its " + std::string(chunk.compression) + " data is damaged");
     records = *std::move(unpacked);
   } else {
     return Error{.what = "is compressed with " + std::string(chunk.compression.substr(0, 32)) + ", which is not read",
                  .where = {},
-                 .fix = "write the file again with zstd or without compression"};
+                 .fix = "write the file again with zstd, with lz4 or without compression"};
   }
   if (chunk.uncompressed_crc != 0 && chunk.uncompressed_crc != crc32(records))
     return what("its CRC does not match its data");

@@ -17,4 +17,7 @@ namespace telepalp::wire::mcap {
 /// declares.
 [[nodiscard]] std::optional<std::string> zstd_decompress(std::string_view bytes, std::size_t size);
 
+/// As zstd_decompress(), for the frame format of lz4.
+[[nodiscard]] std::optional<std::string> lz4_decompress(std::string_view bytes, std::size_t size);
+
 }  // namespace telepalp::wire::mcap

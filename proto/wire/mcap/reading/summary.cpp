@@ -17,18 +17,19 @@ struct Footing {
 };
 
 Result<Footing> read_footer(ByteSource& source) {
-  const Error no_summary = damaged(source, "truncated: it has no summary at its end");
+  const Error no_summary =
+      damaged(source, "has no summary at its end: it is truncated, or was written without one", source.size());
   if (source.size() < kMagic.size() + kTailBytes) return no_summary;
   const std::uint64_t offset = source.size() - kTailBytes;
   std::string tail;
-  if (!source.read(offset, kTailBytes, tail)) return damaged(source, "cannot be read");
+  if (!source.read(offset, kTailBytes, tail)) return damaged(source, "cannot be read", offset);
   if (!tail.ends_with(kMagic)) return no_summary;
   ByteCursor from(tail);
   if (from.u8() != static_cast<std::uint8_t>(Opcode::Footer) || from.u64() != kFooterContentBytes) return no_summary;
   const auto footer = parse<Footer>(from.rest());
   if (!footer || footer->summary_start == 0) return no_summary;
   if (footer->summary_start < kMagic.size() || footer->summary_start > offset)
-    return damaged(source, "the declared place of its summary lies outside the file");
+    return damaged(source, "the declared place of its summary lies outside the file", offset);
   return Footing{*footer, offset};
 }
 
@@ -45,6 +46,7 @@ bool take(Summary& summary, Opcode opcode, std::string_view content, std::uint64
     }
     case Opcode::Channel: {
       auto channel = parse<Channel>(content);
+      if (channel && !summary.channels.has_schema(channel->schema_id)) return true;  // its chunk defines both
       return channel && summary.channels.add(*std::move(channel));
     }
     case Opcode::Statistics: {
@@ -89,19 +91,23 @@ Result<Summary> read_summary(ByteSource& source) {
 
   std::string bytes;  // the summary and the footer's part that the CRC covers
   const std::uint64_t covered = length + kRecordHeadBytes + kFooterContentBytes - sizeof(std::uint32_t);
-  if (!source.read(start, covered, bytes)) return damaged(source, "cannot be read");
+  if (!source.read(start, covered, bytes)) return damaged(source, "cannot be read", start);
   if (footing->footer.summary_crc != 0 && footing->footer.summary_crc != crc32(bytes))
-    return damaged(source, "the CRC of its summary does not match");
+    return damaged(source, "the CRC of its summary does not match", start);
 
   Summary summary;
+  bool counted = false, described = false;  // the number of messages is known; there are schemas or channels
   ByteCursor from(std::string_view(bytes).substr(0, length));
   while (from.ok() && !from.at_end()) {
+    const std::uint64_t offset = start + length - from.rest().size();
     const auto opcode = static_cast<Opcode>(from.u8());
     const std::string_view content = from.raw(from.u64());
-    if (!from.ok() || !take(summary, opcode, content, start)) return damaged(source, "its summary is damaged");
+    if (!from.ok() || !take(summary, opcode, content, start)) return damaged(source, "its summary is damaged", offset);
+    counted = counted || opcode == Opcode::Statistics;
+    described = described || opcode == Opcode::Schema || opcode == Opcode::Channel;
   }
-  if (summary.chunks.empty() && summary.statistics.message_count > 0)
-    return damaged(source, "its messages are not in chunks, so they have no index");
+  if (summary.chunks.empty() && (counted ? summary.statistics.message_count > 0 : described))
+    return damaged(source, "has no index of its messages", start);
   std::sort(summary.chunks.begin(), summary.chunks.end(),
             [](const ChunkIndex& a, const ChunkIndex& b) { return a.chunk_start_offset < b.chunk_start_offset; });
   return summary;
