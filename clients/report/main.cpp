@@ -1,7 +1,9 @@
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 
 #include "clients/record/unfinished.h"
+#include "clients/report/compare/comparison_html.h"
 #include "clients/report/figures/report_html.h"
 #include "clients/report/figures/view.h"
 #include "clients/report/session/session_file.h"
@@ -16,10 +18,9 @@ namespace {
 
 const program::Usage kUsage{
     .program = "telepalp-report",
-    .purpose = "reports on a session file: report.html for people, report.json for programs, view.png",
-    .positional = "SESSION.mcap",
-    .options =
-        {{.name = "out", .argument = "DIR", .help = "folder for the three files; created if missing", .initial = "."}},
+    .purpose = "reports on a session file: report.html, report.json, view.png; of two sessions: comparison.html",
+    .positional = "SESSION.mcap [OTHER.mcap]",
+    .options = {{.name = "out", .argument = "DIR", .help = "folder for the files; created if missing", .initial = "."}},
     .example = "telepalp-report out/session.mcap --out out"};
 
 /// A report shows a patient, so only the file's owner and group may read it.
@@ -66,6 +67,34 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
   return {};
 }
 
+/// The picture of `run` at `at_ns` as PNG; empty without images.
+Result<std::string> picture(const report::Run& run, std::int64_t at_ns) {
+  const auto frame = report::read_frame(run.file, run.session, at_ns);
+  if (!frame) return frame.error();
+  return *frame ? images::encode_png(report::draw_view(run.session, **frame, at_ns)) : std::string();
+}
+
+Result<void> write_comparison(const std::vector<std::string>& asked, const std::filesystem::path& folder) {
+  const Result<std::filesystem::path> a = finished(asked[0]), b = finished(asked[1]);
+  if (!a) return a.error();
+  if (!b) return b.error();
+  const Result<report::Comparison> comparison = report::compare(*a, *b);
+  if (!comparison) return comparison.error();
+  if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;
+  const report::Origins origins = report::common_origins(comparison->a.session, comparison->b.session);
+  const std::int64_t since_ns = std::llround(1e9 * report::pictured_s(*comparison));
+  Result<std::string> first = picture(comparison->a, origins.a_ns + since_ns);
+  if (!first) return first.error();
+  Result<std::string> second = picture(comparison->b, origins.b_ns + since_ns);
+  if (!second) return second.error();
+  const std::string page = report::comparison_html(*comparison, {std::move(*first), std::move(*second)});
+  if (auto done = write_file(folder / "comparison.html", page); !done) return done;
+  std::cout << report::headline(*comparison) << "\n"
+            << report::account(*comparison) << "\n"
+            << (folder / "comparison.html").string() << "\n";
+  return {};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -73,9 +102,13 @@ int main(int argc, char** argv) {
   if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
   if (!*arguments) return program::kDone;
   const auto& given = **arguments;
-  if (given.positional().size() != 1)
-    return program::fail({.what = "name one session file", .where = "telepalp-report", .fix = "telepalp-report --help"},
+  const std::vector<std::string>& sessions = given.positional();
+  if (sessions.empty() || sessions.size() > 2)
+    return program::fail({.what = "name one session file, or two to compare",
+                          .where = "telepalp-report",
+                          .fix = "telepalp-report --help"},
                          program::kAskedWrongly);
-  const Result<void> done = write_report(given.positional().front(), given.text("out"));
+  const Result<void> done = sessions.size() == 1 ? write_report(sessions.front(), given.text("out"))
+                                                 : write_comparison(sessions, given.text("out"));
   return done ? program::kDone : program::fail(done.error());
 }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/report/compare/metric_table.h"
+#include "clients/report/compare/run.h"
+#include "clients/report/compare/settings.h"
+#include "clients/report/compare/tick_comparison.h"
+
+namespace telepalp::report {
+
+/// What differs between two runs.
+struct Comparison {
+  Run a;
+  Run b;
+  std::vector<Setting> settings;
+  TickComparison ticks;
+  bool messages_compared = false;              ///< the sessions share time, so that equal runs have equal messages
+  std::optional<std::string> first_message{};  ///< the first message in which they differ, in words
+  std::vector<MetricPair> metrics;
+  std::vector<MetricPair> replay_metrics;
+
+  /// Every message is equal.
+  [[nodiscard]] bool equal() const noexcept { return messages_compared && !first_message; }
+};
+
+/// Reads and compares two sessions, or folders of telepalp-replay. Error: one of them cannot be read.
+[[nodiscard]] Result<Comparison> compare(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// "B differs from A in the network. The first difference is at 3.1 s: …"
+[[nodiscard]] std::string headline(const Comparison& comparison);
+
+/// The likely cause of the first difference, and how large the differences are, as one or two sentences.
+[[nodiscard]] std::string account(const Comparison& comparison);
+
+/// The time since the origins at which pictures of both runs are compared [s]: the largest difference of force; for
+/// equal forces, the deepest touch of the first run.
+[[nodiscard]] double pictured_s(const Comparison& comparison);
+
+}  // namespace telepalp::report

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/report/compare/run.h"
+
+namespace telepalp::report {
+
+/// A figure of both runs. kUnknown where a run does not have it.
+struct MetricPair {
+  std::string name;
+  std::string unit;
+  double a = kUnknown;
+  double b = kUnknown;
+  enum class Better { Less, More, Neither } better = Better::Less;
+
+  /// True if B is worse than A by more than a thousandth of the larger one.
+  [[nodiscard]] bool worse() const noexcept;
+};
+
+/// The figures of both sessions. Figures that neither run has are left out.
+[[nodiscard]] std::vector<MetricPair> metric_pairs(const Summary& a, const Summary& b);
+
+/// The metrics that telepalp-replay measured against the unimpaired run and the true skin, if it wrote both runs.
+[[nodiscard]] std::vector<MetricPair> replay_metric_pairs(const Run& a, const Run& b);
+
+}  // namespace telepalp::report

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/report/compare/run.h"
+
+namespace telepalp::report {
+
+/// A condition under which the two runs took place. A text is empty where a session does not state it.
+struct Setting {
+  std::string name;
+  std::string a;
+  std::string b;
+  [[nodiscard]] bool differs() const { return a != b; }
+};
+
+/// Software, source, scene, network, calibration and computer of both runs. Settings that neither session states are
+/// left out.
+[[nodiscard]] std::vector<Setting> settings_of(const Run& a, const Run& b);
+
+/// The first line in which two scene files differ: "line 7: stiffness_N_per_m: 300"; equal texts: empty.
+[[nodiscard]] std::string first_line_apart(const std::string& text, const std::string& other);
+
+}  // namespace telepalp::report

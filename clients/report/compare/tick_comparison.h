@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "clients/report/session/session.h"
+
+namespace telepalp::report {
+
+/// The session times at which the common time axis of two runs begins.
+struct Origins {
+  std::int64_t a_ns = 0;
+  std::int64_t b_ns = 0;
+};
+
+/// True if the two sessions share an interval of session time: two replays of one source, or two recordings of one
+/// run.
+[[nodiscard]] bool share_time(const Session& a, const Session& b) noexcept;
+
+/// One common instant for sessions that share time; otherwise the first tick of each, or its first message.
+[[nodiscard]] Origins common_origins(const Session& a, const Session& b) noexcept;
+
+/// Two runs at the same time since their origins.
+struct Instant {
+  double at_s = 0.0;
+  std::size_t tick_a = 0;  ///< index in the ticks of the first run
+  std::size_t tick_b = 0;
+  double force_apart_N = 0.0;  ///< length of the difference of the force vectors
+  double hands_apart_m = 0.0;
+};
+
+/// Two runs, tick by tick. Without common ticks, `common` is 0 and the other members are empty or 0.
+struct TickComparison {
+  std::size_t common = 0;              ///< ticks of the first run with a tick of the second within half a period
+  double force_rms_N = 0.0;            ///< of the difference, over the common ticks
+  std::size_t phase_other = 0;         ///< common ticks at which the phases differ
+  std::optional<Instant> first_phase;  ///< the first tick at which the phases differ
+  /// The first tick with contact in one of the runs at which the forces differ by more than kFelt_N. Out of contact,
+  /// the force moves the free device and is not felt.
+  std::optional<Instant> first_felt;
+  std::optional<Instant> largest;  ///< the tick of the largest force difference; nullopt: the forces are equal
+  std::vector<double> at_s;        ///< of each common tick
+  std::vector<double> apart_N;     ///< force difference at each common tick
+};
+
+/// A difference of force that a hand can notice in a small contact force: a tenth of 0.5 N.
+inline constexpr double kFelt_N = 0.05;
+
+[[nodiscard]] TickComparison compare_ticks(const Session& a, const Session& b);
+
+}  // namespace telepalp::report
