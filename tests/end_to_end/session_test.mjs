@@ -7,17 +7,20 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
-import { decoders, readIndexed } from "../npm/mcap_file.mjs";
+import { assertPublished, publishedTypes } from "../npm/foxglove_types.mjs";
+import { decoders, readIndexed, typesOf } from "../npm/mcap_file.mjs";
 
 const [sourceDir, binDir] = process.argv.slice(2);
 const folder = await mkdtemp(path.join(tmpdir(), "telepalp-session-"));
 const byTopic = new Map();
+let begin_ns; // of the session
 
 before(async () => {
   const args = ["--headless", "--seconds", "5", "--source", "oni:deploy/demo_data/oni/3dj_test.oni", "--out", folder];
   await promisify(execFile)("deploy/demo", args, { cwd: sourceDir, env: { ...process.env, TELEPALP_BIN: binDir } });
   const { reader, messages } = await readIndexed(path.join(folder, "session.mcap"));
   const decode = decoders(reader.schemasById);
+  begin_ns = reader.statistics.messageStartTime;
   for (const message of messages) {
     const channel = reader.channelsById.get(message.channelId);
     if (!byTopic.has(channel.topic)) byTopic.set(channel.topic, []);
@@ -66,4 +69,35 @@ test("no tick is missing from the session but those that missed their deadline",
     next += batch.phase.length;
   }
   assert.ok(next >= 9000, `${next} ticks in 5 s`);
+});
+
+test("telepalp-export writes the types that Foxglove publishes, with the force as an arrow", async () => {
+  const strongest = byTopic.get("/station/state").reduce((a, b) => (norm(b.force_N) > norm(a.force_N) ? b : a));
+  const at_s = Number(BigInt(strongest.stamp_ns.toString()) - begin_ns) * 1e-9;
+  const [part, file] = ["part.mcap", "view.mcap"].map((name) => path.join(folder, name));
+  const run = (program, ...args) => promisify(execFile)(path.join(binDir, program), args);
+  const times = ["--from", `${Math.max(0, at_s - 0.1)}s`, "--to", `${at_s + 0.1}s`];
+  await run("telepalp-record", "cut", path.join(folder, "session.mcap"), ...times, "--out", part);
+  await run("telepalp-export", part, "--foxglove", file);
+  const { reader, messages } = await readIndexed(file);
+  const published = publishedTypes();
+  const decode = decoders(reader.schemasById);
+  for (const type of typesOf(reader.schemasById).values()) assertPublished(type, published.lookupType(type.fullName.slice(1)));
+  const shown = (topic) =>
+    messages.flatMap(({ channelId, data }) => {
+      const channel = reader.channelsById.get(channelId);
+      return channel.topic === topic ? [decode.get(channel.schemaId)(data)] : [];
+    });
+  const arrows = shown("/station/scene").flatMap(({ entities }) => entities).flatMap((entity) => entity.arrows);
+  const longest_m = Math.max(...arrows.map((arrow) => arrow.shaft_length + arrow.head_length));
+  assert.ok(Math.abs(longest_m - 0.02 * norm(strongest.force_N)) < 1e-6, `${longest_m} m for ${norm(strongest.force_N)} N`);
+  const [image] = shown("/camera/depth/image");
+  assert.equal(image.encoding, "16UC1");
+  assert.equal(image.data.length, image.step * image.height);
+  const [cloud] = shown("/camera/points");
+  assert.deepEqual(cloud.fields.map(({ name }) => name).slice(0, 3), ["x", "y", "z"]);
+  assert.equal(cloud.data.length % cloud.point_stride, 0);
+  const frames = shown("/transforms").flatMap(({ transforms }) => transforms).map((one) => one.child_frame_id);
+  assert.ok(frames.includes("device") && frames.includes("proxy"), [...new Set(frames)].join());
+  assert.ok(shown("/camera/color").length > 0);
 });

@@ -19,16 +19,20 @@ class Bytes {
   }
 }
 
-/** Decoders by schema id, made from each schema's FileDescriptorSet and nothing else. */
-export function decoders(schemas) {
+/** Types by schema id, made from each schema's FileDescriptorSet and nothing else. */
+export function typesOf(schemas) {
   const bySchema = new Map();
   for (const schema of schemas.values()) {
     if (schema.encoding !== "protobuf") throw new Error(`${schema.name}: encoding ${schema.encoding}`);
     const set = protobuf.descriptor.FileDescriptorSet.decode(schema.data);
-    const type = protobuf.Root.fromDescriptor(set).lookupType(schema.name);
-    bySchema.set(schema.id, (bytes) => type.decode(bytes));
+    bySchema.set(schema.id, protobuf.Root.fromDescriptor(set).lookupType(schema.name));
   }
   return bySchema;
+}
+
+/** Decoders by schema id. */
+export function decoders(schemas) {
+  return new Map([...typesOf(schemas)].map(([id, type]) => [id, (bytes) => type.decode(bytes)]));
 }
 
 /** Through the index: { reader, messages } with messages in the reader's order. */
