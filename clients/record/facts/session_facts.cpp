@@ -98,7 +98,7 @@ std::vector<std::string> notes_on(const SessionFacts& facts) {
     if (!topic.is_ours)
       notes.push_back(topic.name + ": unknown topic, or another type than telepalp's; its messages are not checked");
     if (topic.has_other_version)
-      notes.push_back(topic.name + ": recorded by another version of telepalp; its fields may differ");
+      notes.push_back(topic.name + ": recorded by another version of telepalp; fields may differ");
     if (topic.lost > 0) notes.push_back(topic.name + ": " + count(topic.lost, "messages were lost before the file"));
     if (topic.back_in_time > 0) notes.push_back(topic.name + ": time goes back " + count(topic.back_in_time, "times"));
   }
