@@ -26,7 +26,7 @@ DatagramLink::DatagramLink(const DatagramLinkSettings& settings, End end)
     : sealer_(settings.seal, sends(end)),
       opener_(settings.seal, hears(end)),
       sender_(settings.deadline),
-      receiver_(settings.deadline),
+      receiver_(settings.deadline, settings.most_assembling_B),
       takes_frames_(settings.takes_frames) {}
 
 std::optional<Datagram> DatagramLink::seal(std::span<const std::byte> payload, SessionTime now) {

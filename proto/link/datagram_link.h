@@ -19,6 +19,7 @@ struct DatagramLinkSettings {
   Nanoseconds deadline =
       std::chrono::milliseconds(100);  ///< longest time from a frame's time stamp until it is complete
   bool takes_frames = true;            ///< false: fragments from the peer are ignored, and take no memory
+  std::size_t most_assembling_B = FrameReceiver::kMostAssembling_B;  ///< of frames from the peer
 };
 
 /// One end of a sealed link that carries frames with a deadline, in both directions. Pure: the caller sends and

@@ -37,6 +37,14 @@ std::string images_come_by(DatagramPhase phase) {
                                     : "no datagram comes through (UDP): the images come over TCP";
 }
 
+/// From now on datagrams carry the deadline topics, or TCP does again. Messages of these topics that wait are dropped:
+/// newer ones follow. Returns their number.
+std::size_t send_by_datagram(SendQueue& queue, bool on) {
+  const std::size_t dropped = queue.remove_if([](const Message& message) { return has_deadline(message.topic); });
+  queue.send_by_datagram(on);
+  return dropped;
+}
+
 void add(std::map<std::string_view, ReceivedCount>& sum, const std::map<std::string_view, ReceivedCount>& counts) {
   for (const auto& [topic, count] : counts) {
     sum[topic].messages += count.messages;
@@ -110,6 +118,7 @@ bool ClientLink::publish(Message message) {
   }
   counts_.not_sent += outgoing_.push(message).size();
   if (connected) connection_->wake();
+  if (datagrams_) datagrams_->wake();
   return connected;
 }
 
@@ -262,7 +271,15 @@ void ClientLink::start_datagrams() {
   if (!seal) return;
   datagrams_ = std::make_unique<ClientDatagrams>(
       io_, boost::asio::ip::udp::endpoint(server_.address(), server_.port()), *seal,
-      ClientDatagrams::Handlers{.on_frame =
+      ClientDatagrams::Handlers{.next_frame = [this]() -> std::optional<link::Frame> {
+                                  std::vector<Message> replaced;
+                                  const std::optional<Message> message = outgoing_.pop_newest(replaced);
+                                  counts_.not_sent += replaced.size();
+                                  if (!message) return std::nullopt;
+                                  ++counts_.published;
+                                  return frame_of(*message, clock().now());
+                                },
+                                .on_frame =
                                     [this](const link::Frame& frame) {
                                       std::optional<Message> message = message_of(frame);
                                       if (connection_ && message) connection_->take_datagram(std::move(*message));
@@ -271,6 +288,7 @@ void ClientLink::start_datagrams() {
                                     [this](DatagramPhase phase) {
                                       if (handlers_.on_datagrams) handlers_.on_datagrams(phase, images_come_by(phase));
                                     },
+                                .on_carry = [this](bool on) { counts_.not_sent += send_by_datagram(outgoing_, on); },
                                 .now = [this] { return clock().now(); }});
   datagrams_->start();
 }

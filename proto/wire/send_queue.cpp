@@ -8,15 +8,16 @@
 namespace telepalp::wire {
 namespace {
 
+/// Of what is worthless when it is late: the message that is sent next, and the newest one.
+constexpr QueueLimit kNewest{.messages = 2, .bytes = 2 * kMaxPayloadBytes};
+
 bool is_camera(const Topic& topic) noexcept { return topic.name.starts_with("/camera/"); }
 
 }  // namespace
 
 QueueLimit queue_limit(std::string_view topic) noexcept {
-  constexpr QueueLimit kImages{.messages = 2,
-                               .bytes = 2 * kMaxPayloadBytes};  // one that is sent next and the newest one
   constexpr QueueLimit kSmall{.messages = 256, .bytes = std::size_t{1} << 20};  // 2.5 s of the 100 Hz topics
-  return has_deadline({topic, {}}) ? kImages : kSmall;
+  return topic == kCameraDepth.name || topic == kCameraColor.name ? kNewest : kSmall;
 }
 
 SendQueue::Lane& SendQueue::lane_of(const Topic& topic) noexcept {
@@ -33,20 +34,20 @@ void SendQueue::count_in(const Message& message) {
   Waiting& topic = waiting_[message.topic.name];
   ++topic.messages;
   topic.bytes += message.payload->size();
-  if (!is_camera(message.topic)) other_bytes_ += message.payload->size();
+  if (&lane_of(message.topic) == &others_) other_bytes_ += message.payload->size();
 }
 
 void SendQueue::count_out(const Message& message) {
   Waiting& topic = waiting_[message.topic.name];
   --topic.messages;
   topic.bytes -= message.payload->size();
-  if (!is_camera(message.topic)) other_bytes_ -= message.payload->size();
+  if (&lane_of(message.topic) == &others_) other_bytes_ -= message.payload->size();
 }
 
 bool SendQueue::has_room(const Message& message) const {
   const auto found = waiting_.find(message.topic.name);
   if (found == waiting_.end() || found->second.messages == 0) return true;
-  const QueueLimit limit = queue_limit(message.topic.name);
+  const QueueLimit limit = by_datagram_ && has_deadline(message.topic) ? kNewest : queue_limit(message.topic.name);
   return found->second.messages < limit.messages && found->second.bytes + message.payload->size() <= limit.bytes;
 }
 

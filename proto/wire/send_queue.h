@@ -48,7 +48,7 @@ class SendQueue {
   [[nodiscard]] std::size_t waiting(const Topic& topic) const;
   [[nodiscard]] bool empty() const noexcept { return size() == 0; }
   [[nodiscard]] std::size_t size() const noexcept { return datagrams_.size() + camera_.size() + others_.size(); }
-  /// Queued bytes of the topics outside /camera/..., which include all messages that peers publish.
+  /// Queued bytes of the topics outside /camera/... that wait for TCP.
   [[nodiscard]] std::size_t other_bytes() const noexcept { return other_bytes_; }
 
   /// Removes all messages for which `matches` is true; returns their number.

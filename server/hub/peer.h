@@ -121,10 +121,17 @@ class PeerListener::Peer : public wire::ConnectionOwner {
                                       connection_->keying_material(wire::kDatagramKeyLabel),
                                       {.subscriber = subscriber_,
                                        .now = [this] { return session_now(); },
+                                       .on_message = messages_by_datagram(),
                                        .on_phase = [this](wire::DatagramPhase phase) { note_images(phase); }});
     if (!datagrams_) return;
     connection_->offer_datagrams(datagrams_->message());
     datagrams_->start();
+  }
+  /// Takes them as if they had come on the connection, with all its checks. Null for a peer whose key publishes
+  /// nothing.
+  std::function<void(wire::Message)> messages_by_datagram() {
+    if (!who_ || !access().may(*who_, keys::Operation::Touch)) return {};
+    return [this](wire::Message message) { connection_->take_datagram(std::move(message)); };
   }
   void note_images(wire::DatagramPhase phase) {
     listener_.note(name_ + " at " + connection_->peer() +
@@ -199,10 +206,15 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   std::optional<wire::Message> next_to_send() override { return listener_.hub_.next(subscriber_); }
   SessionTime session_now() override { return listener_.clock_.now(); }
 
+  void end_datagrams() {
+    if (!datagrams_) return;
+    datagrams_->close();
+    boost::asio::post(listener_.io_, [ended = std::move(datagrams_)] {});  // it may be on the call stack
+  }
   void leave_hub() {
     if (!subscriber_) return;
     if (listener_.options_.on_leaving) listener_.options_.on_leaving();
-    datagrams_.reset();
+    end_datagrams();
     listener_.hub_.leave(std::exchange(subscriber_, 0));
     sender_ = 0;  // the number is free for this peer's next connection
   }

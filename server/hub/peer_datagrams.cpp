@@ -6,10 +6,28 @@
 
 namespace telepalp::hub {
 
+namespace {
+
+std::function<void(link::Frame)> frames_to(const std::function<void(wire::Message)>& on_message) {
+  if (!on_message) return {};
+  return [on_message](const link::Frame& frame) {
+    if (std::optional<wire::Message> message = wire::message_of(frame)) on_message(std::move(*message));
+  };
+}
+
+}  // namespace
+
 PeerDatagrams::PeerDatagrams(DatagramPort& port, Hub& hub, Peer peer)
     : port_(port), hub_(hub), peer_(std::move(peer)), number_(port.join(*this)) {}
 
-PeerDatagrams::~PeerDatagrams() { port_.leave(number_); }
+PeerDatagrams::~PeerDatagrams() { close(); }
+
+void PeerDatagrams::close() noexcept {
+  if (closed_) return;
+  closed_ = true;
+  port_.leave(number_);
+  if (end_) end_->close();
+}
 
 std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io, DatagramPort& port, Hub& hub,
                                                     msg::DatagramCipher wanted, const wire::KeyingMaterial& from_tls,
@@ -30,7 +48,7 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
                                     if (!message) return std::nullopt;
                                     return wire::frame_of(*message, raw->peer_.now());
                                   },
-                                  .on_frame = {},
+                                  .on_frame = frames_to(made->peer_.on_message),
                                   .on_key_frame_needed =
                                       [&hub, subscriber](std::uint8_t channel) {
                                         if (channel < wire::kDeadlineTopics.size())

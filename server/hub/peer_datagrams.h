@@ -11,13 +11,15 @@
 
 namespace telepalp::hub {
 
-/// The datagrams of one peer. While its path is up they carry its deadline topics, and TCP carries its other topics.
-/// Owner: the network thread.
+/// The datagrams of one peer. While its path is up they carry the deadline topics that it subscribes to or publishes,
+/// and TCP carries the other topics. Owner: the network thread.
 class PeerDatagrams : private DatagramPort::Session {
  public:
   struct Peer {
     SubscriberId subscriber = 0;
     std::function<SessionTime()> now{};
+    /// A message came by datagram; empty: this peer may publish nothing, and its frames are ignored.
+    std::function<void(wire::Message)> on_message{};
     std::function<void(wire::DatagramPhase)> on_phase{};  ///< called when the phase becomes Up or Blocked
   };
 
@@ -30,6 +32,9 @@ class PeerDatagrams : private DatagramPort::Session {
   /// The offer to send to the peer over TCP, once.
   [[nodiscard]] const msg::DatagramOffer& message() const noexcept { return offer_.message; }
   void start() { end_->start(); }
+  /// No handler is called any more, and the port is left. It may then outlive port and hub, but one of its handlers must
+  /// not destroy it.
+  void close() noexcept;
   /// Call it when the hub has a message for the peer.
   void wake() { end_->pump(); }
 
@@ -44,6 +49,7 @@ class PeerDatagrams : private DatagramPort::Session {
   Peer peer_;
   std::uint32_t number_;
   wire::DatagramOffer offer_;
+  bool closed_ = false;
   std::optional<DatagramPort::Endpoint>
       address_;                             // sender of the newest authenticated datagram; nullopt: none came yet
   std::unique_ptr<wire::DatagramEnd> end_;  // never null after offer()

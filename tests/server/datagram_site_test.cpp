@@ -58,6 +58,63 @@ TEST(DatagramSite, ImagesGoByDatagramAndEverythingElseOverTcp) {
             site.notes.end());
 }
 
+/// A doctor's station behind a relay, and a viewer that watches its state.
+struct StationSite : KeyedSite {
+  DatagramRelay relay{io, listener->port()};
+  KeyedClient station{*this,       ring.key("anna", Role::Doctor),
+                      "doctor",    {wire::kStationState, wire::kStationTicks},
+                      "127.0.0.1", relay.port()};
+  KeyedClient viewer{*this, ring.key("bea", Role::Viewer)};
+  std::uint64_t published = 0;
+
+  bool up() {
+    return run_until(
+        [&] { return station.link.datagrams() == DatagramPhase::Up && viewer.link.datagrams() == DatagramPhase::Up; });
+  }
+  /// The station publishes states until the viewer gets one. A change of the carrier may drop some.
+  bool state_arrives() {
+    for (int i = 0; i < 100; ++i) {
+      (void)station.link.publish(station_state(static_cast<std::int64_t>(++published)));
+      if (run_until([&] { return newest_state() == published; }, 100ms)) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] std::uint64_t newest_state() const {
+    msg::StationState state;
+    if (viewer.messages.empty() || !state.ParseFromString(*viewer.messages.back().payload)) return 0;
+    return state.stamp_ns();
+  }
+};
+
+TEST(DatagramSite, TheStationsStateGoesByDatagramBothWays) {
+  StationSite site;
+  ASSERT_TRUE(site.up());
+  const std::size_t sent_before = site.relay.from_client().size();
+  for (int i = 0; i < 50; ++i) ASSERT_TRUE(site.state_arrives());
+  EXPECT_GE(site.relay.from_client().size() - sent_before, 50U);
+}
+
+TEST(DatagramSite, WhenUdpDiesTheStationsStateGoesOverTcp) {
+  StationSite site;
+  ASSERT_TRUE(site.up());
+  ASSERT_TRUE(site.state_arrives());
+  site.relay.blocks_udp = true;
+  EXPECT_TRUE(site.run_until([&] { return site.station.link.datagrams() == DatagramPhase::Blocked; }, 10s));
+  EXPECT_TRUE(site.state_arrives());
+  EXPECT_TRUE(site.station.connected());
+}
+
+TEST(DatagramSite, AViewerPublishesNothingByDatagramEither) {
+  KeyedSite site;
+  KeyedClient watching(site, site.ring.key("bea", Role::Viewer));
+  KeyedClient guest(site, site.ring.key("eve", Role::Viewer));
+  ASSERT_TRUE(site.run_until([&] { return guest.link.datagrams() == DatagramPhase::Up; }));
+  for (int i = 0; i < 20; ++i) (void)guest.link.publish(station_state(i + 1));
+  site.io.run_for(200ms);
+  EXPECT_TRUE(watching.messages.empty());
+  EXPECT_TRUE(guest.connected());
+}
+
 TEST(DatagramSite, NobodyWhoCapturesThePacketsFindsAnImage) {
   RelayedSite site;
   ASSERT_TRUE(site.run_until([&] { return site.client.connected(); }));

@@ -35,12 +35,12 @@ FrameReceiver::Assembly* FrameReceiver::assembly_for(Channel& channel, const Fra
     if (!agrees) ++statistics_.malformed;
     return agrees ? &known->second : nullptr;
   }
-  if (header.frame_bytes <= kStampBytes) {
+  const FrameLayout layout(header.frame_bytes);
+  const std::size_t bytes = layout.data_shards * layout.shard_bytes;
+  if (header.frame_bytes <= kStampBytes || bytes > most_assembling_B_) {
     ++statistics_.malformed;
     return nullptr;
   }
-  const FrameLayout layout(header.frame_bytes);
-  const std::size_t bytes = layout.data_shards * layout.shard_bytes;
   make_room(channel, bytes);
   assembling_B_ += bytes;
   Assembly frame{.header = header, .layout = layout, .body = std::vector<std::byte>(bytes), .first_at = now};
@@ -54,7 +54,7 @@ void FrameReceiver::make_room(Channel& channel, std::size_t bytes) {
   while (channel.frames.size() >= kMostFrames) give_up(channel, channel.frames.begin());
   for (const bool of_this : {true, false})
     for (auto& [number, other] : channels_)
-      while ((&other == &channel) == of_this && assembling_B_ + bytes > kMostAssembling_B && !other.frames.empty())
+      while ((&other == &channel) == of_this && assembling_B_ + bytes > most_assembling_B_ && !other.frames.empty())
         give_up(other, other.frames.begin());
 }
 

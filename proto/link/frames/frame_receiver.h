@@ -23,14 +23,15 @@ struct ReceiverStatistics {
 /// Assembles frames from fragments in any order. A frame is delivered only when it is complete, and once. A key frame
 /// is delivered at once, and marked as newest or not: one that was repaired within its deadline may come after a newer
 /// frame and must then not be shown. A dependent frame is delivered only after the frame before it, and never late.
-/// Memory is bounded: at most kMostAssembling_B, and kMostFrames of a channel. Pure: time is an argument. Owner: one
-/// thread.
+/// Memory is bounded: at most `most_assembling_B`, and kMostFrames of a channel; a larger frame is refused. Pure: time
+/// is an argument. Owner: one thread.
 class FrameReceiver {
  public:
   static constexpr std::size_t kMostAssembling_B = std::size_t{32} << 20U;
   static constexpr std::size_t kMostFrames = 16;
 
-  explicit FrameReceiver(Nanoseconds deadline) : deadline_(deadline) {}
+  explicit FrameReceiver(Nanoseconds deadline, std::size_t most_assembling_B = kMostAssembling_B)
+      : deadline_(deadline), most_assembling_B_(most_assembling_B) {}
 
   void add(const Fragment& fragment, SessionTime now);
   /// The next complete frame; nullopt: none.
@@ -97,6 +98,7 @@ class FrameReceiver {
   void make_room(Channel& channel, std::size_t bytes);
 
   Nanoseconds deadline_;
+  std::size_t most_assembling_B_;
   std::map<std::uint8_t, Channel> channels_;
   std::size_t assembling_B_ = 0;
   std::uint16_t key_frames_wanted_ = 0;

@@ -18,15 +18,17 @@ ClientDatagrams::ClientDatagrams(asio::io_context& io, const asio::ip::udp::endp
                                  const link::SealSettings& seal, Handlers handlers)
     : server_(server),
       on_phase_(std::move(handlers.on_phase)),
+      on_carry_(std::move(handlers.on_carry)),
       socket_(io),
       end_(io.get_executor(), seal, link::End::Client,
            {.send = [this](std::span<const std::byte> datagram) { return send(datagram); },
-            .next_frame = {},
+            .next_frame = std::move(handlers.next_frame),
             .on_frame = std::move(handlers.on_frame),
             .on_key_frame_needed = {},
             .on_phase =
                 [this](DatagramPhase phase) {
                   if (phase == DatagramPhase::Blocked) change_socket();
+                  carry(phase == DatagramPhase::Up);
                   if (on_phase_) on_phase_(phase);
                 },
             .now = std::move(handlers.now)}) {}
@@ -36,7 +38,12 @@ void ClientDatagrams::start() {
   end_.start();
 }
 
-void ClientDatagrams::close() noexcept {
+void ClientDatagrams::carry(bool carries) {
+  if (std::exchange(carries_, carries) != carries && on_carry_) on_carry_(carries);
+}
+
+void ClientDatagrams::close() {
+  carry(false);
   closed_ = true;
   end_.close();
   error_code ignored;

@@ -16,8 +16,11 @@ namespace telepalp::wire {
 class ClientDatagrams {
  public:
   struct Handlers {
+    std::function<std::optional<link::Frame>()> next_frame{};  ///< to send
     std::function<void(link::Frame)> on_frame{};
     std::function<void(DatagramPhase)> on_phase{};
+    /// True: from now on next_frame() is asked. False: no longer, because the path is down or close() was called.
+    std::function<void(bool)> on_carry{};
     std::function<SessionTime()> now{};
   };
 
@@ -25,19 +28,23 @@ class ClientDatagrams {
                   const link::SealSettings& seal, Handlers handlers);
 
   void start();
-  void close() noexcept;  ///< no handler is called any more
+  void close();                 ///< afterwards no handler is called any more
+  void wake() { end_.pump(); }  ///< call it when next_frame() has a frame again
   /// Continues on another local port. For tests: to the server it looks like a NAT that changes its mapping.
   void change_socket();
 
   [[nodiscard]] const DatagramEnd& end() const noexcept { return end_; }
 
  private:
+  void carry(bool carries);
   void wait();
   void read_some();
   [[nodiscard]] bool send(std::span<const std::byte> datagram);
 
   boost::asio::ip::udp::endpoint server_;
   std::function<void(DatagramPhase)> on_phase_;
+  std::function<void(bool)> on_carry_;
+  bool carries_ = false;
   boost::asio::ip::udp::socket socket_;
   DatagramEnd end_;
   std::array<std::byte, link::kDatagramBytes + 1> buffer_{};  // one byte more, to recognise datagrams that are too long

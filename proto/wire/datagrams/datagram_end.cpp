@@ -16,6 +16,8 @@ constexpr Nanoseconds kUntilClientBegins = 1500ms;
 constexpr Nanoseconds kFullSocket = 1ms;
 /// The most datagrams sent in one go; then the thread serves its other sockets. A depth image has about a hundred.
 constexpr int kBatch = 64;
+/// Clients send poses and states of less than a kilobyte, and must not fill a server's memory with halves of frames.
+constexpr std::size_t kMostAssemblingAtServer_B = std::size_t{64} << 10U;
 
 }  // namespace
 
@@ -23,8 +25,11 @@ DatagramEnd::DatagramEnd(const boost::asio::any_io_executor& executor, const lin
                          Handlers handlers)
     : end_(end),
       handlers_(std::move(handlers)),
-      // A client sends no frames, so that a server assembles none for it.
-      link_({.seal = seal, .takes_frames = end == link::End::Client}, end),
+      link_({.seal = seal,
+             .takes_frames = handlers_.on_frame != nullptr,
+             .most_assembling_B =
+                 end == link::End::Client ? link::FrameReceiver::kMostAssembling_B : kMostAssemblingAtServer_B},
+            end),
       timer_(executor) {}
 
 void DatagramEnd::start() {

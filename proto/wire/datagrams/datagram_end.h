@@ -16,13 +16,14 @@ namespace telepalp::wire {
 
 /// One end of a connection's datagrams: the sealed link, the watch over its path, and the timer that both need. The
 /// caller has the socket. The client opens the path and keeps it open by sending reports. The server answers the
-/// reports, and sends frames while the path is up. Owner: the thread of its executor.
+/// reports. Both send frames while the path is up. Owner: the thread of its executor.
 class DatagramEnd {
  public:
   struct Handlers {
     std::function<bool(std::span<const std::byte>)> send{};    ///< false: the socket is full, try again
     std::function<std::optional<link::Frame>()> next_frame{};  ///< the next frame to send; empty: this end sends none
-    std::function<void(link::Frame)> on_frame{};  ///< complete, and newer than all before it on its channel
+    /// Complete, and newer than all before it on its channel; empty: this end takes none.
+    std::function<void(link::Frame)> on_frame{};
     /// The peer cannot decode `channel` until it gets a key frame.
     std::function<void(std::uint8_t channel)> on_key_frame_needed{};
     std::function<void(DatagramPhase)> on_phase{};  ///< called when the phase becomes Up or Blocked

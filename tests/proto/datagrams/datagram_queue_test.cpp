@@ -26,7 +26,7 @@ TEST(DatagramQueue, TcpTakesOnlyTheRest) {
   DatagramQueue waiting;
   waiting.queue.push(message(kCameraDepth, 1));
   waiting.queue.push(message(kCameraInfo, 2));
-  waiting.queue.push(message(kStationState, 3));
+  waiting.queue.push(message(kStationTicks, 3));
   EXPECT_EQ(*waiting.queue.pop()->payload, "2");
   EXPECT_EQ(*waiting.queue.pop()->payload, "3");
   EXPECT_FALSE(waiting.queue.pop());
@@ -60,6 +60,33 @@ TEST(DatagramQueue, HoldsNoMoreThanTwoImagesOfATopic) {
   DatagramQueue waiting;
   for (std::uint64_t i = 1; i <= 100; ++i) waiting.queue.push(message(kCameraDepth, i));
   EXPECT_EQ(waiting.queue.size(), 2U);
+}
+
+TEST(DatagramQueue, OfStatesTheNewestGoesAndTheOlderOnesAreDropped) {
+  DatagramQueue waiting;
+  for (std::uint64_t i = 1; i <= 100; ++i) waiting.queue.push(message(kStationState, i));
+  EXPECT_EQ(waiting.queue.size(), 2U);
+  EXPECT_EQ(waiting.newest(), "/station/state 100");
+  EXPECT_EQ(waiting.newest(), "none");
+}
+
+TEST(DatagramQueue, OverTcpStatesWaitForTwoAndAHalfSeconds) {
+  SendQueue queue;
+  for (std::uint64_t i = 1; i <= 300; ++i) queue.push(message(kStationState, i));
+  EXPECT_EQ(queue.size(), 256U);
+}
+
+TEST(DatagramQueue, WhatGoesByDatagramIsNotCountedAsWaitingForTcp) {
+  DatagramQueue waiting;
+  waiting.queue.push(message(kStationState, 1));
+  waiting.queue.push(message(kCameraDepth, 1));
+  EXPECT_EQ(waiting.queue.other_bytes(), 0U);
+  EXPECT_FALSE(waiting.queue.drop_of_largest());
+  waiting.queue.push(message(kStationTicks, 7));
+  EXPECT_EQ(waiting.queue.other_bytes(), 1U);
+  waiting.queue.remove_if([](const Message&) { return true; });
+  EXPECT_EQ(waiting.queue.other_bytes(), 0U);
+  EXPECT_TRUE(waiting.queue.empty());
 }
 
 }  // namespace

@@ -184,6 +184,15 @@ TEST(Frames, FirstFragmentsAloneAreBoundedAndTimeOut) {
   EXPECT_EQ(receiver.statistics().incomplete, 199U);
 }
 
+TEST(Frames, AFrameAboveTheReceiversBoundIsRefused) {
+  FrameReceiver receiver(kDeadline, 10'000);
+  for (const auto& payload : fragments(frame(1, 20'000))) add(receiver, payload);
+  EXPECT_EQ(receiver.assembling_B(), 0U);
+  EXPECT_GT(receiver.statistics().malformed, 0U);
+  for (const auto& payload : fragments(frame(2, 5000))) add(receiver, payload);
+  EXPECT_EQ(receiver.take()->number, 2U);
+}
+
 TEST(Frames, AWrongFragmentIsRefused) {
   const std::vector<std::byte> good = fragments(frame(1, 5000))[0];
   EXPECT_TRUE(read_fragment(good));
