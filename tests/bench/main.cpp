@@ -44,7 +44,7 @@ program::Usage usage() {
       .positional = {},
       .options = {{"json", "", "print JSON instead of a table"},
                   {"list", "", "print the benchmarks' names and exit"},
-                  {"input", "FILE|DIR", "depth: images or a recording; pipeline: a source"},
+                  {"input", "FILE|DIR", "depth: images or a recording; link, pipeline: a source"},
                   {"held-out", "SET,SET…", "depth: sets without training, for the mean ratio"},
                   {"part", "NAME", "accuracy: one of surface, patients, prediction, organ, z-width, depth"},
                   {"write", "DIR", "accuracy, hand: also write accuracy.md or reached.tsv to DIR"},

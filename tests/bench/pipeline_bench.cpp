@@ -156,30 +156,35 @@ Error not_started(const char* program) {
 
 }  // namespace
 
-Result<Report> run_pipeline(const program::Arguments& arguments) {
-  const Result<double> seconds = arguments.number("seconds", 1.0, 600.0);
-  if (!seconds) return seconds.error();
+Result<Report> measure_pipeline(const PipelineRun& run) {
   const fs::path programs = fs::read_symlink("/proc/self/exe").parent_path();
   if (!fs::exists(programs / "telepalp-server")) return not_started("telepalp-server");
   if (!fs::exists(programs / "telepalp-station")) return not_started("telepalp-station");
 
   const support::TemporaryFolder folder;
   const fs::path ready = folder.path() / "server";
-  const std::string source = arguments.has("input") ? arguments.text("input") : "synthetic";
   const Result<RunKeys> keys = make_keys(folder.path());
   if (!keys) return keys.error();
   support::ChildProcess server(programs / "telepalp-server",
-                               {"--source", source, "--depth-mode", arguments.text("depth-mode"), "--port", "0",
-                                "--key", keys->server.string(), "--ready-file", ready.string()});
+                               {"--source", run.source, "--depth-mode", run.depth_mode, "--port", "0", "--key",
+                                keys->server.string(), "--ready-file", ready.string()});
   const std::optional<std::string> port = support::await_ready(ready, "port");
   if (!port) return not_started("telepalp-server");
   support::ChildProcess station(
       programs / "telepalp-station",
-      {"--connect", "127.0.0.1:" + *port, "--key", keys->station.string(), "--seconds", std::to_string(*seconds)});
+      {"--connect", "127.0.0.1:" + *port, "--key", keys->station.string(), "--seconds", std::to_string(run.seconds)});
   const Heard heard = listen(static_cast<std::uint16_t>(std::stoi(*port)), keys->listener, station,
-                             std::chrono::milliseconds(static_cast<std::int64_t>(*seconds * 1000)) + 30s);
+                             std::chrono::milliseconds(static_cast<std::int64_t>(run.seconds * 1000)) + 30s);
   if (station.wait(0ms) != 0) return not_started("telepalp-station");
-  return report_of(heard, source.starts_with("oni:"));
+  return report_of(heard, run.source.starts_with("oni:"));
+}
+
+Result<Report> run_pipeline(const program::Arguments& arguments) {
+  const Result<double> seconds = arguments.number("seconds", 1.0, 600.0);
+  if (!seconds) return seconds.error();
+  return measure_pipeline({.source = arguments.has("input") ? arguments.text("input") : "synthetic",
+                           .depth_mode = arguments.text("depth-mode"),
+                           .seconds = *seconds});
 }
 
 }  // namespace telepalp::bench

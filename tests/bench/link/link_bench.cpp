@@ -4,7 +4,13 @@
 #include <ctime>
 
 #include "proto/link/datagram_link.h"
+#include "support/program/files/shipped.h"
+#include "tests/bench/link/clock_run.h"
 #include "tests/bench/link/link_scenario.h"
+#include "tests/bench/link/real_time_priority.h"
+#include "tests/bench/link/subscribers_bench.h"
+#include "tests/bench/link/tcp_run.h"
+#include "tests/bench/pipeline_bench.h"
 #ifdef TELEPALP_HAVE_SRT
 #include "tests/bench/link/srt_run.h"
 #endif
@@ -39,15 +45,17 @@ std::string name_of(const PathRow& path) {
   return text;
 }
 
-double add_srt(Report& report, const std::string& name, Scenario scenario, double seconds) {
-#ifdef TELEPALP_HAVE_SRT
+/// Adds the peers that run in real time. Returns the share of frames that SRT has in time; 0 without SRT.
+double add_real_peers(Report& report, const std::string& name, Scenario scenario, double seconds) {
   scenario.seconds = seconds;
-  const Outcome outcome = link::run_srt(scenario);
-  report.rows.push_back(measured(name + ": SRT", outcome.in_time_percent(), "%"));
-  report.rows.push_back(measured(name + ": SRT's overhead", outcome.overhead_percent(), "%"));
-  return outcome.in_time_percent();
+  if (const std::optional<Outcome> tcp = link::run_kernel_tcp(scenario))
+    report.rows.push_back(measured(name + ": the kernel's TCP", tcp->in_time_percent(), "%"));
+#ifdef TELEPALP_HAVE_SRT
+  const Outcome srt = link::run_srt(scenario);
+  report.rows.push_back(measured(name + ": SRT", srt.in_time_percent(), "%"));
+  report.rows.push_back(measured(name + ": SRT's overhead", srt.overhead_percent(), "%"));
+  return srt.in_time_percent();
 #else
-  (void)report, (void)name, (void)scenario, (void)seconds;
   return 0.0;
 #endif
 }
@@ -58,10 +66,10 @@ void add_path(Report& report, const PathRow& path, double real_seconds) {
   scenario.seconds = kVirtualSeconds;
   const Outcome ours = run_telepalp(scenario);
   const double udp = run_plain_udp(scenario).in_time_percent();
-  const double tcp = run_plain_tcp(scenario).in_time_percent();
+  const double tcp = run_plain_tcp(scenario).in_time_percent();  // a model, kinder than any real TCP
   report.rows.push_back(measured(name + ": plain UDP", udp, "%"));
-  report.rows.push_back(measured(name + ": plain TCP", tcp, "%"));
-  const double srt = add_srt(report, name, scenario, real_seconds);
+  report.rows.push_back(measured(name + ": TCP without congestion control", tcp, "%"));
+  const double srt = add_real_peers(report, name, scenario, real_seconds);
   report.rows.push_back(at_least(name + ": telepalp", ours.in_time_percent(), "%", std::max(path.reach_percent, srt)));
   report.rows.push_back(at_most(name + ": telepalp's overhead", ours.overhead_percent(), "%", 45.0));
   report.rows.push_back(at_most(name + ": wrong frames", static_cast<double>(ours.wrong), "frames", 0.0));
@@ -103,18 +111,46 @@ void add_no_loss(Report& report) {
   report.rows.push_back(at_most("no loss: sealing, cutting, opening, joining of 91 kB, p99", took_ms.p99(), "ms", 1.0));
 }
 
-void add_thin_pipe(Report& report) {
+void add_thin_pipe(Report& report, double real_seconds) {
   Scenario scenario{.down = {.delay = 25ms, .rate_B_per_s = 2e6, .queue_B = std::size_t{2} << 20U},
                     .up = {.delay = 25ms}};
   scenario.seconds = kVirtualSeconds;
   const Outcome ours = run_telepalp(scenario);
   const Outcome tcp = run_plain_tcp(scenario);
   report.rows.push_back(
-      measured("2 MB/s, RTT 50 ms, 2 MiB: plain TCP, age of the newest depth, p50", tcp.depth_age_ms.p50(), "ms"));
+      measured("2 MB/s, RTT 50 ms, 2 MiB: TCP without congestion control, age of the newest depth, p50",
+               tcp.depth_age_ms.p50(), "ms"));
+  scenario.seconds = real_seconds;
+  if (const std::optional<Outcome> kernel = link::run_kernel_tcp(scenario))
+    report.rows.push_back(measured("2 MB/s, RTT 50 ms, 2 MiB: the kernel's TCP, age of the newest depth, p50",
+                                   kernel->depth_age_ms.p50(), "ms"));
   report.rows.push_back(
       measured("2 MB/s, RTT 50 ms, 2 MiB: age of the newest depth, p50", ours.depth_age_ms.p50(), "ms"));
   report.rows.push_back(
       at_most("2 MB/s, RTT 50 ms, 2 MiB: age of the newest depth, p95", ours.depth_age_ms.quantile(0.95), "ms", 200.0));
+}
+
+void add_clock(Report& report) {
+  const link::ClockOutcome clock = link::run_clock(50ms, 20ms, 100);
+  report.rows.push_back(at_most("session clock, jitter of 20 ms: largest error after 10 s, of 100 runs",
+                                to_milliseconds(clock.worst_error), "ms", 1.0));
+  report.rows.push_back(
+      at_most("session clock, jitter of 20 ms: runs backwards", static_cast<double>(clock.backwards), "times", 0.0));
+}
+
+/// From the capture of a recording's frame until it can be touched, between the real programs.
+void add_camera_to_hand(Report& report, const program::Arguments& arguments, double seconds) {
+  const auto recording = program::shipped_file("deploy/demo_data/oni/3dj_test.oni");
+  const std::string source = arguments.has("input") ? arguments.text("input")
+                             : recording            ? "oni:" + recording->string()
+                                                    : "synthetic";
+  const Result<Report> pipeline = measure_pipeline({.source = source, .seconds = seconds});
+  if (!pipeline) return report.notes.push_back("camera to hand is not measured: " + to_string(pipeline.error()));
+  for (Row row : pipeline->rows) {
+    if (!row.name.ends_with("_ms.p50") && !row.name.ends_with("_ms.p99")) continue;
+    row.name = "camera to hand, sealed: " + row.name;
+    report.rows.push_back(std::move(row));
+  }
 }
 
 }  // namespace
@@ -125,17 +161,23 @@ Result<Report> run_link(const program::Arguments& arguments) {
   Report report{.bench = "link", .rows = {}, .notes = {}};
   for (const PathRow& path : kPaths) add_path(report, path, *seconds);
   add_no_loss(report);
-  add_thin_pipe(report);
+  add_thin_pipe(report, *seconds);
+  add_camera_to_hand(report, arguments, *seconds);
+  add_clock(report);
+  add_subscribers(report, *seconds);
   report.notes.push_back(
       "frames in time: depth (91 kB) and colour (32 kB) complete within 100 ms of their capture, at 30 Hz");
-  report.notes.push_back(
-      "telepalp, plain UDP and plain TCP: 120 s of virtual time; plain TCP has no congestion control");
+  report.notes.push_back("telepalp, plain UDP and TCP without congestion control: 120 s of virtual time");
+  report.notes.push_back("the kernel's TCP (" + link::kernel_congestion_control() +
+                         "): --seconds of real time between two network namespaces, its packets through the same path");
 #ifdef TELEPALP_HAVE_SRT
   report.notes.push_back(
       "SRT: --seconds of real time through telepalp-link, encrypted, latency = what remains of the 100 ms");
 #else
   report.notes.push_back("SRT is not measured: Debian's libsrt-openssl-dev was not installed at build time");
 #endif
+  report.notes.push_back(link::RealTimePriority().granted() ? "the peers in real time had real-time priority"
+                                                            : "the peers in real time had no real-time priority");
   report.notes.push_back("overhead: bytes of all datagrams over bytes of the images, without IP and UDP headers");
   return report;
 }

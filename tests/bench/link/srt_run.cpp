@@ -12,6 +12,7 @@
 
 #include "proto/words/demand.h"
 #include "tests/bench/link/camera_feed.h"
+#include "tests/bench/link/real_time_priority.h"
 #include "tools/link_proxy/link_proxy.h"
 
 namespace telepalp::bench::link {
@@ -129,6 +130,7 @@ class RunningProxy {
 }  // namespace
 
 Outcome run_srt(const Scenario& scenario) {
+  const RealTimePriority priority;
   srt_startup();
   srt_setloglevel(0);
   const SRTSOCKET listener = make_socket(scenario);
@@ -160,6 +162,7 @@ Outcome run_srt(const Scenario& scenario) {
   srt_close(client);
   srt_close(server);
   srt_close(listener);
+  srt_cleanup();
   return feed.outcome();
 }
 

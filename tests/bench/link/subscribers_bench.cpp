@@ -243,17 +243,21 @@ void add_stalled(Report& report, int rounds) {
 
 }  // namespace
 
-Result<Report> run_subscribers(const program::Arguments& arguments) {
-  const Result<double> seconds = arguments.number("seconds", 1.0, 600.0);
-  if (!seconds) return seconds.error();
-  const int rounds = std::max(2, static_cast<int>(std::lround(*seconds / 10.0)));
-  Report report{.bench = "subscribers", .rows = {}, .notes = {}};
+void add_subscribers(Report& report, double seconds) {
+  const int rounds = std::max(2, static_cast<int>(std::lround(seconds / 10.0)));
   add_cost(report, rounds);
   add_many(report);
   add_stalled(report, rounds);
   report.notes.push_back(
-      "depth of 91 kB and colour of 32 kB at 30 Hz, encoded once, plain TCP on loopback, runs of 3 s");
+      "subscribers: depth of 91 kB and colour of 32 kB at 30 Hz, encoded once, plain TCP on loopback, runs of 3 s");
   report.notes.push_back("a bare send: the same bytes by write() on non-blocking sockets, without framing or queues");
+}
+
+Result<Report> run_subscribers(const program::Arguments& arguments) {
+  const Result<double> seconds = arguments.number("seconds", 1.0, 600.0);
+  if (!seconds) return seconds.error();
+  Report report{.bench = "subscribers", .rows = {}, .notes = {}};
+  add_subscribers(report, *seconds);
   return report;
 }
 
