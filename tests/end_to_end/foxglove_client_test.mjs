@@ -1,5 +1,6 @@
 // The real server, heard by Foxglove's own client: node foxglove_client_test.mjs SERVER VIEWER_DIR
 import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import test from 'node:test';
 
@@ -96,6 +97,55 @@ function follow({client, heard}, topics) {
 }
 
 const viewsAtWork = ({subscribers}) => subscribers.some(({name}) => name === 'views for Foxglove');
+
+/** Every topic, with the field behind it if there is one, that the layout names: "/station/state.force_N.x". */
+function pathsOf(layout) {
+  const found = [];
+  const look = (value) => {
+    if (typeof value === 'string' && value.startsWith('/')) found.push(value);
+    else if (value !== null && typeof value === 'object') {
+      for (const [key, inner] of Object.entries(value)) {
+        if (key.startsWith('/')) found.push(key);
+        look(inner);
+      }
+    }
+  };
+  look(layout);
+  return found;
+}
+
+/** Fails unless `path` leads to a field of `root`'s messages. */
+function fieldOf(type, path) {
+  let at = type;
+  for (const name of path) {
+    const field = at.fields[name];
+    assert.ok(field, `${type.name} has no ${path.join('.')}`);
+    at = field.resolve().resolvedType;
+  }
+}
+
+test('the layout for Lichtblick names topics and fields that the server has, and panels that it places', async () => {
+  const workplace = new Workplace('foxglove_layout');
+  try {
+    const layout = JSON.parse(readFileSync(new URL('../../docs/lichtblick.layout.json', import.meta.url), 'utf8'));
+    const {http_port} = await workplace.server(server, ['--source', 'synthetic', '--viewer', viewer]);
+    const {client, heard} = connect(http_port);
+    await until('the topics are advertised', () => heard.channels.length > 0);
+    const paths = pathsOf(layout.configById);
+    assert.ok(paths.length > 10, `${paths.length} paths`);
+    for (const path of paths) {
+      const [topic, ...fields] = path.split('.');
+      const channel = heard.channels.find((one) => one.topic === topic);
+      assert.ok(channel, `${topic} is advertised`);
+      fieldOf(typeOf(channel), fields);
+    }
+    const placed = JSON.stringify(layout.layout);
+    for (const panel of Object.keys(layout.configById)) assert.ok(placed.includes(JSON.stringify(panel)), panel);
+    client.close();
+  } finally {
+    await workplace.end();
+  }
+});
 
 test('a page of an allowed origin sees patient and hand by Foxglove\'s own types, made only while it looks', async () => {
   const workplace = new Workplace('foxglove_views');

@@ -1,0 +1,92 @@
+// What the viewer does on this computer: node tests/bench/viewer/viewer_bench.mjs BIN_DIR VIEWER_FILES [--json] [--seconds S]
+// Server, station and Chromium without a graphics card run side by side, once with the mesh and once without it, as the
+// bound. Prints rows {name, value, unit, reach, holds} like telepalp-bench. Give it a machine that does nothing else.
+import {readdirSync, readFileSync, statSync} from 'node:fs';
+import {join} from 'node:path';
+import {gzipSync} from 'node:zlib';
+
+import {openBrowser, status, untilStatus} from '../../end_to_end/browser.mjs';
+import {sleep, Workplace} from '../../end_to_end/running_program.mjs';
+
+const [binDir, viewer, ...options] = process.argv.slice(2);
+if (viewer === undefined) {
+  console.error('error: viewer_bench: folders are missing. fix: node tests/bench/viewer/viewer_bench.mjs build/release/bin build/release/viewer');
+  process.exit(2);
+}
+const asJson = options.includes('--json');
+const seconds = Number(options[options.indexOf('--seconds') + 1]) || 20;
+const SIZE = {width: 1280, height: 800};
+const TOGETHER_MS = 5.001;  // half a period of /station/state
+
+/** Runs before the page's own scripts: notes long tasks, the first picture, and each drawn picture's age. */
+function watch() {
+  const seen = (window.seen = {longTasks: [], first_ms: undefined, ages_ms: [], decodes_ms: [], apart_ms: []});
+  new PerformanceObserver((list) => seen.longTasks.push(...list.getEntries().map(({duration}) => duration)))
+      .observe({type: 'longtask', buffered: true});
+  let frames = 0;
+  setInterval(() => {
+    const now = window.telepalp;
+    if (now === undefined || now.frames === frames) return;
+    frames = now.frames;
+    seen.first_ms ??= performance.now();
+    seen.ages_ms.push(now.pictureAge_ms);
+    seen.decodes_ms.push(now.decode_ms);
+    if (now.numbersInstant_ms !== undefined) seen.apart_ms.push(Math.abs(now.pictureInstant_ms - now.numbersInstant_ms));
+  }, 4);
+}
+
+const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))] ?? NaN;
+
+async function measure(query) {
+  const place = new Workplace('viewer_bench');
+  let browser;
+  try {
+    const {port, http_port} = await place.server(join(binDir, 'telepalp-server'), ['--source', 'synthetic', '--viewer', viewer]);
+    place.start(join(binDir, 'telepalp-station'), ['--connect', `127.0.0.1:${port}`]);
+    browser = await openBrowser(place.folder, SIZE);
+    const {page} = browser;
+    await page.addInitScript(watch);
+    await page.goto(`http://127.0.0.1:${http_port}/${query}`);
+    await untilStatus(page, 'a picture with a hand', (now) => now.frames > 3 && now.handPosition_m !== undefined);
+    const before = await status(page);
+    await page.evaluate(() => (window.seen.longTasks.length = window.seen.ages_ms.length = window.seen.apart_ms.length = 0));
+    await sleep(1000 * seconds);
+    const after = await status(page);
+    return {...(await page.evaluate(() => window.seen)), pictures_per_s: (after.frames - before.frames) / seconds};
+  } finally {
+    await browser?.context.close();
+    await place.end();
+  }
+}
+
+/** Bytes of all files of the page as they cross the network. */
+function weight() {
+  return readdirSync(viewer).filter((name) => !name.endsWith('.br') && name !== 'third_party.txt').reduce((sum, name) => {
+    const compressed = join(viewer, `${name}.br`);
+    try {
+      return sum + statSync(compressed).size;
+    } catch {
+      return sum + gzipSync(readFileSync(join(viewer, name)), {level: 9}).length;  // not compressed by the build
+    }
+  }, 0);
+}
+
+const bound = await measure('?mesh=off');
+const meshed = await measure('');
+const row = (name, value, unit, reach, holds) => ({name, value: Number(value.toFixed(2)), unit, reach, holds});
+const most = (name, value, unit, limit) => row(name, value, unit, limit, value <= limit);
+const rows = [
+  row('pictures', meshed.pictures_per_s, '1/s', 15, meshed.pictures_per_s >= 15),
+  row('pictures without the mesh', bound.pictures_per_s, '1/s', null, true),
+  most('decode p50', quantile(meshed.decodes_ms, 0.5), 'ms', 12),
+  most('main thread blocked, longest', Math.max(0, ...meshed.longTasks), 'ms', 50),
+  most('page over the wire', weight() / 1000, 'kB', 250),
+  most('first picture', meshed.first_ms, 'ms', 1000),
+  most('capture to drawn p50', quantile(meshed.ages_ms, 0.5), 'ms', 60),
+  most('capture to drawn, oldest', Math.max(...meshed.ages_ms), 'ms', 250),
+  most('pictures whose numbers are of another instant', meshed.apart_ms.filter((apart) => apart > TOGETHER_MS).length, '', 0),
+];
+if (asJson) console.log(JSON.stringify({bench: 'viewer', seconds, size: SIZE, rows}, null, 1));
+else for (const {name, value, unit, reach, holds} of rows)
+  console.log(`${holds ? 'holds' : 'FAILS'}  ${name}: ${value} ${unit}${reach === null ? '' : ` (reach ${reach})`}`);
+process.exit(rows.every(({holds}) => holds) ? 0 : 1);
