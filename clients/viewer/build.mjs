@@ -5,6 +5,8 @@ import {mkdir, readFile, writeFile} from 'node:fs/promises';
 import {basename, join} from 'node:path';
 import {brotliCompressSync} from 'node:zlib';
 
+import {withoutUnusedShaders} from './unused_shaders.mjs';
+
 const out = process.argv[2] ?? 'dist';
 await mkdir(out, {recursive: true});
 const {metafile} = await build({
@@ -17,6 +19,7 @@ const {metafile} = await build({
   minify: true,
   legalComments: 'eof',
   metafile: true,
+  plugins: [withoutUnusedShaders],
   logLevel: 'warning',
 });
 

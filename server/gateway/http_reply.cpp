@@ -63,7 +63,8 @@ HttpReply serve(const HttpRequest& request, const StaticFile& file) {
   reply.set(http::field::cache_control, "no-cache");
   reply.set(http::field::etag, etag);
   if (!file.gzip_bytes.empty() || !file.brotli_bytes.empty()) reply.set(http::field::vary, "Accept-Encoding");
-  if (!coding.empty()) reply.set(http::field::content_encoding, boost::beast::string_view(coding.data(), coding.size()));
+  if (!coding.empty())
+    reply.set(http::field::content_encoding, boost::beast::string_view(coding.data(), coding.size()));
   if (!has_it) reply.body() = bytes;
   return with_security(std::move(reply), request);
 }

@@ -1,5 +1,6 @@
 import type {ViewerHandInput} from './viewer_hand';
 import type {SceneView} from './scene/scene_view';
+import type {ThemeSwitch} from './theme';
 import type {ViewSwitch} from './views/view_switch';
 
 const TURN_RAD = 0.09;
@@ -19,7 +20,8 @@ function button(id: string): HTMLButtonElement {
 }
 
 /** Wires buttons and keys to the view. */
-export function wireControls(view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch): void {
+export function wireControls(
+    view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch, theme: ThemeSwitch): void {
   const help = document.getElementById('help') as HTMLDialogElement;
   const toggles: Toggle[] = [
     {button: 'show-hand', key: 'h', apply: (shown) => view.hand.setShown(shown)},
@@ -28,6 +30,7 @@ export function wireControls(view: SceneView, viewerHand: ViewerHandInput, views
     {button: 'show-halo', key: 'u', apply: (shown) => view.halo.setShown(shown)},
     {button: 'show-side', key: 'd', apply: (shown) => (document.body.dataset['side'] = shown ? 'open' : 'closed')},
     {button: 'show-color', key: 'c', apply: (shown) => view.surface.setColored(shown)},
+    {button: 'show-stereo', key: 's', apply: (shown) => view.setStereo(shown)},
     {button: 'hold-hand', key: 't', apply: (held) => viewerHand.setHeld(held)},
   ];
   const flip = ({button: id, apply}: Toggle) => {
@@ -56,6 +59,7 @@ export function wireControls(view: SceneView, viewerHand: ViewerHandInput, views
     '=': () => view.orbit(0, 0, 1 / ZOOM),
     '-': () => view.orbit(0, 0, ZOOM),
     r: () => view.resetView(),
+    l: () => theme.flip(),
     '?': () => help.showModal(),
   };
   for (const toggle of toggles) keys[toggle.key] = () => flip(toggle);

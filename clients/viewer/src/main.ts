@@ -1,17 +1,21 @@
 import {wireControls} from './controls';
 import {ViewerHandInput} from './viewer_hand';
+import {offerHeadset} from './headset_button';
 import {measureHeight} from './layout';
 import {now_ms} from './link/session_clock';
 import {SiteLink} from './link/site_link';
 import type {Extra} from './link/worker_messages';
 import {DoctorPanel} from './panel/doctor/doctor_panel';
+import {QaPanel} from './panel/qa/qa_panel';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
+import {askServer, PlaybackLink} from './playback/playback_link';
 import {TimelineBar} from './playback/timeline_bar';
 import type {Instant} from './present/instant';
 import {showInstant} from './scene/show_instant';
 import {SceneView} from './scene/scene_view';
 import {publishStatus} from './status';
+import {ThemeSwitch} from './theme';
 import {type Reading, ViewerState} from './viewer_state';
 import type {View} from './views/view';
 import {ViewSwitch} from './views/view_switch';
@@ -21,13 +25,14 @@ const READOUTS_EVERY_MS = 100;
 const EXTRA: Record<View, Extra> = {
   doctor: {topics: ['/station/compensation', '/station/surface'], light: false},
   technician: {topics: [], light: true},
-  qa: {topics: [], light: false},
+  qa: {topics: ['/station/events'], light: false},
 };
 
 const state = new ViewerState();
 const readouts = new Readouts();
 const canvas = document.getElementById('scene') as HTMLCanvasElement;
 const view = openView();
+if (new URLSearchParams(location.search).get('mesh') === 'off') view.surface.hide();  // for tests/bench/viewer/viewer_bench.mjs
 const viewerHand = new ViewerHandInput(view, canvas, (hand) => link.publishHand(hand));
 
 function openView(): SceneView {
@@ -69,6 +74,7 @@ view.onDrawn = () => {
   readouts.addTrail(drawn.trail);
   readouts.showNumbers(read());
 };
+view.onGraphics = (lost) => (state.graphicsLost = lost);
 view.onFree = () => {
   if (coming === undefined) link.ask('instant');
 };
@@ -82,14 +88,16 @@ const status = publishStatus(() => ({
   view: views.view,
 }));
 
+const playback = new PlaybackLink(askServer);
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   doctor: [new DoctorPanel()],
   technician: [new TechnicianPanel(view, canvas)],
-  qa: [],
+  qa: [new QaPanel(playback, view)],
 };
 const views = new ViewSwitch((chosen) => link.setExtra(EXTRA[chosen]));
-wireControls(view, viewerHand, views);
-new TimelineBar(read);
+wireControls(view, viewerHand, views, new ThemeSwitch(view));
+new TimelineBar(read, playback);
+void offerHeadset(view, (problem) => readouts.showBanner({level: 'warn', title: 'Headset', text: problem}));
 measureHeight('tools', '--tools');
 measureHeight('readings', '--readings');
 link.ask('instant');

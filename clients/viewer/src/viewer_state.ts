@@ -1,6 +1,8 @@
 import type {DepthFidelity} from './depth/depth_fidelity';
 import type {DepthSummary} from './depth/depth_summary';
-import {Phase, type StationCompensation, type StationState, type SurfaceReport, type Vec3} from './link/messages';
+import {
+  Phase, type StationCompensation, type StationEvent, type StationState, type SurfaceReport, type Vec3,
+} from './link/messages';
 import {milliseconds} from './link/session_clock';
 import type {News} from './link/worker_messages';
 import type {Health} from './panel/banner';
@@ -31,6 +33,8 @@ export interface Reading extends Health {
   compensation: StationCompensation | undefined;    // of the presented instant
   surfaceReport: SurfaceReport | undefined;         // of the newest frame that the station has
   summary: DepthSummary | undefined;                // of the drawn depth
+  events: readonly StationEvent[];                  // the latest, oldest first; only in views that show them
+  sessionNow_ns: bigint | undefined;                // the session clock; undefined while it is not known
   light: Light | undefined;                         // only in views that show it
   cameraFrames_per_s: number;
 }
@@ -51,6 +55,7 @@ interface DrawnPicture {
 export class ViewerState {
   news: News | undefined;
   holdsHand = false;
+  graphicsLost = false;
   frames = 0;
 
   private coming: Instant | undefined;  // taken by the page, not drawn yet
@@ -91,6 +96,7 @@ export class ViewerState {
       phase: news?.phase === Phase.Faulted ? Phase.Faulted : station?.phase ?? Phase.Unspecified,
       depth: news?.depth,
       holdsHand: this.holdsHand,
+      graphicsLost: this.graphicsLost,
       untaken: news?.untaken_ms !== undefined && now_ms - news.untaken_ms < UNTAKEN_MS,
       surfaceStale: station !== undefined && (news?.surfaceStale ?? false),
       station_ms: news?.stationHeard_ms === undefined ? undefined : now_ms - news.stationHeard_ms,
@@ -112,6 +118,8 @@ export class ViewerState {
       surfaceReport: connected ? news?.surfaceReport : undefined,
       summary: picture?.summary,
       light: news?.light,
+      events: connected ? news?.events ?? [] : [],
+      sessionNow_ns: news?.offset_ms === undefined ? undefined : BigInt(Math.round(1000 * (now_ms + news.offset_ms))) * 1000n,
       cameraFrames_per_s: connected ? news?.capture?.framesPerS ?? 0 : 0,
     };
   }

@@ -9,7 +9,7 @@ const {bannerFor} = await bundled('panel/banner.ts');
 const WELL = {
   connected: true, everConnected: true, retryIn_ms: undefined, capture: undefined, phase: 3, picture_ms: 60,
   account: {site: 10, network: 30, computer: 20}, apart_ms: -4, station_ms: 10, surfaceStale: false, surface_ms: 40,
-  handShown: true, holdsHand: false, untaken: false, yields_s: undefined,
+  handShown: true, holdsHand: false, untaken: false, yields_s: undefined, graphicsLost: false,
 };
 const banner = (changes) => bannerFor({...WELL, ...changes});
 
@@ -35,6 +35,11 @@ test('numbers that are much older than the picture are a warning', () => {
 
 test('a fault comes before a slow picture', () => {
   assert.equal(banner({phase: 9, account: {...WELL.account, computer: 5000}}).title, 'Station faulted');
+});
+
+test('lost graphics are said, though numbers go on', () => {
+  assert.equal(banner({graphicsLost: true}).title, 'No picture');
+  assert.equal(banner({graphicsLost: true, phase: 9}).title, 'Station faulted');
 });
 
 test('warm motors are announced seconds before they lower the force', () => {

@@ -105,6 +105,7 @@ const stream = new Stream(
       '/station/surface': (report) => {
         facts.surfaceReport = report;
       },
+      '/station/events': (event) => facts.eventCame(event),
       '/server/stats': (stats) => {
         facts.stats = stats;
       },
@@ -112,7 +113,7 @@ const stream = new Stream(
         facts.holder = {viewer, asking};
       },
     },
-    {publishes: ['/viewer/hand'], onRequest: ['/station/compensation', '/station/surface']},
+    {publishes: ['/viewer/hand'], onRequest: ['/station/compensation', '/station/surface', '/station/events']},
     {
       connected: () => {
         clock.restart();

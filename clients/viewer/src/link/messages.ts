@@ -95,8 +95,20 @@ export interface StationState {
   yieldsInS: number;  // until warm motors lower the force; infinite: they do not; 0 of a station that does not tell
 }
 
+/** telepalp.msg.EventKind */
+export enum EventKind {
+  Unspecified,
+  Phase,
+  Link,
+  Fault,
+  Deadline,
+  Scene,
+  Heat,
+}
+
 export interface StationEvent {
   stampNs: bigint;
+  kind: EventKind;
   text: string;
   from: Phase;
   to: Phase;

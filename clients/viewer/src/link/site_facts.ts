@@ -1,10 +1,12 @@
 import {type DepthFidelity, depthFidelity} from '../depth/depth_fidelity';
 import {
-  type CaptureStatus, type DepthImage, type HandHolder, Phase, type ServerStats, type StationState, type SurfaceReport,
+  type CaptureStatus, type DepthImage, type HandHolder, Phase, type ServerStats, type StationEvent, type StationState,
+  type SurfaceReport,
 } from './messages';
 import type {News} from './worker_messages';
 
 const LINK_SMOOTHING = 0.1;
+const MOST_EVENTS = 32;  // the page takes them ten times a second
 
 /**
  * Collects facts about the link and the patient's site from the messages. It uses no sockets and no clock: times are
@@ -17,6 +19,7 @@ export class SiteFacts {
   holder: HandHolder = {viewer: 0n, asking: []};
   stats: ServerStats | undefined;
   surfaceReport: SurfaceReport | undefined;
+  events: StationEvent[] = [];
 
   private everConnected = false;
   private depth: DepthFidelity | undefined;
@@ -32,6 +35,7 @@ export class SiteFacts {
     this.lastSequence = undefined;  // frames missed without a connection are no drops of the link
     this.holder = {viewer: 0n, asking: []};
     this.station = this.stationHeard_ms = this.link_ms = this.heard = this.stats = this.surfaceReport = undefined;
+    this.events = [];
   }
 
   /** A message of any topic came. `published_ms` on this computer's clock; undefined while the session clock is unknown. */
@@ -56,12 +60,17 @@ export class SiteFacts {
     this.stationHeard_ms = now_ms;
   }
 
+  eventCame(event: StationEvent): void {
+    this.events.push(event);
+    if (this.events.length > MOST_EVENTS) this.events.shift();
+  }
+
   get news() {
     const {everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped} = this;
-    const {stats, surfaceReport} = this;
+    const {stats, surfaceReport, events} = this;
     return {
       everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped,
-      stats, surfaceReport,
+      stats, surfaceReport, events,
       touching: this.station?.sender ?? 0,
       phase: this.station?.phase ?? Phase.Unspecified,
       surfaceStale: this.station?.surfaceStale ?? false,

@@ -5,7 +5,7 @@ import type {DepthFidelity} from '../depth/depth_fidelity';
 import type {FrameTimes} from '../present/time_account';
 import type {Instant, Light} from '../present/instant';
 import type {
-  CaptureStatus, HandHolder, LetGo, Phase, ServerStats, SurfaceReport, Topics, ViewerHand,
+  CaptureStatus, HandHolder, LetGo, Phase, ServerStats, StationEvent, SurfaceReport, Topics, ViewerHand,
 } from './messages';
 
 /** The present state of the link and the patient's site. Times are on the clock of now_ms(). */
@@ -30,6 +30,7 @@ export interface News {
   stats: ServerStats | undefined;
   touching: number;    // number of the station whose state came last; 0: none
   surfaceReport: SurfaceReport | undefined;
+  events: readonly StationEvent[];  // the latest, oldest first; only in views that show them
   light: Light | undefined;  // of a recent colour picture; only while it is inspected
   dropped: number;     // frames dropped on the way to this viewer
   overtaken: number;   // frames that this viewer skipped before decoding

@@ -14,6 +14,7 @@ export interface Health extends TouchHealth {
   station_ms: number | undefined;
   surfaceStale: boolean;
   surface_ms: number | undefined;
+  graphicsLost: boolean;     // the browser has lost its graphics context, and draws nothing
   phase: Phase;
   yields_s: number | undefined;  // until warm motors lower the force in contact; undefined: they do not
 }
@@ -40,6 +41,12 @@ export function bannerFor(health: Health): Banner | undefined {
   }
   if (health.phase === Phase.Faulted && isRecent(health.station_ms))
     return {level: 'alarm', title: 'Station faulted', text: 'The device has let go. An operator must re-arm it.'};
+  if (health.graphicsLost)
+    return {
+      level: 'alarm',
+      title: 'No picture',
+      text: 'This computer’s graphics stopped. The picture comes back by itself; if not, reload the page. The numbers go on.',
+    };
   if (health.capture?.state === CaptureState.Lost)
     return {level: 'alarm', title: 'Camera lost', text: health.capture.detail || 'The server keeps trying.'};
   if (health.picture_ms === undefined)

@@ -41,7 +41,8 @@ export class Readouts {
     element('link').dataset['state'] = connected ? 'live' : everConnected ? 'lost' : 'wait';
     setText('link-text', connected ? 'connected' : everConnected ? 'disconnected' : 'connecting');
     const away = capture === undefined || capture.state === CaptureState.Unspecified;
-    setText('source', away ? '' : capture.source + (capture.colorRegistered ? '' : ' · colour not aligned'));
+    setText('source', away ? '' : shortSource(capture.source) + (capture.colorRegistered ? '' : ' · colour not aligned'));
+    element('source').title = away ? '' : capture.source;
   }
 
   /** Shows the depth's accuracy only if depth is not as measured. */
@@ -81,7 +82,9 @@ export class Readouts {
 
   private updateBanner(reading: Reading): void {
     document.body.dataset['old'] = String(!reading.connected && reading.everConnected);
-    this.showBanner(bannerFor(reading));
+    const banner = bannerFor(reading);
+    this.showBanner(banner);
+    setTitle(banner);
   }
 
   showBanner(banner: Banner | undefined): void {
@@ -91,6 +94,15 @@ export class Readouts {
     setText('banner-title', banner.title);
     setText('banner-text', banner.text);
   }
+}
+
+/** "session:/data/2026/anna.mcap" becomes "session: anna.mcap". */
+const shortSource = (source: string) => source.replace(/^(\w+):.*\//, '$1: ');
+
+/** The title is all that is seen of a page in the background, where nothing is drawn. */
+function setTitle(banner: Banner | undefined): void {
+  const title = banner?.level === 'alarm' ? `⚠ ${banner.title} – telepalp` : document.hidden ? 'Paused – telepalp' : 'telepalp viewer';
+  if (document.title !== title) document.title = title;
 }
 
 function showAge(id: string, ms: number | undefined): void {

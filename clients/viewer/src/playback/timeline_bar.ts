@@ -2,7 +2,7 @@ import {measureHeight} from '../layout';
 import {element, setText} from '../page';
 import type {Reading} from '../viewer_state';
 import {type Focus, commandForKey} from './playback_keys';
-import {askServer, PlaybackLink} from './playback_link';
+import type {PlaybackLink} from './playback_link';
 import {type PlaybackCommand, seekTo} from './playback_state';
 import {clock, timelineLook} from './timeline_words';
 
@@ -10,7 +10,6 @@ const LOOK_EVERY_MS = 500;
 
 /** The bar that moves a played session. It is hidden unless the server plays one that this visitor may move. */
 export class TimelineBar {
-  private readonly link = new PlaybackLink(askServer);
   private readonly bar = element('timeline');
   private readonly play = element<HTMLButtonElement>('timeline-play');
   private readonly step = element<HTMLButtonElement>('timeline-step');
@@ -21,7 +20,7 @@ export class TimelineBar {
   private readonly problem = element('timeline-problem');
   private dragged = false;
 
-  constructor(private readonly read: () => Pick<Reading, 'connected' | 'capture'>) {
+  constructor(private readonly read: () => Pick<Reading, 'connected' | 'capture'>, private readonly link: PlaybackLink) {
     this.play.addEventListener('click', () => this.send({play: this.link.state?.playing === false}));
     this.step.addEventListener('click', () => this.send({step: 1}));
     this.loop.addEventListener('click', () => this.send({loop: this.link.state?.loop === false}));

@@ -1,4 +1,4 @@
-import {Color, Mesh, MeshStandardMaterial, Quaternion, type Vector3} from 'three';
+import {Color, Mesh, MeshPhongMaterial, Quaternion, type Vector3} from 'three';
 
 import {handGeometry} from './hand_shape';
 
@@ -14,8 +14,8 @@ const PALM_DOWN = new Quaternion();
  * picture while the tracker tells none.
  */
 export class Hand {
-  private readonly material = new MeshStandardMaterial(
-      {color: CALM, roughness: 0.62, metalness: 0, vertexColors: true, transparent: true});
+  private readonly material = new MeshPhongMaterial(
+      {color: CALM, specular: '#1a1512', shininess: 18, vertexColors: true, transparent: true});
   readonly mesh = new Mesh(handGeometry(), this.material);
 
   private known = false;

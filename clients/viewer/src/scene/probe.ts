@@ -7,7 +7,7 @@ import {
   LineDashedMaterial,
   Mesh,
   MeshBasicMaterial,
-  MeshPhysicalMaterial,
+  MeshPhongMaterial,
   SphereGeometry,
   type Vector3,
 } from 'three';
@@ -40,8 +40,8 @@ export class Probe {
 
   constructor() {
     const shape = new SphereGeometry(BALL_RADIUS_M, 48, 32);
-    const glass = new MeshPhysicalMaterial(
-        {color: '#8fb4d9', roughness: 0.25, metalness: 0, clearcoat: 0.6, transparent: true, opacity: 0.5});
+    const glass = new MeshPhongMaterial(
+        {color: '#8fb4d9', specular: '#9fb6cc', shininess: 60, transparent: true, opacity: 0.5});
     // The part of the ball below the skin shows through faintly, so that the user sees how deep the device is.
     const hidden = new MeshBasicMaterial(
         {color: '#8fc4ff', transparent: true, opacity: 0.2, depthFunc: GreaterDepth, depthWrite: false});

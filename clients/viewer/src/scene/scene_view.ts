@@ -2,12 +2,14 @@ import {
   AmbientLight,
   Color,
   DirectionalLight,
+  Group,
   HemisphereLight,
   MOUSE,
   PerspectiveCamera,
   Raycaster,
   Scene,
   Spherical,
+  StereoCamera,
   TOUCH,
   Vector2,
   Vector3,
@@ -20,10 +22,10 @@ import {type Detail, FramePacer} from './frame_pacer';
 import {drawsInSoftware} from './graphics';
 import {Halo} from './halo';
 import {Hand} from './hand';
+import {Headset} from './headset';
 import {Probe} from './probe';
 import {Surface} from './surface';
 
-const BACKGROUND = new Color('#070b10');
 /** Levels of detail, finest first. A browser without a graphics card starts at SOFTWARE_LEVEL. */
 const DETAILS: readonly Detail[] = [
   {stride: 1, pixelRatio: 2},
@@ -33,6 +35,7 @@ const DETAILS: readonly Detail[] = [
   {stride: 2, pixelRatio: 0.5},
 ];
 const SOFTWARE_LEVEL = 2;
+const EYE_DISTANCE_M = 0.063;  // the mean of adults
 
 /** The 3D view: its objects, its camera, and its drawing, which happens only after a change. */
 export class SceneView {
@@ -47,20 +50,27 @@ export class SceneView {
   onDraw: () => void = () => undefined;
   onDrawn: () => void = () => undefined;
   onFree: () => void = () => undefined;
+  /** The headset shows the scene, or shows it no more. */
+  onHeadset: (on: boolean) => void = () => undefined;
+  /** The browser has lost the graphics context, or has got it back. */
+  onGraphics: (lost: boolean) => void = () => undefined;
 
   /** Data about the surface in the last frame that the graphics card has finished. */
   drawnVertices = 0;
 
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
+  private readonly world = new Group();  // what the patient's site shows, in the scene's frame
   private readonly camera = new PerspectiveCamera(42, 1, 0.01, 20);
   private readonly controls: OrbitControls;
   private readonly caster = new Raycaster();
+  private stereo: StereoCamera | undefined;  // undefined: one picture
   private readonly home = {target: new Vector3(0, 0, -1), distance_m: 0.9};
   private placed = false;
   private size = '';
   private drawingVertices = 0;
   private readonly pacer: FramePacer;
+  readonly headset: Headset;
 
   /** Throws when the browser has no WebGL 2. */
   constructor(private readonly canvas: HTMLCanvasElement) {
@@ -73,11 +83,12 @@ export class SceneView {
           this.onDrawn();
         },
         () => this.onFree());
+    this.headset = new Headset(this.renderer, this.world, () => this.drawForHeadset(), () => this.leaveHeadset());
     this.pacer.level = software ? SOFTWARE_LEVEL : 0;
-    this.scene.background = BACKGROUND;
     const lamp = new DirectionalLight('#fff4e6', 2.1);
     lamp.position.set(-0.45, 0.65, 0.85);
-    this.scene.add(
+    this.scene.add(this.world);
+    this.world.add(
         this.surface.mesh, this.hand.mesh, this.probe.group, this.halo.group, new HemisphereLight('#cfe3ff', '#3a2a22', 1.1),
         new AmbientLight('#ffffff', 0.25), lamp);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -88,7 +99,51 @@ export class SceneView {
     this.controls.maxPolarAngle = 0.93 * Math.PI;
     this.controls.addEventListener('change', () => this.invalidate());
     new ResizeObserver(() => this.invalidate()).observe(canvas);
+    for (const [event, lost] of [['webglcontextlost', true], ['webglcontextrestored', false]] as const)
+      canvas.addEventListener(event, () => {
+        this.onGraphics(lost);
+        this.invalidate();
+      });
     this.resetView();
+  }
+
+  /** Shows the scene in a headset, or no more. Throws when the headset or the user refuses. */
+  async setHeadset(wanted: boolean): Promise<void> {
+    if (wanted) await this.headset.begin(this.home.target);
+    else await this.headset.end();
+  }
+
+  private drawForHeadset(): void {
+    this.onDraw();
+    this.drawingVertices = this.surface.meshVertices;
+    this.renderer.render(this.scene, this.camera);
+    this.drawnVertices = this.drawingVertices;
+    this.onDrawn();
+    this.onFree();
+  }
+
+  private leaveHeadset(): void {
+    this.size = '';  // the headset's pictures had another size
+    this.onHeadset(false);
+    this.invalidate();
+  }
+
+  setBackground(color: string): void {
+    this.scene.background = new Color(color);
+    this.invalidate();
+  }
+
+  /** Side by side for a 3D screen: the left half for the left eye. */
+  setStereo(wanted: boolean): void {
+    this.stereo = wanted ? new StereoCamera() : undefined;
+    if (this.stereo !== undefined) this.stereo.eyeSep = EYE_DISTANCE_M;
+    this.invalidate();
+  }
+
+  /** The picture as it is drawn now, as PNG; undefined if the browser cannot. */
+  snapshot(): Promise<Blob | undefined> {
+    this.render();  // a browser keeps the drawn pixels only until the end of this turn
+    return new Promise((resolve) => this.canvas.toBlob((png) => resolve(png ?? undefined), 'image/png'));
   }
 
   /** Requests a drawing with the next screen refresh. */
@@ -157,12 +212,30 @@ export class SceneView {
   }
 
   private draw(): boolean {
+    if (this.headset.isOn) return false;  // the headset asks for its own frames
     this.onDraw();
     this.fit(DETAILS[this.pacer.level] as Detail);
     if (this.controls.update()) this.invalidate();
     this.drawingVertices = this.surface.meshVertices;
-    this.renderer.render(this.scene, this.camera);
+    this.render();
     return this.drawingVertices > 0;
+  }
+
+  private render(): void {
+    const {renderer, scene, camera, stereo} = this;
+    if (stereo === undefined) return renderer.render(scene, camera);
+    const size = renderer.getSize(new Vector2());
+    camera.updateMatrixWorld();
+    stereo.aspect = 0.5;  // each eye has half the width
+    stereo.update(camera);
+    renderer.setScissorTest(true);
+    for (const [eye, left] of [[stereo.cameraL, 0], [stereo.cameraR, size.width / 2]] as const) {
+      renderer.setScissor(left, 0, size.width / 2, size.height);
+      renderer.setViewport(left, 0, size.width / 2, size.height);
+      renderer.render(scene, eye);
+    }
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, size.width, size.height);
   }
 
   /** Sets the size of the canvas. Called just before drawing, because it clears the picture. */

@@ -62,6 +62,7 @@ export class Surface {
     intrinsics: {value: new Vector4(1, 1, 0, 0)},
     colorPicture: {value: this.color},
     colored: {value: 0},
+    plain: {value: true},
     range_m: {value: new Vector2(0.5, 1.5)},
     touchedAt: {value: new Vector3()},
     touched: {value: 0},
@@ -88,7 +89,8 @@ export class Surface {
     this.mesh = new Mesh(new BufferGeometry(), material);
     this.mesh.frustumCulled = false;  // only the graphics card knows the positions of the vertices
     this.mesh.visible = false;
-    this.mesh.onBeforeRender = (_renderer, _scene, camera) => this.uniforms.eye.value.copy(camera.position);
+    this.mesh.onBeforeRender = (_renderer, _scene, camera) =>
+        this.mesh.worldToLocal(this.uniforms.eye.value.setFromMatrixPosition(camera.matrixWorld));
   }
 
   /** `k`: the camera matrix, row-major; without one, that of a Kinect is assumed for the frame's size. */
@@ -152,6 +154,11 @@ export class Surface {
     this.applyColor();
   }
 
+  /** Draws no surface any more; everything else goes on. */
+  hide(): void {
+    this.mesh.layers.disableAll();
+  }
+
   /** The depths between which colours differ; undefined: those of the picture. */
   setRange(range: DepthSpan | undefined): void {
     this.wanted = range;
@@ -172,6 +179,7 @@ export class Surface {
 
   private applyColor(): void {
     this.uniforms.colored.value = this.showColor && this.picture !== undefined ? 1 : 0;
+    this.uniforms.plain.value = this.showColor;
   }
 
   private resize({width, height, samples}: DepthFrame): void {

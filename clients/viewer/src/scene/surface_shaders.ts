@@ -75,6 +75,7 @@ void main() {
 export const SURFACE_FRAGMENT = COMMON + DEPTH_COLOR_GLSL + /* glsl */ `
 uniform sampler2D colorPicture;
 uniform float colored;       // 1: from the picture, 0: by depth
+uniform bool plain;           // by depth in the colours of skin: no colour picture has come
 uniform vec2 range_m;        // near, far, for colour by depth
 uniform vec3 touchedAt;      // the proxy, in the scene
 uniform float touched;       // 0 untouched … 1 pressed hard
@@ -97,7 +98,9 @@ void keepWithinOneSurface() {
 }
 
 vec3 byDepth() {
-  return pow(depthColor((-place.z - range_m.x) / max(range_m.y - range_m.x, 0.02)), vec3(2.2));  // to linear light
+  float share = clamp((-place.z - range_m.x) / max(range_m.y - range_m.x, 0.02), 0.0, 1.0);
+  if (plain) return mix(vec3(0.78, 0.66, 0.58), vec3(0.10, 0.17, 0.24), share);
+  return pow(depthColor(share), vec3(2.2));  // to linear light
 }
 
 void main() {

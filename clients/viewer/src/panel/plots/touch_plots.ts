@@ -24,6 +24,20 @@ const CURVES: readonly Curve[] = [
   {box: 'indentation-plot', color: '--curve-indentation', unit: 'mm', least: 40, step: 20, value: 'indentation_mm'},
 ];
 
+interface BoxedPlot {
+  plot: uPlot;
+  box: HTMLElement;
+  curve: Curve;
+}
+
+/** Gives the plot the size of its box; false if the box is hidden, as in a small window. */
+function fit({plot, box}: BoxedPlot): boolean {
+  const [width, height] = [box.clientWidth, box.clientHeight];
+  if (width === 0 || height === 0) return false;
+  if (plot.width !== width || plot.height !== height) plot.setSize({width, height});
+  return true;
+}
+
 const css = (variable: string) => getComputedStyle(document.body).getPropertyValue(variable).trim();
 
 /**
@@ -33,7 +47,7 @@ const css = (variable: string) => getComputedStyle(document.body).getPropertyVal
 export class TouchPlots {
   private readonly history = new TouchHistory();
   private readonly window = new PlotWindow();
-  private readonly plots: {plot: uPlot; box: HTMLElement; curve: Curve}[];
+  private readonly plots: BoxedPlot[];
   private readonly under = element('plot-at');
   private readonly live = element<HTMLButtonElement>('plot-live');
   private pointed_s: number | undefined;
@@ -51,13 +65,11 @@ export class TouchPlots {
     const {begin_s, end_s} = this.history;
     this.live.hidden = this.window.isLive;
     this.showPointed();
+    const shown = this.plots.filter(fit);
     if (begin_s === undefined || end_s === undefined) return;
     const {from_s, to_s} = this.window.range(begin_s, end_s);
     const columns = this.history.columns(from_s, to_s);
-    for (const {plot, box, curve} of this.plots) {
-      const [width, height] = [box.clientWidth, box.clientHeight];
-      if (width === 0 || height === 0) continue;  // hidden in a small window
-      if (plot.width !== width || plot.height !== height) plot.setSize({width, height});
+    for (const {plot, curve} of shown) {
       plot.setData([columns.at_s, columns[curve.value]], false);
       plot.setScale('x', {min: from_s, max: to_s});
     }
@@ -68,7 +80,7 @@ export class TouchPlots {
     this.draw();
   }
 
-  private open(curve: Curve): {plot: uPlot; box: HTMLElement; curve: Curve} {
+  private open(curve: Curve): BoxedPlot {
     const box = element(curve.box);
     const plot = new uPlot(this.options(curve, box), [[], []], box);
     box.addEventListener('keydown', (event) => this.takeKey(event));

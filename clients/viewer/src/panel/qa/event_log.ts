@@ -1,0 +1,58 @@
+import {EventKind, type StationEvent} from '../../link/messages';
+
+const MOST_KEPT = 500;
+
+/** An event of the station, with its place in the played session. */
+export interface LoggedEvent {
+  stampNs: bigint;
+  kind: EventKind;
+  text: string;
+  position_s: number | undefined;  // from the session's beginning; undefined: the server plays none
+}
+
+/** How the server plays: `at_ns` of the session clock is `position_s` of the session. */
+export interface PlayedNow {
+  at_ns: bigint;
+  position_s: number;
+  speed: number;
+}
+
+/** The events so far, the newest first. A second pass over the same part of a session adds nothing. */
+export class EventLog {
+  events: LoggedEvent[] = [];
+  private newest_ns = 0n;
+
+  /** `heard`: the latest events of the link, oldest first. `played`: undefined for a live patient. */
+  add(heard: readonly StationEvent[], played: PlayedNow | undefined): void {
+    for (const {stampNs, kind, text} of heard) {
+      if (stampNs <= this.newest_ns) continue;
+      this.newest_ns = stampNs;
+      const position_s = played && positionOf(stampNs, played);
+      if (position_s !== undefined && this.events.some((known) => isSame(known, text, position_s))) continue;
+      this.events.unshift({stampNs, kind, text, position_s});
+    }
+    if (this.events.length > MOST_KEPT) this.events.length = MOST_KEPT;
+  }
+
+  /** A new connection may be to another server, whose clock is another one. */
+  forget(): void {
+    this.events = [];
+    this.newest_ns = 0n;
+  }
+}
+
+function positionOf(stampNs: bigint, {at_ns, position_s, speed}: PlayedNow): number {
+  return Math.max(0, position_s - (speed * Number(at_ns - stampNs)) / 1e9);
+}
+
+const SAME_S = 0.7;  // the position is asked for twice a second
+
+function isSame(known: LoggedEvent, text: string, position_s: number): boolean {
+  return known.text === text && known.position_s !== undefined && Math.abs(known.position_s - position_s) < SAME_S;
+}
+
+/** How much an event matters: faults and missed deadlines before changes of phase. */
+export function toneOf(kind: EventKind): 'alarm' | 'warn' | 'plain' {
+  if (kind === EventKind.Fault) return 'alarm';
+  return kind === EventKind.Deadline || kind === EventKind.Heat || kind === EventKind.Link ? 'warn' : 'plain';
+}

@@ -1,0 +1,94 @@
+import {element, made, setText} from '../../page';
+import {addressOfMoment, momentInAddress} from '../../playback/moment';
+import type {PlaybackLink} from '../../playback/playback_link';
+import {seekTo} from '../../playback/playback_state';
+import {clock} from '../../playback/timeline_words';
+import type {SceneView} from '../../scene/scene_view';
+import type {Reading} from '../../viewer_state';
+import {EventLog, type LoggedEvent, toneOf} from './event_log';
+
+const MOST_LINES = 60;
+
+/** QA's cards: the moment, to be shared or kept as a picture, and the events of the session. */
+export class QaPanel {
+  private readonly log = new EventLog();
+  private readonly list = element('events');
+  private readonly said = element('moment-said');
+  private shownUntil: bigint | undefined;
+  private asked_s = momentInAddress(location.search);  // to be shown once the session can be moved
+
+  constructor(private readonly playback: PlaybackLink, private readonly view: SceneView) {
+    element('share').addEventListener('click', () => void this.share());
+    element('snapshot').addEventListener('click', () => void this.snapshot());
+  }
+
+  show({connected, events, sessionNow_ns}: Reading): void {
+    const {state} = this.playback;
+    this.showAskedMoment();
+    setText(element('moment'), state === undefined ? 'live' : `${clock(state.position_s)} of ${clock(state.duration_s)}`);
+    element<HTMLButtonElement>('share').disabled = state === undefined;
+    if (!connected) this.log.forget();
+    const played = state && sessionNow_ns !== undefined
+        ? {at_ns: sessionNow_ns, position_s: state.position_s, speed: state.speed} : undefined;
+    this.log.add(events, played);
+    this.showEvents();
+  }
+
+  private showAskedMoment(): void {
+    const {state} = this.playback;
+    if (state === undefined || this.asked_s === undefined) return;
+    void this.playback.command({...seekTo(state, this.asked_s), play: false});
+    this.asked_s = undefined;
+  }
+
+  private showEvents(): void {
+    const newest = this.log.events[0]?.stampNs;
+    if (newest === this.shownUntil) return;
+    this.shownUntil = newest;
+    this.list.replaceChildren(...this.log.events.slice(0, MOST_LINES).map((event) => this.line(event)));
+    element('no-events').hidden = this.log.events.length > 0;
+  }
+
+  private line(event: LoggedEvent): HTMLElement {
+    const line = made('li', toneOf(event.kind));
+    const {position_s} = event;
+    if (position_s === undefined) {
+      line.append(made('span', '', event.text));
+      return line;
+    }
+    const button = made('button', 'event', event.text);
+    button.prepend(made('b', '', clock(position_s)));
+    button.title = 'Go to this moment';
+    button.addEventListener('click', () => {
+      const {state} = this.playback;
+      if (state !== undefined) void this.playback.command(seekTo(state, position_s));
+    });
+    line.append(button);
+    return line;
+  }
+
+  private async share(): Promise<void> {
+    const {state} = this.playback;
+    if (state === undefined) return;
+    const address = addressOfMoment(location.href, state.position_s);
+    history.replaceState(null, '', address);
+    try {
+      await navigator.clipboard.writeText(address);
+      setText(this.said, 'The address of this moment is copied.');
+    } catch {
+      setText(this.said, 'The address of this moment is in the address bar.');
+    }
+  }
+
+  private async snapshot(): Promise<void> {
+    const picture = await this.view.snapshot();
+    if (picture === undefined) return setText(this.said, 'The browser gave no picture.');
+    const {state} = this.playback;
+    const link = made('a');
+    link.href = URL.createObjectURL(picture);
+    link.download = `telepalp_${state === undefined ? new Date().toISOString().replace(/[:.]/g, '-') : `${state.position_s.toFixed(2)}s`}.png`;
+    link.click();
+    URL.revokeObjectURL(link.href);
+    setText(this.said, `Saved as ${link.download}.`);
+  }
+}

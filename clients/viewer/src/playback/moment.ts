@@ -1,0 +1,14 @@
+/** The moment of a played session that the address names, in seconds from its beginning; undefined: none. */
+export function momentInAddress(search: string): number | undefined {
+  const asked = new URLSearchParams(search).get('at_s');
+  if (asked === null || !/^\d+(\.\d+)?$/.test(asked)) return undefined;
+  return Number(asked);
+}
+
+/** The address that shows `position_s` to QA: to be shared. */
+export function addressOfMoment(page: string, position_s: number): string {
+  const address = new URL(page);
+  address.search = new URLSearchParams({view: 'qa', at_s: position_s.toFixed(2)}).toString();
+  address.hash = '';
+  return address.href;
+}

@@ -1,0 +1,66 @@
+import {type Group, Vector3, type WebGLRenderer} from 'three';
+
+/** Where the middle of the patient lies for a person who stands or sits before a bed: y up from the floor [m]. */
+const PATIENT_AT = new Vector3(0, 0.95, -0.55);
+
+/** The part of the browser's WebXR that is used here. */
+interface XrSystem {
+  isSessionSupported(mode: 'immersive-vr'): Promise<boolean>;
+  requestSession(mode: 'immersive-vr', options: {optionalFeatures: string[]}): Promise<XRSession>;
+}
+const xrOf = () => (navigator as Navigator & {xr?: XrSystem}).xr;
+
+/** True if a headset can show the scene. */
+export async function headsetIsThere(): Promise<boolean> {
+  try {
+    return (await xrOf()?.isSessionSupported('immersive-vr')) ?? false;
+  } catch {
+    return false;  // a permissions policy forbids it
+  }
+}
+
+/**
+ * Shows the scene in a headset (S2): the patient lies before the viewer at the height of a bed, in true size. The depth
+ * camera's axis points down, so that the patient's front is up.
+ */
+export class Headset {
+  private session: XRSession | undefined;
+
+  /** `world`: all that the patient's site shows. `draw`: draws one frame. `onEnd`: the headset shows nothing more. */
+  constructor(
+      private readonly renderer: WebGLRenderer,
+      private readonly world: Group,
+      private readonly draw: () => void,
+      private readonly onEnd: () => void,
+  ) {}
+
+  get isOn(): boolean {
+    return this.session !== undefined;
+  }
+
+  /** `middle`: the patient's middle in the scene. Throws when the headset or the user refuses. */
+  async begin(middle: Vector3): Promise<void> {
+    const session = await xrOf()!.requestSession('immersive-vr', {optionalFeatures: ['local-floor']});
+    this.session = session;
+    session.addEventListener('end', () => this.ended());
+    this.renderer.xr.enabled = true;
+    this.renderer.xr.setReferenceSpaceType('local-floor');
+    await this.renderer.xr.setSession(session);
+    this.world.rotation.set(-Math.PI / 2, 0, 0);
+    this.world.position.copy(PATIENT_AT).sub(middle.clone().applyEuler(this.world.rotation));
+    this.renderer.setAnimationLoop(this.draw);
+  }
+
+  async end(): Promise<void> {
+    await this.session?.end();
+  }
+
+  private ended(): void {
+    this.session = undefined;
+    this.renderer.setAnimationLoop(null);
+    this.renderer.xr.enabled = false;
+    this.world.rotation.set(0, 0, 0);
+    this.world.position.set(0, 0, 0);
+    this.onEnd();
+  }
+}

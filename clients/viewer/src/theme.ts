@@ -1,0 +1,42 @@
+import {element} from './page';
+import type {SceneView} from './scene/scene_view';
+
+type Theme = 'dark' | 'light';
+
+const KEPT_AS = 'telepalp-theme';
+const BACKGROUND: Record<Theme, string> = {dark: '#070b10', light: '#dfe6ec'};
+
+function keptTheme(): Theme {
+  try {
+    return localStorage.getItem(KEPT_AS) === 'light' ? 'light' : 'dark';
+  } catch {
+    return 'dark';  // the browser keeps nothing for this page
+  }
+}
+
+/** Dark for dim rooms, light for bright ones; the choice is kept in this browser. */
+export class ThemeSwitch {
+  private theme = keptTheme();
+  private readonly button = element<HTMLButtonElement>('theme');
+
+  constructor(private readonly view: SceneView) {
+    this.button.addEventListener('click', () => this.flip());
+    this.apply();
+  }
+
+  flip(): void {
+    this.theme = this.theme === 'dark' ? 'light' : 'dark';
+    try {
+      localStorage.setItem(KEPT_AS, this.theme);
+    } catch {
+      // the choice holds until the page is closed
+    }
+    this.apply();
+  }
+
+  private apply(): void {
+    document.documentElement.dataset['theme'] = this.theme;
+    this.button.setAttribute('aria-pressed', String(this.theme === 'light'));
+    this.view.setBackground(BACKGROUND[this.theme]);
+  }
+}

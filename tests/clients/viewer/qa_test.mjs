@@ -1,0 +1,61 @@
+// node qa_test.mjs VIEWER_SOURCES VIEWER_WORK: the moment in an address, and the events of a session.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {addressOfMoment, momentInAddress} = await bundled('playback/moment.ts');
+const {EventLog, toneOf} = await bundled('panel/qa/event_log.ts');
+
+const PHASE = 1, FAULT = 3, DEADLINE = 4;
+const second = (s) => BigInt(Math.round(1000 * s)) * 1_000_000n;
+const event = (at_s, text, kind = PHASE) => ({stampNs: second(at_s), kind, text, from: 0, to: 0});
+
+test('a shared address shows QA the same moment', () => {
+  const address = new URL(addressOfMoment('https://site.example:8765/?view=doctor#x', 12.345));
+  assert.equal(address.origin, 'https://site.example:8765');
+  assert.equal(address.hash, '');
+  assert.equal(address.searchParams.get('view'), 'qa');
+  assert.equal(momentInAddress(address.search), 12.35);
+});
+
+test('what is no moment is none', () => {
+  for (const search of ['', '?at_s=', '?at_s=-3', '?at_s=1e9', '?at_s=NaN', '?at_s=3;4'])
+    assert.equal(momentInAddress(search), undefined, search);
+});
+
+test('an event is placed by the speed at which the session plays', () => {
+  const log = new EventLog();
+  log.add([event(100, 'contact')], {at_ns: second(103), position_s: 20, speed: 2});
+  assert.equal(log.events[0].position_s, 14);
+});
+
+test('the same events, heard again or played again, are listed once', () => {
+  const log = new EventLog();
+  const heard = [event(100, 'contact'), event(101, 'release')];
+  log.add(heard, {at_ns: second(102), position_s: 10, speed: 1});
+  log.add(heard, {at_ns: second(102.1), position_s: 10.1, speed: 1});
+  log.add([event(200, 'contact')], {at_ns: second(202), position_s: 10.2, speed: 1});
+  assert.deepEqual(log.events.map(({text}) => text), ['release', 'contact'], 'the newest first');
+  log.add([event(300, 'contact')], {at_ns: second(302), position_s: 30, speed: 1});
+  assert.equal(log.events.length, 3, 'a second contact, elsewhere, is another one');
+});
+
+test('events of a live patient have no place, and all are kept', () => {
+  const log = new EventLog();
+  log.add([event(1, 'contact'), event(2, 'contact')], undefined);
+  assert.deepEqual(log.events.map(({position_s}) => position_s), [undefined, undefined]);
+});
+
+test('after a new connection events of an earlier clock count again, and the list is bounded', () => {
+  const log = new EventLog();
+  for (let at = 1; at <= 700; ++at) log.add([event(at, `event ${at}`)], undefined);
+  assert.equal(log.events.length, 500);
+  log.forget();
+  log.add([event(3, 'contact')], undefined);
+  assert.equal(log.events.length, 1);
+});
+
+test('faults matter most, then what went wrong, then phases', () => {
+  assert.deepEqual([FAULT, DEADLINE, PHASE].map(toneOf), ['alarm', 'warn', 'plain']);
+});
