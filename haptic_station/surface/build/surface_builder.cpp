@@ -58,6 +58,7 @@ struct SurfaceBuilder::State {
   std::optional<SessionTime> last;
   std::uint64_t sequence = 0;
   SampleDepths samples;
+  DepthField field;  // of the newest frame; a member, because a new one costs as much as the frame's conversion
   std::optional<TemporalFilter> filter;
   MarkTracker marks;
   Intrinsics camera;  // camera of the filter's frames
@@ -99,7 +100,11 @@ std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& dep
   const double dt_s = state.last ? to_seconds(captured - *state.last) : 0.0;
   state.last = captured;
   ++state.counts.built;
-  DepthField field = state.settings.disparity_levels ? state.samples.field_of(depth) : to_depth_field(depth);
+  DepthField& field = state.field;
+  if (state.settings.disparity_levels)
+    state.samples.field_of(depth, field);
+  else
+    to_depth_field(depth, field);
   fill_pinholes(field, state.settings.break_m);
   if (state.settings.temporal) {
     if (!state.filter || dt_s > kForgetAfter_s || camera != state.camera)

@@ -25,12 +25,18 @@ int to_pixel(double at, int most) noexcept { return static_cast<int>(std::clamp(
 }  // namespace
 
 DepthField to_depth_field(const DepthImage& depth) {
-  DepthField field{.width = depth.width, .height = depth.height, .z_m = {}, .weight = {}};
+  DepthField field;
+  to_depth_field(depth, field);
+  return field;
+}
+
+void to_depth_field(const DepthImage& depth, DepthField& field) {
+  field.width = depth.width;
+  field.height = depth.height;
   field.z_m.resize(depth.samples.size());
   const auto unit = static_cast<float>(depth.unit_m);
   std::transform(depth.samples.begin(), depth.samples.end(), field.z_m.begin(),
                  [unit](std::uint16_t sample) { return unit * static_cast<float>(sample); });
-  return field;
 }
 
 PixelBox box_in_reach(const Intrinsics& camera, const std::optional<Reach>& reach, int margin_px) {

@@ -38,6 +38,8 @@ struct Reach {
 };
 
 [[nodiscard]] DepthField to_depth_field(const DepthImage& depth);
+/// The same into `field`, whose memory is used again.
+void to_depth_field(const DepthImage& depth, DepthField& field);
 
 /// The bounding box of `reach` projected into the image, grown by `margin_px`. The whole image when `reach` is nullopt
 /// or contains the camera; empty when the sphere lies behind the camera or outside the image.

@@ -13,6 +13,12 @@ constexpr std::uint64_t kFewPixels = 1000;  // an image with fewer measured pixe
 }  // namespace
 
 DepthField SampleDepths::field_of(const DepthImage& depth) {
+  DepthField field;
+  field_of(depth, field);
+  return field;
+}
+
+void SampleDepths::field_of(const DepthImage& depth, DepthField& field) {
   if (depth.unit_m != unit_m_) {
     use(std::nullopt);
     unit_m_ = depth.unit_m;
@@ -20,12 +26,12 @@ DepthField SampleDepths::field_of(const DepthImage& depth) {
   }
   if (images_ % kCheckEvery == 0 || (!levels_ && images_ < kFirstImages)) check(depth);
   ++images_;
-  if (!levels_) return to_depth_field(depth);
-  DepthField field{.width = depth.width, .height = depth.height, .z_m = {}, .weight = {}};
+  if (!levels_) return to_depth_field(depth, field);
+  field.width = depth.width;
+  field.height = depth.height;
   field.z_m.resize(depth.samples.size());
   std::transform(depth.samples.begin(), depth.samples.end(), field.z_m.begin(),
                  [by_sample = depth_m_.data()](std::uint16_t sample) { return by_sample[sample]; });
-  return field;
 }
 
 /// Known levels are kept as long as they explain the images. A new fit would move all depths by a few micrometres.

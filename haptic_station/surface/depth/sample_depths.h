@@ -15,6 +15,8 @@ class SampleDepths {
  public:
   /// The depths of the next image of the stream.
   [[nodiscard]] DepthField field_of(const DepthImage& depth);
+  /// The same into `field`, whose memory is used again.
+  void field_of(const DepthImage& depth, DepthField& field);
 
   /// The camera's levels; nullopt: none are known.
   [[nodiscard]] const std::optional<DisparityLevels>& levels() const noexcept { return levels_; }

@@ -274,10 +274,13 @@ void fit_nodes(const DepthField& depth, const Intrinsics& camera, const PixelBox
     return;
   }
   const Crop crop = crop_of(depth, box, settings);
-  nodes.resize(static_cast<std::size_t>(layout.columns) * static_cast<std::size_t>(layout.rows));
+  const auto columns = static_cast<std::size_t>(layout.columns);
+  nodes.reserve(columns * static_cast<std::size_t>(layout.rows));
   RowFitter fitter(depth, crop, settings, layout);
-  for (int row = 0; row < layout.rows; ++row)
-    fitter.fit(row, &nodes[static_cast<std::size_t>(row) * static_cast<std::size_t>(layout.columns)]);
+  for (int row = 0; row < layout.rows; ++row) {
+    nodes.resize(nodes.size() + columns);  // row by row, so that a row is still in the cache when it is filled
+    fitter.fit(row, &nodes[nodes.size() - columns]);
+  }
 }
 
 }  // namespace telepalp::surface

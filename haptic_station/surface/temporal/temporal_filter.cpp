@@ -17,8 +17,7 @@ constexpr double kMeanSizeOfUnit = 1.2533;  // ratio of sigma to the mean absolu
 }  // namespace
 
 TemporalFilter::TemporalFilter(int width, int height, const SurfaceSettings& settings)
-    : motion_(width, height, settings),
-      memory_frames_(static_cast<float>(std::max(1.0, settings.memory_frames))) {
+    : motion_(width, height, settings), memory_frames_(static_cast<float>(std::max(1.0, settings.memory_frames))) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   average_ = {.width = width,
               .height = height,
@@ -128,20 +127,37 @@ void TemporalFilter::end_of_patches(int patch_row) {
   }
 }
 
+namespace {
+
+constexpr int kRun_px = 16;
+
+bool all_measured(const float* z_m) noexcept {
+  int measured = 0;
+  for (int u = 0; u < kRun_px; ++u) measured += z_m[u] > 0.0F ? 1 : 0;
+  return measured == kRun_px;
+}
+
+void fill_pinhole(DepthField& depth, std::size_t at, float break_at_1m) {
+  if (depth.z_m[at] > 0.0F) return;
+  const auto width = static_cast<std::size_t>(depth.width);
+  const float left = depth.z_m[at - 1];
+  const float right = depth.z_m[at + 1];
+  const float above = depth.z_m[at - width];
+  const float below = depth.z_m[at + width];
+  const float least = std::min({left, right, above, below});
+  if (least <= 0.0F || std::max({left, right, above, below}) - least > break_at(least, break_at_1m)) return;
+  depth.z_m[at] = 4.0F / (1.0F / left + 1.0F / right + 1.0F / above + 1.0F / below);
+}
+
+}  // namespace
+
 void fill_pinholes(DepthField& depth, double break_at_1m) {
   const auto limit = static_cast<float>(break_at_1m);
-  const auto width = static_cast<std::size_t>(depth.width);
   for (int row = 1; row + 1 < depth.height; ++row)
-    for (int column = 1; column + 1 < depth.width; ++column) {
-      const std::size_t at = depth.index(column, row);
-      if (depth.z_m[at] > 0.0F) continue;
-      const float left = depth.z_m[at - 1];
-      const float right = depth.z_m[at + 1];
-      const float above = depth.z_m[at - width];
-      const float below = depth.z_m[at + width];
-      const float least = std::min({left, right, above, below});
-      if (least <= 0.0F || std::max({left, right, above, below}) - least > break_at(least, limit)) continue;
-      depth.z_m[at] = 4.0F / (1.0F / left + 1.0F / right + 1.0F / above + 1.0F / below);
+    for (int column = 1; column + 1 < depth.width; column += kRun_px) {
+      const int end = std::min(column + kRun_px, depth.width - 1);
+      if (end - column == kRun_px && all_measured(&depth.z_m[depth.index(column, row)])) continue;
+      for (int u = column; u < end; ++u) fill_pinhole(depth, depth.index(u, row), limit);
     }
 }
 
