@@ -3,7 +3,7 @@
 namespace telepalp::effects {
 
 SolidDepth Organ::depth_at(const Eigen::Vector3d& point_m) const noexcept {
-  const DistanceAt distance = distance_at(*settings_.shape, point_m);
+  const solids::DistanceAt distance = solids::distance_at(*settings_.shape, point_m);
   return {-distance.m, distance.gradient};
 }
 

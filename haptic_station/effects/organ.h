@@ -3,14 +3,14 @@
 #include <memory>
 #include <utility>
 
-#include "haptic_station/effects/distance_lattice.h"
 #include "haptic_station/effects/effect.h"
 #include "haptic_station/effects/entry_side.h"
+#include "haptic_station/solids/distance_lattice.h"
 
 namespace telepalp::effects {
 
 struct OrganSettings {
-  std::shared_ptr<const DistanceLattice> shape;  ///< in the haptic base's frame H; nullptr: no force
+  std::shared_ptr<const solids::DistanceLattice> shape;  ///< in the haptic base's frame H; nullptr: no force
   double stiffness_N_per_m = 300.0;
   double around_m = 0.01;  ///< within this distance of the organ, touch() is Near
 };

@@ -4,19 +4,19 @@
 
 namespace telepalp::organs {
 
-Result<std::shared_ptr<const effects::DistanceLattice>> read_organ_shape(const std::filesystem::path& file,
-                                                                         const OrganShapeSettings& settings) {
+Result<std::shared_ptr<const solids::DistanceLattice>> read_organ_shape(const std::filesystem::path& file,
+                                                                        const OrganShapeSettings& settings) {
   Result<models::PointModel> model = models::read_point_model(file);
   if (!model) return model.error();
   for (Eigen::Vector3f& point : model->points)
     point = (settings.haptic_from_model * (settings.unit_m * point.cast<double>())).cast<float>();
-  Result<effects::DistanceLattice> lattice = signed_distance(*model, settings.cell_m, settings.margin_m);
+  Result<solids::DistanceLattice> lattice = signed_distance(*model, settings.cell_m, settings.margin_m);
   if (!lattice) {
     Error error = lattice.error();
     error.where = file.string();
     return error;
   }
-  return std::make_shared<const effects::DistanceLattice>(*std::move(lattice));
+  return std::make_shared<const solids::DistanceLattice>(*std::move(lattice));
 }
 
 }  // namespace telepalp::organs

@@ -66,12 +66,12 @@ double signed_distance_m(const Vector3d& point, double from_center_m, const std:
 }
 
 /// An empty lattice around the faces.
-Result<effects::DistanceLattice> lattice_around(const std::vector<ClosedFace>& faces, double spacing_m,
-                                                double margin_m) {
+Result<solids::DistanceLattice> lattice_around(const std::vector<ClosedFace>& faces, double spacing_m,
+                                               double margin_m) {
   Eigen::AlignedBox3d box;
   for (const ClosedFace& face : faces)
     for (const Vector3d& corner : face.corners) box.extend(corner);
-  effects::DistanceLattice lattice;
+  solids::DistanceLattice lattice;
   lattice.origin_m = box.min() - Vector3d::Constant(margin_m);
   lattice.spacing_m = spacing_m;
   const Vector3d cells = ((box.sizes().array() + 2.0 * margin_m) / spacing_m).ceil();
@@ -84,7 +84,7 @@ Result<effects::DistanceLattice> lattice_around(const std::vector<ClosedFace>& f
 }
 
 void fill_block(const std::array<int, 3>& first, const std::vector<ClosedFace>& faces, const std::vector<Ball>& balls,
-                std::vector<Candidate>& candidates, effects::DistanceLattice& lattice) {
+                std::vector<Candidate>& candidates, solids::DistanceLattice& lattice) {
   const auto node = [&](int i, int j, int k) {
     return Vector3d(lattice.origin_m + lattice.spacing_m * Vector3d(i, j, k));
   };
@@ -102,10 +102,10 @@ void fill_block(const std::array<int, 3>& first, const std::vector<ClosedFace>& 
 
 }  // namespace
 
-Result<effects::DistanceLattice> signed_distance(const models::PointModel& mesh, double spacing_m, double margin_m) {
+Result<solids::DistanceLattice> signed_distance(const models::PointModel& mesh, double spacing_m, double margin_m) {
   const Result<std::vector<ClosedFace>> faces = closed_faces(mesh);
   if (!faces) return faces.error();
-  Result<effects::DistanceLattice> lattice = lattice_around(*faces, spacing_m, margin_m);
+  Result<solids::DistanceLattice> lattice = lattice_around(*faces, spacing_m, margin_m);
   if (!lattice) return lattice;
   const std::vector<Ball> balls = balls_around(*faces);
   std::vector<Candidate> candidates;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_station/effects/distance_lattice.h"
+#include "haptic_station/solids/distance_lattice.h"
 #include "support/models/point_model.h"
 
 namespace telepalp::organs {
@@ -9,7 +9,7 @@ namespace telepalp::organs {
 /// distance is exact at each node. Angle-weighted pseudo-normals (Baerentzen and Aanaes 2005) give its sign; a mesh
 /// whose faces all look inwards is turned inside out. `mesh`: in metres, in the frame of the later queries. Error: the
 /// mesh is not closed, has no volume, or would need more than 16 million nodes.
-[[nodiscard]] Result<effects::DistanceLattice> signed_distance(const models::PointModel& mesh, double spacing_m,
-                                                               double margin_m);
+[[nodiscard]] Result<solids::DistanceLattice> signed_distance(const models::PointModel& mesh, double spacing_m,
+                                                              double margin_m);
 
 }  // namespace telepalp::organs

@@ -30,7 +30,7 @@ double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-Result<std::shared_ptr<const effects::DistanceLattice>> liver(double cell_m) {
+Result<std::shared_ptr<const solids::DistanceLattice>> liver(double cell_m) {
   return organs::read_organ_shape(TELEPALP_SOURCE_DIR "/deploy/demo_data/organs/visible_human_liver.ply",
                                   {.cell_m = cell_m});
 }
@@ -44,7 +44,7 @@ struct Place {
 
 /// Points at the nodes of a lattice, whose distances are exact. Their differences are exact where the distance is
 /// linear between nodes.
-std::vector<Place> places_in(const effects::DistanceLattice& truth) {
+std::vector<Place> places_in(const solids::DistanceLattice& truth) {
   std::vector<Place> places;
   for (int k = 1; k + 1 < truth.size[2]; ++k)
     for (int j = 1; j + 1 < truth.size[1]; ++j)
@@ -78,9 +78,9 @@ Result<OrganPrice> price_of(double cell_m, const std::vector<Place>& places) {
   double angles = 0.0;
   std::size_t smooth = 0;
   const auto walk = Clock::now();
-  std::vector<effects::DistanceAt> felt;
+  std::vector<solids::DistanceAt> felt;
   felt.reserve(places.size());
-  for (const Place& place : places) felt.push_back(effects::distance_at(**shape, place.at_m));
+  for (const Place& place : places) felt.push_back(solids::distance_at(**shape, place.at_m));
   price.step_us = 1e3 * ms_since(walk) / static_cast<double>(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     errors.push_back(std::abs(felt[i].m - places[i].distance_m));

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "haptic_station/effects/distance_lattice.h"
+#include "haptic_station/solids/distance_lattice.h"
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
@@ -19,9 +19,9 @@ constexpr double kNotMet_m = 0.05;  // depth error that counts for an object tha
 enum class Object { Sphere, Cylinder, Organ };
 
 /// A ball of radius 25 mm as an organ's shape.
-std::shared_ptr<const effects::DistanceLattice> ball(const Eigen::Vector3d& center_m, double radius_m) {
+std::shared_ptr<const solids::DistanceLattice> ball(const Eigen::Vector3d& center_m, double radius_m) {
   constexpr int kNodes = 40;
-  auto lattice = std::make_shared<effects::DistanceLattice>();
+  auto lattice = std::make_shared<solids::DistanceLattice>();
   lattice->spacing_m = 0.003;
   lattice->size = {kNodes, kNodes, kNodes};
   lattice->origin_m = center_m - Eigen::Vector3d::Constant(0.5 * lattice->spacing_m * (kNodes - 1));

@@ -129,9 +129,9 @@ Passed pass(Effect& effect, const WayThrough& way) {
 }
 
 /// A ball of 25 mm as an organ's shape.
-std::shared_ptr<const DistanceLattice> ball_lattice() {
+std::shared_ptr<const solids::DistanceLattice> ball_lattice() {
   constexpr int kNodes = 40;
-  auto lattice = std::make_shared<DistanceLattice>();
+  auto lattice = std::make_shared<solids::DistanceLattice>();
   lattice->spacing_m = 0.002;
   lattice->size = {kNodes, kNodes, kNodes};
   lattice->origin_m = Eigen::Vector3d{0.0, -0.05, 0.0} - Eigen::Vector3d::Constant(0.5 * 0.002 * (kNodes - 1));

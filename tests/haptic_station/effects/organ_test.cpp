@@ -55,7 +55,7 @@ models::PointModel ball(double radius_m, int cuts) {
 Organ ball_organ(double radius_m, double cell_m) {
   const auto lattice = organs::signed_distance(ball(radius_m, 5), cell_m, 0.03);
   EXPECT_TRUE(lattice.ok());
-  return Organ({.shape = std::make_shared<const DistanceLattice>(*lattice), .stiffness_N_per_m = 800.0});
+  return Organ({.shape = std::make_shared<const solids::DistanceLattice>(*lattice), .stiffness_N_per_m = 800.0});
 }
 
 Organ liver() {

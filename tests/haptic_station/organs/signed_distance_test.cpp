@@ -26,7 +26,7 @@ double true_distance_m(const Vector3d& p) {
   return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
 }
 
-void expect_cube(const effects::DistanceLattice& lattice) {
+void expect_cube(const solids::DistanceLattice& lattice) {
   for (int k = 0; k < lattice.size[2]; ++k)
     for (int j = 0; j < lattice.size[1]; ++j)
       for (int i = 0; i < lattice.size[0]; ++i) {

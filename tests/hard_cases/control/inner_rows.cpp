@@ -1,7 +1,7 @@
 #include <array>
 #include <memory>
 
-#include "haptic_station/effects/distance_lattice.h"
+#include "haptic_station/solids/distance_lattice.h"
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/control/controller_scene.h"
 #include "tests/hard_cases/control/forced_path.h"
@@ -16,10 +16,10 @@ using ::testing::AssertionResult;
 constexpr double kTick_N = 0.17;  // the limiter's slew, over one tick
 
 /// A ball of 25 mm, its middle 55 mm deep, as an organ's shape.
-std::shared_ptr<const effects::DistanceLattice> ball() {
+std::shared_ptr<const solids::DistanceLattice> ball() {
   constexpr int kNodes = 40;
   const Vector3d center_m{0.0, -0.055, 0.0};
-  auto lattice = std::make_shared<effects::DistanceLattice>();
+  auto lattice = std::make_shared<solids::DistanceLattice>();
   lattice->spacing_m = 0.002;
   lattice->size = {kNodes, kNodes, kNodes};
   lattice->origin_m = center_m - Vector3d::Constant(0.5 * lattice->spacing_m * (kNodes - 1));

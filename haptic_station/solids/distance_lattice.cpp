@@ -1,11 +1,11 @@
-#include "haptic_station/effects/distance_lattice.h"
+#include "haptic_station/solids/distance_lattice.h"
 
 #include <cmath>
 #include <limits>
 
 #include "proto/words/cubic_b_spline.h"
 
-namespace telepalp::effects {
+namespace telepalp::solids {
 DistanceAt distance_at(const DistanceLattice& lattice, const Eigen::Vector3d& point_m) noexcept {
   const Eigen::Vector3d at = (point_m - lattice.origin_m) / lattice.spacing_m;
   std::array<int, 3> cell{};
@@ -40,4 +40,4 @@ DistanceAt distance_at(const DistanceLattice& lattice, const Eigen::Vector3d& po
   return sum;
 }
 
-}  // namespace telepalp::effects
+}  // namespace telepalp::solids

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace telepalp::effects {
+namespace telepalp::solids {
 
 /// Signed distance to a closed surface, sampled on a lattice: positive outside, negative inside [m].
 struct DistanceLattice {
@@ -34,4 +34,4 @@ struct DistanceAt {
 /// distance is infinite. Real-time safe.
 [[nodiscard]] DistanceAt distance_at(const DistanceLattice& lattice, const Eigen::Vector3d& point_m) noexcept;
 
-}  // namespace telepalp::effects
+}  // namespace telepalp::solids

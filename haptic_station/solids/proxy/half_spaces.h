@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+namespace telepalp::solids {
+
+/// The side of a plane to which the unit vector `normal` points: normal . x >= offset.
+struct HalfSpace {
+  Eigen::Vector3d normal;
+  double offset_m;
+};
+
+/// The point nearest to `p` in the common part of at most three half-spaces. Of nearly parallel planes the outer one
+/// counts. Without a common part within reach, `otherwise`.
+[[nodiscard]] Eigen::Vector3d nearest_in(std::span<const HalfSpace> spaces, const Eigen::Vector3d& p,
+                                         const Eigen::Vector3d& otherwise) noexcept;
+
+}  // namespace telepalp::solids

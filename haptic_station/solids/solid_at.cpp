@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+
+#include "haptic_station/solids/shapes/shapes.h"
+#include "haptic_station/solids/solid_tree.h"
+
+namespace telepalp::solids {
+namespace {
+
+using Eigen::Vector3d;
+
+SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept;
+
+SolidAt of_shape(const ShapeAt& at, std::uint32_t part) noexcept { return {at.m, at.gradient, part}; }
+
+Vector3d three(const TreeNode& node, std::size_t first) noexcept {
+  return {node.numbers[first], node.numbers[first + 1], node.numbers[first + 2]};
+}
+
+SolidAt negated(const SolidAt& at) noexcept { return {-at.m, -at.gradient, at.part}; }
+
+/// Of two values the greater one; a tie gives the mean gradient.
+SolidAt greater(const SolidAt& a, const SolidAt& b) noexcept {
+  if (a.m != b.m) return a.m > b.m ? a : b;
+  return {a.m, 0.5 * (a.gradient + b.gradient), std::min(a.part, b.part)};
+}
+
+/// The least of the values so far.
+class Least {
+ public:
+  explicit Least(std::uint32_t part) noexcept
+      : best_{std::numeric_limits<double>::infinity(), Vector3d::Zero(), part} {}
+
+  void take(const SolidAt& at) noexcept {
+    if (at.m > best_.m) return;
+    const bool tie = at.m == best_.m && ties_ > 0;
+    best_ = tie ? SolidAt{at.m, best_.gradient + at.gradient, std::min(at.part, best_.part)} : at;
+    ties_ = tie ? ties_ + 1 : 1;
+  }
+  /// True when a part at this squared distance cannot have a value as low as the least.
+  [[nodiscard]] bool beats(double squared_m2) const noexcept {
+    return best_.m < 0.0 ? squared_m2 > 0.0 : squared_m2 > best_.m * best_.m;
+  }
+  [[nodiscard]] SolidAt result() const noexcept {
+    return ties_ > 1 ? SolidAt{best_.m, best_.gradient / ties_, best_.part} : best_;
+  }
+
+ private:
+  SolidAt best_;
+  int ties_ = 0;
+};
+
+struct Waiting {
+  std::uint32_t node;
+  double squared_m2;
+};
+constexpr std::size_t kMostWaiting = 64;  // the hierarchy halves its members, so it is at most 32 deep
+
+/// The nearer box first, so that its value rules out the other.
+void evaluate_bounded(const SolidTree& tree, std::uint32_t hierarchy, const Vector3d& p, Least& least) noexcept {
+  std::array<Waiting, kMostWaiting> waiting;
+  std::size_t count = 0;
+  waiting[count++] = {hierarchy, tree.boxes[hierarchy].box.squared_distance_m2(p)};
+  while (count > 0) {
+    const Waiting next = waiting[--count];
+    if (least.beats(next.squared_m2)) continue;
+    const BoxNode& box = tree.boxes[next.node];
+    if (box.left == kNothing) {
+      least.take(evaluate(tree, box.right, p));
+      continue;
+    }
+    Waiting near{box.left, tree.boxes[box.left].box.squared_distance_m2(p)};
+    Waiting far{box.right, tree.boxes[box.right].box.squared_distance_m2(p)};
+    if (far.squared_m2 < near.squared_m2) std::swap(near, far);
+    if (!least.beats(far.squared_m2)) waiting[count++] = far;
+    waiting[count++] = near;
+  }
+}
+
+SolidAt union_at(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
+  const TreeNode& node = tree.nodes[index];
+  Least least(index);
+  for (std::uint32_t i = node.first; i < node.second; ++i) least.take(evaluate(tree, tree.loose[i], p));
+  if (node.hierarchy != kNothing) evaluate_bounded(tree, node.hierarchy, p, least);
+  return least.result();
+}
+
+SolidAt difference_at(const SolidTree& tree, const TreeNode& node, const Vector3d& p) noexcept {
+  const SolidAt kept = evaluate(tree, node.first, p);
+  const double squared_m2 = tree.nodes[node.second].box.squared_distance_m2(p);
+  if (squared_m2 > 0.0 && kept.m > -std::sqrt(squared_m2)) return kept;
+  return greater(kept, negated(evaluate(tree, node.second, p)));
+}
+
+SolidAt blend_at(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
+  const TreeNode& node = tree.nodes[index];
+  const double width_m = node.numbers[0];
+  const SolidAt a = evaluate(tree, node.first, p);
+  if (const double reach_m = a.m + width_m;
+      reach_m <= 0.0 ? false : tree.nodes[node.second].box.squared_distance_m2(p) > reach_m * reach_m)
+    return a;
+  const SolidAt b = evaluate(tree, node.second, p);
+  const double share = std::max(0.0, width_m - std::abs(a.m - b.m)) / width_m;
+  const SolidAt& lower = a.m <= b.m ? a : b;
+  if (share <= 0.0) return lower;
+  const SolidAt& upper = a.m <= b.m ? b : a;
+  return {lower.m - 0.25 * width_m * share * share, (1.0 - 0.5 * share) * lower.gradient + 0.5 * share * upper.gradient,
+          index};
+}
+
+SolidAt operator_at(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
+  const TreeNode& node = tree.nodes[index];
+  switch (node.op) {
+    case Op::Union:
+      return union_at(tree, index, p);
+    case Op::Intersection:
+      return greater(evaluate(tree, node.first, p), evaluate(tree, node.second, p));
+    case Op::Difference:
+      return difference_at(tree, node, p);
+    case Op::Blend:
+      return blend_at(tree, index, p);
+    case Op::Clip:
+      return greater(evaluate(tree, node.first, p), of_shape(plane_at(p, three(node, 0), node.numbers[3]), index));
+    default:
+      return evaluate(tree, node.first, p);  // a placement: build_tree() has folded it into the node
+  }
+}
+
+SolidAt in_own_frame(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
+  const TreeNode& node = tree.nodes[index];
+  const auto& n = node.numbers;
+  switch (node.op) {
+    case Op::Sphere:
+      return of_shape(sphere_at(p, n[0]), index);
+    case Op::Plane:
+      return of_shape(plane_at(p, three(node, 0), n[3]), index);
+    case Op::Capsule:
+      return of_shape(capsule_at(p, three(node, 0), three(node, 3), n[6]), index);
+    case Op::Torus:
+      return of_shape(torus_at(p, node.axis, n[0], n[1]), index);
+    case Op::Arc:
+      return of_shape(arc_at(p, node.axis, n[0], n[1], {n[2], n[3]}), index);
+    case Op::Box:
+      return of_shape(box_at(p, three(node, 0)), index);
+    case Op::Ellipsoid:
+      return of_shape(ellipsoid_at(p, three(node, 0)), index);
+    case Op::Cylinder:
+      return of_shape(cylinder_at(p, node.axis, n[0], n[1]), index);
+    case Op::Mesh:
+      return of_shape(mesh_at(p, *node.lattice), index);
+    default:
+      return operator_at(tree, index, p);
+  }
+}
+
+/// A bound is at least the distance to the box. So no value is lower than the distance to its box, and skipping a part
+/// by its box changes nothing.
+SolidAt at_least_the_box(const TreeNode& node, const Vector3d& p, const SolidAt& at) noexcept {
+  const double squared_m2 = node.box.squared_distance_m2(p);
+  if (!(squared_m2 > 0.0) || (at.m > 0.0 && at.m * at.m >= squared_m2)) return at;
+  const double distance_m = std::sqrt(squared_m2);
+  const Vector3d gap = p - p.cwiseMax(node.box.low).cwiseMin(node.box.high);
+  return {distance_m, gap / distance_m, at.part};
+}
+
+SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
+  const TreeNode& node = tree.nodes[index];
+  SolidAt at;
+  if (node.placed) {
+    at = in_own_frame(tree, index, node.turn.transpose() * (p - node.shift) / node.scale);
+    at.m *= node.scale;
+    at.gradient = node.turn * at.gradient;
+  } else {
+    at = in_own_frame(tree, index, p);
+  }
+  return node.exactness == Exactness::Bound ? at_least_the_box(node, p, at) : at;
+}
+
+}  // namespace
+
+SolidAt solid_at(const SolidTree& tree, const Vector3d& point_m) noexcept {
+  if (tree.nodes.empty() || !point_m.allFinite())
+    return {std::numeric_limits<double>::infinity(), Vector3d::Zero(), kNothing};
+  return evaluate(tree, tree.root, point_m);
+}
+
+}  // namespace telepalp::solids

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+#include "haptic_station/solids/solid_tree.h"
+
+namespace telepalp::solids {
+
+/// What the proxy feels at one tick.
+struct ProxyAt {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();        ///< the proxy: the device itself while nothing is touched
+  Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< unit, from the device to the proxy; zero without touch
+  double depth_m = 0.0;                                ///< distance from device to proxy; 0: nothing is touched
+};
+
+/// The proxy (god-object) of a solid: the point outside the solid that follows the device and stops at the surface.
+/// A spring from device to proxy is S2's inner layer. Up to three tangent planes hold the proxy, one for each part of
+/// the solid, so that it rests in a crease between two ribs. A fast device is swept from the last proxy on, so a thin
+/// wall stops it and keeps it on the side from which it came. A device that is outside and more than kTorn_m from its
+/// proxy was pushed right through: the proxy is put on it again, which takes the spring's energy out. Each value lies
+/// on the surface within 1e-6 m at rest. Sources: S2 III.A; Zilles and Salisbury 1995; Salisbury and Tarr 1997. Owner:
+/// the haptic thread. Nothing allocates.
+class SolidProxy {
+ public:
+  static constexpr double kTorn_m = 0.03;  ///< a spring of 800 N/m has 24 N there, beyond what a device gives
+
+  /// The next step starts at its device point. Inside the solid the proxy starts at the nearest surface.
+  void forget() noexcept { *this = {}; }
+
+  /// One tick. `swell_m`: the surface lies this far outside the tree's, as an artery's in its pulse; small against the
+  /// solid.
+  [[nodiscard]] ProxyAt step(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m = 0.0) noexcept;
+
+ private:
+  static constexpr int kRounds = 6;
+  static constexpr int kMostSweeps = 32;
+  static constexpr double kStride_m = 0.001;  ///< most that the proxy moves in a round of a touch
+  static constexpr double kOn_m = 1e-6;       ///< the proxy is on the surface within this distance
+  static constexpr double kFlat = 0.1;        ///< a shorter gradient is a tie of opposite sides and gives no plane
+
+  struct Plane {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    std::uint32_t part = kNothing;
+  };
+  void start(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m) noexcept;
+  [[nodiscard]] bool sweep(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m) noexcept;
+  void slide(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m) noexcept;
+  bool hold(const SolidAt& at) noexcept;
+  void let_go(const Eigen::Vector3d& device) noexcept;
+  [[nodiscard]] Eigen::Vector3d goal(const Eigen::Vector3d& device) const noexcept;
+
+  Eigen::Vector3d proxy_ = Eigen::Vector3d::Zero();
+  std::array<Plane, 3> planes_{};
+  std::size_t count_ = 0;
+  bool started_ = false;
+};
+
+}  // namespace telepalp::solids

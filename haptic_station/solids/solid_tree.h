@@ -1,0 +1,88 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "haptic_station/solids/solid.h"
+
+namespace telepalp::solids {
+
+/// A box along the axes. Unbounded sides are infinite.
+struct Box {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
+  Eigen::Vector3d high = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+
+  [[nodiscard]] bool bounded() const noexcept { return low.allFinite() && high.allFinite(); }
+  /// 0 inside. For an unbounded box, 0 along its unbounded sides.
+  [[nodiscard]] double squared_distance_m2(const Eigen::Vector3d& p) const noexcept {
+    return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
+  }
+};
+
+/// Where the value of a solid is the distance to its surface. Elsewhere its sign is right and its size is at most the
+/// distance.
+enum class Exactness : std::uint8_t { Everywhere, Outside, Bound };
+
+/// Value of a solid at a point.
+struct SolidAt {
+  double m;                  ///< negative inside; see Exactness
+  Eigen::Vector3d gradient;  ///< of `m`; its length is at most SolidTree::steepest, and 0 where opposite parts tie
+  std::uint32_t part;        ///< the shape or blend whose surface decides; on ties the first
+};
+
+/// A node that can be evaluated. Its placement maps its own frame to the frame of the operator above:
+/// p_above = scale turn p + shift.
+struct TreeNode {
+  Op op = Op::Sphere;
+  std::uint8_t axis = 0;
+  Exactness exactness = Exactness::Everywhere;
+  bool placed = false;                       ///< false: the placement is the identity
+  std::uint32_t first = 0;                   ///< an operand; of a union, its first unbounded member in `loose`
+  std::uint32_t second = 0;                  ///< an operand; of a union, one past its last unbounded member
+  std::uint32_t hierarchy = 0;               ///< of a union: root of its bounded members in `boxes`; kNothing: none
+  std::array<double, 8> numbers{};           ///< of a shape, a clip or a blend
+  const DistanceLattice* lattice = nullptr;  ///< of a mesh; borrowed from the tree's `lattices`
+  double scale = 1.0;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  Box box;  ///< contains the solid, in the frame above
+};
+inline constexpr std::uint32_t kNothing = 0xffffffff;
+
+/// A node of the hierarchy of boxes over the members of a union.
+struct BoxNode {
+  Box box;
+  std::uint32_t left = kNothing;  ///< kNothing: `right` is a member
+  std::uint32_t right = kNothing;
+};
+
+/// A solid in the form that is evaluated: flat arrays, made by build_tree().
+struct SolidTree {
+  std::vector<TreeNode> nodes;
+  std::vector<std::uint32_t> loose;  ///< unbounded members of unions
+  std::vector<BoxNode> boxes;
+  std::uint32_t root = 0;
+  std::size_t shapes = 0;
+  double steepest = 1.0;                                         ///< Lipschitz bound: 1, or sqrt(3) with a mesh in it
+  std::vector<std::shared_ptr<const DistanceLattice>> lattices;  // shared: the solid's description holds them too
+
+  [[nodiscard]] const Box& box() const noexcept { return nodes[root].box; }
+  [[nodiscard]] Exactness exactness() const noexcept { return nodes[root].exactness; }
+  [[nodiscard]] std::size_t bytes() const noexcept;
+};
+
+/// Makes a solid ready for evaluation. Unions within unions become one, under a hierarchy of boxes. Allocates.
+/// Error: the description is incomplete, nests too deeply, has a bad number, or names a mesh that was not read.
+[[nodiscard]] Result<std::shared_ptr<const SolidTree>> build_tree(const Solid& solid);
+
+/// Value and exact gradient at a point, in the solid's frame. Each part is skipped whose box shows that it cannot
+/// decide; the cost of a union of separated solids grows with the logarithm of their number. On an exact tie the
+/// gradient is the mean of the tied parts' gradients, in any order of the operands. A point that is not finite is
+/// infinitely far outside. Real-time safe. Sources: constructive solid geometry by minimum and maximum, S2 III.A; a
+/// blend is the quadratic smooth minimum, whose value is lower by at most a quarter of its width.
+[[nodiscard]] SolidAt solid_at(const SolidTree& tree, const Eigen::Vector3d& point_m) noexcept;
+
+}  // namespace telepalp::solids

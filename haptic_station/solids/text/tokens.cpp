@@ -1,0 +1,49 @@
+#include "haptic_station/solids/text/tokens.h"
+
+#include <charconv>
+
+namespace telepalp::solids {
+namespace {
+
+bool is_space(char letter) noexcept {
+  return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\n' || letter == '\v' || letter == '\f';
+}
+
+}  // namespace
+
+void Tokens::advance() noexcept {
+  if (text_[at_++] == '\n') {
+    ++line_;
+    column_ = 1;
+  } else {
+    ++column_;
+  }
+}
+
+void Tokens::skip() noexcept {
+  while (at_ < text_.size() && (is_space(text_[at_]) || text_[at_] == '#')) {
+    if (text_[at_] == '#')
+      while (at_ < text_.size() && text_[at_] != '\n') advance();
+    else
+      advance();
+  }
+}
+
+Token Tokens::next() noexcept {
+  skip();
+  Token token{{}, line_, column_};
+  const std::size_t first = at_;
+  while (at_ < text_.size() && !is_space(text_[at_]) && text_[at_] != '#') advance();
+  token.text = text_.substr(first, at_ - first);
+  return token;
+}
+
+std::optional<double> number_of(std::string_view word) noexcept {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace telepalp::solids

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace telepalp::solids {
+
+/// A word of the text and its position, from 1.
+struct Token {
+  std::string_view text;
+  int line = 1;
+  int column = 1;
+};
+
+/// Splits text at white space; `#` begins a comment that ends with the line. Owner: one reader.
+class Tokens {
+ public:
+  explicit Tokens(std::string_view text) noexcept : text_(text) {}
+  /// The next word; at the end one without text, at the position of the end.
+  [[nodiscard]] Token next() noexcept;
+
+ private:
+  void skip() noexcept;
+  void advance() noexcept;
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+  int column_ = 1;
+};
+
+/// The number that a word is, whatever the locale; nullopt: it is not a number.
+[[nodiscard]] std::optional<double> number_of(std::string_view word) noexcept;
+
+}  // namespace telepalp::solids
