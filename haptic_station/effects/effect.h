@@ -38,6 +38,9 @@ enum class ObjectTouch { None, Near, Lateral, Upper };
 // - ObjectTouch touch(): how close the device is to an object inside the body; None for other effects
 // - only objects inside the body: Point<HapticBase> place(), the place that the scene gives it. The bank steps such an
 //   effect with a device point that is shifted back by the object's displacement.
+// - only objects whose wall moves by itself, as an artery's: Vector<HapticBase> wall_velocity(double dt_s), over the
+//   coming tick, relative to the object's place
+// - only layers: const char* label(), the name that the scene gives them
 // - all others: Vector<HapticBase> carried_at(const EffectInput&), the velocity of the surface to which the effect is
 //   fixed, for example the breathing skin
 

@@ -29,6 +29,18 @@ EffectInput felt_by(const Effect&, const EffectInput& in, const Placement& place
 }
 
 template <class Effect>
+concept HasWall = requires(const Effect& effect, double dt_s) {
+  { effect.wall_velocity(dt_s) }
+  noexcept;
+};
+
+template <class Effect>
+concept HasLabel = requires(const Effect& effect) {
+  { effect.label() }
+  noexcept;
+};
+
+template <class Effect>
 Eigen::Vector3d carried_at(const Effect& effect, const EffectInput& in, const Placement& placement) noexcept {
   if constexpr (InnerObject<Effect>)
     return placement.velocity.v;
@@ -49,7 +61,12 @@ std::optional<Point<HapticBase>> EffectBank::object_at(std::size_t effect) const
 }
 
 const char* EffectBank::name(const Effect& effect) noexcept {
-  return with(effect, [](const auto& e) noexcept { return std::remove_cvref_t<decltype(e)>::kName; });
+  return with(effect, [](const auto& e) noexcept -> const char* {
+    if constexpr (HasLabel<std::remove_cvref_t<decltype(e)>>)
+      return e.label();
+    else
+      return std::remove_cvref_t<decltype(e)>::kName;
+  });
 }
 
 bool EffectBank::add(const Effect& effect) noexcept {
@@ -74,6 +91,8 @@ Force<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, CostClock
       const EffectInput felt = felt_by(e, in, placements_[i]);
       const Eigen::Vector3d carried = carried_at(e, in, placements_[i]);
       absorbed_J_ -= held_[i].force_N.dot(in.moved.v - 0.5 * dt_s * (held_[i].carried_at + carried));
+      if constexpr (HasWall<std::remove_cvref_t<decltype(e)>>)
+        absorbed_J_ += dt_s * held_[i].force_N.dot(e.wall_velocity(dt_s).v);
       held_[i] = {e.step(felt, dt_s).N, carried};
       sum.N += held_[i].force_N;
     });

@@ -11,6 +11,7 @@
 #include "haptic_station/effects/inner_sphere.h"
 #include "haptic_station/effects/organ.h"
 #include "haptic_station/effects/skin.h"
+#include "haptic_station/effects/solid.h"
 #include "haptic_station/effects/stiff_regions.h"
 
 namespace telepalp::effects {
@@ -30,7 +31,7 @@ struct EffectBill {
 class EffectBank {
  public:
   static constexpr std::size_t kMostEffects = effects::kMostEffects;
-  using Effect = std::variant<Skin, InnerCylinder, InnerSphere, Friction, StiffRegions, Organ>;
+  using Effect = std::variant<Skin, InnerCylinder, InnerSphere, Friction, StiffRegions, Organ, Solid>;
 
   /// False when the bank is full.
   bool add(const Effect& effect) noexcept;
@@ -55,6 +56,7 @@ class EffectBank {
   [[nodiscard]] const Skin* skin() const noexcept;                ///< the first skin effect; nullptr without a skin
   [[nodiscard]] Vector<HapticBase> indentation() const noexcept;  ///< of that skin, S1 eq. (8); zero without a skin
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
+  /// The name of a layer, or of the effect's kind. Valid as long as the effect.
   [[nodiscard]] static const char* name(const Effect& effect) noexcept;
 
  private:

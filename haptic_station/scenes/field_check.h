@@ -45,6 +45,7 @@ class FieldCheck {
   void complain(std::string what, std::string fix) { complain(std::move(what), std::move(fix), file_); }
 
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
+  [[nodiscard]] const std::string& file() const noexcept { return file_; }
 
  private:
   void complain(std::string what, std::string fix, std::string where) {

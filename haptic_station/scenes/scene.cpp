@@ -6,6 +6,7 @@
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/scenes/field_check.h"
+#include "haptic_station/scenes/layer.h"
 #include "proto/words/rotation_vector.h"
 #include "support/program/text_format.h"
 
@@ -153,8 +154,13 @@ effects::Organ read_organ(FieldCheck& check, const msg::OrganEffect& message, co
   return effects::Organ(organ);
 }
 
-void read_effects(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder,
-                  effects::EffectBank& bank) {
+bool add_layer(const effects::Solid& layer, Scene& scene) {
+  if (layer.layer()) scene.layers.push_back(layer.layer());
+  return scene.effects.add(layer);
+}
+
+void read_effects(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene) {
+  effects::EffectBank& bank = scene.effects;
   if (message.effects().empty()) check.complain("names no effect", "add at least effects { skin {} }");
   for (const msg::Effect& effect : message.effects()) {
     bool room = true;
@@ -170,6 +176,8 @@ void read_effects(FieldCheck& check, const msg::Scene& message, const std::files
       room = bank.add(read_regions(check, effect.regions()));
     else if (effect.has_organ())
       room = bank.add(read_organ(check, effect.organ(), folder));
+    else if (effect.has_solid())
+      room = add_layer(read_layer(check, effect.solid(), folder), scene);
     else
       check.complain("an effect without a kind", "name it, as in effects { skin {} }");
     if (!room)
@@ -258,7 +266,7 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
       Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();  // S1 eq. (4)
   if (message.has_haptic_from_tracker())
     scene.haptic_from_tracker.iso = read_transform(check, "haptic_from_tracker", message.haptic_from_tracker());
-  read_effects(check, message, name.parent_path(), scene.effects);
+  read_effects(check, message, name.parent_path(), scene);
   read_plane_and_transitions(check, message, scene.control);
   read_position_control(check, message.position_control(), scene.control.position);
   read_limits(check, message, scene.control);

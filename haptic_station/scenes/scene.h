@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/device/simulated_pair.h"
@@ -22,6 +24,7 @@ struct Scene {
   bool center_on_surface = false;
   Transform<HapticBase, HandTracker> haptic_from_tracker;
   effects::EffectBank effects;
+  std::vector<std::shared_ptr<const effects::SolidLayer>> layers;  ///< of the solid effects, for pictures and meshes
   control::ControlSettings control;
   device::SimulatedDeviceSettings simulated_device;
   device::SimulatedHandSettings simulated_hand;

@@ -12,6 +12,7 @@ namespace telepalp::program {
 namespace {
 
 constexpr std::uintmax_t kMaxTextBytes = 1 << 20;
+constexpr int kMostNesting = 250;  // the parser recurses: without a bound, a file of braces overflows the stack
 
 /// Keeps the first error, because later ones are mostly consequences of it.
 class FirstError : public google::protobuf::io::ErrorCollector {
@@ -88,6 +89,7 @@ Result<NumberPlaces> parse_text_format(const std::string& text, const std::strin
   google::protobuf::TextFormat::Parser parser;
   parser.RecordErrorsTo(&first_error);
   parser.WriteLocationsTo(&tree);
+  parser.SetRecursionLimit(kMostNesting);
   if (!parser.ParseFromString(text, &message)) return first_error.error(name);
   std::vector<NumberPlaces::Place> places;
   collect(message, tree, places);

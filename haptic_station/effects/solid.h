@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "haptic_station/effects/effect.h"
+#include "haptic_station/solids/solid_proxy.h"
+
+namespace telepalp::effects {
+
+/// How a layer answers to ultrasound. The defaults are those of soft tissue.
+struct Echo {
+  double impedance_MRayl = 1.65;
+  double attenuation_dB_per_cm = 1.75;  ///< one way, at 3.5 MHz
+  double scatter = 0.6;                 ///< brightness of the speckle, 0 to 1
+};
+
+/// A layer of the body: a solid with a name, for the bill. Shared by the copies of the effect.
+struct SolidLayer {
+  std::string name;                               ///< as the scene calls it: ribs, liver, mass
+  std::shared_ptr<const solids::SolidTree> tree;  // shared: a scene may hold one tree in two layers
+  Echo echo;
+};
+
+struct SolidSettings {
+  std::shared_ptr<const SolidLayer> layer;  ///< in the haptic base's frame H; nullptr: no force
+  double stiffness_N_per_m = 800.0;
+  double around_m = 0.01;  ///< within this distance of the solid, touch() is Near
+  double pulse_m = 0.0;    ///< the surface swells by this much at each pulse; 0: it is still
+  double pulses_per_s = 1.2;
+};
+
+/// An implicit solid inside the body, as S2's ribs: a spring of one stiffness from the device to the solid's proxy.
+/// Each layer of a scene has its own proxy, and the forces of all layers and of the skin are summed (S2 III.A). The
+/// force is minus the gradient of 1/2 k depth^2, with the depth the distance from device to proxy. An artery swells and
+/// shrinks about its radius; the work of its wall on the hand is booked against the moving wall.
+class Solid {
+ public:
+  static constexpr const char* kName = "solid";
+  using Settings = SolidSettings;
+
+  explicit Solid(Settings settings = {}) noexcept : settings_(std::move(settings)) {}
+  void begin(const EffectInput&) noexcept { proxy_.forget(); }
+  [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
+  [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
+  /// The middle of the solid's box; the origin of H for a solid without bounds.
+  [[nodiscard]] Point<HapticBase> place() const noexcept;
+  /// Velocity of the wall under the proxy during the coming tick, relative to the solid's place.
+  [[nodiscard]] Vector<HapticBase> wall_velocity(double dt_s) const noexcept;
+  [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.stiffness_N_per_m; }
+  [[nodiscard]] ObjectTouch touch() const noexcept { return touch_; }
+  [[nodiscard]] const std::shared_ptr<const SolidLayer>& layer() const noexcept { return settings_.layer; }
+  /// The layer's name, for the bill. Valid as long as a copy of the effect lives.
+  [[nodiscard]] const char* label() const noexcept { return settings_.layer ? settings_.layer->name.c_str() : kName; }
+
+ private:
+  [[nodiscard]] double swell_m(double phase) const noexcept;
+
+  Settings settings_;
+  solids::SolidProxy proxy_;
+  solids::ProxyAt felt_;
+  double phase_ = 0.0;  ///< of the pulse, 0 to 1
+  double energy_J_ = 0.0;
+  ObjectTouch touch_ = ObjectTouch::None;
+};
+
+}  // namespace telepalp::effects

@@ -1,0 +1,97 @@
+#include "haptic_station/scenes/layer.h"
+
+#include <numbers>
+
+#include "haptic_station/organs/organ_shape.h"
+#include "haptic_station/scenes/solid_text.h"
+#include "haptic_station/solids/polish.h"
+
+namespace telepalp::scenes {
+namespace {
+
+constexpr double kMeshMargin_m = 0.02;
+
+solids::MeshReader mesh_reader(const std::filesystem::path& folder) {
+  return [folder](const std::string& file, double unit_m, double cell_m) {
+    return organs::read_organ_shape(folder / file,
+                                    {.unit_m = unit_m, .cell_m = cell_m, .margin_m = kMeshMargin_m + 3.0 * cell_m});
+  };
+}
+
+Result<solids::Solid> tree_of(const msg::SolidEffect& message, const std::string& layer,
+                              const std::filesystem::path& folder) {
+  const solids::MeshReader meshes = mesh_reader(folder);
+  switch (message.tree_case()) {
+    case msg::SolidEffect::kPolish:
+      return solids::parse_polish(message.polish(), layer + ": polish", meshes);
+    case msg::SolidEffect::kPolishFile:
+      return solids::read_polish(folder / message.polish_file(), meshes);
+    case msg::SolidEffect::kSolid:
+      return solid_of(message.solid(), layer + ": solid", meshes);
+    case msg::SolidEffect::TREE_NOT_SET:
+      break;
+  }
+  return Error{.what = "the layer has no tree", .where = layer, .fix = "give polish, polish_file or solid"};
+}
+
+/// The solid, moved to its place in H.
+solids::Solid placed(const msg::RigidTransform& place, solids::Solid solid) {
+  const Eigen::Vector3d turn(place.rotation_vector_rad().x(), place.rotation_vector_rad().y(),
+                             place.rotation_vector_rad().z());
+  const double angle = turn.norm();
+  const Eigen::Vector3d axis = angle > 0.0 ? Eigen::Vector3d(turn / angle) : Eigen::Vector3d(Eigen::Vector3d::UnitX());
+  solids::Node node{.word = *solids::find_word("tx")};
+  node.numbers = {place.translation_m().x(),
+                  place.translation_m().y(),
+                  place.translation_m().z(),
+                  angle * 180.0 / std::numbers::pi,
+                  axis.x(),
+                  axis.y(),
+                  axis.z()};
+  solid.insert(solid.begin(), node);
+  return solid;
+}
+
+effects::Echo read_echo(FieldCheck& check, const msg::SolidEffect::Echo& message) {
+  effects::Echo echo;
+  if (message.has_impedance_mrayl())
+    check.number("solid.echo.impedance_MRayl", message.impedance_mrayl(), {0.1, 20, "MRayl"}, echo.impedance_MRayl);
+  if (message.has_attenuation_db_per_cm())
+    check.number("solid.echo.attenuation_dB_per_cm", message.attenuation_db_per_cm(), {0, 200, "dB/cm"},
+                 echo.attenuation_dB_per_cm);
+  if (message.has_scatter()) check.number("solid.echo.scatter", message.scatter(), {0, 1, ""}, echo.scatter);
+  return echo;
+}
+
+}  // namespace
+
+effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, const std::filesystem::path& folder) {
+  effects::Solid::Settings settings;
+  if (message.has_stiffness_n_per_m())
+    check.number("solid.stiffness_N_per_m", message.stiffness_n_per_m(), {0, 5000, "N/m"}, settings.stiffness_N_per_m);
+  if (message.has_around_m()) check.number("solid.around_m", message.around_m(), {0, 0.1, "m"}, settings.around_m);
+  if (message.has_pulse()) {
+    double beats_per_min = 72.0;
+    settings.pulse_m = 0.001;
+    if (message.pulse().has_swell_m())
+      check.number("solid.pulse.swell_m", message.pulse().swell_m(), {0, 0.01, "m"}, settings.pulse_m);
+    if (message.pulse().has_beats_per_min())
+      check.number("solid.pulse.beats_per_min", message.pulse().beats_per_min(), {10, 240, "1/min"}, beats_per_min);
+    settings.pulses_per_s = beats_per_min / 60.0;
+  }
+  const effects::Echo echo = read_echo(check, message.echo());
+  if (message.name().empty()) check.complain("a solid without a name", "name the layer, as in name: \"ribs\"");
+  if (check.error()) return effects::Solid(settings);
+  Result<solids::Solid> solid = tree_of(message, check.file() + ": " + message.name(), folder);
+  if (solid && message.has_haptic_from_solid()) solid = placed(message.haptic_from_solid(), std::move(solid).value());
+  const auto tree =
+      solid ? solids::build_tree(*solid) : Result<std::shared_ptr<const solids::SolidTree>>(solid.error());
+  if (!tree) {
+    check.fail(tree.error());
+    return effects::Solid(settings);
+  }
+  settings.layer = std::make_shared<const effects::SolidLayer>(effects::SolidLayer{message.name(), *tree, echo});
+  return effects::Solid(settings);
+}
+
+}  // namespace telepalp::scenes

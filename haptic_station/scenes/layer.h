@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "haptic_station/effects/effect_bank.h"
+#include "haptic_station/scenes/field_check.h"
+#include "messages/scene.pb.h"
+
+namespace telepalp::scenes {
+
+/// Reads a layer of the scene: its tree in either notation, its place and its stiffness. Records the first error in
+/// `check`; files are read only when the numbers are valid. `folder`: of the scene file.
+[[nodiscard]] effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message,
+                                        const std::filesystem::path& folder);
+
+}  // namespace telepalp::scenes

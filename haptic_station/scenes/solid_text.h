@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+#include "haptic_station/solids/polish.h"
+#include "messages/solid.pb.h"
+
+namespace telepalp::scenes {
+
+/// A tree of the scene's text format as a solid. Its words and numbers are those of the Polish notation, so the two
+/// can be turned into each other; a union of several solids is a chain of unions. `where`: for errors.
+/// Error: a solid without a kind, a missing number, one out of its range, or the wrong number of operands. The error
+/// names the path from the root, as in `union.of[2].translate`.
+[[nodiscard]] Result<solids::Solid> solid_of(const msg::Solid& message, const std::string& where,
+                                             const solids::MeshReader& meshes);
+
+/// The other way round.
+[[nodiscard]] msg::Solid message_of(const solids::Solid& solid);
+
+}  // namespace telepalp::scenes

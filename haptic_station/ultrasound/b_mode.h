@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "haptic_station/effects/effect_bank.h"
+
+namespace telepalp::ultrasound {
+
+/// A linear probe on the skin, in H. Both directions are unit vectors, perpendicular to each other.
+struct ProbePose {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();           ///< middle of the probe's face [m]
+  Eigen::Vector3d into_body = -Eigen::Vector3d::UnitY();  ///< direction of the scan lines
+  Eigen::Vector3d across = Eigen::Vector3d::UnitX();      ///< from the image's left to its right
+};
+
+struct BModeSettings {
+  int side_px = 256;
+  double width_m = 0.06;
+  double depth_m = 0.10;
+  double range_dB = 60.0;       ///< from black to white
+  effects::Echo tissue{};       ///< around and between the layers
+  double specular_power = 4.0;  ///< a boundary's echo falls with this power of the cosine of incidence
+};
+
+/// Brightness of each pixel, rows from the skin down.
+struct BModeImage {
+  int side_px = 0;
+  std::vector<std::uint8_t> gray;
+};
+
+/// The B-mode image of the plane under the probe. Along each scan line: the echo of each boundary is the squared
+/// difference over the sum of the impedances; each tissue attenuates, so bone casts a shadow; the gain over depth makes
+/// up for soft tissue; the speckle is Rayleigh-distributed and fixed to the body, so it moves with it. Of layers that
+/// overlap, the later one fills the place. Not modelled: refraction, reverberation, the beam's width. Pure: the same
+/// input gives the same image.
+[[nodiscard]] BModeImage b_mode(std::span<const std::shared_ptr<const effects::SolidLayer>> layers,
+                                const ProbePose& probe, const BModeSettings& settings = {});
+
+}  // namespace telepalp::ultrasound

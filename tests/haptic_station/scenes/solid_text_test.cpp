@@ -1,0 +1,78 @@
+#include "haptic_station/scenes/solid_text.h"
+
+#include <google/protobuf/text_format.h>
+#include <gtest/gtest.h>
+
+#include "haptic_station/scenes/scene.h"
+#include "tests/haptic_station/solids/random_solid.h"
+#include "where.h"
+
+namespace telepalp::scenes {
+namespace {
+
+constexpr const char* kLeast = "haptic_from_camera { translation_m { y: 0.8 } } effects { skin {} }\n";
+
+std::string complaint(const std::string& layer) {
+  const Result<Scene> scene = parse_scene(kLeast + ("effects { solid { " + layer + " } }"), "bad.scene.textproto");
+  return scene.ok() ? "" : to_string(scene.error());
+}
+
+TEST(SolidText, BothNotationsSayTheSame) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    solids::RandomSolid random(seed);
+    const auto solid = solids::parse_polish(random.tree(static_cast<int>(seed % 6)), "random");
+    ASSERT_TRUE(solid.ok());
+    std::string text;
+    ASSERT_TRUE(google::protobuf::TextFormat::PrintToString(message_of(*solid), &text));
+    msg::Solid message;
+    ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &message));
+    const auto again = solid_of(message, "test", solids::no_meshes);
+    ASSERT_TRUE(again.ok()) << to_string(again.error()) << text;
+    ASSERT_EQ(solids::to_polish(*again), solids::to_polish(*solid)) << "seed " << seed;
+  }
+}
+
+TEST(SolidText, AUnionOfSeveralIsAChain) {
+  msg::Solid message;
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(
+      "union { of { sphere { radius_m: 1 } } of { sphere { radius_m: 2 } } of { sphere { radius_m: 3 } } }", &message));
+  const auto solid = solid_of(message, "test", solids::no_meshes);
+  ASSERT_TRUE(solid.ok());
+  EXPECT_EQ(solids::to_polish(*solid), "+ sphere 1 + sphere 2 sphere 3");
+  EXPECT_EQ(message_of(*solid).union_().of_size(), 3);
+}
+
+TEST(SolidText, ALayersErrorNamesFileLayerAndPlace) {
+  const std::pair<const char*, const char*> kBad[] = {
+      {"polish: \"sphere 0.1\"", "a solid without a name"},
+      {"name: \"x\"", "bad.scene.textproto: x: the layer has no tree"},
+      {"name: \"x\" polish: \"sphere -1\"", "bad.scene.textproto: x: polish:1:8: radius_m of sphere is -1"},
+      {"name: \"x\" polish_file: \"none.solid\"", "none.solid: cannot be read"},
+      {"name: \"x\" polish: \"mesh none.ply 1 0.004\"", "none.ply"},
+      {"name: \"x\" solid { sphere {} }", "sphere: radius_m is missing"},
+      {"name: \"x\" solid { union { of { sphere { radius_m: 1 } } } }", "union: has 1 operands instead of 2"},
+      {"name: \"x\" solid { translate { x_m: 1 y_m: 0 z_m: nan of { sphere { radius_m: 1 } } } }", "z_m of tr is nan"},
+      {"name: \"x\" solid { difference { of { sphere { radius_m: 1 } } of {} } }",
+       "difference.of[1]: a solid without a kind"},
+      {"name: \"x\" polish: \"sphere 1\" stiffness_N_per_m: 90000", "solid.stiffness_N_per_m is 90000 N/m"},
+  };
+  for (const auto& [layer, wanted] : kBad)
+    EXPECT_NE(complaint(layer).find(wanted), std::string::npos) << layer << ": " << complaint(layer);
+}
+
+TEST(SolidText, BracesNestedWithoutEndAreRefused) {
+  std::string text = "name: \"x\" solid { ";
+  for (int i = 0; i < 100'000; ++i) text += "scale{of{";
+  EXPECT_NE(complaint(text), "");
+}
+
+TEST(SolidText, EachLayerIsOnTheBillUnderItsName) {
+  const auto scene = read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/liver-enlarged.scene.textproto");
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  std::string names;
+  for (const effects::EffectBill& line : scene->effects.bill()) names += std::string(line.name) + " ";
+  EXPECT_EQ(names, "skin liver spleen aorta ");
+}
+
+}  // namespace
+}  // namespace telepalp::scenes
