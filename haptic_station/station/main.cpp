@@ -4,6 +4,7 @@
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/commands/calibrate_command.h"
+#include "haptic_station/station/commands/scene_command.h"
 #include "haptic_station/station/commands/tissue_command.h"
 #include "haptic_station/station/faults/rearm_command.h"
 #include "haptic_station/station/rigs/calibrated_scene.h"
@@ -47,6 +48,7 @@ program::Usage usage() {
           .commands = {
               {"trials", "", "run the palpation study's trials in virtual time", trials::trials_command},
               {"calibrate", "", "measure the transforms of camera, tracker and device", station::calibrate_command},
+              {"scene", "", "check, price and draw a scene file", station::scene_command},
               {"rearm", "", "end a station's fault, so that it gives force again", station::rearm_command},
               {"tissue", "", "fit the skin to a compression test", station::tissue_command}}};
 }

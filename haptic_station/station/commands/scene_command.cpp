@@ -1,0 +1,184 @@
+#include "haptic_station/station/commands/scene_command.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <numbers>
+
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/solids/solid_mesh.h"
+#include "haptic_station/solids/solid_picture.h"
+#include "haptic_station/station/commands/scene_bill.h"
+#include "haptic_station/ultrasound/b_mode.h"
+#include "support/images/image_file.h"
+#include "support/program/options.h"
+
+namespace telepalp::station {
+namespace {
+
+program::Usage usage() {
+  return {.program = "telepalp-station scene",
+          .purpose = "checks a scene file, prices its effects, and draws what is under the skin",
+          .positional = "",
+          .options = {{"out", "FILE", "show, image: a PNG; mesh: a .ply or .obj"},
+                      {"from", "above|feet|side", "show: where the eye is", "above"},
+                      {"width-m", "M", "show: width of the picture", "0.4"},
+                      {"at", "X,Z", "image: the probe on the skin, in metres", "0,0"},
+                      {"turn-deg", "DEG", "image: turn of the probe about the vertical", "0"},
+                      {"layer", "NAME", "mesh: one layer; default: the first"},
+                      {"cell-mm", "MM", "mesh: size of a cell", "2"}},
+          .example = "telepalp-station scene show haptic_station/scenes/ribs-ultrasound.scene.textproto --out ribs.png",
+          .commands = {{"check", "FILE", "read the scene and name its effects"},
+                       {"bill", "FILE", "time, memory and start-up of each effect"},
+                       {"show", "FILE", "a picture of the solids under the skin"},
+                       {"image", "FILE", "the ultrasound image under a probe"},
+                       {"mesh", "FILE", "a layer's surface, watertight"}},
+          .needs_command = true};
+}
+
+Result<void> write(const std::string& bytes, const std::filesystem::path& file) {
+  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::error_code code;
+  if (std::filesystem::file_size(file, code) != bytes.size() || code)
+    return Error{.what = "cannot be written", .where = file.string(), .fix = "check folder and space"};
+  std::printf("wrote %s\n", file.string().c_str());
+  return {};
+}
+
+Result<std::string> out_of(const program::Arguments& arguments, const char* ending) {
+  if (arguments.has("out")) return arguments.text("out");
+  return Error{.what = "no file to write to", .where = "--out", .fix = std::string("give one, as in --out x") + ending};
+}
+
+Result<void> check(const scenes::Scene& scene, const program::Arguments&) {
+  std::printf("%s: %s; effects:", scene.name.c_str(), scene.message.purpose().c_str());
+  for (const effects::EffectBill& line : scene.effects.bill()) std::printf(" %s", line.name);
+  std::printf("\n");
+  return {};
+}
+
+Result<void> bill(const scenes::Scene& scene, const program::Arguments& arguments) {
+  const auto before = std::chrono::steady_clock::now();
+  const Result<scenes::Scene> again = scenes::read_scene(arguments.positional().back());
+  const double start_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+  if (!again) return again.error();
+  std::printf("%-12s %10s %10s %8s %10s\n", "effect", "mean, us", "most, us", "shapes", "memory, B");
+  double total_us = 0.0;
+  for (const EffectPrice& price : price_of(scene)) {
+    std::printf("%-12s %10.3f %10.1f %8zu %10zu\n", price.name.c_str(), price.mean_us, price.largest_us, price.shapes,
+                price.bytes);
+    total_us += price.mean_us;
+  }
+  std::printf("%-12s %10.3f of a tick of 500 us; reading the scene took %.1f ms\n", "total", total_us, start_ms);
+  return {};
+}
+
+/// Colours that colour-blind people can tell apart (Okabe and Ito 2008).
+constexpr std::array<std::array<std::uint8_t, 3>, 7> kColors{
+    {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {240, 228, 66}, {204, 121, 167}, {0, 114, 178}, {213, 94, 0}}};
+
+Result<solids::PictureView> view_of(const program::Arguments& arguments) {
+  const Result<double> width_m = arguments.number("width-m", 0.01, 10.0);
+  if (!width_m) return width_m.error();
+  solids::PictureView view{.width_m = *width_m};
+  const std::string from = arguments.text("from");
+  if (from == "above") return view;
+  view.up = Eigen::Vector3d::UnitY();
+  view.center.y() = -0.25 * *width_m;
+  if (from != "feet" && from != "side")
+    return Error{
+        .what = "'" + from + "' is none of above, feet and side", .where = "--from", .fix = "give one of them"};
+  view.towards =
+      from == "feet" ? Eigen::Vector3d(-Eigen::Vector3d::UnitZ()) : Eigen::Vector3d(-Eigen::Vector3d::UnitX());
+  return view;
+}
+
+Result<void> show(const scenes::Scene& scene, const program::Arguments& arguments) {
+  const Result<std::string> out = out_of(arguments, ".png");
+  if (!out) return out.error();
+  const Result<solids::PictureView> view = view_of(arguments);
+  if (!view) return view.error();
+  if (scene.layers.empty())
+    return Error{.what = "the scene has no solid to draw", .where = scene.name, .fix = "add effects { solid { ... } }"};
+  std::vector<solids::PaintedSolid> painted;
+  for (const auto& layer : scene.layers)
+    painted.push_back({layer->tree.get(), kColors[painted.size() % kColors.size()]});
+  return write(images::encode_png(solids::picture_of(painted, *view)), *out);
+}
+
+Result<ultrasound::ProbePose> probe_of(const program::Arguments& arguments) {
+  const std::string text = arguments.text("at");
+  double x = 0.0;
+  double z = 0.0;
+  char more = '\0';
+  if (std::sscanf(text.c_str(), "%lf,%lf%c", &x, &z, &more) != 2 || !(std::hypot(x, z) < 2.0))
+    return Error{.what = "'" + text + "' is not a place on the skin", .where = "--at", .fix = "give X,Z in metres"};
+  const Result<double> turn_deg = arguments.number("turn-deg", -360.0, 360.0);
+  if (!turn_deg) return turn_deg.error();
+  const double turn = *turn_deg * std::numbers::pi / 180.0;
+  return ultrasound::ProbePose{.at = {x, 0.0, z}, .across = {std::cos(turn), 0.0, -std::sin(turn)}};
+}
+
+Result<void> image(const scenes::Scene& scene, const program::Arguments& arguments) {
+  const Result<std::string> out = out_of(arguments, ".png");
+  if (!out) return out.error();
+  const Result<ultrasound::ProbePose> probe = probe_of(arguments);
+  if (!probe) return probe.error();
+  const ultrasound::BModeImage seen = ultrasound::b_mode(scene.layers, *probe);
+  ColorImage color{.width = seen.side_px, .height = seen.side_px, .rgb = {}};
+  for (const std::uint8_t gray : seen.gray) color.rgb.insert(color.rgb.end(), 3, gray);
+  return write(images::encode_png(color), *out);
+}
+
+Result<void> mesh(const scenes::Scene& scene, const program::Arguments& arguments) {
+  const Result<std::string> out = out_of(arguments, ".ply");
+  if (!out) return out.error();
+  const bool as_obj = out->ends_with(".obj");
+  if (!as_obj && !out->ends_with(".ply"))
+    return Error{.what = "'" + *out + "' is neither .ply nor .obj", .where = "--out", .fix = "give one of them"};
+  const Result<double> cell_mm = arguments.number("cell-mm", 0.1, 100.0);
+  if (!cell_mm) return cell_mm.error();
+  const std::string name = arguments.text("layer");
+  const auto layer =
+      std::ranges::find_if(scene.layers, [&](const auto& one) { return name.empty() || one->name == name; });
+  if (layer == scene.layers.end())
+    return Error{
+        .what = "no layer '" + name + "' in the scene", .where = "--layer", .fix = "telepalp-station scene check"};
+  const Result<solids::SolidMesh> made = solids::mesh_of(*(*layer)->tree, 1e-3 * *cell_mm);
+  if (!made) return made.error();
+  std::printf("%s: %zu points, %zu triangles, %zu open edges\n", (*layer)->name.c_str(), made->points.size(),
+              made->triangles.size(), solids::open_edges(*made));
+  return write(as_obj ? solids::to_obj(*made) : solids::to_ply(*made), *out);
+}
+
+struct Task {
+  std::string_view name;
+  Result<void> (*run)(const scenes::Scene&, const program::Arguments&);
+};
+constexpr std::array kTasks{Task{"check", check}, Task{"bill", bill}, Task{"show", show}, Task{"image", image},
+                            Task{"mesh", mesh}};
+
+}  // namespace
+
+int scene_command(int argc, const char* const* argv) {
+  const auto read = program::read_arguments(usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  if (!*read) return program::kDone;
+  const program::Arguments& arguments = **read;
+  const std::vector<std::string>& words = arguments.positional();
+  const auto task = std::ranges::find(kTasks, words.empty() ? "" : words.front(), &Task::name);
+  if (task == kTasks.end() || words.size() != 2)
+    return program::fail({.what = "give one of check, bill, show, image and mesh, and one scene file",
+                          .where = "telepalp-station scene",
+                          .fix = "telepalp-station scene --help"},
+                         program::kAskedWrongly);
+  const Result<scenes::Scene> scene = scenes::read_scene(words.back());
+  if (!scene) return program::fail(scene.error());
+  const Result<void> done = task->run(*scene, arguments);
+  return done ? program::kDone : program::fail(done.error());
+}
+
+}  // namespace telepalp::station
