@@ -4,7 +4,12 @@
 #include "tests/bench/accuracy/accuracy_bench.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/control_bench.h"
+<<<<<<< HEAD
 #include "tests/bench/depth/depth_bench.h"
+=======
+#include "tests/bench/depth_bench.h"
+#include "tests/bench/effects/effects_bench.h"
+>>>>>>> 42a4a21 (bench: measure solids, ribs, masses and the ultrasound image)
 #include "tests/bench/hand/hand_bench.h"
 #include "tests/bench/link/link_bench.h"
 #include "tests/bench/link/subscribers_bench.h"
@@ -26,6 +31,7 @@ constexpr std::array kBenches{
     bench::Bench{"control", "the controller: tick, trials, force law, prediction, safety", bench::run_control},
     bench::Bench{"passivity", "energy and force error behind bad links, 1000 seeded runs", bench::run_passivity},
     bench::Bench{"depth", "ratio and time of each depth mode and of other codecs", bench::run_depth},
+    bench::Bench{"effects", "solids under the skin: cost, gradient, ribs, masses, image", bench::run_effects},
     bench::Bench{"hand", "force at the hand against the skin of moving patients", bench::run_hand},
     bench::Bench{"link", "frames over bad networks, beside UDP, TCP and SRT", bench::run_link},
     bench::Bench{"subscribers", "cost of a further subscriber, shares of 200, stalled ones", bench::run_subscribers},
