@@ -86,11 +86,14 @@ HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s
   return force;
 }
 
-/// A release fades any force to zero within 30 ms.
+/// A fault fades any force to zero within 30 ms. A release, after which the contact resumes by itself, takes 50 ms, so
+/// that the force changes by at most 0.1 N a tick.
 double EncounteredController::fade_rate_N_per_s() const noexcept {
-  constexpr double kReleaseWithin_s = 0.03;
-  return has_let_go(phases_.phase()) ? settings_.limits.peak_N / kReleaseWithin_s
-                                     : settings_.transitions.force_fade_N_per_s;
+  constexpr double kFaultWithin_s = 0.03;
+  constexpr double kReleaseWithin_s = 0.05;
+  if (phases_.phase() == Phase::Faulted) return settings_.limits.peak_N / kFaultWithin_s;
+  if (phases_.phase() == Phase::Released) return settings_.limits.peak_N / kReleaseWithin_s;
+  return settings_.transitions.force_fade_N_per_s;
 }
 
 Force<HapticBase> EncounteredController::limited(const HeldForce& wanted, double dt_s) noexcept {

@@ -27,6 +27,12 @@ Vector3d shortened(const Vector3d& v, double most) noexcept {
   return length > most ? Vector3d(v * (most / length)) : v;
 }
 
+/// True if the camera sees a surface on the ray through `device`, at most `deepest_m` from it.
+bool is_seen_near(const SurfaceSnapshot& snapshot, const Vector3d& device, double deepest_m) noexcept {
+  const std::optional<Seed> seed = snapshot.seed(device);
+  return seed && (seed->at - device).norm() <= deepest_m;
+}
+
 /// The share of the tangential step that would have reached the goal, from the distance left before and after the step
 /// (a secant method): 1 on a plane, more on a dome, less in a bowl. In a bowl the full step overshoots by the ratio of
 /// the device's depth to the radius.
@@ -198,7 +204,8 @@ void Touch::follow(const Vector3d& device) noexcept {
 
 /// Decides on which side the device is, once its foot is known. A device below the plane but far to the side of its
 /// foot is beyond the rim of the surface. For a device that is in the body without having passed the displayed skin,
-/// the contact begins gradually.
+/// the contact begins gradually. It waits until the camera sees skin near the device: while another hand covers that
+/// skin, the nearest skin in sight lies to the side, and its force would push the device out from under the finger.
 void Touch::decide(const Vector3d& device) noexcept {
   const double height = height_of(device);
   const bool was_in_front = std::exchange(was_in_front_, height >= 0.0);
@@ -207,7 +214,7 @@ void Touch::decide(const Vector3d& device) noexcept {
     return;
   }
   if (side_ == Side::Inside || sideways_of(device) >= settings_.off_foot_m) return;
-  if (side_ == Side::Unknown && -height > settings_.deepest_start_m) return;
+  if (side_ == Side::Unknown && !is_seen_near(*snapshot_, device, settings_.deepest_start_m)) return;
   if (at_foot_.support * freshness() < kLeastShown) return;
   side_ = Side::Inside;
   if (!was_in_front && settings_.gentle_start) show_at(device);

@@ -14,7 +14,7 @@ using control::Phase;
 using ::testing::AssertionResult;
 
 constexpr double kAt_s = 2.5;     // in contact
-constexpr double kStep_N = 0.25;  // a release from the peak takes 30 ms and is the fastest change of force
+constexpr double kStep_N = 0.25;  // a fault fades the peak within 30 ms: the fastest change of force
 
 /// A hand whose stamps are off by `off_s(now_s)`.
 LoopScene with_tracker_stamps(const std::function<double(double)>& off_s) {

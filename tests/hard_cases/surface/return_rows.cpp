@@ -73,6 +73,17 @@ AssertionResult felt_foreign_hand_for_3_s() {
   return returns(instead_for(3.0, [](int u, int v) { return around_the_device(u, v, 30) ? 0.735 : std::nan(""); }));
 }
 
+/// The camera sees a steep object 170 mm over the device. The nearest part of the object is 85 mm away, to the side.
+AssertionResult under_a_steep_object() {
+  const Snapshot steep = from_depth([](int u, int) {
+    const double per_z = (u - small_camera().cx) / small_camera().fx;
+    return std::clamp(0.65 / (1.0 - 1.73 * per_z), 0.3, 1.2);
+  });
+  const Vector3d device(0.0, 0.0, 0.82);
+  const Drive drove = drive_on(steep, line(device, device, 1.0), 0.3);
+  return all_of({{!drove.touched, "no contact"}, {drove.finite, "finite"}});
+}
+
 /// Two hands at the patient's site, 10 mm to the left and to the right of the touched point.
 AssertionResult between_two_hands() {
   const Returned got = press_on(instead_for(3.0, [](int u, int) {
@@ -176,6 +187,7 @@ std::vector<HardCase> return_rows() {
       {"foreign hand for 3 s", "it hides the skin", back, foreign_hand_for_3_s},
       {"foreign hand near the skin", "it looks like risen skin", back, low_foreign_hand_for_3_s},
       {"foreign hand that is felt", "one contact follows another at once", back, felt_foreign_hand_for_3_s},
+      {"under a steep object", "its nearest part is to the side", "no push to the side", under_a_steep_object},
       {"between two hands", "silhouettes on both sides", "contact holds, no step", between_two_hands},
       {"camera moved in contact", "the whole image tilts and jumps", back, camera_moved},
       {"at the image's border", "half of the support is missing", "fades, no step", at_the_images_border},
