@@ -73,8 +73,10 @@ function weight() {
 
 const bound = await measure('?mesh=off');
 const meshed = await measure('');
-const row = (name, value, unit, reach, holds) => ({name, value: Number(value.toFixed(2)), unit, reach, holds});
-const most = (name, value, unit, limit) => row(name, value, unit, limit, value <= limit);
+const row = (name, value, unit, reach, holds) =>
+  ({name, value: Number.isFinite(value) ? Number(value.toFixed(2)) : null, unit, reach, holds});
+const most = (name, value, unit, limit) => row(name, value, unit, limit, Number.isFinite(value) && value <= limit);
+const apart = meshed.apart_ms.filter((ms) => ms > TOGETHER_MS).length;
 const rows = [
   row('pictures', meshed.pictures_per_s, '1/s', 15, meshed.pictures_per_s >= 15),
   row('pictures without the mesh', bound.pictures_per_s, '1/s', null, true),
@@ -84,7 +86,7 @@ const rows = [
   most('first picture', meshed.first_ms, 'ms', 1000),
   most('capture to drawn p50', quantile(meshed.ages_ms, 0.5), 'ms', 60),
   most('capture to drawn, oldest', Math.max(...meshed.ages_ms), 'ms', 250),
-  most('pictures whose numbers are of another instant', meshed.apart_ms.filter((apart) => apart > TOGETHER_MS).length, '', 0),
+  most('pictures whose numbers are of another instant', meshed.apart_ms.length === 0 ? NaN : apart, '', 0),
 ];
 if (asJson) console.log(JSON.stringify({bench: 'viewer', seconds, size: SIZE, rows}, null, 1));
 else for (const {name, value, unit, reach, holds} of rows)
