@@ -4,6 +4,7 @@
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/commands/calibrate_command.h"
+#include "haptic_station/station/commands/hand_over.h"
 #include "haptic_station/station/commands/scene_command.h"
 #include "haptic_station/station/commands/tissue_command.h"
 #include "haptic_station/station/faults/rearm_command.h"
@@ -29,17 +30,17 @@ program::Usage usage() {
           .positional = "",
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
+                      {"accept-touch", "", "take the touch when its holder offers it to you"},
                       {"scene", "FILE", "a *.scene.textproto; default: palpation"},
                       {"surface", "NAME|model:FILE", "surface setting, or a model; default: the scene's"},
                       {"anyway", "", "touch a model that is otherwise refused"},
                       {"calibration", "FILE", "calibration file (telepalp-station calibrate)"},
-                      program::patience_option("how long to wait for the server and its first image; 0: for ever"),
+                      program::patience_option("longest wait for the first image; 0: for ever"),
                       {"device", station::kDeviceWords, "the haptic device", "simulated"},
                       {"tracker", station::kTrackerWords,
                        "the hand tracker; held: the hand grips the device; browser: a hand in the viewer", "simulated"},
                       {"check", "", "check the scene, list its effects, and exit"},
-                      {"control", "PATH",
-                       "socket for telepalp-station rearm, or none; default: in the user's runtime folder"},
+                      {"control", "PATH", "socket for commands, or none; default: runtime folder"},
                       {"state-dir", "DIR", "folder for the last 10 s before a fault; default: the user's state folder"},
                       {"seconds", "S", "run time; 0: until Ctrl-C", "0"},
                       {"realtime", "require|prefer", "need real-time priority, or only prefer it", "prefer"}},
@@ -49,6 +50,7 @@ program::Usage usage() {
               {"calibrate", "", "measure the transforms of camera, tracker and device", station::calibrate_command},
               {"scene", "", "check, price and draw a scene file", station::scene_command},
               {"rearm", "", "end a station's fault, so that it gives force again", station::rearm_command},
+              {"hand-over", "", "hand the touch over to another doctor, or accept it", station::hand_over_command},
               {"tissue", "", "fit the skin to a compression test", station::tissue_command}}};
 }
 
@@ -81,6 +83,7 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
   return station::StationOptions{.host = server->host,
                                  .port = server->port,
                                  .key = std::move(key).value(),
+                                 .accepts_touch = arguments.has("accept-touch"),
                                  .seconds = *seconds,
                                  .patience = *patience,
                                  .realtime = *realtime,

@@ -45,7 +45,8 @@ wire::ClientLink::Options link_options(const StationOptions& options, bool takes
                                                    : std::vector<std::string>{std::string(wire::kCameraDepth.name),
                                                                               std::string(wire::kCameraInfo.name)},
                                  .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface,
-                                               wire::kStationCompensation, wire::kStationEvents, wire::kStationStats}};
+                                               wire::kStationCompensation, wire::kStationEvents, wire::kStationStats},
+                                 .accepts_touch = options.accepts_touch};
   if (takes_viewer_hand) link.subscribes.emplace_back(wire::kViewerHand.name);
   return link;
 }
@@ -64,7 +65,9 @@ Station::Station(boost::asio::io_context& io, const StationOptions& options, con
       link_(io, link_options(options, rig.browser != nullptr),
             {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); },
-             .on_datagrams = [this](wire::DatagramPhase, const std::string& detail) { on_datagrams(detail); }}),
+             .on_datagrams = [this](wire::DatagramPhase, const std::string& detail) { on_datagrams(detail); },
+             .on_hand_over = [this](bool done, const std::string& outcome) { hand_over_.on_answer(done, outcome); }}),
+      hand_over_(link_),
       in_tick_(options.model || surface::runs_in_tick(surface)),
       loop_(make_loop(scene)),
       rig_(std::move(rig.rig)),
@@ -73,7 +76,12 @@ Station::Station(boost::asio::io_context& io, const StationOptions& options, con
           ticks_, [this](wire::Message message) { publish(std::move(message)); },
           [this](const loop::TickSample& sample) { faults_.add(sample); }),
       faults_(io, telemetry_, options.control, options.state_folder, scene.name,
-              {.now = [this] { return now(); }, .rearm = [this] { haptic_->rearm(); }}) {
+              {.now = [this] { return now(); },
+               .rearm = [this] { haptic_->rearm(); },
+               .other_command =
+                   [this](const std::string& command, const ControlSocket::Reply& reply) {
+                     return hand_over_.on_command(command, reply);
+                   }}) {
   start_surface_thread(surface);
 }
 
@@ -160,7 +168,8 @@ void Station::give_up(const Error& error) {
 /// Ends the station because no surface came within the operator's time limit.
 void Station::lose_patience() {
   const bool answered = link_.state() == wire::LinkState::Connected;
-  give_up({.what = answered ? "the server answers but sends no depth image that can be touched" : "does not answer",
+  const std::string silent = not_connected_because_.empty() ? "does not answer" : not_connected_because_;
+  give_up({.what = answered ? "the server answers but sends no depth image that can be touched" : silent,
            .where = options_.host + ":" + std::to_string(options_.port),
            .fix = answered ? "look at the server's source, or wait longer by --patience S"
                            : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
@@ -172,9 +181,19 @@ void Station::on_link(wire::LinkState state, const std::string& detail) {
   say_link("link " + std::string(wire::name(state)) + (detail.empty() ? "" : ": " + detail), state);
   if (state == wire::LinkState::Refused && !options_.model)  // a model is touched without a server
     return give_up(link_.refusal());
+  note_refusal(state, detail);
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
     telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
+}
+
+/// Keeps the server's reason for not serving this station yet, such as another doctor who holds the touch.
+void Station::note_refusal(wire::LinkState state, const std::string& detail) {
+  constexpr std::string_view kReason = "peer left: ";
+  const std::size_t at = detail.find(kReason);
+  if (state != wire::LinkState::Connecting) not_connected_because_.clear();
+  if (state == wire::LinkState::Connecting && at != std::string::npos)
+    not_connected_because_ = detail.substr(at + kReason.size());
 }
 
 void Station::on_datagrams(const std::string& detail) {

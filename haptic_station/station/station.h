@@ -11,6 +11,7 @@
 
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/commands/hand_over.h"
 #include "haptic_station/station/faults/fault_monitor.h"
 #include "haptic_station/station/rigs/rig_choice.h"
 #include "haptic_station/station/rigs/static_patient.h"
@@ -28,6 +29,7 @@ struct StationOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;
   std::shared_ptr<const keys::KeyFile> key{};  ///< null: the server is on this machine
+  bool accepts_touch = false;                  ///< takes the touch whenever its holder offers it to this doctor
   double seconds = 0.0;                        ///< run time of the haptic loop; 0: until a signal
   program::Patience patience;                  ///< time limit for the server's first image
   Realtime realtime = Realtime::Prefer;
@@ -58,6 +60,7 @@ class Station {
   void on_depth(const wire::Message& message);
   void on_viewer_hand(const wire::Message& message);
   void on_link(wire::LinkState state, const std::string& detail);
+  void note_refusal(wire::LinkState state, const std::string& detail);
   void on_datagrams(const std::string& detail);
   void say_link(const std::string& text, wire::LinkState state);
   void on_surface(const msg::SurfaceReport& report);
@@ -85,9 +88,11 @@ class Station {
   boost::asio::steady_timer slow_timer_;
   boost::asio::signal_set signals_;
   wire::ClientLink link_;
+  HandOver hand_over_;
   std::optional<Intrinsics> camera_;
   std::optional<Error> failure_;
   std::set<std::string> said_of_trying_;
+  std::string not_connected_because_;
   std::string depth_;  // depth mode that was logged last
 
   const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread

@@ -15,7 +15,7 @@ constexpr std::array kPermissions{
     Permission{Role::Technician, Operation::Metrics},
 
     Permission{Role::Doctor, Operation::Watch},       Permission{Role::Doctor, Operation::Touch},
-    Permission{Role::Doctor, Operation::Record},
+    Permission{Role::Doctor, Operation::HandOver},    Permission{Role::Doctor, Operation::Record},
 
     Permission{Role::Viewer, Operation::Watch},
 
@@ -23,7 +23,8 @@ constexpr std::array kPermissions{
     Permission{Role::Qa, Operation::Metrics},
 
     Permission{Role::Local, Operation::Watch},        Permission{Role::Local, Operation::Touch},
-    Permission{Role::Local, Operation::Record},       Permission{Role::Local, Operation::Metrics},
+    Permission{Role::Local, Operation::HandOver},     Permission{Role::Local, Operation::Record},
+    Permission{Role::Local, Operation::Metrics},
 };
 
 }  // namespace
@@ -55,6 +56,8 @@ std::string_view name(Operation operation) noexcept {
       return "watch";
     case Operation::Touch:
       return "touch";
+    case Operation::HandOver:
+      return "hand over";
     case Operation::Record:
       return "record";
     case Operation::Metrics:

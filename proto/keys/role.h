@@ -13,14 +13,16 @@ enum class Role { Technician, Doctor, Viewer, Qa, Local };
 
 /// An operation that a peer requests from a server. The server checks the peer's role when the request arrives.
 enum class Operation {
-  Watch,    ///< subscribe to topics: see the patient, the hand and the statistics
-  Touch,    ///< publish /station/..., or move the hand in the web viewer
-  Record,   ///< join as a recorder
-  Metrics,  ///< read /metrics
+  Watch,     ///< subscribe to topics: see the patient, the hand and the statistics
+  Touch,     ///< publish /station/..., or move the hand in the web viewer
+  HandOver,  ///< offer the touch or the hand that one holds to another person
+  Record,    ///< join as a recorder
+  Metrics,   ///< read /metrics
 };
 
 inline constexpr std::array kRoles{Role::Technician, Role::Doctor, Role::Viewer, Role::Qa, Role::Local};
-inline constexpr std::array kOperations{Operation::Watch, Operation::Touch, Operation::Record, Operation::Metrics};
+inline constexpr std::array kOperations{Operation::Watch, Operation::Touch, Operation::HandOver, Operation::Record,
+                                        Operation::Metrics};
 
 /// The one table of permissions. A pair that it does not list is denied.
 [[nodiscard]] bool allows(Role role, Operation operation) noexcept;

@@ -126,6 +126,25 @@ void ClientLink::request_key_frame(const Message& unreadable) {
   if (connection_ && connection_->ready()) connection_->request_key_frame(unreadable);
 }
 
+bool ClientLink::hand_over(const std::string& to) {
+  if (state_ != LinkState::Connected || !connection_) return false;
+  msg::HandOver request;
+  request.set_to(to);
+  hands_over_ = true;
+  connection_->hand_over(request);
+  return true;
+}
+
+void ClientLink::accept_touch() {
+  accepts_once_ = true;
+  back_off_ = kFirstRetry;
+}
+
+void ClientLink::on_hand_over(const msg::HandOver& answer) {
+  if (std::exchange(hands_over_, false) && handlers_.on_hand_over)
+    handlers_.on_hand_over(answer.done(), answer.outcome());
+}
+
 SessionClock ClientLink::clock() const noexcept {
   const Nanoseconds target{offset_target_ns_.load(std::memory_order_acquire)};
   const Nanoseconds line_at_zero{offset_line_at_zero_ns_.load(std::memory_order_acquire)};
@@ -188,6 +207,7 @@ void ClientLink::greet(tcp::socket socket) {
                           .token = options_.key ? options_.key->token : "",
                           .run = run_,
                           .datagrams = options_.datagrams ? quick_cipher() : msg::DATAGRAM_CIPHER_NONE,
+                          .accepts_touch = options_.accepts_touch || accepts_once_,
                           .publishes = options_.publishes},
       owner);
   connection_->start();
@@ -253,6 +273,7 @@ void ClientLink::on_clock(const ClockSample& sample) {
   offset_target_ns_.store(clock_sync_.offset()->target.count(), std::memory_order_release);
   if (state_ != LinkState::Connecting) return;
   back_off_ = kFirstRetry;
+  accepts_once_ = false;
   ++counts_.connections;
   become(LinkState::Connected, peer_name_ + " at " + connection_->peer());
   if (connection_) connection_->wake();
@@ -318,6 +339,7 @@ void ClientLink::on_closed(const std::string& reason) {
   connection_.reset();
   end_datagrams();
   probe_.cancel();
+  if (std::exchange(hands_over_, false) && handlers_.on_hand_over) handlers_.on_hand_over(false, reason);
   if (state_ == LinkState::Stopped) return;
   if (refusal) return refuse(*refusal);
   if (state_ == LinkState::Connected) {

@@ -53,6 +53,7 @@ class ClientLink : private ConnectionOwner {
     std::vector<std::string> subscribes{};       ///< topic names; one ending in '*' is a prefix
     std::vector<Topic> publishes{};  ///< topics that publish() accepts; the server accepts only /station/…
     bool datagrams = true;           ///< takes the deadline topics by sealed datagram if the path carries UDP
+    bool accepts_touch = false;      ///< of a station: takes the touch whenever its holder offers it to this doctor
   };
   struct Handlers {
     std::function<void(const Message&)> on_message{};
@@ -60,6 +61,8 @@ class ClientLink : private ConnectionOwner {
     std::function<void(LinkState, const std::string& detail)> on_state{};
     /// Called when the carrier of the images changes: Up: datagrams, Blocked: TCP. `detail`: text for a log line.
     std::function<void(DatagramPhase, const std::string& detail)> on_datagrams{};
+    /// The server's answer to hand_over(), or none: `done` is false and the connection has ended.
+    std::function<void(bool done, const std::string& outcome)> on_hand_over{};
   };
   struct Counts {
     std::uint64_t connections = 0;  ///< number of times that the state became Connected
@@ -86,6 +89,12 @@ class ClientLink : private ConnectionOwner {
   /// Requests a key frame: `unreadable` (from on_message) cannot be decoded because its reference frame is missing.
   /// Without a connection it does nothing, because the first frame of a new connection is a key frame.
   void request_key_frame(const Message& unreadable);
+
+  /// Offers the touch, which this station holds, to the doctor named `to`; an empty name withdraws the offer. The
+  /// answer comes to on_hand_over. Returns false without a connection.
+  bool hand_over(const std::string& to);
+  /// The next connection takes the touch if its holder offers it to this doctor.
+  void accept_touch();
 
   /// The current estimate of the session clock; before the first connection, this machine's wall clock. Any thread.
   /// Call clock() for each reading, because the offset is slewed.
@@ -114,6 +123,7 @@ class ClientLink : private ConnectionOwner {
   void on_clock(const ClockSample& sample) override;
   void on_key_frame_request(const Topic&, SessionTime) override {}  // clients publish no predicted frames
   void on_datagram_offer(const msg::DatagramOffer& offer) override;
+  void on_hand_over(const msg::HandOver& answer) override;
   void on_closed(const std::string& reason) override;
   std::optional<Message> next_to_send() override;
   SessionTime session_now() override { return clock().now(); }
@@ -160,6 +170,8 @@ class ClientLink : private ConnectionOwner {
   ClockSync clock_sync_;
   std::atomic<std::int64_t> offset_target_ns_;           // a SlewedOffset; written by the network thread,
   std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // read by any; written before the target, read after it
+  bool accepts_once_ = false;                            // accept_touch() was called, and no connection came since
+  bool hands_over_ = false;                              // the server's answer to hand_over() has not come
   int probes_ = 0;                                       // number of clock probes sent on this connection
   SendQueue outgoing_;
   std::map<std::string_view, std::uint64_t> sequences_;  // last sequence number by topic

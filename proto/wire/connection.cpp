@@ -59,6 +59,7 @@ msg::Control hello(const Connection::Options& options) {
   control.mutable_hello()->set_run(options.run);
   control.mutable_hello()->set_token(options.token);
   control.mutable_hello()->set_datagrams(options.datagrams);
+  control.mutable_hello()->set_accepts_touch(options.accepts_touch);
   return control;
 }
 
@@ -118,6 +119,12 @@ void Connection::request_key_frame(const Message& unreadable) {
 void Connection::offer_datagrams(const msg::DatagramOffer& offer) {
   msg::Control control;
   *control.mutable_datagram_offer() = offer;
+  send(std::move(control));
+}
+
+void Connection::hand_over(const msg::HandOver& request) {
+  msg::Control control;
+  *control.mutable_hand_over() = request;
   send(std::move(control));
 }
 
@@ -246,6 +253,8 @@ Result<void> Connection::on_control(const Frame& frame) {
       return {};
     case msg::Control::kDatagramOffer:
       return on_datagram_offer(control.datagram_offer());
+    case msg::Control::kHandOver:
+      return on_hand_over(control.hand_over());
     case msg::Control::kGoodbye:
       if (control.goodbye().final()) refusal_ = final_goodbye(control.goodbye().reason());
       finish("peer left: " + control.goodbye().reason());
@@ -312,6 +321,13 @@ void Connection::on_clock_reply(const msg::ClockReply& reply) {
 Result<void> Connection::on_datagram_offer(const msg::DatagramOffer& offer) {
   if (std::exchange(has_offer_, true)) return bad_peer("offers datagrams twice");
   owner_->on_datagram_offer(offer);
+  return {};
+}
+
+Result<void> Connection::on_hand_over(const msg::HandOver& request) {
+  if (request.to().size() > kMaxNameBytes || request.outcome().size() > kMaxReasonBytes)
+    return bad_peer("hands over to a name longer than 128 B, or with an outcome longer than 512 B");
+  owner_->on_hand_over(request);
   return {};
 }
 

@@ -41,6 +41,8 @@ class ConnectionOwner {
   /// Returns the next message to send; nullopt: no message waits, and the owner calls wake() when there is one. The
   /// owner holds the bounded queue; the connection holds only the message being written.
   virtual std::optional<Message> next_to_send() = 0;
+  /// A client asks to hand over the touch, or a server answers.
+  virtual void on_hand_over(const msg::HandOver&) {}
   /// The server at the other end offers sealed datagrams. A server makes one offer on a connection.
   virtual void on_datagram_offer(const msg::DatagramOffer&) {}
   /// Current session time, for the replies to the peer's clock probes.
@@ -65,6 +67,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::uint64_t run = 0;  ///< random number of this run of the program; 0: none
     msg::DatagramCipher datagrams =
         msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its fastest cipher; NONE: it takes no datagrams
+    bool accepts_touch = false;                        ///< of a station: takes the touch if it is offered
     std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
     std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello
     /// Limit on the rate of reading; 0: no limit. Bytes above it stay in the kernel's receive buffer until they are
@@ -82,6 +85,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.
   void request_key_frame(const Message& unreadable);
   void offer_datagrams(const msg::DatagramOffer& offer);
+  void hand_over(const msg::HandOver& request);  ///< a client's request, or a server's answer to one
   /// Takes a message that came by datagram as if it had come on this connection: counts it and calls on_message(), or
   /// drops it when a newer one of its topic came before.
   void take_datagram(Message message);
@@ -122,6 +126,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] Result<void> on_subscription(const msg::Subscribe& subscribe);
   void on_clock_reply(const msg::ClockReply& reply);
   [[nodiscard]] Result<void> on_datagram_offer(const msg::DatagramOffer& offer);
+  [[nodiscard]] Result<void> on_hand_over(const msg::HandOver& request);
   [[nodiscard]] Result<void> on_data(Frame frame);
   void deliver(Incoming& channel, Message message);
 

@@ -57,6 +57,8 @@ std::string_view name(AuditEvent event) noexcept {
       return "records";
     case AuditEvent::TookTouch:
       return "took-touch";
+    case AuditEvent::OfferedTouch:
+      return "offered-touch";
     case AuditEvent::GaveTouch:
       return "gave-touch";
     case AuditEvent::Refused:

@@ -15,7 +15,19 @@
 namespace telepalp::access {
 
 /// The events that the log records. name() gives the word in the log.
-enum class AuditEvent { Started, Stopped, Joined, Left, Records, TookTouch, GaveTouch, Refused, SignedIn, SignedOut };
+enum class AuditEvent {
+  Started,
+  Stopped,
+  Joined,
+  Left,
+  Records,
+  TookTouch,
+  OfferedTouch,
+  GaveTouch,
+  Refused,
+  SignedIn,
+  SignedOut
+};
 [[nodiscard]] std::string_view name(AuditEvent event) noexcept;
 
 /// A file of hash-chained lines (proto/keys/audit_chain.h), one for each event: "time=… event=joined who=doctor anna

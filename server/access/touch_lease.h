@@ -9,12 +9,15 @@ namespace telepalp::access {
 
 /// Decides which doctor's station may publish on the station's topics (it "holds the touch"): one at a time. The holder
 /// keeps the touch while it publishes, and frees it with a Goodbye or after kLease without a message; then any station
-/// may take it. When the holder's connection breaks, only the same doctor may take the touch within kLease. Pure;
-/// owner: the server's network thread.
+/// may take it. When the holder's connection breaks, only the same doctor may take the touch within kLease. The holder
+/// may offer the touch to another doctor, who takes it by accepting. An offer ends after kOffer, with the holder's
+/// lease, or when the touch changes hands. A holder that leaves with a Goodbye after an offer leaves the touch to the
+/// other doctor for kLease. Pure; owner: the server's network thread.
 class TouchLease {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
   static constexpr std::chrono::seconds kLease{10};
+  static constexpr std::chrono::seconds kOffer{60};
 
   /// Station `peer`, of the doctor whose key is `serial`, asks for the touch. Returns true if it now holds the touch.
   [[nodiscard]] bool take(std::uint64_t peer, const std::string& serial, const std::string& name, TimePoint now);
@@ -24,15 +27,30 @@ class TouchLease {
   /// return.
   void leave(std::uint64_t peer, bool on_purpose, TimePoint now);
 
+  /// `peer` offers the touch to the doctor named `to`, instead of an earlier offer. An empty name withdraws the offer.
+  /// Returns false if `peer` does not hold the touch.
+  [[nodiscard]] bool offer(std::uint64_t peer, const std::string& to, TimePoint now);
+  /// Station `peer` of the doctor `name` accepts an offer. Returns the peer that held the touch until now; nullopt:
+  /// nothing is offered to this doctor.
+  [[nodiscard]] std::optional<std::uint64_t> accept(std::uint64_t peer, const std::string& serial,
+                                                    const std::string& name, TimePoint now);
+
   /// The name of the doctor who holds the touch; nullopt: the touch is free.
   [[nodiscard]] std::optional<std::string> holder(TimePoint now) const;
+  /// The name of the doctor to whom the touch is offered; nullopt: no offer stands.
+  [[nodiscard]] std::optional<std::string> offered_to(TimePoint now) const;
 
  private:
+  struct Offer {
+    std::string to;
+    TimePoint until;
+  };
   struct Held {
-    std::uint64_t peer = 0;  // 0: its connection was lost
-    std::string serial;
+    std::uint64_t peer = 0;  // 0: its connection has ended
+    std::string serial;      // empty: the holder left on purpose, and the touch waits for the doctor of the offer
     std::string name;
     TimePoint until;
+    std::optional<Offer> offer;
   };
   std::optional<Held> held_;
 };

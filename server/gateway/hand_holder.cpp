@@ -23,6 +23,14 @@ void HandHolder::let_go(std::uint64_t viewer) {
   if (holder_ == viewer) holder_ = 0;
 }
 
+bool HandHolder::hand_over(std::uint64_t viewer, std::uint64_t to, SessionTime now) {
+  const auto asked = asking_.find(to);
+  if (holder_ != viewer || asked == asking_.end() || now - asked->second > kStillAsking) return false;
+  asking_.erase(asked);
+  holder_ = to;
+  return true;
+}
+
 std::optional<msg::HandHolder> HandHolder::news(SessionTime now) {
   std::erase_if(asking_, [&](const auto& one) { return now - one.second > kStillAsking; });
   msg::HandHolder holder;

@@ -10,8 +10,8 @@
 namespace telepalp::gateway {
 
 /// Decides which viewer controls the hand. The first viewer that moves its hand gets control and keeps it, even without
-/// messages, until it lets go or disconnects. Other viewers request control by moving their hands. Pure; owner: the
-/// server's network thread.
+/// messages, until it lets go or disconnects or hands it over. Other viewers request control by moving their hands.
+/// Pure; owner: the server's network thread.
 class HandHolder {
  public:
   /// Call it when `viewer` moves its hand. True: the viewer has control, and the message may go to the station.
@@ -19,6 +19,10 @@ class HandHolder {
 
   /// Call it when `viewer` lets go or disconnects. Another viewer gets control when it next moves its hand.
   void let_go(std::uint64_t viewer);
+
+  /// `viewer` hands over control to viewer `to`, which accepts by requesting it. False: `viewer` has no control, or
+  /// `to` has not requested it in the last 3 s; nothing changes.
+  [[nodiscard]] bool hand_over(std::uint64_t viewer, std::uint64_t to, SessionTime now);
 
   /// The controlling and the requesting viewers, if they changed since the last call; otherwise nullopt.
   [[nodiscard]] std::optional<msg::HandHolder> news(SessionTime now);

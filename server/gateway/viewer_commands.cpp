@@ -26,11 +26,24 @@ Result<void> ViewerCommands::advertise(const foxglove::Request::Channel& channel
   return {};
 }
 
-bool ViewerCommands::lets_go(std::string_view bytes) const {
+std::optional<msg::ViewerHand> ViewerCommands::read(std::string_view bytes) const {
   const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
   msg::ViewerHand hand;
-  return data && channels_.contains(data->channel) && data->payload.size() <= wire::kMaxViewerHandBytes &&
-         hand.ParseFromString(data->payload) && hand.let_go();
+  if (!data || !channels_.contains(data->channel) || data->payload.size() > wire::kMaxViewerHandBytes ||
+      !hand.ParseFromString(data->payload))
+    return std::nullopt;
+  return hand;
+}
+
+bool ViewerCommands::lets_go(std::string_view bytes) const {
+  const std::optional<msg::ViewerHand> hand = read(bytes);
+  return hand && hand->let_go();
+}
+
+std::optional<std::uint64_t> ViewerCommands::hands_over_to(std::string_view bytes) const {
+  const std::optional<msg::ViewerHand> hand = read(bytes);
+  if (!hand || hand->hand_over_to() == 0) return std::nullopt;
+  return hand->hand_over_to();
 }
 
 Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes, std::uint64_t viewer,

@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "messages/viewer.pb.h"
 #include "proto/wire/message.h"
 #include "proto/words/result.h"
 #include "proto/words/time.h"
@@ -23,12 +24,18 @@ class ViewerCommands {
   /// True if the viewer's binary message lets go of the hand.
   [[nodiscard]] bool lets_go(std::string_view bytes) const;
 
+  /// The viewer to which the viewer's binary message hands over the hand; nullopt: it does not.
+  [[nodiscard]] std::optional<std::uint64_t> hands_over_to(std::string_view bytes) const;
+
   /// Converts a viewer's binary message to a message of /viewer/hand with a time stamp and the id `viewer`. nullopt: it
   /// came within 2 ms of the last one; a hand needs no higher rate. Error: an unknown channel, or an invalid hand.
   [[nodiscard]] Result<std::optional<wire::Message>> hear(std::string_view bytes, std::uint64_t viewer,
                                                           SessionTime now);
 
  private:
+  /// A hand of any content on an advertised channel.
+  [[nodiscard]] std::optional<msg::ViewerHand> read(std::string_view bytes) const;
+
   std::set<std::uint32_t> channels_;
   std::optional<SessionTime> last_;
 };

@@ -83,12 +83,14 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     context()->views.leave(views_subscriber_);
     if (context()->view_maker) context()->view_maker->subscriptions_changed();
     context()->holder.let_go(viewer);
+    note_hand(false, " why=\"the connection ended\"");
     publish_holder();
   }
 
   void greet(const std::string& peer) {
     if (!socket().is_open()) return;  // the gateway was closed meanwhile; the hub may be destroyed
     subscriber_ = context()->hub.join(std::string(kSubscriberName), peer, [this] { write_next(); });
+    number_ = *subscriber_;
     views_subscriber_ = context()->views.join(std::string(kSubscriberName), peer, [this] { write_next(); });
     const std::string_view role = visitor_ ? keys::name(visitor_->who.role) : std::string_view{};
     say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_, role));
@@ -144,14 +146,36 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (!may_touch()) return;
     if (commands_.lets_go(bytes)) {
       context()->holder.let_go(*subscriber_);
+      note_hand(false);
       return publish_holder();
     }
+    if (const auto to = commands_.hands_over_to(bytes)) return hand_over(*to);
     const auto message = commands_.hear(bytes, *subscriber_, context()->now());
     if (!message) return warn(to_string(message.error()));
     if (!*message) return;
     if (!context()->hub.is_taken((*message)->topic.name, kSubscriberName)) warn_untaken();
-    if (context()->holder.moves(*subscriber_, context()->now())) context()->hub.publish(**message);
+    const bool holds = context()->holder.moves(*subscriber_, context()->now());
+    note_hand(holds);
+    if (holds) context()->hub.publish(**message);
     publish_holder();
+  }
+
+  void hand_over(std::uint64_t to) {
+    const access::Access& access = *context()->options.access;
+    if (const Result<void> may = access.may(visitor_->who, keys::Operation::HandOver); !may)
+      return warn(to_string(may.error()));
+    if (!context()->holder.hand_over(*subscriber_, to, context()->now()))
+      return warn("the hand is not handed over. fix: hold the hand, and name a viewer that asks for it");
+    note_hand(false, " to=\"viewer " + std::to_string(to) + "\"");
+    publish_holder();
+  }
+
+  /// Writes to the audit log when this viewer gets or gives up the hand.
+  void note_hand(bool holds, const std::string& more = {}) {
+    if (std::exchange(holds_hand_, holds) == holds || !visitor_) return;
+    context()->options.access->note(
+        holds ? access::AuditEvent::TookTouch : access::AuditEvent::GaveTouch,
+        "who=" + describe(visitor_->who) + " program=browser viewer=" + std::to_string(number_) + more);
   }
 
   void warn_untaken() {
@@ -237,6 +261,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   websocket::stream<WebStream> stream_;
   std::optional<Visitor> visitor_;
   bool denied_ = false;
+  bool holds_hand_ = false;
+  hub::SubscriberId number_ = 0;                 // of this viewer, also after it has left
   beast::flat_buffer incoming_;                  // bounded by read_message_max
   std::optional<hub::SubscriberId> subscriber_;  // set from the handshake until the end
   hub::SubscriberId views_subscriber_ = 0;       // valid while subscriber_ is set

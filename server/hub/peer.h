@@ -11,6 +11,7 @@
 #include "server/access/audit_text.h"
 #include "server/hub/peer_datagrams.h"
 #include "server/hub/peer_listener.h"
+#include "server/hub/peer_touch.h"
 #include "server/hub/upstream.h"
 
 namespace telepalp::hub {
@@ -23,6 +24,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   Peer(PeerListener& listener, PeerNumber number, boost::asio::ip::tcp::socket socket)
       : listener_(listener),
         number_(number),
+        touch_(access(), number, [this] { return in_audit(); }),
         connection_(std::make_shared<wire::Connection>(
             listener.stream_over(std::move(socket)),
             wire::Connection::Options{.name = listener.options_.name,
@@ -34,12 +36,14 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     connection_->start();
   }
   ~Peer() override {
-    access().touch().leave(number_, true, Clock::now());
+    touch_.leave(true);
     if (subscriber_) listener_.hub_.leave(subscriber_);
     connection_->abandon();
   }
 
   void close(const std::string& reason) { connection_->close(reason); }
+  /// Doctor `who` at another peer has accepted the touch that this peer offered.
+  void give_touch_to(const keys::Identity& who) { connection_->close(touch_.lose_to(who)); }
   [[nodiscard]] std::uint32_t sender() const noexcept { return sender_; }
 
   /// The kind of place that the peer occupies; nullopt: no Hello yet, or refused.
@@ -63,7 +67,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
 
   bool accepts(const wire::Topic& topic) override {
     const bool may = may_publish_upstream(topic) && who_ && access().may(*who_, keys::Operation::Touch) &&
-                     (holds_touch_ || takes_touch_late());
+                     (touch_.holds() || takes_touch(false));
     if (!may)
       access().note(access::AuditEvent::Refused,
                     in_audit() + " why=" + access::audit_text("may not publish " + std::string(topic.name)));
@@ -101,7 +105,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     if (const Result<void> may = access().may(*who_, operation_of(kind)); !may) return deny(may.error());
     const std::size_t places = listener_.options_.places.of(kind);
     if (listener_.taken(kind) >= places) return refuse(full_house(kind, places));
-    if (kind == PlaceKind::Station && !takes_touch()) return refuse(touch_is_held());
+    if (kind == PlaceKind::Station && !takes_touch(peer.accepts_touch())) return refuse(touch_.is_held(*who_));
     place_ = kind;
     sender_ = listener_.sender_number(peer.run());
     subscriber_ = listener_.hub_.join(
@@ -110,7 +114,6 @@ class PeerListener::Peer : public wire::ConnectionOwner {
                    connection_->peer());
     access().note(access::AuditEvent::Joined, in_audit());
     if (kind == PlaceKind::Recorder) access().note(access::AuditEvent::Records, in_audit());
-    if (holds_touch_) access().note(access::AuditEvent::TookTouch, in_audit());
     offer_datagrams(peer.datagrams());
   }
   /// The datagrams' keys derive from the TLS session. Without TLS the peer is on this machine, and gets a random
@@ -142,22 +145,15 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     connection_->wake();
     if (datagrams_) datagrams_->wake();
   }
-  /// Takes the touch for this peer; false: another doctor holds it. Without keys it is always granted, because only
-  /// programs of this machine can connect.
-  bool takes_touch() {
-    if (!access().has_keys()) return true;
-    holds_touch_ = access().touch().take(number_, who_->serial, who_->name, Clock::now());
-    return holds_touch_;
+  /// Takes the touch for this peer; false: another doctor holds it.
+  bool takes_touch(bool accepts) {
+    const PeerTouch::Taken taken = touch_.take(*who_, accepts);
+    const auto before = taken.from ? listener_.peers_.find(*taken.from) : listener_.peers_.end();
+    if (before != listener_.peers_.end()) before->second->give_touch_to(*who_);
+    return taken.may_touch;
   }
-  /// Takes the touch for a peer that did not connect as a station but advertises a station's topic.
-  bool takes_touch_late() {
-    const bool took = takes_touch();
-    if (holds_touch_) access().note(access::AuditEvent::TookTouch, in_audit());
-    return took;
-  }
-  [[nodiscard]] std::string touch_is_held() const {
-    return "doctor " + access().touch().holder(Clock::now()).value_or("?") +
-           " holds the touch. fix: wait: it is yours when that station ends, or is silent for 10 s";
+  void on_hand_over(const msg::HandOver& request) override {
+    if (who_) connection_->hand_over(touch_.offer(*who_, request.to()));
   }
   void refuse(const std::string& reason) {
     access().note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
@@ -172,10 +168,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   }
   void on_message(wire::Message message) override {
     useful_ = Clock::now();
-    if (holds_touch_ && !access().touch().renew(number_, useful_)) {
-      holds_touch_ = false;
-      return refuse(touch_is_held());
-    }
+    if (!touch_.renew()) return refuse(touch_.is_held(*who_));
     if (!rates_.passes(message, useful_)) return on_over_rate(message.topic);
     if (is_valid_upstream(message)) return listener_.hub_.publish(with_sender(std::move(message), sender_));
     ++listener_.counts_.invalid_messages;
@@ -195,10 +188,9 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   void on_clock(const wire::ClockSample&) override {}  // the server's clock is the session clock: it sends no probes
   void on_closed(const std::string& reason) override {
     if (place_) access().note(access::AuditEvent::Left, in_audit() + " why=" + access::audit_text(reason));
-    if (holds_touch_) access().note(access::AuditEvent::GaveTouch, in_audit());
+    touch_.leave(reason.starts_with("peer left"));
     if (!who_ && !audited_ && access().has_keys())
       access().note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
-    access().touch().leave(number_, reason.starts_with("peer left"), Clock::now());
     leave_hub();
     listener_.note((name_.empty() ? "a stranger" : name_) + " at " + connection_->peer() + " left: " + reason);
     listener_.forget(number_);
@@ -224,7 +216,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   std::string name_;
   std::optional<keys::Identity> who_;  // nullopt: not known yet, or refused
   std::optional<PlaceKind> place_;
-  bool holds_touch_ = false;
+  PeerTouch touch_;
   bool audited_ = false;        // the audit log already has the reason for this peer's refusal
   bool advertised_ = false;     // the peer has advertised an allowed topic
   bool subscribed_ = false;     // the peer is subscribed to at least one topic

@@ -167,6 +167,7 @@ void PeerListener::let_a_stranger_go() {
 void PeerListener::let_idle_go_every_second() {
   const auto now = std::chrono::steady_clock::now();
   options_.access->look_at_revocations();
+  audit_refused_datagrams(now);
   for (const auto& [number, peer] : peers_) {
     peer->check_key();
     if (!peer->is_idle(now)) continue;
@@ -177,6 +178,21 @@ void PeerListener::let_idle_go_every_second() {
   second_.async_wait([this](const error_code& stopped) {
     if (!stopped && acceptor_.is_open()) let_idle_go_every_second();
   });
+}
+
+/// One line at most each 10 s. Replayed datagrams are left out, because a network duplicates datagrams by itself.
+void PeerListener::audit_refused_datagrams(std::chrono::steady_clock::time_point now) {
+  constexpr std::chrono::seconds kQuiet{10};
+  const DatagramCounts counts = datagrams_->counts();
+  const std::uint64_t forged = counts.forged + counts.malformed - audited_.forged - audited_.malformed;
+  const std::uint64_t strange = counts.strangers - audited_.strangers;
+  if (forged + strange == 0 || now - datagrams_audited_ < kQuiet) return;
+  datagrams_audited_ = now;
+  audited_ = counts;
+  options_.access->note(
+      access::AuditEvent::Refused,
+      "who=stranger why=" + access::audit_text("datagrams were refused: " + std::to_string(strange) +
+                                               " of no session, " + std::to_string(forged) + " forged"));
 }
 
 /// Logs the first refusal at once and then at most one line in five seconds, so that many refusals do not fill the log.

@@ -79,6 +79,7 @@ class PeerListener {
   [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: peers without a place
   void let_a_stranger_go();
   void let_idle_go_every_second();
+  void audit_refused_datagrams(std::chrono::steady_clock::time_point now);
   [[nodiscard]] std::unique_ptr<wire::ByteStream> stream_over(boost::asio::ip::tcp::socket socket) const;
 
   boost::asio::io_context& io_;
@@ -94,6 +95,8 @@ class PeerListener {
   PeerNumber last_number_ = 0;
   Counts counts_;
   std::chrono::steady_clock::time_point refusal_noted_{};
+  std::chrono::steady_clock::time_point datagrams_audited_{};
+  DatagramCounts audited_;  // what the audit log has of datagrams
   std::uint64_t refused_when_noted_ = 0;
 };
 

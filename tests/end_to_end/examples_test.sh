@@ -5,7 +5,8 @@
 #   bounded  --seconds N becomes --seconds 2: so that the test ends
 #   ctrl-c   what runs until Ctrl-C gets one after 6 s, and must end well
 #   started  a benchmark takes minutes and its figures depend on the machine: it must run for 5 s, or end without an error
-#   refused  telepalp-station rearm must say that there is no fault: the test makes none
+#   refused  telepalp-station rearm must say that there is no fault, and hand-over that nobody holds the touch: the test makes
+#            no fault and has no keys
 #   differs  telepalp-replay diff must name the first message in which two sessions differ: the test has no two equal ones
 #   exists   deploy/* but the demo installs or builds: the file must be there
 # usage: examples_test.sh SOURCE_DIR BIN_DIR
@@ -101,6 +102,11 @@ run() { # EXAMPLE
       say "refused: $line"
       timeout 20 bash -c "$line" >"$work/log" 2>&1 && failed "$line ended with 0"
       grep -q '^error: there is no fault to re-arm from' "$work/log" || failed "$line"
+      return ;;
+    "telepalp-station hand-over"*)
+      say "refused: $line"
+      timeout 20 bash -c "$line" >"$work/log" 2>&1 && failed "$line ended with 0"
+      grep -q '^error: without keys nobody holds the touch' "$work/log" || failed "$line"
       return ;;
     "telepalp-replay diff"*)
       say "differs: $line"

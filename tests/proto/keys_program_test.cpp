@@ -46,7 +46,7 @@ TEST_F(KeysProgram, MakesAnAuthorityKeysAndTokensThatTheirOwnerAloneMayRead) {
   for (const char* secret : {"authority.key", "server.key", "anna.key", "vera.token"})
     EXPECT_EQ(mode_of(secret), 0600U) << secret;
   EXPECT_EQ(mode_of(""), 0700U);
-  EXPECT_NE(text_of(folder / "anna.key").find("It allows: watch, touch, record"), std::string::npos);
+  EXPECT_NE(text_of(folder / "anna.key").find("It allows: watch, touch, hand over, record"), std::string::npos);
 }
 
 TEST_F(KeysProgram, InTheWrongOrderOrTwiceSaysWhatToDo) {

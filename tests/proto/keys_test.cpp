@@ -34,10 +34,10 @@ TEST(Roles, TheWholeTableOfRolesAndOperationsIsAsAgreed) {
   for (const Role role : kRoles) table << name(role) << ": " << permissions(role) << "\n";
   EXPECT_EQ(table.str(),
             "technician: watch, record, metrics\n"
-            "doctor: watch, touch, record\n"
+            "doctor: watch, touch, hand over, record\n"
             "viewer: watch\n"
             "qa: watch, record, metrics\n"
-            "local: watch, touch, record, metrics\n");
+            "local: watch, touch, hand over, record, metrics\n");
 }
 
 TEST(Roles, WhatIsNotInTheTableIsDenied) {
@@ -54,7 +54,7 @@ TEST(KeyFiles, SayWhoseTheyAreAndWhatTheyAllow) {
   ASSERT_TRUE(anna.ok());
   EXPECT_EQ(anna->kind, KeyFile::Kind::Client);
   EXPECT_EQ(describe(anna->identity), "doctor anna");
-  EXPECT_NE(in_words(*anna).find("watch, touch, record"), std::string::npos) << in_words(*anna);
+  EXPECT_NE(in_words(*anna).find("watch, touch, hand over, record"), std::string::npos) << in_words(*anna);
   const Result<KeyFile> server =
       read_key(*by.server_key({.name = "s", .now = kNow}, {"10.0.0.5", "patient.example", "fd00::5"}), "server.key");
   ASSERT_TRUE(server.ok());

@@ -75,6 +75,7 @@ struct KeyedSite : Site {
 struct KeyedClient {
   std::vector<wire::Message> messages;
   std::vector<std::string> details;
+  std::vector<std::string> hand_over_answers;  ///< "done: ..." or "refused: ..."
   wire::ClientLink link;
 
   KeyedClient(Site& site, std::shared_ptr<const keys::KeyFile> key, std::string role = "viewer",
@@ -88,7 +89,11 @@ struct KeyedClient {
               .subscribes = {"*"},
               .publishes = std::move(publishes)},
              {.on_message = [this](const wire::Message& message) { messages.push_back(message); },
-              .on_state = [this](wire::LinkState, const std::string& detail) { details.push_back(detail); }}) {
+              .on_state = [this](wire::LinkState, const std::string& detail) { details.push_back(detail); },
+              .on_hand_over =
+                  [this](bool done, const std::string& outcome) {
+                    hand_over_answers.push_back((done ? "done: " : "refused: ") + outcome);
+                  }}) {
     link.start();
   }
   [[nodiscard]] bool connected() const { return link.state() == wire::LinkState::Connected; }

@@ -108,6 +108,33 @@ TEST(HandHolder, AHandIsHeldThroughAnySilenceUntilItsViewerLetsGo) {
   EXPECT_FALSE(holder.moves(1, began + 2h + 2ms));
 }
 
+TEST(HandHolder, TheHolderHandsOverToAViewerThatAsksAndToNobodyElse) {
+  gateway::HandHolder holder;
+  const SessionTime began = session_time(1'000);
+  EXPECT_TRUE(holder.moves(1, began));
+  EXPECT_FALSE(holder.hand_over(1, 2, began)) << "viewer 2 does not ask";
+  EXPECT_FALSE(holder.moves(2, began + 1s));
+  EXPECT_FALSE(holder.moves(3, began + 1s));
+  EXPECT_FALSE(holder.hand_over(3, 2, began + 1s)) << "viewer 3 holds nothing";
+  EXPECT_FALSE(holder.hand_over(1, 2, began + 5s)) << "the request is 4 s old";
+  EXPECT_FALSE(holder.moves(2, began + 5s));
+  EXPECT_TRUE(holder.hand_over(1, 2, began + 6s));
+  EXPECT_FALSE(holder.moves(3, began + 6s)) << "nobody takes the hand in between";
+  EXPECT_EQ(holder.news(began + 6s)->viewer(), 2u);
+  EXPECT_TRUE(holder.moves(2, began + 6s));
+  EXPECT_FALSE(holder.moves(1, began + 6s));
+}
+
+TEST(ViewerCommands, HandingOverNamesAViewer) {
+  const gateway::ViewerCommands viewer = voice();
+  msg::ViewerHand hand;
+  hand.set_hand_over_to(7);
+  EXPECT_EQ(viewer.hands_over_to(data(hand.SerializeAsString())), 7u);
+  EXPECT_FALSE(viewer.hands_over_to(data(hand.SerializeAsString(), std::string("\x01\x06\0\0\0", 5))));
+  EXPECT_FALSE(viewer.hands_over_to(data(hand_at(0, 0, 1))));
+  EXPECT_FALSE(viewer.hands_over_to(data(std::string(1000, '\xff'))));
+}
+
 TEST(HandHolder, ARequestIsPublishedOnceAndForgottenAfterThreeSeconds) {
   gateway::HandHolder holder;
   const SessionTime began = session_time(1'000);

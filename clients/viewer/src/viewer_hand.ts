@@ -1,6 +1,6 @@
 import type {Vector3} from 'three';
 
-import type {HandHolder, LetGo, ViewerHand} from './link/messages';
+import type {HandHolder, HandOver, LetGo, ViewerHand} from './link/messages';
 import {toCamera} from './scene/frames';
 import type {SceneView} from './scene/scene_view';
 
@@ -16,23 +16,23 @@ const LONGEST_STEP_S = 0.05;  // after a longer pause of the browser the hand do
 class HolderNotice {
   private readonly box = document.createElement('div');
   private readonly text = document.createElement('span');
-  private readonly letGo = document.createElement('button');
+  private readonly handOver = document.createElement('button');
 
-  constructor(giveUp: () => void) {
+  constructor(handOver: () => void) {
     this.box.className = 'hand-notice';
     this.box.hidden = true;
     this.box.setAttribute('role', 'status');
-    this.letGo.type = 'button';
-    this.letGo.textContent = 'Let go';
-    this.letGo.addEventListener('click', giveUp);
-    this.box.append(this.text, this.letGo);
+    this.handOver.type = 'button';
+    this.handOver.textContent = 'Hand over';
+    this.handOver.addEventListener('click', handOver);
+    this.box.append(this.text, this.handOver);
     document.body.append(this.box);
   }
 
-  show(text: string, offersToLetGo: boolean): void {
+  show(text: string, offersToHandOver: boolean): void {
     this.box.hidden = text === '';
     this.text.textContent = text;
-    this.letGo.hidden = !offersToLetGo;
+    this.handOver.hidden = !offersToHandOver;
   }
 }
 
@@ -40,7 +40,8 @@ class HolderNotice {
  * A hand that follows the pointer. It hovers over the skin, and it presses slowly in while the first button or a finger
  * is down. Its position is sent about 100 times a second. When the pointer leaves the picture or the browser is busy,
  * nothing is sent: the station releases, but this viewer still holds the hand. The button, a hidden page or the end of
- * the connection gives up the hand; until then, other viewers can only ask for it.
+ * the connection gives up the hand, and *Hand over* passes it to a viewer that asks; until then, other viewers can only
+ * ask for it.
  */
 export class ViewerHandInput {
   private pointer: {x: number; y: number; pressed: boolean} | undefined;
@@ -51,12 +52,12 @@ export class ViewerHandInput {
   private stepped_ms = 0;
   private holder: HandHolder = {viewer: 0n, asking: []};
   private mine = false;  // true: this viewer holds the hand
-  private readonly notice = new HolderNotice(() => document.getElementById('hold-hand')?.click());
+  private readonly notice = new HolderNotice(() => this.handOver());
 
   constructor(
       private readonly view: SceneView,
       private readonly canvas: HTMLCanvasElement,
-      private readonly publish: (hand: ViewerHand | LetGo) => void,
+      private readonly publish: (hand: ViewerHand | LetGo | HandOver) => void,
   ) {
     for (const moved of ['pointermove', 'pointerdown', 'pointerup'] as const)
       canvas.addEventListener(moved, ({clientX, clientY, buttons}) => {
@@ -107,6 +108,14 @@ export class ViewerHandInput {
     this.mine = mine;
     this.holder = holder;
     this.showNotice();
+  }
+
+  /** Passes the hand to the viewer that asks, and stops moving it. */
+  private handOver(): void {
+    const [to] = this.holder.asking;
+    if (to === undefined) return;
+    this.publish({handOverTo: to});
+    document.getElementById('hold-hand')?.click();
   }
 
   private showNotice(): void {

@@ -188,7 +188,7 @@ Result<fs::path> find_control_socket() {
   std::string all;
   for (const fs::path& path : found) all += (all.empty() ? "" : ", ") + path.string();
   return Error{
-      .what = "several stations run here: " + all, .where = "telepalp-station rearm", .fix = "name one by --control"};
+      .what = "several stations run here: " + all, .where = control_folder().string(), .fix = "name one by --control"};
 }
 
 }  // namespace telepalp::station

@@ -76,7 +76,8 @@ std::string FaultMonitor::how_to_rearm() const {
 
 void FaultMonitor::on_command(const std::string& command, const ControlSocket::Reply& reply) {
   if (command == "rearm") return rearm(reply);
-  reply("'" + command + "' is not a command. fix: send rearm");
+  if (handlers_.other_command && handlers_.other_command(command, reply)) return;
+  reply("'" + command + "' is not a command. fix: send rearm, offer NAME, withdraw or accept");
 }
 
 void FaultMonitor::rearm(const ControlSocket::Reply& reply) {

@@ -21,6 +21,8 @@ class FaultMonitor {
   struct Handlers {
     std::function<SessionTime()> now;
     std::function<void()> rearm;  ///< asks the haptic thread to re-arm; its ticks then show the result
+    /// Takes the commands that are not about faults; false: it does not know the command.
+    std::function<bool(const std::string& command, const ControlSocket::Reply& reply)> other_command{};
   };
 
   /// `control`: path of the socket for operators' commands; empty: no socket. `state_folder`: folder for the files of

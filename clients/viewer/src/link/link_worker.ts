@@ -137,6 +137,7 @@ function news(): News {
     role: stream.role,
     light: lightMeter?.light,
     offset_ms: clock.offset_ms,
+    clockError_ms: clock.error_ms,
     waiting: timesOf(instants.waiting),
     overtaken: instants.overtaken,
     undecodable: stream.undecodable + decoder.undecodable,

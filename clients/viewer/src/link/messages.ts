@@ -174,6 +174,11 @@ export type LetGo = {
   letGo: true;
 };
 
+/** Passes the hand to a viewer that asks for it. */
+export type HandOver = {
+  handOverTo: bigint;
+};
+
 /** The viewer that holds the hand (0: none) and the viewers that ask for it. */
 export interface HandHolder {
   viewer: bigint;
@@ -182,7 +187,7 @@ export interface HandHolder {
 
 /** The topics that the viewer publishes: topic name -> fields of its messages. */
 export interface OwnTopics {
-  '/viewer/hand': ViewerHand | LetGo;
+  '/viewer/hand': ViewerHand | LetGo | HandOver;
 }
 
 /** Topic name -> fields of its messages. */

@@ -34,8 +34,17 @@ export class SessionClock {
 
   /** Session time minus now_ms(); undefined while the server's clock is not known. */
   get offset_ms(): number | undefined {
+    return this.best?.offset_ms;
+  }
+
+  /** Bound on the error of offset_ms, and so of each age; undefined while the server's clock is not known. */
+  get error_ms(): number | undefined {
+    return this.best && this.best.roundTrip_ms / 2;
+  }
+
+  private get best(): Probe | undefined {
     return this.probes.reduce<Probe | undefined>(
-        (least, probe) => (least && least.roundTrip_ms <= probe.roundTrip_ms ? least : probe), undefined)?.offset_ms;
+        (least, probe) => (least && least.roundTrip_ms <= probe.roundTrip_ms ? least : probe), undefined);
   }
 
   private async probe(): Promise<void> {

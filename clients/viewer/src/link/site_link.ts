@@ -1,5 +1,5 @@
 import type {Instant} from '../present/instant';
-import type {LetGo, ViewerHand} from './messages';
+import type {HandOver, LetGo, ViewerHand} from './messages';
 import type {Extra, FromWorker, News, ToWorker} from './worker_messages';
 
 /** The page's interface to the link worker. Each request gets one answer, and it is not repeated before the answer. */
@@ -23,7 +23,7 @@ export class SiteLink {
     this.say({ask: what});
   }
 
-  publishHand(hand: ViewerHand | LetGo): void {
+  publishHand(hand: ViewerHand | LetGo | HandOver): void {
     this.say({hand});
   }
 

@@ -5,7 +5,7 @@ import type {DepthFidelity} from '../depth/depth_fidelity';
 import type {FrameTimes} from '../present/time_account';
 import type {Instant, Light} from '../present/instant';
 import type {
-  CaptureStatus, HandHolder, LetGo, Phase, ServerStats, StationEvent, SurfaceReport, Topics, ViewerHand,
+  CaptureStatus, HandHolder, HandOver, LetGo, Phase, ServerStats, StationEvent, SurfaceReport, Topics, ViewerHand,
 } from './messages';
 
 /** The present state of the link and the patient's site. Times are on the clock of now_ms(). */
@@ -14,6 +14,7 @@ export interface News {
   everConnected: boolean;
   retryAt_ms: number | undefined;
   offset_ms: number | undefined;  // of the session clock
+  clockError_ms: number | undefined;  // bound on the error of offset_ms
   link_ms: number | undefined;    // from the server's sending to this computer, smoothed
   heard: {published_ms: number; received_ms: number} | undefined;
   waiting: FrameTimes | undefined;
@@ -43,5 +44,5 @@ export interface Extra {
   light: boolean;
 }
 
-export type ToWorker = {ask: 'instant' | 'news'} | {hand: ViewerHand | LetGo} | {extra: Extra};
+export type ToWorker = {ask: 'instant' | 'news'} | {hand: ViewerHand | LetGo | HandOver} | {extra: Extra};
 export type FromWorker = {instant: Instant} | {news: News};

@@ -1,0 +1,95 @@
+#include "haptic_station/station/commands/hand_over.h"
+
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include "support/program/log.h"
+#include "support/program/options.h"
+#include "support/program/patience.h"
+
+namespace telepalp::station {
+namespace {
+
+constexpr std::string_view kOffer = "offer ";
+constexpr std::string_view kDone = "done: ";
+constexpr std::size_t kLongestName = 128;
+
+void say(const std::string& text) { program::log("telepalp-station", text); }
+
+program::Usage usage() {
+  return {
+      .program = "telepalp-station hand-over",
+      .purpose = "hands the touch over to another doctor, or accepts it; the holder's force ends when it is accepted",
+      .positional = "",
+      .options = {{"to", "NAME", "offer the touch for 60 s to the doctor whose key has this name"},
+                  {"withdraw", "", "withdraw the offer"},
+                  {"accept", "", "accept the touch that is offered to you, now or later"},
+                  {"control", "PATH", "the station's control socket; default: that of the only station"},
+                  program::patience_option("how long to wait for its answer; 0: for ever", "3")},
+      .example = "telepalp-station hand-over --to bert"};
+}
+
+Result<std::string> command_of(const program::Arguments& arguments) {
+  const int asked = int{arguments.has("to")} + int{arguments.has("withdraw")} + int{arguments.has("accept")};
+  if (asked != 1)
+    return Error{.what = "not one of --to, --withdraw and --accept is given",
+                 .where = "telepalp-station hand-over",
+                 .fix = "give exactly one; telepalp-station hand-over --help"};
+  if (arguments.has("withdraw")) return std::string("withdraw");
+  if (arguments.has("accept")) return std::string("accept");
+  const std::string to = arguments.text("to");
+  if (to.empty() || to.size() > kLongestName || to.find_first_of("\n\r") != std::string::npos)
+    return Error{.what = "'" + to + "' is no name", .where = "--to", .fix = "give the name in the other doctor's key"};
+  return std::string(kOffer) + to;
+}
+
+}  // namespace
+
+bool HandOver::on_command(const std::string& command, const ControlSocket::Reply& reply) {
+  if (command == "accept") {
+    link_.accept_touch();
+    const bool holds = link_.state() == wire::LinkState::Connected;
+    reply(holds ? "this station is connected already" : std::string(kDone) + "the touch is taken when it is offered");
+    return true;
+  }
+  if (command == "withdraw") {
+    ask("", reply);
+    return true;
+  }
+  if (!command.starts_with(kOffer)) return false;
+  ask(command.substr(kOffer.size()), reply);
+  return true;
+}
+
+void HandOver::ask(const std::string& to, const ControlSocket::Reply& reply) {
+  if (waiting_) return reply("another command waits for the server's answer. fix: try again");
+  if (!link_.hand_over(to)) return reply("this station is not connected. fix: wait until it says 'link connected'");
+  waiting_ = reply;
+}
+
+void HandOver::on_answer(bool done, const std::string& outcome) {
+  say(outcome);
+  if (const auto reply = std::exchange(waiting_, std::nullopt)) (*reply)((done ? std::string(kDone) : "") + outcome);
+}
+
+int hand_over_command(int argc, const char* const* argv) {
+  const auto read = program::read_arguments(usage(), argc, argv);
+  if (!read) return program::fail(read.error(), program::kAskedWrongly);
+  if (!*read) return program::kDone;
+  const Result<std::string> command = command_of(**read);
+  if (!command) return program::fail(command.error(), program::kAskedWrongly);
+  const Result<program::Patience> patience = program::patience_of(**read);
+  if (!patience) return program::fail(patience.error(), program::kAskedWrongly);
+  const Result<std::filesystem::path> path =
+      (*read)->has("control") ? Result<std::filesystem::path>((*read)->text("control")) : find_control_socket();
+  if (!path) return program::fail(path.error());
+  const Result<std::string> answer = ask_station(*path, *command, patience->value_or(program::kForEver));
+  if (!answer) return program::fail(answer.error());
+  const bool done = answer->starts_with(kDone);
+  const std::string text = program::escaped(done ? answer->substr(kDone.size()) : *answer);
+  std::fprintf(done ? stdout : stderr, "%s%s\n", done ? "" : "error: ", text.c_str());
+  return done ? program::kDone : program::kFailed;
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,94 @@
+#include "server/hub/peer_touch.h"
+
+#include <utility>
+
+#include "server/access/audit_text.h"
+
+namespace telepalp::hub {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kShortestBetweenOffers = 500ms;  // so that offers do not fill the audit log
+
+msg::HandOver answer(const std::string& to, bool done, std::string outcome) {
+  msg::HandOver answer;
+  answer.set_to(to);
+  answer.set_done(done);
+  answer.set_outcome(std::move(outcome));
+  return answer;
+}
+
+}  // namespace
+
+PeerTouch::Taken PeerTouch::take(const keys::Identity& who, bool accepts) {
+  if (!access_.has_keys()) return {.may_touch = true, .from = std::nullopt};
+  access::TouchLease& lease = access_.touch();
+  const std::optional<std::string> before = lease.holder(Clock::now());
+  std::optional<std::uint64_t> from;
+  holds_ = lease.take(peer_, who.serial, who.name, Clock::now());
+  if (!holds_ && accepts) {
+    from = lease.accept(peer_, who.serial, who.name, Clock::now());
+    holds_ = from.has_value();
+  }
+  if (holds_) note(access::AuditEvent::TookTouch, from ? " by=hand-over from=" + access::audit_text(*before) : "");
+  return {.may_touch = holds_, .from = from};
+}
+
+bool PeerTouch::renew() {
+  if (!holds_) return true;
+  holds_ = access_.touch().renew(peer_, Clock::now());
+  if (!holds_) note(access::AuditEvent::GaveTouch, " why=" + access::audit_text("silent for 10 s"));
+  return holds_;
+}
+
+std::string PeerTouch::lose_to(const keys::Identity& who) {
+  if (std::exchange(holds_, false)) note(access::AuditEvent::GaveTouch, " to=" + access::audit_text(describe(who)));
+  return "the touch is handed over to " + describe(who) + ", who has accepted it";
+}
+
+void PeerTouch::leave(bool on_purpose) {
+  if (std::exchange(holds_, false)) note(access::AuditEvent::GaveTouch);
+  access_.touch().leave(peer_, on_purpose, Clock::now());
+}
+
+msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to) {
+  const auto refuse = [&](const std::string& why) { return answer(to, false, why); };
+  if (!access_.has_keys())
+    return refuse("without keys nobody holds the touch. fix: stop this station and start the other one");
+  if (const Result<void> may = access_.may(who, keys::Operation::HandOver); !may) {
+    note(access::AuditEvent::Refused, " why=" + access::audit_text(may.error().what));
+    return refuse(to_string(may.error()));
+  }
+  if (to == who.name) return refuse("this is your own name. fix: name the other doctor, as in that doctor's key");
+  const Clock::time_point now = Clock::now();
+  if (offered_at_ && now - *offered_at_ < kShortestBetweenOffers)
+    return refuse("the last offer was made just now. fix: wait a second");
+  if (!access_.touch().offer(peer_, to, now))
+    return refuse("this station does not hold the touch. fix: " +
+                  std::string(holds_ ? "start it again" : "wait until it does"));
+  offered_at_ = now;
+  return answer(to, true, offered(to));
+}
+
+std::string PeerTouch::offered(const std::string& to) {
+  note(access::AuditEvent::OfferedTouch, to.empty() ? " to=nobody" : " to=" + access::audit_text(to));
+  if (to.empty()) return "the offer is withdrawn: you keep the touch";
+  return "offered to doctor " + to + " for " + std::to_string(access::TouchLease::kOffer.count()) +
+         " s: you keep the touch until it is accepted";
+}
+
+std::string PeerTouch::is_held(const keys::Identity& who) const {
+  const access::TouchLease& lease = access_.touch();
+  const std::string holder = lease.holder(Clock::now()).value_or("?");
+  if (lease.offered_to(Clock::now()) == who.name)
+    return "doctor " + holder + " offers you the touch. fix: accept it: telepalp-station hand-over --accept";
+  return "doctor " + holder +
+         " holds the touch. fix: wait: it is yours when that station ends, or is silent for 10 s; "
+         "or let that doctor offer it: telepalp-station hand-over --to " +
+         who.name;
+}
+
+void PeerTouch::note(access::AuditEvent event, const std::string& more) { access_.note(event, in_audit_() + more); }
+
+}  // namespace telepalp::hub

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "messages/control.pb.h"
+#include "server/access/access.h"
+
+namespace telepalp::hub {
+
+/// The touch for one peer: it takes, keeps, offers and loses the touch, and the audit log gets each. Without keys,
+/// every peer may touch and none holds the touch, because only programs of this machine can connect. Owner: the network
+/// thread.
+class PeerTouch {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `peer`: its number. `in_audit`: the fields of the audit log that name the peer.
+  PeerTouch(access::Access& access, std::uint64_t peer, std::function<std::string()> in_audit)
+      : access_(access), peer_(peer), in_audit_(std::move(in_audit)) {}
+
+  [[nodiscard]] bool holds() const noexcept { return holds_; }
+
+  struct Taken {
+    bool may_touch = false;
+    std::optional<std::uint64_t> from;  ///< the peer that lost the touch by handing it over
+  };
+  /// Asks for the touch for `who`. `accepts`: the peer takes it from a holder that offers it to `who`.
+  [[nodiscard]] Taken take(const keys::Identity& who, bool accepts);
+  /// The peer has published. Returns false if it has lost the touch meanwhile.
+  [[nodiscard]] bool renew();
+  /// The peer has accepted the touch; this one loses it. Returns the reason for its Goodbye.
+  std::string lose_to(const keys::Identity& who);
+  void leave(bool on_purpose);
+
+  /// Answers the peer's request to offer the touch, or to withdraw its offer.
+  [[nodiscard]] msg::HandOver offer(const keys::Identity& who, const std::string& to);
+
+  /// Says who holds the touch and what `who`, who may not take it now, can do.
+  [[nodiscard]] std::string is_held(const keys::Identity& who) const;
+
+ private:
+  [[nodiscard]] std::string offered(const std::string& to);
+  void note(access::AuditEvent event, const std::string& more = {});
+
+  access::Access& access_;
+  std::uint64_t peer_;
+  std::function<std::string()> in_audit_;
+  bool holds_ = false;
+  std::optional<Clock::time_point> offered_at_;
+};
+
+}  // namespace telepalp::hub
