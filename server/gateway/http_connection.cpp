@@ -118,7 +118,9 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     if (!subprotocol)
       return write(refuse(request, http::status::bad_request, "offer the subprotocol foxglove.websocket.v1"));
     if (!visit_->may(keys::Operation::Watch))
-      return write(refuse(request, http::status::unauthorized, "sign in first, at https://" + std::string(host) + "/"));
+      return write(refuse(request, http::status::unauthorized,
+                          "sign in first, at https://" + std::string(host) + "/, or open wss://" + std::string(host) +
+                              "/?token=TOKEN"));
     stream_.tcp().expires_never();
     start_viewer_connection(std::move(stream_), request, {*subprotocol, peer_, visit_->visitor()}, context());
   }

@@ -31,5 +31,7 @@ inline constexpr std::string_view kSignOutTarget = "/sign-out";
 [[nodiscard]] std::string_view our_cookie(std::string_view cookies) noexcept;
 /// The token of an Authorization header `Bearer TOKEN`; empty: the header has no token.
 [[nodiscard]] std::string_view bearer_token(std::string_view authorization) noexcept;
+/// The token of a request's target `/?token=TOKEN`; empty: the target has no token.
+[[nodiscard]] std::string_view token_in_target(std::string_view target) noexcept;
 
 }  // namespace telepalp::gateway

@@ -1,5 +1,6 @@
 #include "server/gateway/visit.h"
 
+#include <boost/beast/websocket/rfc6455.hpp>
 #include <utility>
 
 #include "server/access/audit_text.h"
@@ -16,6 +17,15 @@ std::string_view view(boost::beast::string_view text) { return {text.data(), tex
 
 auto steady_now() { return std::chrono::steady_clock::now(); }
 
+/// A browser's page cannot add a header to a WebSocket, and our cookie stays with our pages. So a page of an allowed
+/// origin names the token in the stream's address. Other addresses carry no token: they stay in histories and
+/// bookmarks.
+std::string_view token_of(const HttpRequest& request) {
+  const std::string_view token = bearer_token(view(request[http::field::authorization]));
+  const bool is_stream = boost::beast::websocket::is_upgrade(request);
+  return token.empty() && is_stream ? token_in_target(view(request.target())) : token;
+}
+
 /// A page of another origin must not sign anybody in or out.
 bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
   const std::string_view host = view(request[http::field::host]);
@@ -27,7 +37,7 @@ bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
 Visit::Visit(GatewayContext& context, const HttpRequest& request, std::string address)
     : context_(context), address_(std::move(address)) {
   access::Access& access = *context_.options.access;
-  const std::string_view token = bearer_token(view(request[http::field::authorization]));
+  const std::string_view token = token_of(request);
   const std::string cookie(our_cookie(view(request[http::field::cookie])));
   if (!access.has_keys()) {
     const Result<keys::Identity> local = access.who(false, std::nullopt, "", address_);

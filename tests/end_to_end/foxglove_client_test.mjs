@@ -1,7 +1,9 @@
 // The real server, heard by Foxglove's own client: node foxglove_client_test.mjs SERVER VIEWER_DIR
 import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
+import {dirname, join} from 'node:path';
 import test from 'node:test';
 
 import {until, Workplace} from './running_program.mjs';
@@ -20,9 +22,11 @@ function typeOf({schema, schemaName}) {
 }
 
 function connect(port, origin) {
-  const client = new FoxgloveClient({
-    ws: new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL], {origin}),
-  });
+  return listen(new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL], {origin}));
+}
+
+function listen(ws) {
+  const client = new FoxgloveClient({ws});
   const heard = {channels: [], messages: [], info: undefined, problems: []};
   client.on('serverInfo', (info) => (heard.info = info));
   client.on('advertise', (channels) => heard.channels.push(...channels));
@@ -214,6 +218,39 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
     await until('nothing is made any more', () => !viewsAtWork(stats.newest['/server/stats']));
     assert.deepEqual(page.heard.problems, []);
     assert.equal(child.exitCode, null, child.heard);
+    page.client.close();
+  } finally {
+    await workplace.end();
+  }
+});
+
+test('at a server with keys, Foxglove\'s client comes over TLS from an allowed origin, with its token in the address', async () => {
+  const workplace = new Workplace('foxglove_keys');
+  try {
+    const dir = join(workplace.folder, 'keys');
+    const keys = (...words) => execFileSync(join(dirname(server), 'telepalp-keys'), [...words, '--dir', dir]);
+    keys('authority');
+    keys('server', '--host', '127.0.0.1');
+    keys('token', '--name', 'vera', '--role', 'viewer');
+    const token = /^token: (.*)$/m.exec(readFileSync(join(dir, 'vera.token'), 'utf8'))[1];
+    const origin = 'https://studio.example';
+    const {http_port} = await workplace.server(server,
+      ['--source', 'synthetic', '--viewer', viewer, '--key', join(dir, 'server.key'), '--allow-origin', origin]);
+    const ca = readFileSync(join(dir, 'authority.crt'));
+    const open = (query) => new WebSocket(`wss://127.0.0.1:${http_port}/${query}`,
+      [FoxgloveClient.SUPPORTED_SUBPROTOCOL], {origin, ca});
+    const status = (socket) => new Promise((resolve) => {
+      socket.once('unexpected-response', (_, {statusCode}) => resolve(statusCode));
+      socket.on('error', () => undefined);
+    });
+    assert.equal(await status(open('')), 401);
+    assert.equal(await status(open('?token=tp1.guess.guess')), 401);
+    const page = listen(open(`?token=${token}`));
+    await until('the topics are advertised', () => page.heard.channels.length > 0);
+    const seen = follow(page, ['/camera/color', '/camera/points', '/camera/depth/image']);
+    await until('the patient is seen', () => (seen.count['/camera/points'] ?? 0) >= 3 && (seen.count['/camera/color'] ?? 0) >= 3);
+    assert.deepEqual([...seen.newest['/camera/color'].data.subarray(0, 2)], [0xff, 0xd8]);
+    assert.deepEqual(page.heard.problems, []);
     page.client.close();
   } finally {
     await workplace.end();

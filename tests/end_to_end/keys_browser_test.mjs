@@ -16,16 +16,22 @@ const folder = join(workplace.folder, 'keys');
 const keys = (...words) => execFileSync(join(bin, 'telepalp-keys'), [...words, '--dir', folder], {encoding: 'utf8'});
 const tokenOf = (name) => /^token: (.*)$/m.exec(readFileSync(join(folder, `${name}.token`), 'utf8'))[1];
 const audit = () => readFileSync(join(folder, 'audit.log'), 'utf8');
-let server, ca, origin;
+const studio = 'https://studio.example';
+let server, station, ca, origin;
 
 before(async () => {
   keys('authority');
   keys('server', '--host', '127.0.0.1');
+  keys('client', '--name', 'anna', '--role', 'doctor');
   for (const [name, role] of [['dora', 'doctor'], ['vera', 'viewer'], ['quinn', 'qa']]) keys('token', '--name', name, '--role', role);
   server = await workplace.server(join(bin, 'telepalp-server'),
-    ['--source', 'synthetic', '--viewer', viewer, '--key', join(folder, 'server.key')]);
+    ['--source', 'synthetic', '--viewer', viewer, '--key', join(folder, 'server.key'), '--allow-origin', studio]);
   ca = readFileSync(join(folder, 'authority.crt'));
   origin = `https://127.0.0.1:${server.http_port}`;
+  // A doctor feels the patient while all this happens; the last tests look whether she was disturbed.
+  station = workplace.start(join(bin, 'telepalp-station'), ['--connect', `127.0.0.1:${server.port}`, '--patience', '60',
+    '--key', join(folder, 'anna.key'), '--tracker', 'browser', '--control', join(workplace.folder, 'control'), '--state-dir', workplace.folder]);
+  await until('the station ticks', () => station.heard.includes('ticking at 2 kHz'));
 });
 after(() => workplace.end());
 
@@ -48,10 +54,10 @@ const signIn = (token, from = origin, query = '') =>
 const cookieOf = (reply) => reply.headers['set-cookie'][0].split(';')[0];
 
 /** Opens a WebSocket; resolves with its status and, if it is open, the socket. */
-function upgrade(headers, subprotocol = 'foxglove.websocket.v1') {
+function upgrade(headers, subprotocol = 'foxglove.websocket.v1', path = '/stream') {
   return new Promise((resolve, reject) => {
     const request = https.request({
-      host: '127.0.0.1', port: server.http_port, path: '/stream', ca, agent: false,
+      host: '127.0.0.1', port: server.http_port, path, ca, agent: false,
       headers: {connection: 'Upgrade', upgrade: 'websocket', 'sec-websocket-version': '13',
         'sec-websocket-key': randomBytes(16).toString('base64'),
         ...(subprotocol ? {'sec-websocket-protocol': subprotocol} : {}), ...headers},
@@ -105,6 +111,19 @@ test('a token signs in, by a cookie that scripts cannot read and other pages can
   assert.ok(!audit().includes(tokenOf('vera')) && !server.child.heard.includes(tokenOf('vera')), 'no token is logged');
 });
 
+test('a page of an allowed origin brings its token in the address of the stream, and in no other address', async () => {
+  const [token, subprotocol] = [tokenOf('vera'), 'foxglove.websocket.v1'];
+  const open = await upgrade({origin: studio}, subprotocol, `/?token=${token}`);
+  assert.equal(open.status, 101);
+  await until('the server greets', () => open.bytes.includes('serverInfo'));
+  open.socket.destroy();
+  assert.equal((await upgrade({origin: studio}, subprotocol, '/')).status, 401);
+  assert.equal((await upgrade({origin: studio}, subprotocol, `/?token=${token}x`)).status, 401);
+  assert.equal((await upgrade({origin: 'https://evil.example'}, subprotocol, `/?token=${token}`)).status, 403);
+  assert.equal((await ask(`/?token=${token}`)).status, 401, 'the address of a page stays in histories');
+  assert.ok(!audit().includes(token) && !server.child.heard.includes(token), 'no token is logged');
+});
+
 test('bad input 22: guessed tokens are refused, audited and slowed down', async () => {
   for (let i = 0; i < 8; i++) assert.equal((await signIn(`tp1.guess${i}.guess`)).status, 401);
   assert.match((await signIn('tp1.guess.guess')).text, /too many wrong tokens/);
@@ -133,6 +152,17 @@ test('bad input 24: after signing out the cookie opens nothing, and open streams
   assert.equal((await upgrade({origin, cookie})).status, 401);
   await until('the stream ends', () => open.closed, 5000);
   assert.match(audit(), /event=signed-out who=doctor dora/);
+});
+
+test('bad input 25: no name leads out of the viewer\'s folder', async () => {
+  const cookie = cookieOf(await signIn(tokenOf('vera')));
+  const secret = readFileSync(join(folder, 'server.key'), 'utf8').split('\n')[1];
+  for (const path of ['/../keys/server.key', '/..%2fkeys%2fserver.key', '/%2e%2e/%2e%2e/etc/passwd', '//etc/passwd',
+    '/viewer.js/../../../../../../etc/passwd', '/viewer.js%00.html', '/./viewer.js', '/' + 'a'.repeat(4000)]) {
+    const reply = await ask(path, {headers: {cookie}});
+    assert.ok(reply.status >= 400, `${path}: ${reply.status}`);
+    assert.ok(!reply.text.includes('root:') && !reply.text.includes(secret), path);
+  }
 });
 
 test('bad input 26: a foreign origin neither signs in nor opens the stream', async () => {
@@ -177,11 +207,42 @@ test('moving a played session is for technician and QA, and is refused where non
   assert.equal((await move('quinn')).status, 404, 'this server captures');
 });
 
-test('a token that is revoked ends its sessions', async () => {
+test('bad input 22 to 28: the doctor who feels the patient meanwhile is not disturbed, and the server stays small', async () => {
+  const published = async (topic) => {
+    const {text} = await ask('/metrics', {headers: {authorization: `Bearer ${tokenOf('quinn')}`}});
+    return Number(new RegExp(`^telepalp_published_messages_total\\{topic="${topic}"\\} (\\d+)$`, 'm').exec(text)?.[1]);
+  };
+  const before = {states: await published('/station/state'), surfaces: await published('/station/surface')};
+  await until('the station still publishes its state', async () => await published('/station/state') > before.states + 100);
+  await until('images still become touchable', async () => await published('/station/surface') > before.surfaces + 20);
+  assert.ok(!/link lost|fault:/.test(station.heard), station.heard);
+  const peak_kB = Number(/^VmHWM:\s+(\d+)/m.exec(readFileSync(`/proc/${server.child.pid}/status`, 'utf8'))[1]);
+  assert.ok(peak_kB < 200 * 1024, `${peak_kB} kB`);
+});
+
+/** A message of /viewer/hand on channel 1: `hand_camera` at 0.7 m before the camera. */
+function handMessage() {
+  const vector = Buffer.alloc(27);
+  for (const [at, value] of [[0, 0], [9, 0], [18, 0.7]]) {
+    vector[at] = 0x09 + 8 * (at / 9);  // fields 1 to 3, 64 bits each
+    vector.writeDoubleLE(value, at + 1);
+  }
+  return Buffer.concat([Buffer.from([1, 1, 0, 0, 0, 0x1a, vector.length]), vector]);
+}
+
+test('a token that is revoked while its doctor holds the hand ends the stream, and the hand is free', async () => {
   const cookie = cookieOf(await signIn(tokenOf('dora')));
   const open = await upgrade({origin, cookie});
+  open.socket.write(frame(1, Buffer.from(JSON.stringify({op: 'advertise', channels: [
+    {id: 1, topic: '/viewer/hand', encoding: 'protobuf', schemaName: 'telepalp.msg.ViewerHand'}]}))));
+  await until('the station follows the hand', () => {
+    open.socket.write(frame(2, handMessage()));
+    return station.heard.includes('its hand is followed');
+  });
+  assert.match(audit(), /event=took-touch who=doctor dora program=browser viewer=\d+/);
   keys('revoke', join(folder, 'dora.token'));
-  await until('the stream ends', () => open.closed, 5000);
+  await until('the stream ends', () => open.closed, 20_000);
+  assert.match(audit(), /event=gave-touch who=doctor dora program=browser viewer=\d+ why="the connection ended"/);
   assert.equal((await ask('/', {headers: {cookie}})).status, 401);
   assert.match((await signIn(tokenOf('dora'))).text, /is revoked/);
 });
