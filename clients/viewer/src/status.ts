@@ -27,6 +27,7 @@ export interface ViewerStatus {
   readonly pictureAge_ms: number | undefined;
   readonly linkAge_ms: number | undefined;
   readonly surfaceAge_ms: number | undefined;
+  readonly clockError_ms: number | undefined;
   readonly pictureInstant_ms: number | undefined;
   readonly numbersInstant_ms: number | undefined;
   readonly account: TimeAccount | undefined;
@@ -59,6 +60,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       pictureAge_ms: now.picture_ms,
       linkAge_ms: now.link_ms,
       surfaceAge_ms: now.surface_ms,
+      clockError_ms: now.clockError_ms,
       pictureInstant_ms: now.pictureInstant_ms,
       numbersInstant_ms: now.numbersInstant_ms,
       account: now.account,

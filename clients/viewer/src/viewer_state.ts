@@ -20,6 +20,7 @@ export interface Reading extends Health {
   limited: boolean;
   depth: DepthFidelity | undefined;
   link_ms: number | undefined;
+  clockError_ms: number | undefined;  // bound on the error of ages that compare two computers' clocks
   fps: number;
   frames: number;
   dropped: number;
@@ -104,6 +105,7 @@ export class ViewerState {
       account: account && this.worst.note(account, now_ms),
       apart_ms: station && picture && milliseconds(station.stampNs) - picture.captured_ms,
       link_ms: connected ? news?.link_ms : undefined,
+      clockError_ms: news?.clockError_ms,
       fps: this.drawnAt_ms.filter((at_ms) => at_ms > now_ms - 1000).length,
       frames: this.frames,
       dropped: (news?.dropped ?? 0) + (news?.overtaken ?? 0),

@@ -69,11 +69,11 @@ export class Readouts {
   }
 
   private showFreshness(reading: Reading): void {
+    const {account, clockError_ms} = reading;
     showAge('surface-age', reading.surface_ms);
-    const {account} = reading;
-    showAge('picture-age', account === undefined ? reading.picture_ms : total_ms(account));
+    showAge('picture-age', account === undefined ? reading.picture_ms : total_ms(account), clockError_ms);
     showAge('site-age', account?.site);
-    showAge('link-age', account?.network ?? reading.link_ms);
+    showAge('link-age', account?.network ?? reading.link_ms, clockError_ms);
     showAge('computer-age', account?.computer);
     setText('fps', reading.picture_ms === undefined ? '–' : `${reading.fps.toFixed(0)} /s`);
     setText('dropped', String(reading.dropped));
@@ -105,8 +105,10 @@ function setTitle(banner: Banner | undefined): void {
   if (document.title !== title) document.title = title;
 }
 
-function showAge(id: string, ms: number | undefined): void {
-  setText(id, milliseconds(ms));
+/** `error_ms`: bound on the error of an age that compares two computers' clocks. */
+function showAge(id: string, ms: number | undefined, error_ms?: number): void {
+  const within = ms === undefined || error_ms === undefined || ms >= 10_000 ? '' : `± ${Math.max(1, Math.ceil(error_ms))} `;
+  setText(id, milliseconds(ms).replace(/ms$/, `${within}ms`));
   element(id).dataset['old'] = String(ms !== undefined && ms > OLD_MS);
 }
 
