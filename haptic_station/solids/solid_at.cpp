@@ -160,7 +160,7 @@ SolidAt at_least_the_box(const TreeNode& node, const Vector3d& p, const SolidAt&
   if (!(squared_m2 > 0.0) || (at.m > 0.0 && at.m * at.m >= squared_m2)) return at;
   const double distance_m = std::sqrt(squared_m2);
   const Vector3d gap = p - p.cwiseMax(node.box.low).cwiseMin(node.box.high);
-  return {distance_m, gap / distance_m, at.part};
+  return {distance_m, gap / distance_m, kNothing};
 }
 
 SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {

@@ -81,7 +81,7 @@ RibCount count_ribs(const scenes::Scene& scene, std::uint64_t seed) {
   const auto uniform = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
   const double side = uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0;
   const double x = side * uniform(0.025, 0.045);
-  const double depth_m = 0.018 + 0.5 * x * x / 0.13 + uniform(0.0, 0.003);
+  const double depth_m = 0.0155 + 0.5 * x * x / 0.13 + uniform(0.0, 0.002);  // a third of a rib's width deep in it
   const double speed = uniform(0.02, 0.04);
   const Tremor tremor(random);
   std::normal_distribution<double> noise(0.0, kNoise_N);
@@ -95,7 +95,7 @@ RibCount count_ribs(const scenes::Scene& scene, std::uint64_t seed) {
   const int ticks = static_cast<int>(kWay_m / speed / kTick_s);
   for (int i = 0; i < ticks; ++i) {
     const double t = i * kTick_s;
-    const double pressed_m = depth_m * std::min(1.0, t / 0.5);
+    const double pressed_m = depth_m * std::min({1.0, t / 0.5, (ticks - i) * kTick_s / 0.5});
     path.emplace_back(x + tremor.at_m(t, 0), -pressed_m + tremor.at_m(t, 1),
                       -0.5 * kWay_m + speed * t + tremor.at_m(t, 2));
     effects::EffectInput in = under_skin(path.back());
@@ -124,7 +124,7 @@ bool finds_mass(const Mass& mass, std::uint64_t seed) {
   (void)bank.add(
       effects::Solid({.layer = std::make_shared<const effects::SolidLayer>(effects::SolidLayer{"mass", tree, {}}),
                       .stiffness_N_per_m = mass.stiffness_N_per_m}));
-  constexpr double kPress_N = 4.0;
+  constexpr double kPress_N = 8.0;
   std::normal_distribution<double> noise(0.0, kNoise_N);
   std::vector<std::pair<double, Vector3d>> reached;  // depth, place
   for (double x = -0.045; x <= 0.0451; x += 0.015)

@@ -23,7 +23,7 @@ struct Mass {
   double stiffness_N_per_m;
 };
 
-/// True when a script finds the mass, at a place that `seed` chooses, by pressing with 4 N on a grid of 15 mm over an
+/// True when a script finds the mass, at a place that `seed` chooses, by pressing with 8 N on a grid of 15 mm over an
 /// area of 90 mm, and names a place within 15 mm of it. The script knows only the depths that it reached.
 [[nodiscard]] bool finds_mass(const Mass& mass, std::uint64_t seed);
 
