@@ -24,6 +24,12 @@ constexpr double kLearnOver_s = 6.0;
 constexpr double kFirstShare_m2 = 0.09e-6;  // prior: until the variance exceeds (0.3 mm)², all shares are near 1
 constexpr double kJudgeOver_s = 10.0;
 constexpr double kGoodFaith = 1.5e-5;  // weight of the prior that both coefficients are 1 [m² s / s²]
+constexpr double kPaceOver_s = 10.0;
+constexpr double kPaceAhead_s = 0.1;  // an acceleration counts as the speed that it adds in this time
+constexpr double kUnusual = 4.0;      // ratio to the mean pace; a breath's largest pace is about twice its mean
+constexpr double kLeastUnusual_m_per_s = 0.02;  // a patient at rest does not breathe faster
+constexpr double kLately_s = 0.5;
+constexpr double kLateDoubt_m2 = 1e-4;  // prior of (10 mm)²: a shorter shift ends before its speed is used
 
 }  // namespace
 
@@ -31,9 +37,19 @@ SharedMotion::SharedMotion(std::size_t cells) : share_(cells, 1.0), moments_(cel
   for (std::size_t i = 0; i < judges_.size(); ++i) judges_[i].ahead_s = kForesightAges_s[i];
 }
 
-ForesightShare SharedMotion::right_share(int motion) const noexcept {
+ForesightShare SharedMotion::speed_share() const noexcept {
   ForesightShare share{};
-  for (std::size_t i = 0; i < judges_.size(); ++i) share[i] = judges_[i].right[motion];
+  for (std::size_t i = 0; i < judges_.size(); ++i) {
+    const Judge& one = judges_[i];
+    const double lately = std::max(0.0, one.lately_came_m2 / (one.lately_said_m2 + kLateDoubt_m2));
+    share[i] = usual_ * one.right[0] + (1.0 - usual_) * std::min(one.right[0], lately);
+  }
+  return share;
+}
+
+ForesightShare SharedMotion::acceleration_share() const noexcept {
+  ForesightShare share{};
+  for (std::size_t i = 0; i < judges_.size(); ++i) share[i] = usual_ * judges_[i].right[1];
   return share;
 }
 
@@ -107,9 +123,20 @@ void SharedMotion::correct(std::span<const SharedInnovation> seen, double dt_s) 
   shared_m_ += corrected_m_;
   speed_m_per_s_ += 1.5 * forgets * forgets * (1.0 + theta) * estimate.m / dt_s;
   acceleration_m_per_s2_ += forgets * forgets * forgets * estimate.m / (dt_s * dt_s);
+  judge_pace(dt_s);
   past_.push_back({now_s_, shared_m_, speed_m_per_s_, acceleration_m_per_s2_});
   while (past_.size() > 1 && now_s_ - past_[1].at_s >= kForesightAges_s.back()) past_.pop_front();
   for (Judge& one : judges_) judge(one, dt_s);
+}
+
+/// Compares the pace of the motion with its running mean. Each pace enters the mean with a bounded weight, so that one
+/// shift does not make the next one usual.
+void SharedMotion::judge_pace(double dt_s) noexcept {
+  const double pace = std::abs(speed_m_per_s_) + kPaceAhead_s * std::abs(acceleration_m_per_s2_);
+  const double unusual = std::max(kLeastUnusual_m_per_s, kUnusual * mean_pace_m_per_s_);
+  const double ratio2 = pace * pace / (unusual * unusual);
+  usual_ = 1.0 / (1.0 + ratio2 * ratio2);
+  mean_pace_m_per_s_ += std::min(1.0, dt_s / kPaceOver_s) * (std::min(pace, unusual) - mean_pace_m_per_s_);
 }
 
 /// Compares the motion of the last `one.ahead_s` with its prediction. A cough stops as suddenly as it begins, so its
@@ -118,6 +145,9 @@ void SharedMotion::judge(Judge& one, double dt_s) noexcept {
   const double keep = std::exp(-dt_s / kJudgeOver_s);
   one.normal *= keep;
   one.came *= keep;
+  const double keep_lately = std::exp(-dt_s / kLately_s);
+  one.lately_said_m2 *= keep_lately;
+  one.lately_came_m2 *= keep_lately;
   const auto then =
       std::find_if(past_.rbegin(), past_.rend(), [&](const Past& past) { return now_s_ - past.at_s >= one.ahead_s; });
   if (then != past_.rend() && now_s_ - then->at_s < 2.0 * one.ahead_s) {
@@ -125,8 +155,11 @@ void SharedMotion::judge(Judge& one, double dt_s) noexcept {
     const Eigen::Vector2d said{then->speed_m_per_s * std::sin(turned) / rad_per_s_,
                                then->acceleration_m_per_s2 * (1.0 - std::cos(turned)) / (rad_per_s_ * rad_per_s_)};
     const double per_m2 = dt_s / (one.ahead_s * one.ahead_s);
+    const double came_m = shared_m_ - then->shared_m;
     one.normal += per_m2 * said * said.transpose();
-    one.came += per_m2 * (shared_m_ - then->shared_m) * said;
+    one.came += per_m2 * came_m * said;
+    one.lately_said_m2 += said[0] * said[0];
+    one.lately_came_m2 += said[0] * came_m;
   }
   const Eigen::Matrix2d normal = one.normal + kGoodFaith * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d came = one.came + kGoodFaith * Eigen::Vector2d::Ones();

@@ -47,9 +47,11 @@ class SharedMotion {
   }  ///< the part of it that the filter adopted
   [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
   [[nodiscard]] double acceleration_m_per_s2() const noexcept { return acceleration_m_per_s2_; }
-  /// Weights of the predictions from speed and from acceleration, learned over the last ten seconds.
-  [[nodiscard]] ForesightShare speed_share() const noexcept { return right_share(0); }
-  [[nodiscard]] ForesightShare acceleration_share() const noexcept { return right_share(1); }
+  /// Weights of the predictions from speed and from acceleration, learned over the last ten seconds. A motion much
+  /// faster than usual, as when the patient shifts, may end at any time. The weight of its speed is then bounded by the
+  /// regression over the last half second, and the weight of its acceleration is 0.
+  [[nodiscard]] ForesightShare speed_share() const noexcept;
+  [[nodiscard]] ForesightShare acceleration_share() const noexcept;
 
  private:
   struct Moments {
@@ -68,6 +70,8 @@ class SharedMotion {
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
     Eigen::Vector2d came = Eigen::Vector2d::Zero();
     Eigen::Vector2d right = Eigen::Vector2d::Ones();  ///< the regression's coefficients, in [0, 1]
+    double lately_said_m2 = 0.0;  ///< moments of the same regression on speed alone, over the last half second
+    double lately_came_m2 = 0.0;
   };
   struct Estimate {
     double m = 0.0;
@@ -77,7 +81,7 @@ class SharedMotion {
 
   [[nodiscard]] double median_m(std::span<const SharedInnovation> seen);
   [[nodiscard]] Estimate estimate_of(std::span<const SharedInnovation> seen);
-  [[nodiscard]] ForesightShare right_share(int motion) const noexcept;
+  void judge_pace(double dt_s) noexcept;
   void judge(Judge& one, double dt_s) noexcept;
 
   std::vector<double> share_;
@@ -93,7 +97,9 @@ class SharedMotion {
   double acceleration_m_per_s2_ = 0.0;
   double innovation_m_ = 0.0;
   double corrected_m_ = 0.0;
-  double lean_m_ = 0.0;  ///< running mean of the innovations
+  double lean_m_ = 0.0;           ///< running mean of the innovations
+  double mean_pace_m_per_s_ = 0;  ///< running mean of the pace, see judge_pace()
+  double usual_ = 1.0;            ///< 1 while the body moves as fast as in the last seconds, 0 while much faster
   std::deque<Past> past_;
   std::array<Judge, kForesightAges_s.size()> judges_;
 };
