@@ -9,17 +9,19 @@
 
 namespace telepalp::solids {
 
-/// Reads the lattice of a mesh. `file`: as written; `unit_m`: metres for one unit of the file; `cell_m`: node spacing.
+/// Reads the distance lattice of a mesh. `file`: the file name as written in the text; `unit_m`: metres for one unit of
+/// the file; `cell_m`: node spacing.
 using MeshReader = std::function<Result<std::shared_ptr<const DistanceLattice>>(const std::string& file, double unit_m,
                                                                                 double cell_m)>;
-/// A reader that refuses each mesh, for text that names none.
+/// A reader that refuses each mesh, for text that contains no mesh.
 [[nodiscard]] Result<std::shared_ptr<const DistanceLattice>> no_meshes(const std::string& file, double, double);
 
 inline constexpr std::size_t kMostPolishBytes = std::size_t{4} << 20;
 
-/// Reads S2's direct Polish notation: an operator stands before its operands, words are separated by space or lines,
-/// and `#` begins a comment. `tr x y z S` moves a solid, `tx x y z deg ax ay az S` turns it about the axis through its
-/// origin and then moves it, `torusx R r` is a torus about the x axis, `+ A B` is the union of two solids (S2 III.A).
+/// Reads the Polish notation of paper S2 (docs/sources.md): an operator stands before its operands, words are separated
+/// by space or lines, and `#` begins a comment. `tr x y z S` moves a solid, `tx x y z deg ax ay az S` turns it about
+/// the axis through its origin and then moves it, `torusx R r` is a torus about the x axis, `+ A B` is the union of two
+/// solids (S2 III.A).
 /// docs/scenes.md lists all words. `tm` with twelve numbers, a 3 by 4 matrix row by row, is read as `tx` and `sc`; one
 /// that shears or mirrors is refused. Numbers have a decimal point in every locale.
 /// Error: an unknown word, a missing operand, a number out of its range, more than kMostNodes nodes or kMostNesting

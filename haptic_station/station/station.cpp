@@ -219,7 +219,9 @@ void Station::on_camera_info(const wire::Message& message) {
   if (!calibration.ParseFromString(*message.payload)) return;
   const std::optional<Intrinsics> intrinsics = wire::intrinsics_of(calibration);
   if (!intrinsics)
-    return say("/camera/info dropped: its intrinsics are not finite and positive. fix: camera.textproto");
+    return say(
+        "/camera/info dropped: its intrinsics are not finite and positive. fix: correct the intrinsics of the server's "
+        "camera (camera.textproto)");
   camera_ = intrinsics;
 }
 

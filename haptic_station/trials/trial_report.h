@@ -12,8 +12,8 @@ namespace telepalp::trials {
 /// The report as JSON: figures, phases and transitions of each trial.
 [[nodiscard]] std::string to_json(std::span<const TrialResult> results);
 
-/// The report as one HTML page with plots like S1 Fig. 5 to 8: position over time, coloured by phase, and force against
-/// indentation.
+/// The report as one HTML page with plots like Fig. 5 to 8 of paper S1 (docs/sources.md): position over time, coloured
+/// by phase, and force against indentation.
 [[nodiscard]] std::string to_html(std::span<const TrialResult> results);
 
 /// Writes report.json and report.html into `folder`, which is created if it does not exist.

@@ -29,7 +29,7 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
   });
   if (!done) return done;
   if (at != frames.size())
-    return Error{.what = "has " + std::to_string(at) + " frames, the first " + std::to_string(frames.size()),
+    return Error{.what = "has " + std::to_string(at) + " frames, the first input " + std::to_string(frames.size()),
                  .where = second.string(),
                  .fix = "give two inputs of one recording"};
   std::printf("%zu frames: max error %.3f mm, RMS %.3f mm, %zu pixels measured in one input only\n", at,

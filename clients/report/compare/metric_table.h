@@ -22,7 +22,8 @@ struct MetricPair {
 /// The figures of both sessions. Figures that neither run has are left out.
 [[nodiscard]] std::vector<MetricPair> metric_pairs(const Summary& a, const Summary& b);
 
-/// The metrics that telepalp-replay measured against the unimpaired run and the true skin, if it wrote both runs.
+/// The metrics of telepalp-replay, which compare each run with the same run over a network without delay and loss, and
+/// with the synthetic patient's exact skin. Empty unless telepalp-replay wrote both runs.
 [[nodiscard]] std::vector<MetricPair> replay_metric_pairs(const Run& a, const Run& b);
 
 }  // namespace telepalp::report

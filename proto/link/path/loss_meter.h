@@ -21,7 +21,8 @@ class LossMeter {
     if (sequence >= next_ + kSize) return skip_to(sequence, now);
     for (; next_ <= sequence; ++next_) seen_[next_ % kSize] = false;
     if (next_ - sequence <= kSize) seen_[sequence % kSize] = true;
-    if (now - mark_at_ >= kOvertaking) {  // all below the mark arrived or left long ago
+    // Each packet below the mark was sent before one that arrived at least kOvertaking ago.
+    if (now - mark_at_ >= kOvertaking) {
       overtaken_ = mark_;
       mark_ = next_;
       mark_at_ = now;

@@ -30,7 +30,8 @@ struct RestShape {
   /// right side.
   [[nodiscard]] Eigen::Vector2d body_coordinates_m(double u, double v) const noexcept;
 
-  /// Image motion in pixels, towards smaller u and v, per metre of body slide.
+  /// Pixels of image motion per metre that the body slides in body coordinates. A positive slide moves the image
+  /// towards smaller u and v.
   [[nodiscard]] Eigen::Vector2d pixels_per_m() const noexcept {
     return {camera.fx / view_depth_m, camera.fy / view_depth_m};
   }
