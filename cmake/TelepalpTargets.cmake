@@ -87,11 +87,12 @@ function(telepalp_program name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
-# telepalp_test(NAME [SERIAL] SOURCES a_test.cpp … LINKS targets … [NEEDS fixtures …]): one GoogleTest binary, one ctest
+# telepalp_test(NAME [SERIAL] [WHOLE] SOURCES a_test.cpp … LINKS targets … [NEEDS fixtures …]): one GoogleTest binary, one ctest
 # entry for each test. SERIAL: the test tells of time and has the machine to itself (`ctest -LE timed` leaves it out).
+# WHOLE: one ctest entry for the program, because its tests share what is expensive to start, such as running programs.
 # NEEDS: ctest fixtures, such as npm_install_tests.
 function(telepalp_test name)
-  cmake_parse_arguments(ARG "SERIAL" "" "SOURCES;LINKS;NEEDS" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL;WHOLE" "" "SOURCES;LINKS;NEEDS" ${ARGN})
   if(NOT ARG_SERIAL)
     set(ARG_SERIAL FALSE)
   endif()
@@ -104,6 +105,11 @@ function(telepalp_test name)
   endif()
   if(ARG_NEEDS)
     list(APPEND properties FIXTURES_REQUIRED ${ARG_NEEDS})
+  endif()
+  if(ARG_WHOLE)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES ${properties})
+    return()
   endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()

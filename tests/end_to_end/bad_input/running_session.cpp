@@ -3,6 +3,7 @@
 #include <atomic>
 #include <fstream>
 #include <mutex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -65,7 +66,7 @@ class RunningSession::Listener {
                .name = "listener",
                .role = "qa",
                .key = std::move(key),
-               .subscribes = {"/station/state", "/station/surface"}},
+               .subscribes = {"/station/state", "/station/surface", "/server/stats"}},
               {.on_message = [this](const wire::Message& message) { hear(message); }}) {
     link_.start();
     thread_ = std::thread([this] {
@@ -92,6 +93,18 @@ class RunningSession::Listener {
             .longest_without_surface_s = longest_gap_s(surfaces, from, now),
             .seconds = seconds_between(from, now)};
   }
+  [[nodiscard]] msg::ServerStats::Datagrams datagrams() {
+    const std::lock_guard guard(mutex_);
+    return datagrams_;
+  }
+  [[nodiscard]] std::size_t felt_twice_since(SteadyClock::time_point from) {
+    const std::lock_guard guard(mutex_);
+    std::set<std::uint64_t> images;
+    std::size_t twice = 0;
+    for (const auto& [at, captured_ns] : captured_)
+      if (at >= from && !images.insert(captured_ns).second) ++twice;
+    return twice;
+  }
   [[nodiscard]] bool hears_surfaces() {
     const std::lock_guard guard(mutex_);
     return surfaces_.size() > 30;
@@ -100,7 +113,15 @@ class RunningSession::Listener {
  private:
   void hear(const wire::Message& message) {
     const std::lock_guard guard(mutex_);
-    if (message.topic.name == wire::kStationSurface.name) surfaces_.push_back(SteadyClock::now());
+    if (message.topic.name == wire::kServerStats.name) {
+      msg::ServerStats stats;
+      if (stats.ParseFromString(*message.payload)) datagrams_ = stats.datagrams();
+    }
+    if (message.topic.name == wire::kStationSurface.name) {
+      surfaces_.push_back(SteadyClock::now());
+      msg::SurfaceReport surface;
+      if (surface.ParseFromString(*message.payload)) captured_.emplace_back(surfaces_.back(), surface.captured_ns());
+    }
     if (message.topic.name != wire::kStationState.name) return;
     states_.push_back(SteadyClock::now());
     msg::StationState state;
@@ -113,6 +134,8 @@ class RunningSession::Listener {
   std::mutex mutex_;
   std::vector<SteadyClock::time_point> states_;
   std::vector<SteadyClock::time_point> surfaces_;
+  std::vector<std::pair<SteadyClock::time_point, std::uint64_t>> captured_;  // of each surface
+  msg::ServerStats::Datagrams datagrams_;
   std::vector<SteadyClock::time_point> released_;
   std::vector<SteadyClock::time_point> faults_;
   wire::ClientLink link_;
@@ -120,7 +143,7 @@ class RunningSession::Listener {
   std::thread thread_;
 };
 
-RunningSession::RunningSession() {
+RunningSession::RunningSession(const std::function<std::uint16_t(std::uint16_t)>& way) {
   const std::filesystem::path key = ring_.server_key(ring_.now);
   server_.emplace(kPrograms / "telepalp-server",
                   std::vector<std::string>{"--source", "synthetic", "--port", "0", "--key", key.string(),
@@ -133,8 +156,9 @@ RunningSession::RunningSession() {
       "anna.key", ring_.authority.client_key(
                       {.name = "anna", .role = keys::Role::Doctor, .now = ring_.now, .valid = std::chrono::days(1)}));
   station_.emplace(kPrograms / "telepalp-station",
-                   std::vector<std::string>{"--connect", "127.0.0.1:" + *port, "--key", anna.string(), "--control",
-                                            file("control").string(), "--state-dir", file("state").string()},
+                   std::vector<std::string>{"--connect", "127.0.0.1:" + std::to_string(way ? way(port_) : port_),
+                                            "--key", anna.string(), "--control", file("control").string(),
+                                            "--state-dir", file("state").string()},
                    file("station.log"));
   listener_ = std::make_unique<Listener>(port_, ring_.key("quentin", keys::Role::Qa));
   for (int tenth = 0; tenth < 200 && !listener_->hears_surfaces(); ++tenth) std::this_thread::sleep_for(100ms);
@@ -142,6 +166,12 @@ RunningSession::RunningSession() {
 }
 
 RunningSession::~RunningSession() = default;
+
+msg::ServerStats::Datagrams RunningSession::datagrams() const { return listener_->datagrams(); }
+
+std::size_t RunningSession::surfaces_felt_twice_since(SteadyClock::time_point from) const {
+  return listener_->felt_twice_since(from);
+}
 
 Felt RunningSession::during(const std::function<void()>& attack) {
   const auto from = SteadyClock::now();

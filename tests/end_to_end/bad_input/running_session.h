@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "messages/station.pb.h"
 #include "tests/server/keyed_site.h"
 #include "tests/support/child_process.h"
 
@@ -37,7 +38,8 @@ struct Felt {
 /// of QA listens in this process.
 class RunningSession {
  public:
-  RunningSession();
+  /// The station connects to the port that `way` returns for the server's port; without `way`, to the server's.
+  explicit RunningSession(const std::function<std::uint16_t(std::uint16_t)>& way = {});
   ~RunningSession();
   RunningSession(const RunningSession&) = delete;
   RunningSession& operator=(const RunningSession&) = delete;
@@ -48,6 +50,11 @@ class RunningSession {
   [[nodiscard]] support::ChildProcess& station() { return *station_; }
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return ring_.folder.path() / name; }
   [[nodiscard]] std::string audit() const { return text_of(file("audit.log")); }
+
+  /// What the server counted of datagrams, in its newest statistics.
+  [[nodiscard]] msg::ServerStats::Datagrams datagrams() const;
+  /// Number of images that became touchable more than once.
+  [[nodiscard]] std::size_t surfaces_felt_twice_since(SteadyClock::time_point from) const;
 
   /// The station's messages during `attack`, which runs on this thread, and for a second after it.
   [[nodiscard]] Felt during(const std::function<void()>& attack);
@@ -61,6 +68,22 @@ class RunningSession {
   std::optional<support::ChildProcess> server_;
   std::optional<support::ChildProcess> station_;
   std::unique_ptr<Listener> listener_;
+};
+
+/// One T for all tests of a program: it is made when the first test asks for it, and ends after the last test.
+template <class T>
+class SharedByTests : public ::testing::Environment {
+ public:
+  static T& get() {
+    static auto* const self = new SharedByTests;  // owned by GoogleTest
+    static const auto* const registered = ::testing::AddGlobalTestEnvironment(self);
+    if (registered != nullptr && !self->made_) self->made_ = std::make_unique<T>();
+    return *self->made_;
+  }
+  void TearDown() override { made_.reset(); }
+
+ private:
+  std::unique_ptr<T> made_;
 };
 
 }  // namespace telepalp::bad_input
