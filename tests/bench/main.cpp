@@ -4,12 +4,8 @@
 #include "tests/bench/accuracy/accuracy_bench.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/control_bench.h"
-<<<<<<< HEAD
 #include "tests/bench/depth/depth_bench.h"
-=======
-#include "tests/bench/depth_bench.h"
 #include "tests/bench/effects/effects_bench.h"
->>>>>>> 42a4a21 (bench: measure solids, ribs, masses and the ultrasound image)
 #include "tests/bench/hand/hand_bench.h"
 #include "tests/bench/link/link_bench.h"
 #include "tests/bench/link/subscribers_bench.h"
