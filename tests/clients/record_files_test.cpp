@@ -192,7 +192,7 @@ TEST_F(Files, AnUnknownSchemaAndAnotherVersionOfOursAreNotesAndNoDamage) {
   const auto notes = notes_on(*facts);
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_EQ(notes[0], "/clock: recorded by another version of telepalp; fields may differ");
-  EXPECT_TRUE(notes[1].starts_with("/other: not a topic of telepalp")) << notes[1];
+  EXPECT_TRUE(notes[1].starts_with("/other: unknown topic, or another type")) << notes[1];
 }
 
 TEST_F(Files, TruncatedAtEveryHundredthByteRepairGivesBackAWholeFileOrSaysThatNothingIsLeft) {
