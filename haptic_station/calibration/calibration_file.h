@@ -12,8 +12,8 @@
 
 namespace telepalp::calibration {
 
-/// The message of one measured transform, for a calibration file. `date`: time of the measurement, stored as UTC to the
-/// second.
+/// Makes the calibration file's message of one measured transform. `date`: time of the measurement, stored as UTC to
+/// the second. `rank`: dimensions that the measured points span; 0: the method has no rank.
 [[nodiscard]] msg::MeasuredTransform measured(const Eigen::Isometry3d& to_from_from, const Residuals& residuals,
                                               const std::string& method, std::chrono::system_clock::time_point date,
                                               int rank = 0);

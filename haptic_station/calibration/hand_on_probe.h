@@ -17,9 +17,10 @@ struct HandOnProbe {
 
 struct ProbeCalibration {
   Eigen::Isometry3d haptic_from_tracker = Eigen::Isometry3d::Identity();
-  /// By pose: the distance in H between the hand as the device gives it and the hand as the tracker gives it.
+  /// One per pose: distance between the hand's position from the device (haptic_from_probe * probe_from_hand) and from
+  /// the tracker (haptic_from_tracker * tracker_from_hand), both in the haptic base's frame.
   Residuals residuals;
-  std::vector<double> angles_rad;  ///< by pose: the angle between these two hands
+  std::vector<double> angles_rad;  ///< one per pose: angle between these two attitudes
 };
 
 struct ProbeSettings {
@@ -28,9 +29,10 @@ struct ProbeSettings {
 };
 
 /// Finds the tracker's pose in the haptic base's frame from poses of a hand that lies on the probe in the known pose
-/// `probe_from_hand` (S2 II.C). The tracker may be worn on the head or fixed. One pose is enough; several are averaged:
-/// chordal mean of the rotations, mean of the hand's positions. Error: no pose, a number that is not finite, a matrix
-/// that is not a rotation (mirrored or scaled), or a pose whose residual or angle exceeds `settings`.
+/// `probe_from_hand` (paper S2, docs/sources.md, II.C). The tracker may be worn on the head or fixed. One pose is
+/// enough; several are averaged: chordal mean of the rotations, mean of the hand's positions. Error: no pose, a number
+/// that is not finite, a matrix that is not a rotation (mirrored or scaled), rotations whose mean is undefined, or a
+/// pose whose residual or angle exceeds `settings`.
 [[nodiscard]] Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> poses,
                                                                const Eigen::Isometry3d& probe_from_hand,
                                                                const ProbeSettings& settings = {});

@@ -22,13 +22,14 @@ struct OffsetCalibration {
 
 struct OffsetSettings {
   std::size_t least_touches = 10;
-  double most_moved_m = 0.005;  ///< largest distance of a touch from the mean; beyond it the hand was not at rest
+  double most_moved_m = 0.005;  ///< largest residual; beyond it the hand moved on the end-effector
 };
 
-/// S1 eq. (2) and (4): p_H = R (p_L - p0_L) + p0_H with R = diag(1, -1, -1), where p0_L and p0_H are the means over
-/// touches. Eq. (3) is the inverse of eq. (2) only if its symbol for the present position of the end-effector means
-/// p0_H; this code assumes so. The tracker's axes must be parallel to the device's as R states; touches at one place
-/// cannot detect a rotation. Error: too few touches, a number that is not finite or beyond 10 m, or a hand that moved.
+/// Paper S1 (docs/sources.md) eq. (2) and (4): p_H = R (p_L - p0_L) + p0_H with R = diag(1, -1, -1). H is the haptic
+/// base's frame, L the tracker's; p0_L and p0_H are the mean hand and end-effector positions over the touches. S1's eq.
+/// (3) is the inverse of eq. (2) only if its symbol for the present position of the end-effector means p0_H; this code
+/// assumes so. R must hold for the mounted tracker: touches at one place cannot detect another rotation. Error: too few
+/// touches, a number that is not finite or beyond 10 m, or a hand that moved on the end-effector.
 [[nodiscard]] Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches,
                                                          const OffsetSettings& settings = {});
 

@@ -20,14 +20,16 @@ struct PointPair {
 /// The method that estimates the rotation.
 enum class RotationBy {
   Covariance,   ///< SVD of the cross-covariance (Kabsch): the least-squares rotation
-  AffinePolar,  ///< S3 4.2, eq. (1): rotation of the polar decomposition of the least-squares affine map; needs rank 3
+  /// Paper S3 (docs/sources.md) 4.2, eq. (1): rotation of the polar decomposition of the least-squares affine map;
+  /// needs rank 3.
+  AffinePolar,
 };
 
 struct RegistrationSettings {
   RotationBy rotation_by = RotationBy::Covariance;
-  double least_spread_m = 0.005;     ///< standard deviation along a direction that counts for the rank
-  double least_spread_share = 0.02;  ///< least spread of such a direction / that of the widest
-  double largest_rms_share = 0.1;    ///< rms residual / widest spread above which the pairs do not match
+  double least_spread_m = 0.005;     ///< least standard deviation of the points along a direction that counts for the rank
+  double least_spread_share = 0.02;  ///< the same, as a share of the standard deviation along the widest direction
+  double largest_rms_share = 0.1;    ///< largest allowed rms residual / standard deviation along the widest direction
 };
 
 /// A rigid motion and how well it fits.
@@ -39,11 +41,10 @@ struct Registration {
 
 /// The rigid motion from `from` to `to` with the least sum of squared distances. Repeats are averaged first, so that
 /// each point has equal weight.
-/// Error: fewer than three points, a number that is not finite or beyond 10 m, points on a
-/// line (reported with their rank), mirrored sets, sets of different scale (metres against millimetres), or pairs that
-/// do not match.
-/// Source: S3 4.2 (centroids, least squares, nearest rotation). Unlike S3, the translation is computed
-/// after the rotation, because T as printed in S3 is correct only if the axes of both frames are parallel.
+/// Error: fewer than three points, a number that is not finite or beyond 10 m, points on a line (reported with their
+/// rank), mirrored sets, sets of different scale (metres against millimetres), or pairs that do not match.
+/// Source: paper S3 4.2 (centroids, least squares, nearest rotation). Unlike S3, the translation is computed after the
+/// rotation, because the translation T as printed in S3 is correct only if the axes of both frames are parallel.
 [[nodiscard]] Result<Registration> register_points(std::span<const PointPair> pairs,
                                                    const RegistrationSettings& settings = {});
 

@@ -20,11 +20,13 @@ struct Specimen {
   double diameter_m = 0.05;
   double height_m = 0.03;
 };
+/// Tissue under the examining hand.
 struct TissueUnderHand {
   double contact_diameter_m = 0.03;  ///< contact area of two or three fingertips
   double thickness_m = 0.06;
 };
 
+/// Scales a compression test to tissue under a hand, at equal stress and strain.
 [[nodiscard]] std::vector<CompressionSample> under_hand(std::span<const CompressionSample> test,
                                                         const Specimen& specimen, const TissueUnderHand& tissue);
 
@@ -35,7 +37,8 @@ struct TissueFit {
   std::size_t samples = 0;
 };
 
-/// Least-squares fit of the force k(d) d to the samples, with coefficients >= 0.
+/// Least-squares fit of the force k(d) d, with the stiffness k of SkinLaw at compression d, to the samples, with
+/// coefficients >= 0.
 /// Error: fewer than four samples, only zero loads, or a number that is not finite.
 [[nodiscard]] Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples);
 

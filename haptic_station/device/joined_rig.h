@@ -8,8 +8,8 @@
 
 namespace telepalp::device {
 
-/// Combines any device with any tracker. It hides no silence from the watchdog: the reading of a silent device grows
-/// old, and a silent tracker gives no samples.
+/// Combines any device with any tracker. The station's watchdog detects a silent part: the reading of a silent device
+/// grows old, and a silent tracker gives no samples.
 class JoinedRig final : public ports::Rig {
  public:
   JoinedRig(std::unique_ptr<ports::Device> device, std::unique_ptr<ports::Tracker> tracker) noexcept

@@ -4,7 +4,7 @@
 
 namespace telepalp::device {
 
-/// A simulated three-axis haptic device like S1's, with friction and gravity compensated.
+/// A simulated three-axis haptic device like that of paper S1 (docs/sources.md), with friction and gravity compensated.
 struct SimulatedDeviceSettings {
   double mass_kg = 0.3;
   double damping_N_s_per_m = 1.0;
@@ -22,7 +22,7 @@ struct SimulatedHandSettings {
   double pad_stiffness_N_per_m = 3000.0;  ///< stiffness of the fingertips against the end-effector
   double pad_damping_N_s_per_m = 8.0;
   double friction = 0.8;  ///< friction coefficient between fingertips and end-effector
-  double reach_m = 0.05;  ///< farther from the end-effector's axis, the hand misses it
+  double reach_m = 0.05;  ///< beyond this horizontal distance the hand misses the end-effector
 };
 
 /// The position that the person aims at, and its velocity.
@@ -42,7 +42,7 @@ class SimulatedPair {
   void place(const Point<HapticBase>& device, const Point<HapticBase>& hand) noexcept;
 
   /// Advances by `dt_s` with the motor force `motors` while the person aims at `intention`. A motor force that is not
-  /// finite counts as zero, as in the input stage of a real amplifier.
+  /// finite counts as zero, as in a real amplifier.
   void step(const Force<HapticBase>& motors, const Intention& intention, double dt_s) noexcept;
 
   /// Position as the device's encoders report it.

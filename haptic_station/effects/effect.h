@@ -25,8 +25,8 @@ inline constexpr std::size_t kMostEffects = 8;
 /// One per effect, in the order in which EffectBank holds the effects.
 using Placements = std::array<Placement, kMostEffects>;
 
-/// How close the device point is to an object inside the body, in ascending order: not near, within its margin, pressed
-/// from the side, pressed from above.
+/// How close the device point is to an object inside the body, in ascending order: not near, within the `around_m` of
+/// the object's settings, pressed from the side, pressed from above.
 enum class ObjectTouch { None, Near, Lateral, Upper };
 
 // An effect is a value type with these members, all noexcept and free of allocation. EffectBank holds and steps them.
@@ -38,9 +38,9 @@ enum class ObjectTouch { None, Near, Lateral, Upper };
 // - ObjectTouch touch(): how close the device is to an object inside the body; None for other effects
 // - only objects inside the body: Point<HapticBase> place(), the place that the scene gives it. The bank steps such an
 //   effect with a device point that is shifted back by the object's displacement.
-// - only objects whose wall moves by itself, as an artery's: Vector<HapticBase> wall_velocity(double dt_s), over the
-//   coming tick, relative to the object's place
-// - only layers: const char* label(), the name that the scene gives them
+// - only objects whose wall moves by itself, as an artery's: Vector<HapticBase> wall_velocity(double dt_s), the
+//   mean velocity of the wall in the coming tick, relative to place()
+// - only layers (the effect Solid): const char* label(), the layer's name in the scene
 // - all others: Vector<HapticBase> carried_at(const EffectInput&), the velocity of the surface to which the effect is
 //   fixed, for example the breathing skin
 

@@ -19,7 +19,7 @@ namespace telepalp::effects {
 /// Reads a clock without a system call, in any unit. nullptr: the cost of effects is not measured.
 using CostClock = std::uint64_t (*)() noexcept;
 
-/// Measured cost of one effect's steps: their number, the total and the largest, in the unit of the clock.
+/// Measured cost of one effect's steps: their number, their total cost and the largest, in the unit of the CostClock.
 struct EffectBill {
   const char* name = "";
   std::uint64_t steps = 0;
@@ -52,9 +52,10 @@ class EffectBank {
   [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
   /// Upper bound of the combined stiffness of all effects, at forces up to `most_N`.
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;
-  [[nodiscard]] ObjectTouch touch() const noexcept;               ///< the greatest among the inner objects
+  [[nodiscard]] ObjectTouch touch() const noexcept;               ///< the greatest over all objects inside the body
   [[nodiscard]] const Skin* skin() const noexcept;                ///< the first skin effect; nullptr without a skin
-  [[nodiscard]] Vector<HapticBase> indentation() const noexcept;  ///< of that skin, S1 eq. (8); zero without a skin
+  /// The indentation of skin(), paper S1 (docs/sources.md) eq. (8) [m]; zero without a skin.
+  [[nodiscard]] Vector<HapticBase> indentation() const noexcept;
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
   /// The name of a layer, or of the effect's kind. Valid as long as the effect.
   [[nodiscard]] static const char* name(const Effect& effect) noexcept;

@@ -9,14 +9,14 @@ namespace telepalp::effects {
 /// Depth of a point inside a closed shape, with its derivative.
 struct SolidDepth {
   double m = 0.0;                                      ///< positive inside
-  Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< minus the gradient of `m`; of length 1 near the surface
+  Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< minus the gradient of `m`; unit near the surface
 };
 
-/// What is felt of a shape at one tick.
+/// The part of a shape's force at one tick that the hand feels: `share` k `depth_m` `outwards`, with stiffness k.
 struct FeltSolid {
   double depth_m = 0.0;                                ///< depth of the proxy; 0: the shape is not touched
   Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< at the proxy, as in SolidDepth
-  double share = 0.0;                                  ///< share of the shape's stiffness that is shown
+  double share = 0.0;                                  ///< share of the shape's stiffness that acts, 0 to 1
 };
 
 /// The god-object (proxy) of a shape inside the body: remembers from which side the device pushes into the shape, and
@@ -25,10 +25,11 @@ struct FeltSolid {
 /// face: the force k s outwards(proxy), with s the depth of the proxy, has no component along the push.
 ///
 /// For a given side, s is the greatest depth on the ray from the device towards that side, and the force is minus the
-/// gradient of 1/2 k s^2 (envelope theorem). It is thus conservative, and equal to S1's k times depth before the
-/// middle. The side of entry may change only while the device has not passed the middle, where a change alters neither
-/// force nor energy: a device that slides round a shape within 2 mm of its surface feels S1's force on all sides.
-/// Behind the far face the force fades within 0.1 s and the side is forgotten: that takes energy out.
+/// gradient of 1/2 k s^2 (envelope theorem). It is thus conservative, and before the middle it equals the k times depth
+/// of paper S1 (docs/sources.md). The side of entry may change only while the device has not passed the middle, where a
+/// change alters neither force nor energy: a device that slides round a shape within 2 mm of its surface feels S1's
+/// force on all sides. Once the device has left through the far face, the force fades within 0.1 s and the side is
+/// forgotten: that takes energy out.
 class EntrySide {
  public:
   /// Contact with the skin begins.
@@ -60,7 +61,7 @@ class EntrySide {
   static constexpr double kLetGo_s = 0.1;
   static constexpr double kShallow_m = 0.002;  ///< a device less deep than this slides on the surface
   static constexpr double kLeash_m = 0.005;    ///< length of path over which the direction of a push is measured
-  static constexpr double kOblique = 0.5;      ///< cosine; a motion more oblique to the surface is not a push into it
+  static constexpr double kOblique = 0.5;      ///< least cosine between `face_` and the direction from which a push comes
   static constexpr double kSearch_m =
       0.004;  ///< half range of the search about the last proxy; enough for speeds up to 8 m/s
   static constexpr int kHalvings = 14;  ///< bisections of the search: to 0.5 um
@@ -109,10 +110,10 @@ class EntrySide {
   }
 
   Eigen::Vector3d towards_ = Eigen::Vector3d::Zero();  ///< unit, to the side from which the device pushes
-  Eigen::Vector3d face_ = Eigen::Vector3d::Zero();     ///< unit, outwards where the device left the surface's vicinity
-  Eigen::Vector3d trail_ = Eigen::Vector3d::Zero();    ///< follows the device on a leash
+  Eigen::Vector3d face_ = Eigen::Vector3d::Zero();     ///< unit, outward normal at the device's last shallow point
+  Eigen::Vector3d trail_ = Eigen::Vector3d::Zero();    ///< point that the device drags behind it, at most kLeash_m away
   double middle_m_ = 0.0;                              ///< coordinate of the proxy along `towards_`
-  double share_ = 0.0;                                 ///< shown share of the stiffness; 0: the shape is not touched
+  double share_ = 0.0;                                 ///< acting share of the stiffness; 0: the shape is not touched
   bool has_trail_ = false;
 };
 

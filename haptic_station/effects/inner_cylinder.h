@@ -13,8 +13,8 @@ struct InnerCylinderSettings {
   double around_m = 0.01;  ///< within this distance of the cylinder, touch() is Near
 };
 
-/// An upright cylinder inside the body (S1 III.A), given by radius, height and the centre of its upper face. Its axis
-/// is the y axis of the haptic base (frame H).
+/// An upright cylinder inside the body (paper S1, docs/sources.md, III.A), given by radius, height and the centre of
+/// its upper face. Its axis is the y axis of the haptic base (frame H).
 ///
 /// S1 switches between a force on the upper face and one on the lateral face; at the rim the force then jumps. Here the
 /// force is minus the gradient of 1/2 k s^2, where s is a smooth minimum of the depths under the upper, lower and

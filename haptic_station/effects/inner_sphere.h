@@ -12,9 +12,10 @@ struct InnerSphereSettings {
   double around_m = 0.01;  ///< within this distance of the sphere, touch() is Near
 };
 
-/// A sphere inside the body (S1 II.D): F = k (r - |x - c|), outwards, with x the proxy of EntrySide. A hand that has
-/// passed the centre feels a sideways force only. Within r / 10 of the centre the force falls to zero, because it has
-/// no direction there. touch() is Upper when the sphere is pressed from within 45 degrees of the upward vertical.
+/// A sphere inside the body (paper S1, docs/sources.md, II.D): F = k (r - |x - c|), outwards, with stiffness k, radius
+/// r, centre c and the proxy x of EntrySide. A hand that has passed the centre feels a sideways force only. Within r /
+/// 10 of the centre the force falls to zero, because it has no direction there. touch() is Upper when the sphere is
+/// pressed from within 45 degrees of the upward vertical.
 class InnerSphere {
  public:
   static constexpr const char* kName = "sphere";

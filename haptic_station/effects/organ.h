@@ -15,9 +15,9 @@ struct OrganSettings {
   double around_m = 0.01;  ///< within this distance of the organ, touch() is Near
 };
 
-/// An organ inside the body, of any closed shape. The force is the gradient of 1/2 k depth^2, outwards, where the depth
-/// comes from a sampled distance field, at the proxy of EntrySide. It generalises the sphere of S1 II.D to scanned
-/// shapes.
+/// An organ inside the body, of any closed shape. The force is minus the gradient of 1/2 k depth^2 at the proxy of
+/// EntrySide; the depth comes from a sampled distance field. It generalises the sphere of paper S1 (docs/sources.md)
+/// II.D to scanned shapes.
 class Organ {
  public:
   static constexpr const char* kName = "organ";
@@ -27,7 +27,7 @@ class Organ {
   void begin(const EffectInput&) noexcept { entry_.forget(); }
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
   [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
-  /// The middle of the lattice.
+  /// The middle of the lattice `shape`.
   [[nodiscard]] Point<HapticBase> place() const noexcept;
   [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.stiffness_N_per_m; }
   [[nodiscard]] ObjectTouch touch() const noexcept { return touch_; }

@@ -8,7 +8,7 @@ namespace telepalp::effects {
 /// Where the skin's indentation vector d starts.
 enum class SkinAnchor {
   FollowsSurface,  ///< at the first contact point, which moves with the surface along the normal of first contact
-  Fixed,           ///< at the first contact point, which stays where it is: S1 eq. (8) as printed
+  Fixed,           ///< at the first contact point, fixed in H: paper S1 (docs/sources.md) eq. (8) as printed
   Sliding,         ///< at the proxy, so that the hand slides without friction (an extension that S1 mentions)
 };
 

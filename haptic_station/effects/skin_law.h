@@ -4,9 +4,9 @@
 
 namespace telepalp::effects {
 
-/// Stiffness as a polynomial of the indentation: k(d) = constant + slope d + curve d^2, d in metres. S1 eq. (7) has
-/// constant 0 and slope = curve = alpha. A linear spring has only the constant. A measured tissue uses all three. No
-/// coefficient is negative, so the force grows with depth.
+/// Stiffness as a polynomial of the indentation: k(d) = constant + slope d + curve d^2, d in metres. Eq. (7) of paper
+/// S1 (docs/sources.md) has constant 0 and slope = curve = alpha. A linear spring has only the constant. A measured
+/// tissue uses all three. No coefficient is negative, so the force grows with depth.
 struct SkinLaw {
   double constant_N_per_m = 0.0;
   double slope_N_per_m2 = 160.0 / (0.06 * 0.06 + 0.06);  ///< from S1 III.A: 160 N/m at 0.06 m

@@ -16,7 +16,8 @@ struct Echo {
   double scatter = 0.6;                 ///< brightness of the speckle, 0 to 1
 };
 
-/// A layer of the body: a solid with a name, for the bill. Shared by the copies of the effect.
+/// A layer of the body: a solid with a name, under which its computation cost is reported. Shared by the copies of the
+/// effect.
 struct SolidLayer {
   std::string name;                               ///< as the scene calls it: ribs, liver, mass
   std::shared_ptr<const solids::SolidTree> tree;  // shared: a scene may hold one tree in two layers
@@ -27,14 +28,15 @@ struct SolidSettings {
   std::shared_ptr<const SolidLayer> layer;  ///< in the haptic base's frame H; nullptr: no force
   double stiffness_N_per_m = 800.0;
   double around_m = 0.01;  ///< within this distance of the solid, touch() is Near
-  double pulse_m = 0.0;    ///< the surface swells by this much at each pulse; 0: it is still
+  double pulse_m = 0.0;    ///< the surface moves out by this much at each pulse; 0: it is still
   double pulses_per_s = 1.2;
 };
 
-/// An implicit solid inside the body, as S2's ribs: a spring of one stiffness from the device to the solid's proxy.
-/// Each layer of a scene has its own proxy, and the forces of all layers and of the skin are summed (S2 III.A). The
-/// force is minus the gradient of 1/2 k depth^2, with the depth the distance from device to proxy. An artery swells and
-/// shrinks about its radius; the work of its wall on the hand is booked against the moving wall.
+/// An implicit solid inside the body, like the ribs of paper S2 (docs/sources.md): a spring of one stiffness from the
+/// device to the solid's proxy. Each layer of a scene has its own proxy, and the forces of all layers and of the skin
+/// are summed (S2 III.A). The force is minus the gradient of 1/2 k depth^2, with the depth the distance from device to
+/// proxy. The surface of an artery moves out by up to `pulse_m` and back at each pulse. EffectBank counts the hand's
+/// work relative to this moving wall.
 class Solid {
  public:
   static constexpr const char* kName = "solid";
@@ -51,7 +53,7 @@ class Solid {
   [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.stiffness_N_per_m; }
   [[nodiscard]] ObjectTouch touch() const noexcept { return touch_; }
   [[nodiscard]] const std::shared_ptr<const SolidLayer>& layer() const noexcept { return settings_.layer; }
-  /// The layer's name, for the bill. Valid as long as a copy of the effect lives.
+  /// The layer's name, for the report of costs. Valid as long as a copy of the effect lives.
   [[nodiscard]] const char* label() const noexcept { return settings_.layer ? settings_.layer->name.c_str() : kName; }
 
  private:

@@ -9,10 +9,10 @@ namespace telepalp::effects {
 
 /// A skin law fitted to a compression test of tissue-mimicking silicone. The test is scaled to a contact of 30 mm
 /// diameter over 60 mm of tissue, with equal stress at equal strain, and fitted up to half the thickness (0.03 m).
-/// Deeper, real tissue hardens more than the law. A test of this project repeats the fits from tests/data/tissue.
+/// Deeper, real tissue hardens more than the law. The unit tests repeat the fits from tests/data/tissue.
 struct TissuePreset {
   std::string_view name;
-  std::string_view material;  ///< name in the database of compression tests
+  std::string_view material;  ///< name in the database that tests/data/tissue/README.md cites
   SkinLaw law;
   double rms_error_share;  ///< root-mean-square error / largest load
 };

@@ -19,7 +19,8 @@ struct DeviceReading {
 struct HandSample {
   SessionTime at;
   Point<HapticBase> hand;
-  /// H from the hand's axes (tracking/hand_axes.h); nullopt: the tracker does not measure it.
+  /// Rotation from the hand's axes (tracking/hand_axes.h) to the haptic base's frame; nullopt: the tracker does not
+  /// measure it.
   std::optional<Eigen::Quaterniond> attitude = {};
 };
 

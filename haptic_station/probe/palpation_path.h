@@ -13,7 +13,7 @@ namespace telepalp::probe {
 struct PalpationSettings {
   int spots = 5;
   double apart_m = 0.03;    ///< least distance between spots
-  double within_m = 0.12;   ///< largest distance of a spot from the first
+  double within_m = 0.12;   ///< largest distance of a spot from the first one
   double depth_m = 0.01;    ///< depth below the surface
   double above_m = 0.03;    ///< height above the surface at which a press begins and ends
   double circle_m = 0.005;  ///< radius of the circle at depth

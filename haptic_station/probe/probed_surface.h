@@ -12,7 +12,7 @@
 
 namespace telepalp::probe {
 
-/// A surface for offline touch, with remarks about its file.
+/// A surface for offline touch, with remarks about its file for the user.
 struct ProbedSurface {
   std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
   std::string remarks;
@@ -25,7 +25,7 @@ struct CloudOptions {
   std::size_t samples = 0;    ///< number of points sampled from a mesh; 0: `spacing_m` decides
   double spacing_m = 0.0;     ///< between a mesh's samples; 0: its area and smallest features decide
   bool flip_normals = false;  ///< reverse the normals of a mesh or an unorganised cloud
-  bool anyway = false;        ///< see surface::StaticModelSettings
+  bool anyway = false;        ///< accept too coarse samples, a too noisy cloud or contradicting normals
 };
 
 /// Opens a cloud or mesh file. An organised cloud from a pinhole camera is converted to a depth image's lattice; any

@@ -16,7 +16,7 @@
 
 namespace telepalp::scenes {
 
-/// A checked scene in plain values. `message` is the parsed file: it is recorded, and surface() of it selects the
+/// A checked scene in plain values. `message` is the parsed file: it is recorded, and message.surface() selects the
 /// surface settings.
 struct Scene {
   std::string name;
@@ -29,8 +29,8 @@ struct Scene {
   device::SimulatedDeviceSettings simulated_device;
   device::SimulatedHandSettings simulated_hand;
   device::Trial trial = device::Trial::IndentSeveralPoints;
-  std::optional<std::filesystem::path> hand_trace;  ///< replaces the trial; resolved against the scene's folder
-  double trace_deepest_m = 0.04;
+  std::optional<std::filesystem::path> hand_trace;  ///< file of a recorded hand, which replaces the trial
+  double trace_deepest_m = 0.04;  ///< depth of the recorded hand's lowest point below the skin
   msg::Scene message;
 };
 

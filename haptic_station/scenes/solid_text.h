@@ -14,7 +14,7 @@ namespace telepalp::scenes {
 [[nodiscard]] Result<solids::Solid> solid_of(const msg::Solid& message, const std::string& where,
                                              const solids::MeshReader& meshes);
 
-/// The other way round.
+/// Converts a solid to a tree of the scene's text format.
 [[nodiscard]] msg::Solid message_of(const solids::Solid& solid);
 
 }  // namespace telepalp::scenes

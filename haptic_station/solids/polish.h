@@ -21,18 +21,19 @@ inline constexpr std::size_t kMostPolishBytes = std::size_t{4} << 20;
 /// Reads the Polish notation of paper S2 (docs/sources.md): an operator stands before its operands, words are separated
 /// by space or lines, and `#` begins a comment. `tr x y z S` moves a solid, `tx x y z deg ax ay az S` turns it about
 /// the axis through its origin and then moves it, `torusx R r` is a torus about the x axis, `+ A B` is the union of two
-/// solids (S2 III.A).
-/// docs/scenes.md lists all words. `tm` with twelve numbers, a 3 by 4 matrix row by row, is read as `tx` and `sc`; one
-/// that shears or mirrors is refused. Numbers have a decimal point in every locale.
+/// solids (S2 III.A). docs/scenes.md lists all words. `tm` with twelve numbers, a 3 by 4 matrix row by row, is read as
+/// a motion `tx` and a uniform scaling `sc`; a matrix that shears or mirrors is refused. Numbers have a decimal point
+/// in every locale.
 /// Error: an unknown word, a missing operand, a number out of its range, more than kMostNodes nodes or kMostNesting
-/// levels, or text longer than kMostPolishBytes: `name:line:column`, what was found, what was expected, how to fix it.
+/// levels, or text longer than kMostPolishBytes. It states `name:line:column`, what was found, what was expected and
+/// how to fix it.
 [[nodiscard]] Result<Solid> parse_polish(std::string_view text, const std::string& name,
                                          const MeshReader& meshes = no_meshes);
 
-/// Reads a file in that notation. A file over kMostPolishBytes is refused before it is read.
+/// Reads a file in Polish notation. A file over kMostPolishBytes is refused before it is read.
 [[nodiscard]] Result<Solid> read_polish(const std::filesystem::path& file, const MeshReader& meshes = no_meshes);
 
-/// The solid in that notation on one line. Reading it again gives the same nodes.
+/// The solid in Polish notation on one line. Reading it again gives the same nodes.
 [[nodiscard]] std::string to_polish(const Solid& solid);
 
 }  // namespace telepalp::solids

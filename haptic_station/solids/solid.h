@@ -37,7 +37,7 @@ enum class Op : std::uint8_t {
   Scale,
 };
 
-/// What a number of a word means, which decides its range.
+/// What a number of a word means. The allowed range of the number depends on it.
 enum class Unit : std::uint8_t { Coordinate, Length, Direction, Degrees, Factor };
 
 struct NumberKind {
@@ -45,7 +45,8 @@ struct NumberKind {
   Unit unit;
 };
 
-/// A word of S2's notation. Scene files use the same names, with `text_name` where the word is not a name.
+/// A word of the Polish notation of paper S2 (docs/sources.md). `text_name`: its name in scene files, such as `union`
+/// for `+`.
 struct Word {
   std::string_view word;
   std::string_view text_name;
@@ -74,7 +75,7 @@ struct Node {
 using Solid = std::vector<Node>;
 
 inline constexpr std::size_t kMostNodes = 200'000;
-inline constexpr int kMostNesting = 100;  ///< operators within operators; the last operand of a union does not nest
+inline constexpr int kMostNesting = 100;  ///< depth of nested operators; the last operand of a union adds no depth
 
 /// What is wrong with a node's numbers, and how to fix it; nullopt: nothing. `what` names the number and its value.
 struct Complaint {

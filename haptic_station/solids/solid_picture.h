@@ -23,7 +23,8 @@ struct PictureView {
 };
 
 /// A square picture of solids by sphere tracing (Hart 1996): each ray advances by the distance that the solids leave
-/// free. The light comes from the eye. White where no solid is met within two widths.
+/// free. The light comes from the eye. White where a ray meets no solid within two picture widths in front of and
+/// behind `center`.
 [[nodiscard]] ColorImage picture_of(std::span<const PaintedSolid> solids, const PictureView& view);
 
 }  // namespace telepalp::solids

@@ -10,33 +10,34 @@ namespace telepalp::solids {
 
 /// What the proxy feels at one tick.
 struct ProxyAt {
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();        ///< the proxy: the device itself while nothing is touched
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();        ///< the proxy: the device point itself while nothing is touched
   Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< unit, from the device to the proxy; zero without touch
   double depth_m = 0.0;                                ///< distance from device to proxy; 0: nothing is touched
 };
 
-/// The proxy (god-object) of a solid: the point outside the solid that follows the device and stops at the surface.
-/// A spring from device to proxy is S2's inner layer. Up to three tangent planes hold the proxy, one for each part of
-/// the solid, so that it rests in a crease between two ribs. A fast device is swept from the last proxy on, so a thin
-/// wall stops it and keeps it on the side from which it came. A device that is outside and more than kTorn_m from its
-/// proxy was pushed right through: the proxy is put on it again, which takes the spring's energy out. Each value lies
-/// on the surface within 1e-6 m at rest. Sources: S2 III.A; Zilles and Salisbury 1995; Salisbury and Tarr 1997. Owner:
-/// the haptic thread. Nothing allocates.
+/// The proxy (god-object) of a solid: the point outside the solid that follows the device and stops at the surface. A
+/// spring from device to proxy is an inner layer of paper S2 (docs/sources.md). Up to three tangent planes hold the
+/// proxy, at most one for each part (shape or blend) of the solid, so that it rests in a crease between two ribs. A
+/// fast device is swept from the last proxy on, so a thin wall stops it and keeps it on the side from which it came. A
+/// device that is outside and more than kTorn_m from its proxy was pushed right through: the proxy is put on it again,
+/// which takes the spring's energy out. While the device rests, the proxy lies on the surface within 1e-6 m. Sources:
+/// S2 III.A; Zilles and Salisbury 1995; Salisbury and Tarr 1997. Owner: the haptic thread. Nothing allocates.
 class SolidProxy {
  public:
   static constexpr double kTorn_m = 0.03;  ///< a spring of 800 N/m has 24 N there, beyond what a device gives
 
-  /// The next step starts at its device point. Inside the solid the proxy starts at the nearest surface.
+  /// Ends the touch: the next step() starts at its device point. Inside the solid the proxy starts at the nearest
+  /// surface.
   void forget() noexcept { *this = {}; }
 
-  /// One tick. `swell_m`: the surface lies this far outside the tree's, as an artery's in its pulse; small against the
-  /// solid.
+  /// One tick. `swell_m`: the touched surface lies this far outside the tree's surface, as for a pulsating artery;
+  /// small against the solid.
   [[nodiscard]] ProxyAt step(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m = 0.0) noexcept;
 
  private:
   static constexpr int kRounds = 6;
   static constexpr int kMostSweeps = 32;
-  static constexpr double kStride_m = 0.001;  ///< most that the proxy moves in a round of a touch
+  static constexpr double kStride_m = 0.001;  ///< largest move of the proxy in one of the kRounds iterations
   static constexpr double kOn_m = 1e-6;       ///< the proxy is on the surface within this distance
   static constexpr double kFlat = 0.1;        ///< a shorter gradient is a tie of opposite sides and gives no plane
 

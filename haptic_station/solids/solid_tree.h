@@ -22,18 +22,18 @@ struct Box {
   }
 };
 
-/// Where the value of a solid is the distance to its surface. Elsewhere its sign is right and its size is at most the
-/// distance.
+/// Where the value of a solid is the distance to its surface; Bound: not guaranteed anywhere. Elsewhere its sign is
+/// right and its size is at most the distance.
 enum class Exactness : std::uint8_t { Everywhere, Outside, Bound };
 
 /// Value of a solid at a point.
 struct SolidAt {
   double m;                  ///< negative inside; see Exactness
   Eigen::Vector3d gradient;  ///< of `m`; its length is at most SolidTree::steepest, and 0 where opposite parts tie
-  std::uint32_t part;        ///< the shape or blend whose surface decides; on ties the first; kNothing: a box decides
+  std::uint32_t part;        ///< node of the shape or blend that gives `m`; on ties the first; kNothing: a box gives it
 };
 
-/// A node that can be evaluated. Its placement maps its own frame to the frame of the operator above:
+/// A node that can be evaluated. Its placement maps its own frame to the frame of the operator that contains it:
 /// p_above = scale turn p + shift.
 struct TreeNode {
   Op op = Op::Sphere;
@@ -48,7 +48,7 @@ struct TreeNode {
   double scale = 1.0;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  Box box;  ///< contains the solid, in the frame above
+  Box box;  ///< contains the solid, in the frame of the operator above
 };
 inline constexpr std::uint32_t kNothing = 0xffffffff;
 
@@ -78,8 +78,8 @@ struct SolidTree {
 /// Error: the description is incomplete, nests too deeply, has a bad number, or names a mesh that was not read.
 [[nodiscard]] Result<std::shared_ptr<const SolidTree>> build_tree(const Solid& solid);
 
-/// Value and exact gradient at a point, in the solid's frame. Each part is skipped whose box shows that it cannot
-/// decide; the cost of a union of separated solids grows with the logarithm of their number. On an exact tie the
+/// Value and exact gradient at a point, in the solid's frame. A part is skipped if its box shows that it cannot give
+/// the value; the cost of a union of separated solids grows with the logarithm of their number. On an exact tie the
 /// gradient is the mean of the tied parts' gradients, in any order of the operands. A point that is not finite is
 /// infinitely far outside. Real-time safe. Sources: constructive solid geometry by minimum and maximum, S2 III.A; a
 /// blend is the quadratic smooth minimum, whose value is lower by at most a quarter of its width.

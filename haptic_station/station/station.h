@@ -29,7 +29,7 @@ struct StationOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;
   std::shared_ptr<const keys::KeyFile> key{};  ///< null: the server is on this machine
-  bool accepts_touch = false;                  ///< takes the touch whenever its holder offers it to this doctor
+  bool accepts_touch = false;                  ///< accepts the touch (permission to palpate) whenever it is offered
   double seconds = 0.0;                        ///< run time of the haptic loop; 0: until a signal
   program::Patience patience;                  ///< time limit for the server's first image
   Realtime realtime = Realtime::Prefer;

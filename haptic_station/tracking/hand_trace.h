@@ -18,7 +18,7 @@ struct TraceSample {
   SessionTime at;  ///< time since the trace's first sample
   Point<HandTracker> palm;
   Vector<HandTracker> velocity;  ///< as the tracker measured it [m/s]; zero when the file has no velocity columns
-  std::optional<Eigen::Quaterniond> attitude = {};  ///< L from the hand's axes (hand_axes.h); nullopt: not in the file
+  std::optional<Eigen::Quaterniond> attitude = {};  ///< from the hand's axes (hand_axes.h) to the tracker's frame
 };
 
 /// A recorded hand, in time order, at least two samples.
@@ -46,14 +46,14 @@ class RecordedIntention {
 
   /// `time_s` since the start. No allocation.
   [[nodiscard]] device::Intention at(double time_s) const noexcept;
-  /// H from the hand's axes at that time; nullopt: the trace has no attitude. No allocation.
+  /// Rotation from the hand's axes to H, `time_s` since the start; nullopt: the trace has no attitude. No allocation.
   [[nodiscard]] std::optional<Eigen::Quaterniond> attitude(double time_s) const noexcept;
   [[nodiscard]] double duration_s() const noexcept;  ///< of one pass in one direction
 
  private:
   struct Place {
-    std::size_t before;  ///< index of the sample before that time
-    double share;        ///< of the way from there to the next sample
+    std::size_t before;  ///< index of the sample before the queried time
+    double share;        ///< elapsed part of the interval to the next sample, 0 to 1
     bool back;           ///< the path is traversed backwards
   };
   [[nodiscard]] Place place(double time_s) const noexcept;

@@ -8,9 +8,9 @@
 
 namespace telepalp::tracking {
 
-/// How long the hand keeps its velocity, learnt from its recent movements: the distance covered in about 40 ms is
-/// compared with the velocity at its beginning. A hand that pokes and stops has a short memory of its velocity; a hand
-/// that sweeps keeps it. No allocation.
+/// How long the hand keeps its velocity, learnt from its recent movements: the distance covered in 30 to 80 ms is
+/// compared with the velocity at the beginning of that time. A hand that pokes and stops has a short memory of its
+/// velocity; a hand that sweeps keeps it. No allocation.
 class VelocityPersistence {
  public:
   /// `expected_s`: the velocity's time constant before any movement was seen. `memory_s`: time over which it is learnt.
@@ -24,7 +24,7 @@ class VelocityPersistence {
 
   /// The distance covered in the next `ahead_s`, divided by the present velocity [s].
   [[nodiscard]] double reach_s(double ahead_s) const noexcept;
-  /// Share of the velocity that is left after `ahead_s`.
+  /// Share of the present velocity that is left after `ahead_s`, 0 to 1.
   [[nodiscard]] double left(double ahead_s) const noexcept;
 
  private:

@@ -25,9 +25,9 @@ struct BlindSearchOutcome {
   double strongest_ratio = 0.0;  ///< perceived stiffness at the stiffest place / at the median place
 };
 
-/// Simulates S1's fourth trial: a person who knows only the depth of the hand and the perceived force presses on a grid
-/// of places and reports whether one is stiffer than the others. The live haptic loop runs in virtual time. Nothing
-/// counts as found when a place was not felt.
+/// Simulates the fourth trial of paper S1 (docs/sources.md): a person who knows only the depth of the hand and the
+/// perceived force presses on a grid of places and reports whether one is stiffer than the others. The live haptic loop
+/// runs in virtual time. If a place was not felt, `found` is false.
 [[nodiscard]] BlindSearchOutcome search_blindly(const BlindSearchSettings& settings);
 
 }  // namespace telepalp::trials

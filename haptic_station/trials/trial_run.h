@@ -8,7 +8,7 @@
 
 namespace telepalp::trials {
 
-/// One point of the plots of S1 Fig. 5 to 8, taken every 5 ms.
+/// One point of plots like Fig. 5 to 8 of paper S1 (docs/sources.md), taken every 5 ms.
 struct TrialSample {
   double time_s;
   control::Phase phase;
@@ -30,7 +30,7 @@ struct Transition {
 struct TrialFigures {
   std::array<int, control::kPhaseCount> entries{};
   double worst_force_step_N = 0.0;  ///< largest change of force between two ticks
-  double worst_jump_m = 0.0;        ///< largest displacement of the end-effector at a transition, minus speed × tick
+  double worst_jump_m = 0.0;        ///< largest end-effector step in the tick of a transition, minus speed × tick
   double worst_speed_jump_m_per_s = 0.0;  ///< largest change of the end-effector's speed in the tick of a transition
   double worst_shown_step_m = 0.0;        ///< largest displacement of the displayed hand in one tick
   double most_force_N = 0.0;

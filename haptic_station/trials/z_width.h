@@ -5,8 +5,8 @@
 namespace telepalp::trials {
 
 /// True when the simulated device comes to rest after a knock against a virtual wall of this stiffness. The wall's
-/// force is held between samples, and only the device's own damping dissipates energy: the strictest case, without a
-/// hand.
+/// force is held between samples. No hand holds the device, so only the device's own damping dissipates energy: the
+/// strictest case.
 [[nodiscard]] bool wall_is_stable(double stiffness_N_per_m, double rate_hz,
                                   const device::SimulatedDeviceSettings& device) noexcept;
 

@@ -9,7 +9,8 @@
 
 namespace telepalp::ultrasound {
 
-/// A linear probe on the skin, in H. Both directions are unit vectors, perpendicular to each other.
+/// A linear probe on the skin, in the haptic base's frame H. Both directions are unit vectors, perpendicular to each
+/// other.
 struct ProbePose {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();           ///< middle of the probe's face [m]
   Eigen::Vector3d into_body = -Eigen::Vector3d::UnitY();  ///< direction of the scan lines
@@ -20,7 +21,7 @@ struct BModeSettings {
   int side_px = 256;
   double width_m = 0.06;
   double depth_m = 0.10;
-  double range_dB = 60.0;       ///< from black to white
+  double range_dB = 60.0;       ///< echo level from black to white
   effects::Echo tissue{};       ///< around and between the layers
   double specular_power = 4.0;  ///< a boundary's echo falls with this power of the cosine of incidence
 };
@@ -31,11 +32,11 @@ struct BModeImage {
   std::vector<std::uint8_t> gray;
 };
 
-/// The B-mode image of the plane under the probe. Along each scan line: the echo of each boundary is the squared
-/// difference over the sum of the impedances; each tissue attenuates, so bone casts a shadow; the gain over depth makes
-/// up for soft tissue; the speckle is Rayleigh-distributed and fixed to the body, so it moves with it. Of layers that
-/// overlap, the later one fills the place. Not modelled: refraction, reverberation, the beam's width. Pure: the same
-/// input gives the same image.
+/// The B-mode image of the plane under the probe. Along each scan line: the echo of each boundary is ((Z1 - Z2) / (Z1 +
+/// Z2))^2 with the impedances Z of both sides; each tissue attenuates, so bone casts a shadow; the gain over depth
+/// compensates the attenuation of `tissue`; the speckle is Rayleigh-distributed and fixed to the body, so it moves with
+/// the body. Where layers overlap, the later one in `layers` counts. Not modelled: refraction, reverberation, the
+/// beam's width. Pure: the same input gives the same image.
 [[nodiscard]] BModeImage b_mode(std::span<const std::shared_ptr<const effects::SolidLayer>> layers,
                                 const ProbePose& probe, const BModeSettings& settings = {});
 

@@ -17,13 +17,13 @@ namespace telepalp::device {
 /// Default address of the Haply Inverse service.
 [[nodiscard]] inline WebSocketUrl standard_haply_url() { return {"127.0.0.1", 10001, "/"}; }
 
-/// Middle of an Inverse3's workspace, in the Inverse3's frame. The origin of the haptic base's frame H, which lies on
-/// the skin, is placed there.
+/// Middle of an Inverse3's workspace, in the Inverse3's frame. The origin of the haptic base's frame H, a point of the
+/// skin, is placed there.
 [[nodiscard]] inline Point<haply::InverseBase> middle_of_inverse3() { return {{0.04, -0.17, 0.16}}; }
 
-/// A Haply Inverse3, driven over the WebSocket of its service on a separate thread. Each message from the service is
-/// answered with the newest force, at most 2500 times a second. A force that the haptic thread has not renewed for 50
-/// ms is replaced by zero.
+/// A Haply Inverse3, driven over the WebSocket of its service on a separate thread. Each text message from the service
+/// is answered with the newest force, at most 2500 times a second. A force that the haptic thread has not renewed for
+/// 50 ms is replaced by zero.
 class HaplyDevice final : public ports::Device {
  public:
   using Say = std::function<void(const std::string&)>;  ///< called on this device's thread
@@ -37,7 +37,7 @@ class HaplyDevice final : public ports::Device {
   [[nodiscard]] ports::DeviceReading read() noexcept override;
   void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
-  /// Number of invalid texts received so far.
+  /// Number of invalid text messages received so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
 
  private:

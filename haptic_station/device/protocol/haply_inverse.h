@@ -13,7 +13,7 @@ namespace telepalp::device::haply {
 /// Frame of the Inverse3: origin at its base, right-handed, z up (the service's default basis).
 struct InverseBase {};
 
-/// State of one Inverse3, as parsed from a text of the service.
+/// State of one Inverse3, as parsed from a text message of its service.
 struct State {
   std::string device_id;
   Point<InverseBase> cursor;
@@ -22,18 +22,18 @@ struct State {
 
 inline constexpr std::size_t kMostTextBytes = 64U << 10U;
 
-/// Reads one text of the service: the Inverse3 named `wanted_id`, or the first one if that is empty. nullopt: the text
-/// is well-formed but does not contain this device (it is unplugged) or lacks its state. Error: invalid JSON, over 64
-/// KiB, a field of the wrong type, an id of over 64 bytes or with characters other than letters, digits, `-`, `_` and
-/// `:`, a position beyond 2 m, a speed beyond 50 m/s, or a number that is not finite.
+/// Reads one text message of the service: the state of the Inverse3 with the id `wanted_id`, or of the first one if
+/// that is empty. nullopt: the text is well-formed but does not contain this device (it is unplugged) or its state.
+/// Error: invalid JSON, over 64 KiB, a field of the wrong type, an id of over 64 bytes or with characters other than
+/// letters, digits, `-`, `_` and `:`, a position beyond 2 m, a speed beyond 50 m/s, or a number that is not finite.
 [[nodiscard]] Result<std::optional<State>> parse_text(std::string_view text, std::string_view wanted_id = {});
 
 /// The text that sets the force at the cursor and requests the next state; the service answers each text with one text.
 /// A force that is not finite is sent as zero. Numbers have a decimal point in every locale.
 [[nodiscard]] std::string force_text(std::string_view device_id, const Force<InverseBase>& force);
 
-/// Rotates the Inverse3's axes (z up) to those of the haptic base's frame H (y up, S1) and places H's origin, which
-/// lies on the skin, at `origin`.
+/// Rotates the Inverse3's axes (z up) to those of the haptic base's frame H (y up, as in paper S1, docs/sources.md) and
+/// places H's origin, a point of the skin, at `origin`.
 [[nodiscard]] Transform<HapticBase, InverseBase> haptic_from_inverse(const Point<InverseBase>& origin);
 
 }  // namespace telepalp::device::haply

@@ -10,18 +10,18 @@
 
 namespace telepalp::device::udp {
 
-/// Message from the station to the device, sent at every tick. UDP_DEVICE.md specifies the bytes.
+/// Message from the station to the device, sent at every tick. UDP_DEVICE.md in this folder specifies the bytes.
 struct Command {
   std::uint32_t session = 0;   ///< random number that the station chooses at its start
   std::uint32_t sequence = 0;  ///< increases by one with each command
   std::uint64_t sent_us = 0;   ///< on the station's steady clock
-  bool in_body = false;        ///< S1 II.C's flag
+  bool in_body = false;        ///< the device point is inside the body; the flag of paper S1 (docs/sources.md) II.C
   bool surface_valid = false;
-  bool let_go = false;        ///< no force, no position control
-  Point<HapticBase> proxy{};  ///< S1 II.C's proxy
-  double distance_m = 0.0;    ///< S1 II.C's distance, negative in the body
+  bool let_go = false;        ///< the device must neither push nor hold a position
+  Point<HapticBase> proxy{};  ///< the device point held on the surface; S1 II.C
+  double distance_m = 0.0;    ///< of the device point from the surface, negative in the body; S1 II.C
   Vector<HapticBase> normal{};
-  Force<HapticBase> force{};  ///< already limited
+  Force<HapticBase> force{};  ///< after the station's force limiter
 };
 
 /// Message from the device to the station.

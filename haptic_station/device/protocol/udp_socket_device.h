@@ -12,9 +12,9 @@
 
 namespace telepalp::device {
 
-/// A device that speaks the protocol of UDP_DEVICE.md, like PC-2 of S1 II.B. It sends and receives on the haptic thread
-/// with non-blocking calls: one datagram per tick is the cost of talking to the device. Only loopback addresses are
-/// accepted, because the datagrams are not encrypted.
+/// A device that speaks the protocol of UDP_DEVICE.md, like PC-2, the computer that controls the device in paper S1
+/// (docs/sources.md) II.B. It sends one datagram per tick, and receives, on the haptic thread with non-blocking calls.
+/// Only loopback addresses are accepted, because the datagrams are not encrypted.
 class UdpDevice final : public ports::Device {
  public:
   /// Error: the address is not a loopback address, or the socket cannot be opened.

@@ -4,17 +4,20 @@
 
 namespace telepalp::solids {
 
-/// The box of a shape in its own frame.
+/// The bounding box of a shape in the shape's own frame.
 [[nodiscard]] Box shape_box(const TreeNode& shape) noexcept;
 
-/// The box about a box that the node's placement has moved.
+/// The bounding box of `box` after the node's placement has moved and scaled it. Infinite if `box` is unbounded.
 [[nodiscard]] Box placed_box(const Box& box, const TreeNode& node) noexcept;
 
+/// The smallest box that contains both.
 [[nodiscard]] Box joined(const Box& a, const Box& b) noexcept;
-/// Of boxes that do not meet, the first: the solid is empty, and its distance has no box.
+/// The intersection; `a` if the boxes do not meet, because the intersection of their solids is then empty.
 [[nodiscard]] Box common(const Box& a, const Box& b) noexcept;
+/// `box` extended by `by_m` on each side.
 [[nodiscard]] Box widened(const Box& box, double by_m) noexcept;
-/// The box of what a plane along two axes leaves; other planes leave the box as it is. `normal`: unit.
+/// The part of `box` where normal . x < offset, for a plane perpendicular to an axis; other planes leave the box as it
+/// is. `normal`: unit.
 [[nodiscard]] Box clipped(const Box& box, const Eigen::Vector3d& normal, double offset_m) noexcept;
 
 }  // namespace telepalp::solids

@@ -12,7 +12,7 @@ struct HalfSpace {
 };
 
 /// The point nearest to `p` in the common part of at most three half-spaces. Of nearly parallel planes that face the
-/// same way, the one with the larger offset counts; their distant line of intersection is not considered. Returns
+/// same way, the one with the larger offset counts; their distant line of intersection is not a candidate. Returns
 /// `otherwise` if no common point is found.
 [[nodiscard]] Eigen::Vector3d nearest_in(std::span<const HalfSpace> spaces, const Eigen::Vector3d& p,
                                          const Eigen::Vector3d& otherwise) noexcept;

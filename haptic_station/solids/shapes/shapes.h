@@ -6,9 +6,9 @@
 
 namespace telepalp::solids {
 
-// Signed distances of shapes about the origin, each with its exact gradient: negative inside, in metres. The gradient
-// has length 1, also where the nearest point of the surface is not unique: there a fixed rule chooses one of the
-// nearest. None allocates or throws. Each is 1-Lipschitz.
+// Signed distances of shapes centred at the origin, each with its exact gradient: negative inside, in metres. The
+// gradient has length 1, also where the nearest point of the surface is not unique: there a fixed rule chooses one of
+// the nearest. Each distance is 1-Lipschitz. Exception: mesh_at, see there. No function allocates or throws.
 
 /// Distance and outward direction.
 struct ShapeAt {
@@ -26,9 +26,9 @@ struct ShapeAt {
 [[nodiscard]] ShapeAt capsule_at(const Eigen::Vector3d& p, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                  double radius_m) noexcept;
 
-/// A torus about the axis x, y or z (0, 1, 2). Exact. A tube wider than the ring gives the union of all balls on the
-/// ring, measured to its outer shell. On the axis the nearest part of the ring is the one towards the next axis (y for
-/// x); at a tube's centre the gradient points away from the axis.
+/// A torus about the axis x, y or z (0, 1, 2). Exact. If the tube's radius exceeds the ring's, the shape is the union
+/// of all balls centred on the ring, and the distance is that to its outer surface. On the axis the nearest part of the
+/// ring is the one towards the next axis (y for x); at a tube's centre the gradient points away from the axis.
 [[nodiscard]] ShapeAt torus_at(const Eigen::Vector3d& p, int axis, double ring_m, double tube_m) noexcept;
 
 /// A part of a torus with round ends. Angles are counted from the next axis (y for x) towards the one after it.
@@ -39,7 +39,8 @@ struct ArcSpan {
 };
 [[nodiscard]] ShapeAt arc_at(const Eigen::Vector3d& p, int axis, double ring_m, double tube_m, ArcSpan span) noexcept;
 
-/// Exact. Inside, the nearest face decides, the first of x, y, z at a tie; at a coordinate of 0 its positive side.
+/// Exact. Inside, the gradient is the normal of the nearest face: at a tie the first of x, y, z, and between opposite
+/// faces the positive one.
 [[nodiscard]] ShapeAt box_at(const Eigen::Vector3d& p, const Eigen::Vector3d& half_m) noexcept;
 
 /// Exact to 1e-12 of the largest radius, by Newton's method on the distance's secular equation (Eberly 2013).
@@ -48,9 +49,10 @@ struct ArcSpan {
 /// A cylinder about the axis x, y or z (0, 1, 2). Exact.
 [[nodiscard]] ShapeAt cylinder_at(const Eigen::Vector3d& p, int axis, double radius_m, double half_length_m) noexcept;
 
-/// The distance to a closed mesh: the lattice's spline, continued outside the lattice by sqrt(gap^2 + d^2), with d at
-/// the lattice's nearest point. The continuation is continuous and never more than the true distance, because the mesh
-/// lies inside the convex lattice. Not 1-Lipschitz where the spline is not: its slope is at most sqrt(3).
+/// The distance to a closed mesh: the lattice's spline. The spline is defined on a box, one node spacing inside the
+/// lattice's border. Outside the box the distance is sqrt(gap^2 + d^2), with the distance gap to the nearest point of
+/// the box and the spline's value d there. It is continuous and never more than the true distance, because the mesh
+/// lies inside the box. Not 1-Lipschitz where the spline is not: its slope is at most sqrt(3).
 [[nodiscard]] ShapeAt mesh_at(const Eigen::Vector3d& p, const DistanceLattice& lattice) noexcept;
 
 }  // namespace telepalp::solids

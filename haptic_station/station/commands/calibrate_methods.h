@@ -12,11 +12,11 @@ struct Measured {
   bool of_camera = false;
 };
 
-/// Measures by point pairs from a file; each point was measured in both frames (S3 4.2).
+/// Measures by point pairs from a file; each point was measured in both frames (paper S3, docs/sources.md, 4.2).
 [[nodiscard]] Result<Measured> from_points(const program::Arguments& arguments);
-/// Measures with the hand resting on the end-effector (S1 eq. (2) to (4)).
+/// Measures with the hand resting on the end-effector (paper S1 eq. (2) to (4)).
 [[nodiscard]] Result<Measured> from_offset(const program::Arguments& arguments);
-/// Measures by poses of a hand on a probe, from a file (S2 II.C).
+/// Measures by poses of a hand on a probe, from a file (paper S2 II.C).
 [[nodiscard]] Result<Measured> from_probe(const program::Arguments& arguments);
 
 }  // namespace telepalp::station

@@ -8,7 +8,8 @@
 
 namespace telepalp::station {
 
-/// Carries out an operator's commands about the touch, and passes on the server's answer. Owner: network thread.
+/// Carries out an operator's commands that hand the touch (the permission to palpate as a station) to another doctor,
+/// and passes on the server's answer. Owner: network thread.
 class HandOver {
  public:
   explicit HandOver(wire::ClientLink& link) : link_(link) {}
@@ -25,8 +26,8 @@ class HandOver {
   std::optional<ControlSocket::Reply> waiting_;  // the operator who waits for the server's answer
 };
 
-/// `telepalp-station hand-over`: gives such a command to the running station. `argv[0]` is "hand-over". Returns the
-/// program's exit code.
+/// `telepalp-station hand-over`: sends an offer, withdraw or accept command to the running station. `argv[0]` is
+/// "hand-over". Returns the program's exit code.
 int hand_over_command(int argc, const char* const* argv);
 
 }  // namespace telepalp::station

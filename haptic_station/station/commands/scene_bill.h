@@ -8,7 +8,7 @@
 
 namespace telepalp::station {
 
-/// The price of one effect of a scene.
+/// The computation cost of one effect of a scene, for each tick.
 struct EffectPrice {
   std::string name;
   double mean_us = 0.0;
@@ -17,8 +17,8 @@ struct EffectPrice {
   std::size_t bytes = 0;   ///< memory of that tree
 };
 
-/// The price of each effect in 10 s of virtual time, while the device presses up to 40 mm deep all over a workspace of
-/// 0.24 m under a level skin. It names the effects of the scene and no other.
+/// The cost of each effect of the scene, measured over 10 s of virtual time, while the device presses up to 40 mm deep
+/// all over a workspace of 0.24 m under a level skin.
 [[nodiscard]] std::vector<EffectPrice> price_of(const scenes::Scene& scene);
 
 }  // namespace telepalp::station

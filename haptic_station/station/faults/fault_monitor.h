@@ -21,7 +21,7 @@ class FaultMonitor {
   struct Handlers {
     std::function<SessionTime()> now;
     std::function<void()> rearm;  ///< asks the haptic thread to re-arm; its ticks then show the result
-    /// Takes the commands that are not about faults; false: it does not know the command.
+    /// Handles each command that is not about faults; returns false for an unknown command.
     std::function<bool(const std::string& command, const ControlSocket::Reply& reply)> other_command{};
   };
 

@@ -51,7 +51,7 @@ inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser"
 /// How long a device or tracker may take to answer at the start, unless the operator asks for another time.
 inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 
-/// Connects to the device or tracker. Error: it does not answer within kAnswerWithin.
+/// Connects to the device or tracker. Error: it does not answer within `within`.
 [[nodiscard]] Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice,
                                                                     const scenes::Scene& scene,
                                                                     std::chrono::milliseconds within = kAnswerWithin);

@@ -10,13 +10,14 @@
 
 namespace telepalp::station {
 
-/// The processor's time-stamp counter: a clock without a system call, to measure the cost of effects.
+/// The processor's time-stamp counter on x86-64, else the steady clock [ns]: a clock without a system call, to measure
+/// the cost of effects.
 [[nodiscard]] std::uint64_t cycles_now() noexcept;
 
-/// Cycles of cycles_now() per microsecond; measured once in 10 ms against the steady clock.
+/// Counts of cycles_now() per microsecond. The first call measures them against the steady clock and blocks for 10 ms.
 [[nodiscard]] double cycles_per_us();
 
-/// Computation cost of each effect so far, in CPU cycles. The haptic thread hands it over by copy.
+/// Computation cost of each effect so far, in counts of cycles_now(). The haptic thread hands over a copy.
 struct Bill {
   std::array<effects::EffectBill, effects::EffectBank::kMostEffects> lines{};
   std::size_t count = 0;

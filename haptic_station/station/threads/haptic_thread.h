@@ -17,7 +17,7 @@ namespace telepalp::station {
 /// Ring of ticks from the haptic thread to the network thread; it holds 2 s.
 using TickRing = SpscRing<loop::TickSample, 4096>;
 
-inline constexpr std::chrono::microseconds kTickPeriod{500};  // 2 kHz, S1 II.D
+inline constexpr std::chrono::microseconds kTickPeriod{500};  // 2 kHz: paper S1 (docs/sources.md) II.D
 
 /// Counters that the haptic thread writes and other threads read.
 struct HapticCounts {

@@ -8,7 +8,7 @@
 namespace telepalp::station {
 
 /// A histogram of durations with logarithmic buckets: any quantile is known within 3 %, in 8 kB, without allocation.
-/// Range: 1 ns to 4 s; longer durations are counted in the last bucket.
+/// Range: 1 ns to 68 s; longer durations are counted in the last bucket.
 class DurationHistogram {
  public:
   void add(std::uint64_t nanoseconds) noexcept {

@@ -22,10 +22,10 @@
 
 namespace telepalp::station {
 
-/// The surface thread: makes a touchable surface from the newest depth message. Messages that arrive while an older one
-/// is processed are dropped and counted, except the newest; a dropped message is still decoded when a newer frame is
-/// predicted from it. The 2 kHz thread never waits for this thread. While depth cannot be decoded because a reference
-/// frame is missing, the last surface stays.
+/// The surface thread: makes a touchable surface from the newest depth message. A message that has a newer one waiting
+/// behind it is dropped and counted; it is still decoded when a newer frame is predicted from it. While 16 messages
+/// wait, further ones are dropped undecoded. The 2 kHz thread never waits for this thread. While depth cannot be
+/// decoded because a reference frame is missing, the last surface stays.
 class SurfaceWorker {
  public:
   /// Returns haptic_from_camera for an image; called with each image until it returns a value.
@@ -39,7 +39,7 @@ class SurfaceWorker {
     std::function<void(const wire::Message& unreadable)> request_key_frame;
   };
 
-  /// `effects`: of the scene; the skin above its objects inside the body is followed.
+  /// `effects`: the scene's; the surface builder tracks the motion of the skin above each object inside the body.
   SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
                 LatestValue<loop::TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device,
                 const effects::EffectBank& effects = {});
@@ -55,6 +55,7 @@ class SurfaceWorker {
   };
   void offer(Work work);
 
+  /// Number of messages that have given no surface: dropped, damaged or still waiting. Network thread only.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return offered_ - built_.load(std::memory_order_relaxed); }
 
  private:

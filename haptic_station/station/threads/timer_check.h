@@ -10,9 +10,9 @@ namespace telepalp::station {
 /// Length of the measurement of the idle timer before a run.
 inline constexpr std::chrono::milliseconds kTimerWatched{1000};
 
-/// Measures how late this computer wakes a thread that only waits, 2000 times a second for `length`. No program on this
-/// computer can be more punctual. The thread has real-time priority if that is granted, like the haptic thread. Blocks
-/// for `length`.
+/// Measures how late this computer wakes a thread that only waits, 2000 times a second for `length`. The haptic thread
+/// cannot be more punctual on this computer. The thread has real-time priority if that is granted, like the haptic
+/// thread. Blocks for `length`.
 [[nodiscard]] msg::TimerCheck watch_idle_timer(std::chrono::milliseconds length);
 
 /// As text: "3 of 2000 wake-ups of this computer's idle timer were missed, late 62 us at the median and 4100 us at

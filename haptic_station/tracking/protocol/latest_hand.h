@@ -19,7 +19,7 @@ class LatestHand {
   struct Seen {
     Clock::time_point at;
     Point<Frame> hand;
-    std::optional<Eigen::Quaterniond> attitude;  ///< Frame from the hand's axes; nullopt: the tracker reported none
+    std::optional<Eigen::Quaterniond> attitude;  ///< hand's axes to Frame; nullopt: the tracker reported none
   };
   struct Timed {
     SessionTime at;

@@ -35,7 +35,7 @@ class LeapTracker final : public ports::Tracker {
   /// sample(). Haptic thread only.
   [[nodiscard]] std::optional<Point<HandTracker>> palm() noexcept;
 
-  /// Number of invalid texts and hands so far.
+  /// Number of invalid text messages and hands received so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
 
  private:

@@ -12,7 +12,7 @@
 
 namespace telepalp::tracking::leap {
 
-/// First text of the service after connecting.
+/// First text message of the Leap Motion service after connecting.
 struct Hello {
   std::uint32_t version = 0;
   std::string service_version;
@@ -23,7 +23,7 @@ struct Hand {
   std::int64_t id = 0;
   Point<HandTracker> palm;
   Vector<HandTracker> velocity;                     ///< [m/s]; zero when the text has no velocity
-  std::optional<Eigen::Quaterniond> attitude = {};  ///< L from the hand's axes (hand_axes.h); nullopt: none in the text
+  std::optional<Eigen::Quaterniond> attitude = {};  ///< from the hand's axes (hand_axes.h) to the tracker's frame
 };
 
 /// One frame: the hands that the service sees; may be empty.

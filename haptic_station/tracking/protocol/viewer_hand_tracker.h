@@ -16,11 +16,11 @@ class ViewerHandTracker final : public ports::Tracker {
 
   enum class Taken {
     Followed,
-    /// The hand passed from one viewer to another less than 0.3 s ago. No hand is followed for that time. The station
-    /// therefore releases, and then follows the new hand as it follows a first one, without a jump between the two
+    /// The hand passed from one viewer to another less than 0.3 s ago. No hand is followed for that time, so the
+    /// station releases its force. It then follows the new hand like a first hand, without a jump between the two
     /// places.
     Passing,
-    OutOfReach,  ///< further than 0.5 m from H's origin
+    OutOfReach,  ///< further than 0.5 m from the origin of the haptic base's frame
   };
 
   /// Takes a message received at `now`. `at`: its hand, in the haptic base's frame H. Network thread only.
