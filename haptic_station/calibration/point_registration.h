@@ -19,7 +19,7 @@ struct PointPair {
 
 /// The method that estimates the rotation.
 enum class RotationBy {
-  Covariance,   ///< SVD of the cross-covariance (Kabsch): the least-squares rotation
+  Covariance,  ///< SVD of the cross-covariance (Kabsch): the least-squares rotation
   /// Paper S3 (docs/sources.md) 4.2, eq. (1): rotation of the polar decomposition of the least-squares affine map;
   /// needs rank 3.
   AffinePolar,
@@ -27,9 +27,9 @@ enum class RotationBy {
 
 struct RegistrationSettings {
   RotationBy rotation_by = RotationBy::Covariance;
-  double least_spread_m = 0.005;     ///< least standard deviation of the points along a direction that counts for the rank
-  double least_spread_share = 0.02;  ///< the same, as a share of the standard deviation along the widest direction
-  double largest_rms_share = 0.1;    ///< largest allowed rms residual / standard deviation along the widest direction
+  double least_spread_m = 0.005;     ///< least standard deviation along a direction that counts for the rank
+  double least_spread_share = 0.02;  ///< the same / standard deviation along the widest direction
+  double largest_rms_share = 0.1;    ///< largest rms residual / standard deviation along the widest direction
 };
 
 /// A rigid motion and how well it fits.

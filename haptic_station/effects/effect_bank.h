@@ -52,8 +52,8 @@ class EffectBank {
   [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
   /// Upper bound of the combined stiffness of all effects, at forces up to `most_N`.
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;
-  [[nodiscard]] ObjectTouch touch() const noexcept;               ///< the greatest over all objects inside the body
-  [[nodiscard]] const Skin* skin() const noexcept;                ///< the first skin effect; nullptr without a skin
+  [[nodiscard]] ObjectTouch touch() const noexcept;  ///< the greatest over all objects inside the body
+  [[nodiscard]] const Skin* skin() const noexcept;   ///< the first skin effect; nullptr without a skin
   /// The indentation of skin(), paper S1 (docs/sources.md) eq. (8) [m]; zero without a skin.
   [[nodiscard]] Vector<HapticBase> indentation() const noexcept;
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }

@@ -61,7 +61,7 @@ class EntrySide {
   static constexpr double kLetGo_s = 0.1;
   static constexpr double kShallow_m = 0.002;  ///< a device less deep than this slides on the surface
   static constexpr double kLeash_m = 0.005;    ///< length of path over which the direction of a push is measured
-  static constexpr double kOblique = 0.5;      ///< least cosine between `face_` and the direction from which a push comes
+  static constexpr double kOblique = 0.5;      ///< least cosine between `face_` and the side from which a push comes
   static constexpr double kSearch_m =
       0.004;  ///< half range of the search about the last proxy; enough for speeds up to 8 m/s
   static constexpr int kHalvings = 14;  ///< bisections of the search: to 0.5 um

@@ -8,16 +8,17 @@ namespace telepalp::ports {
 /// controller and the effects learn of the surface only through this value. The displayed surface is the one that the
 /// hand feels: the newest measured surface, carried to now, with a gradual change from the one before.
 struct SurfaceContact {
-  Point<HapticBase> proxy;    ///< the device point held on the surface
+  Point<HapticBase> proxy;    ///< the device point outside the body, else the point on the surface that holds it
   Vector<HapticBase> normal;  ///< unit normal of the surface at the proxy, out of the body
   double distance_m = 0.0;    ///< signed distance of the device point from the surface; negative inside the body
   bool in_body = false;       ///< the device point is in the body; i_b of paper S1 (docs/sources.md)
   bool valid = false;         ///< false: no surface near the device point, and only age_s has a meaning
   double surface_speed_m_per_s = 0.0;  ///< of the displayed surface along the normal; continuous
-  double support = 1.0;  ///< weight: 1 well inside the known surface, 0 where it ends or is stale; `proxy` includes it
-  double measured_above_m = 0.0;        ///< height of the newest measured surface over the displayed one
-  double measured_speed_m_per_s = 0.0;  ///< speed of the measured surface along the normal
-  bool anchor_seen = false;  ///< false: anchor_velocity is unknown; use the speed at the proxy instead
+  double support =
+      1.0;  ///< 1 well inside the known surface, 0 where it ends or is stale: `proxy` is then the device point
+  double measured_above_m = 0.0;         ///< height of the newest measured surface over the displayed one
+  double measured_speed_m_per_s = 0.0;   ///< speed of the measured surface along the normal
+  bool anchor_seen = false;              ///< false: anchor_velocity is unknown; use the speed at the proxy instead
   Vector<HapticBase> anchor_velocity{};  ///< velocity of the displayed surface where the contact began [m/s]
   double age_s = 0.0;                    ///< time since the capture of the surface
 };

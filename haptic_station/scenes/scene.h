@@ -30,7 +30,7 @@ struct Scene {
   device::SimulatedHandSettings simulated_hand;
   device::Trial trial = device::Trial::IndentSeveralPoints;
   std::optional<std::filesystem::path> hand_trace;  ///< file of a recorded hand, which replaces the trial
-  double trace_deepest_m = 0.04;  ///< depth of the recorded hand's lowest point below the skin
+  double trace_deepest_m = 0.04;                    ///< depth of the recorded hand's lowest point below the skin
   msg::Scene message;
 };
 
