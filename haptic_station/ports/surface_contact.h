@@ -14,8 +14,9 @@ struct SurfaceContact {
   bool in_body = false;       ///< the device point is in the body; i_b of paper S1 (docs/sources.md)
   bool valid = false;         ///< false: no surface near the device point, and only age_s has a meaning
   double surface_speed_m_per_s = 0.0;  ///< of the displayed surface along the normal; continuous
-  double support =
-      1.0;  ///< 1 well inside the known surface, 0 where it ends or is stale: `proxy` is then the device point
+  /// 1 well inside the known surface, 0 where it ends or is stale. It already scales the distance from the device point
+  /// to `proxy`.
+  double support = 1.0;
   double measured_above_m = 0.0;         ///< height of the newest measured surface over the displayed one
   double measured_speed_m_per_s = 0.0;   ///< speed of the measured surface along the normal
   bool anchor_seen = false;              ///< false: anchor_velocity is unknown; use the speed at the proxy instead

@@ -4,9 +4,9 @@
 
 namespace telepalp::trials {
 
-/// True when the simulated device comes to rest after a knock against a virtual wall of this stiffness. The wall's
-/// force is held between samples. No hand holds the device, so only the device's own damping dissipates energy: the
-/// strictest case.
+/// True when the simulated device loses energy over 4 s after a knock against a two-sided virtual wall (a spring that
+/// also pulls) of this stiffness. The wall's force is held between samples. No hand holds the device, so only the
+/// device's own damping dissipates energy: the strictest case.
 [[nodiscard]] bool wall_is_stable(double stiffness_N_per_m, double rate_hz,
                                   const device::SimulatedDeviceSettings& device) noexcept;
 

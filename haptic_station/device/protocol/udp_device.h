@@ -48,8 +48,8 @@ inline constexpr std::size_t kPoseBytes = 80;
 [[nodiscard]] std::optional<Pose> decode_pose(std::span<const std::byte> datagram) noexcept;
 
 /// Decides which poses are new. A pose is newer when its sequence number is greater within the current session, or when
-/// it begins a session other than the current and the previous one. A pose whose clock stands still while its sequence
-/// number rises is stale: a hung device must not look alive. Pure.
+/// it begins a session other than the current and the previous one. A pose whose clock does not advance while its
+/// sequence number rises is stale: a hung device must not look alive. Pure.
 class PoseOrder {
  public:
   enum class Verdict { Newest, Repeated, OldSession, ClockStands };

@@ -32,7 +32,8 @@ class TelemetryPublisher {
   /// Publishes an event.
   void publish_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
-  /// Warns once when warm motors are about to lower the force in contact.
+  /// Warns when warm motors are about to lower the force in contact; once until the present force can be held without
+  /// limit of time again.
   void watch_heat(SessionTime now);
 
   void frame_received() noexcept { totals_.frame_received(); }
