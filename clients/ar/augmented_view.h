@@ -12,19 +12,19 @@ namespace telepalp::ar {
 
 /// State of the touch at the time of the picture.
 struct Touch {
-  Point<DepthCamera> hand;  ///< position of the avatar's fingertips; in contact, displaced to the proxy (S1 §II.E)
+  Point<DepthCamera> hand;  ///< the avatar's fingertips; in contact, at the proxy (paper S1 §II.E, docs/sources.md)
   Point<DepthCamera> proxy;
   Point<DepthCamera> device;  ///< centre of the drawn ball
   Force<DepthCamera> force;   ///< on the doctor's hand
   double indentation_m = 0.0;
   bool in_body = false;
-  std::optional<Eigen::Quaterniond> attitude = {};  ///< of the hand's axes (HandAvatar); nullopt: laid on the skin
+  std::optional<Eigen::Quaterniond> attitude = {};  ///< rotates HandAvatar's frame; nullopt: lies on the skin
 };
 
 struct AugmentedView {
   const RgbdFrame& frame;
   std::optional<Touch> touch;      ///< nullopt: only the patient is drawn
-  std::vector<PanelLine> figures;  ///< text of the panel: state, force, age
+  std::vector<PanelLine> figures;  ///< text of the panel: state, force, age of the surface
   int width_px = 1280;
   int height_px = 960;
 };

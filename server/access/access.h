@@ -41,8 +41,8 @@ class Access : public std::enable_shared_from_this<Access> {
   /// Names and addresses under which clients reach this server, from its key.
   [[nodiscard]] const std::vector<std::string>& hosts() const;
 
-  /// The person behind a peer (not a browser): named by its certificate, else by its `token`. `address`: without the
-  /// port. Error: it has neither, or they are not valid.
+  /// The person behind a peer (not a browser): named by its certificate, else by its `token`. `is_sealed`: the peer
+  /// uses TLS. `address`: without the port. Error: no TLS, or neither names a person.
   [[nodiscard]] Result<keys::Identity> who(bool is_sealed, const std::optional<keys::Identity>& certificate,
                                            std::string_view token, const std::string& address);
   /// The person whom `token` names. After wrong tokens from an `address`, further attempts from there must wait.

@@ -31,8 +31,8 @@ enum class AuditEvent {
 [[nodiscard]] std::string_view name(AuditEvent event) noexcept;
 
 /// A file of hash-chained lines (proto/keys/audit_chain.h), one for each event: "time=… event=joined who=doctor anna
-/// from=10.0.0.7:4711 …". Each line is in the kernel before the next event is handled. Owner: the server's network
-/// thread.
+/// from=10.0.0.7:4711 …". Each line is passed to the operating system before the next event is handled. Owner: the
+/// server's network thread.
 class AuditLog {
  public:
   /// Opens `file` and continues its chain. A file whose chain is broken is renamed to FILE.damaged-N, and `say` gets a
@@ -41,8 +41,8 @@ class AuditLog {
                                                               const std::function<void(const std::string&)>& say);
 
   /// Writes one line. It never fails, because a full disk must not stop the patient's stream: lines that could not be
-  /// written are counted, and `say` gets one message. In 10 s at most 20 refusals of strangers and 200 of others are
-  /// written, so that nobody can fill the disk; the next line gives the number of the rest.
+  /// written are counted, and `say` gets one message. In 10 s at most 20 refusals of strangers (peers that no key or
+  /// token names) and 200 of others are written, so that nobody can fill the disk; the next line counts the rest.
   void note(AuditEvent event, const std::string& text, keys::WallTime now);
 
   [[nodiscard]] std::uint64_t lines() const noexcept { return position_.lines; }

@@ -9,10 +9,10 @@ namespace telepalp::access {
 
 /// Decides which doctor's station may publish on the station's topics (it "holds the touch"): one at a time. The holder
 /// keeps the touch while it publishes, and frees it with a Goodbye or after kLease without a message; then any station
-/// may take it. When the holder's connection breaks, only the same doctor may take the touch within kLease. The holder
-/// may offer the touch to another doctor, who takes it by accepting. An offer ends after kOffer, with the holder's
-/// lease, or when the touch changes hands. A holder that leaves with a Goodbye after an offer leaves the touch to the
-/// other doctor for kLease. Pure; owner: the server's network thread.
+/// may take it. When the holder's connection breaks, the same doctor alone may take the touch within kLease, unless it
+/// was offered. The holder may offer the touch to another doctor, who gets it by accepting. An offer ends after kOffer,
+/// with the holder's lease, or when the touch changes hands. A holder that leaves with a Goodbye after an offer leaves
+/// the touch to the other doctor for kLease. Pure; owner: the server's network thread.
 class TouchLease {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

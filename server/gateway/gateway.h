@@ -32,8 +32,8 @@ struct GatewayOptions {
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
   std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
-  std::function<std::string()> problem{};            ///< what is wrong with the server; empty: nothing
-  std::function<hub::DatagramCounts()> datagrams{};  ///< what came to the UDP port
+  std::function<std::string()> problem{};            ///< why the health check fails; empty: healthy
+  std::function<hub::DatagramCounts()> datagrams{};  ///< counts of datagrams that arrived at the UDP port
   std::function<std::string()> playback_state{};     ///< JSON of msg::PlaybackState; unset: nothing is played
   /// Carries out the JSON of a msg::PlaybackCommand and returns the new state; set when playback_state is.
   std::function<Result<std::string>(const std::string& json)> playback_command{};

@@ -9,9 +9,10 @@
 
 namespace telepalp::gateway {
 
-/// Decides which viewer controls the hand. The first viewer that moves its hand gets control and keeps it, even without
-/// messages, until it lets go or disconnects or hands it over. Other viewers request control by moving their hands.
-/// Pure; owner: the server's network thread.
+/// Decides which viewer controls the hand of a station with `--tracker browser`. The first viewer that moves its hand
+/// (/viewer/hand) gets control and keeps it, even without messages, until it lets go (gives up control), disconnects,
+/// or hands control over to another viewer. Other viewers request control by moving their hands. Pure; owner: the
+/// server's network thread.
 class HandHolder {
  public:
   /// Call it when `viewer` moves its hand. True: the viewer has control, and the message may go to the station.

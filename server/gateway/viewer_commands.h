@@ -13,8 +13,8 @@
 
 namespace telepalp::gateway {
 
-/// Accepts the messages of one viewer. Only its hand position and letting go (/viewer/hand) are allowed. Pure; owner:
-/// the server's network thread.
+/// Accepts the messages of one viewer. Only /viewer/hand is allowed: the position of the hand, letting it go, and
+/// handing it over to another viewer. Pure; owner: the server's network thread.
 class ViewerCommands {
  public:
   /// Error: another topic than /viewer/hand, another encoding, or too many channels.
@@ -33,7 +33,7 @@ class ViewerCommands {
                                                           SessionTime now);
 
  private:
-  /// A hand of any content on an advertised channel.
+  /// The message on an advertised channel; its position is not checked. nullopt: no such message.
   [[nodiscard]] std::optional<msg::ViewerHand> read(std::string_view bytes) const;
 
   std::set<std::uint32_t> channels_;

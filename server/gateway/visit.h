@@ -8,7 +8,7 @@
 
 namespace telepalp::gateway {
 
-/// Path of the state of a played session, and of the commands that move it.
+/// Path of session playback: GET returns its state; POST carries out a command, such as a seek or a pause.
 inline constexpr std::string_view kPlaybackTarget = "/playback";
 
 /// A person who is signed in at the web port.

@@ -55,10 +55,11 @@ class Hub {
   /// Takes the oldest message from the subscriber's queue; nullopt when the queue is empty.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
-  /// While `on`, datagrams carry the deadline topics to the subscriber: next_for_datagram() takes them, and next() the
-  /// other topics. A change drops the waiting messages of the deadline topics, and the next one sent is a key frame.
+  /// While `on`, datagrams carry the deadline topics (camera images, station state, viewer's hand: a late message is of
+  /// no use) to the subscriber: next_for_datagram() takes them, and next() the other topics. A change drops the queued
+  /// messages of the deadline topics, and the next message of a topic with predicted frames is a key frame.
   void send_by_datagram(SubscriberId subscriber, bool on);
-  /// Takes the newest message of a deadline topic; older ones of its topic are dropped.
+  /// Takes the newest message of a deadline topic (send_by_datagram()); older ones of its topic are dropped.
   [[nodiscard]] std::optional<wire::Message> next_for_datagram(SubscriberId subscriber);
   /// The subscriber cannot decode the predicted frames of `topic`: the next one that it gets is a key frame.
   void restart_group(SubscriberId subscriber, const wire::Topic& topic);

@@ -130,8 +130,8 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     connection_->offer_datagrams(datagrams_->message());
     datagrams_->start();
   }
-  /// Takes them as if they had come on the connection, with all its checks. Null for a peer whose key publishes
-  /// nothing.
+  /// Passes a message that came by datagram to the connection, with the checks of a message over TCP. Empty for a peer
+  /// that may not publish.
   std::function<void(wire::Message)> messages_by_datagram() {
     if (!who_ || !access().may(*who_, keys::Operation::Touch)) return {};
     return [this](wire::Message message) { connection_->take_datagram(std::move(message)); };

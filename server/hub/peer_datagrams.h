@@ -11,8 +11,8 @@
 
 namespace telepalp::hub {
 
-/// The datagrams of one peer. While its path is up they carry the deadline topics that it subscribes to or publishes,
-/// and TCP carries the other topics. Owner: the network thread.
+/// The datagrams of one peer. While the peer answers them, they carry the topics whose late messages are of no use
+/// (wire::kDeadlineTopics), in both directions; TCP carries the other topics. Owner: the network thread.
 class PeerDatagrams : private DatagramPort::Session {
  public:
   struct Peer {
@@ -23,7 +23,7 @@ class PeerDatagrams : private DatagramPort::Session {
     std::function<void(wire::DatagramPhase)> on_phase{};  ///< called when the phase becomes Up or Blocked
   };
 
-  /// nullptr: the peer wants no datagrams, or names an unknown cipher.
+  /// Offers datagrams to the peer. nullptr: the peer wants no datagrams, or names an unknown cipher.
   static std::unique_ptr<PeerDatagrams> offer(boost::asio::io_context& io, DatagramPort& port, Hub& hub,
                                               msg::DatagramCipher wanted, const wire::KeyingMaterial& from_tls,
                                               Peer peer);
@@ -32,8 +32,8 @@ class PeerDatagrams : private DatagramPort::Session {
   /// The offer to send to the peer over TCP, once.
   [[nodiscard]] const msg::DatagramOffer& message() const noexcept { return offer_.message; }
   void start() { end_->start(); }
-  /// No handler is called any more, and the port is left. It may then outlive port and hub, but one of its handlers must
-  /// not destroy it.
+  /// Leaves the port and calls no handler afterwards. The closed object may outlive port and hub. A handler must not
+  /// destroy the object that calls it.
   void close() noexcept;
   /// Call it when the hub has a message for the peer.
   void wake() { end_->pump(); }

@@ -96,7 +96,7 @@ class PeerListener {
   Counts counts_;
   std::chrono::steady_clock::time_point refusal_noted_{};
   std::chrono::steady_clock::time_point datagrams_audited_{};
-  DatagramCounts audited_;  // what the audit log has of datagrams
+  DatagramCounts audited_;  // counts of datagrams already written to the audit log
   std::uint64_t refused_when_noted_ = 0;
 };
 

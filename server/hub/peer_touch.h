@@ -11,9 +11,9 @@
 
 namespace telepalp::hub {
 
-/// The touch for one peer: it takes, keeps, offers and loses the touch, and the audit log gets each. Without keys,
-/// every peer may touch and none holds the touch, because only programs of this machine can connect. Owner: the network
-/// thread.
+/// The touch (the right to publish on the station's topics) for one peer. Taking, offering and losing it is written to
+/// the audit log. Without keys every peer may touch and none holds the touch, because only programs of this machine can
+/// connect. Owner: the network thread.
 class PeerTouch {
  public:
   using Clock = std::chrono::steady_clock;

@@ -8,8 +8,8 @@
 
 namespace telepalp::playback {
 
-/// Maps instants of a recording to the session time at which they are played. The map is affine, so that ages in the
-/// recording stay consistent. At speed 1 the differences of instants are exact to the nanosecond.
+/// Maps instants of a recording to the session time at which they are played. The map is affine: all durations, such
+/// as ages, are divided by `speed`. At speed 1 they are exact to the nanosecond.
 struct TimeMap {
   SessionTime recorded{};  ///< this instant of the recording …
   SessionTime now{};       ///< … is played at this one
@@ -25,9 +25,10 @@ struct TimeMap {
 /// Added to the sender numbers of recorded stations, so that a live station never has the same number.
 inline constexpr std::uint32_t kRecordedSenders = 1000;
 
-/// `recorded` as a message of now: each instant in it (a field NAME_ns of type fixed64 that is not 0, or a Timestamp)
-/// is mapped by `map`. Everything else is kept, compressed images to the byte. `key_frame` is set. nullopt: the payload
-/// is not of its topic's type.
+/// `recorded` with each instant in it (a field NAME_ns of type fixed64 that is not 0, or a Timestamp) mapped by `map`.
+/// kRecordedSenders is added to a sender's number. All other content is kept, compressed images to the byte.
+/// `key_frame` of a depth message is true for a key frame and false for a predicted one. nullopt: the payload is not of
+/// its topic's type.
 [[nodiscard]] std::optional<wire::Message> retimed(const wire::Message& recorded, const TimeMap& map);
 
 }  // namespace telepalp::playback

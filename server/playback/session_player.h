@@ -18,14 +18,14 @@
 
 namespace telepalp::playback {
 
-/// Publishes a recorded session again: its bytes as recorded, its instants mapped to now. A thread of its own reads the
-/// file and waits until each message is due; commands wake it. It uses a mutex and a condition variable, because
-/// it must sleep until the next message or command; no real-time thread waits for it.
+/// Publishes a recorded session again: images as recorded, times mapped to the present session time. A thread of its
+/// own reads the file and waits until each message is due; commands wake it. It uses a mutex and a condition variable,
+/// because it must sleep until the next message or command; no real-time thread waits for it.
 class SessionPlayer {
  public:
   struct Handlers {
     std::function<void(wire::Message)> on_message;  ///< on the network thread
-    std::function<void()> on_end;                   ///< on the network thread, once, at the end without a loop
+    std::function<void()> on_end;                   ///< on the network thread, once, at the end unless `loop`
   };
 
   /// Error: the file cannot be read, or the session is shorter than `from_s`.

@@ -7,7 +7,8 @@ namespace telepalp::link_proxy {
 
 [[nodiscard]] program::Usage usage();
 
-/// The proxy's options from the command line. Options such as `--loss-percent` replace figures of the profile or trace.
+/// The proxy's options from the command line. Options such as `--loss-percent` replace values of the named network
+/// profile (`--profile`) or of the trace.
 [[nodiscard]] Result<ProxyOptions> proxy_options(const program::Arguments& arguments);
 
 }  // namespace telepalp::link_proxy

@@ -10,7 +10,7 @@
 
 namespace telepalp::ar {
 
-/// `camera` for an image of another size; pixel centres have integer coordinates.
+/// The intrinsics `camera` rescaled to an image of `width` × `height`; pixel centres have integer coordinates.
 [[nodiscard]] Intrinsics scaled_to(const Intrinsics& camera, int width, int height);
 
 /// True once the station knows the position of its hand in the camera's frame.

@@ -7,15 +7,15 @@
 
 namespace telepalp::ar {
 
-/// How clients show a state of S1 Fig. 4.
+/// How clients show a state of the controller, from Fig. 4 of paper S1 (docs/sources.md).
 struct PhaseWords {
   msg::Phase phase;
-  std::string_view key;    ///< in report.json
+  std::string_view key;    ///< name in report.json
   std::string_view words;  ///< name in report.html
-  std::string_view mark;   ///< S1's number s_f; a letter for the two states that S1 does not have
+  std::string_view mark;   ///< S1's state number s_f; R (released) and F (faulted) are not in S1
   double level;            ///< vertical position in the timeline
   std::string_view color;
-  bool contact;  ///< true: skin or inner objects give force
+  bool contact;  ///< true: the skin or an object inside the body gives force
 };
 
 /// All states, ordered from deepest in the body to farthest from contact.

@@ -23,7 +23,7 @@ class KeptMessage {
   std::string data_;
 };
 
-/// Copies all metadata but the record about the session, which a writer writes itself, and all attachments.
+/// Copies all attachments and all metadata except the record about the session, because McapWriter writes its own.
 [[nodiscard]] Result<void> copy_notes(wire::McapReader& from, wire::McapWriter& to);
 
 }  // namespace telepalp::record

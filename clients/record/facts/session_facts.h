@@ -36,10 +36,10 @@ struct SessionFacts {
     std::uint64_t dropped_before_it = 0;  ///< messages that the server dropped for the peer, which read too slowly
     std::uint64_t dropped_by_it = 0;      ///< frames and ticks that the peer reported as dropped
   };
-  /// The server's wall clock beside its session clock.
+  /// The server's wall clock compared with its session clock.
   struct Clock {
-    double drift_ppm = 0.0;        ///< over the whole file
-    double largest_step_ms = 0.0;  ///< between two messages of /clock
+    double drift_ppm = 0.0;        ///< of their difference, over the whole file
+    double largest_step_ms = 0.0;  ///< of their difference, between two messages of /clock
   };
 
   double seconds = 0.0;

@@ -13,8 +13,8 @@ class DiskRoom {
  public:
   explicit DiskRoom(const std::filesystem::path& file);
 
-  /// `stored_bytes`: size of the recording until now. Returns an alarm once when the disk will be full within a minute
-  /// at the average rate so far; it can return another one after there was more room.
+  /// `stored_bytes`: size of the recording until now. Returns an alarm when the disk will be full within a minute at
+  /// the average rate so far. It returns another alarm only if there was room for over a minute in between.
   [[nodiscard]] std::optional<std::string> alarm(std::uint64_t stored_bytes);
 
  private:

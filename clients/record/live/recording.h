@@ -28,7 +28,7 @@ struct RecordingOptions {
   std::vector<std::filesystem::path> attachments;  ///< other files to attach
   std::chrono::duration<double> seconds{0.0};      ///< duration from the first connection; 0: until a signal
   program::Patience patience;                      ///< time limit of the first connection
-  std::filesystem::path ready_file;                ///< written after the subscription
+  std::filesystem::path ready_file;                ///< created once the recorder has subscribed; empty: none
   bool progress = false;                           ///< show a progress line on stderr
 };
 

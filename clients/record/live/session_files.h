@@ -19,15 +19,16 @@ namespace telepalp::record {
 
 /// When a recording begins a new file, and which files it keeps.
 struct Splitting {
-  std::optional<std::uint64_t> bytes;    ///< largest size of a file
-  std::optional<Nanoseconds> time;       ///< longest duration of a file
+  std::optional<std::uint64_t> bytes;    ///< a file of this size ends at the next depth key frame, or after 2 s
+  std::optional<Nanoseconds> time;       ///< likewise a file of this duration
   std::optional<Nanoseconds> keep_last;  ///< older files are removed; the last files with at least this duration stay
 };
 
 /// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session: it
-/// begins with a depth key frame and repeats the camera models and states that were published last. When a
-/// write fails, the part is completed with the messages that it holds. Later messages are dropped and counted until
-/// there is room for a new part. Owner: the disk thread, except where a comment says otherwise.
+/// begins with a depth key frame, unless none comes within 2 s, and repeats the camera models and states that were
+/// published last. When a write fails, the part is completed with the messages that it holds. Later messages are
+/// dropped and counted until there is room for a new part. Owner: the disk thread, except where a comment says
+/// otherwise.
 class SessionFiles {
  public:
   struct Plan {

@@ -13,12 +13,13 @@ namespace telepalp::report {
 /// "the force is 1.2 N in A and 0.4 N in B, 0.8 N apart as vectors"
 [[nodiscard]] std::string forces_in_words(const Run& a, const Run& b, const Instant& instant);
 
-/// The likely cause of a difference at `instant`, from what both stations published until then, in this order: a hand
-/// that moved differently, a surface that is missing or of another age, a station that let go. Otherwise says that
-/// neither explains it.
+/// The likely cause of a difference at `instant`, from what both stations published until then: the first that holds of
+/// hands at different places, one station that has let go (released or faulted) while both or neither have a surface,
+/// a surface that one run lacks, surfaces of different ages. If none holds, the text says so.
 [[nodiscard]] std::string cause_in_words(const Run& a, const Run& b, const Instant& instant);
 
-/// Age at the tick of the surface that made the force [ms]; kUnknown without a state near the tick or a surface.
+/// Age [ms] of the surface from which the force at `tick` was computed; kUnknown if no state message lies within 20 ms
+/// of the tick, or the station has no surface.
 [[nodiscard]] double surface_age_ms(const Session& session, std::size_t tick);
 
 }  // namespace telepalp::report

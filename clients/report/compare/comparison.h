@@ -17,7 +17,7 @@ struct Comparison {
   Run b;
   std::vector<Setting> settings;
   TickComparison ticks;
-  bool messages_compared = false;              ///< the sessions share time, so that equal runs have equal messages
+  bool messages_compared = false;              ///< true: session times overlap; equal runs have equal messages
   std::optional<std::string> first_message{};  ///< the first message in which they differ, in words
   std::vector<MetricPair> metrics;
   std::vector<MetricPair> replay_metrics;
@@ -35,8 +35,8 @@ struct Comparison {
 /// The likely cause of the first difference, and how large the differences are, as one or two sentences.
 [[nodiscard]] std::string account(const Comparison& comparison);
 
-/// The time since the origins at which pictures of both runs are compared [s]: the largest difference of force; for
-/// equal forces, the deepest touch of the first run.
+/// Time [s] on the common axis (common_origins()) at which the page shows pictures of both runs: the largest difference
+/// of force; for equal forces, the deepest touch of the first run.
 [[nodiscard]] double pictured_s(const Comparison& comparison);
 
 }  // namespace telepalp::report

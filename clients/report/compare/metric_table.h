@@ -7,7 +7,7 @@
 
 namespace telepalp::report {
 
-/// A figure of both runs. kUnknown where a run does not have it.
+/// The value of one metric in both runs; kUnknown where a run lacks it.
 struct MetricPair {
   std::string name;
   std::string unit;
@@ -19,7 +19,7 @@ struct MetricPair {
   [[nodiscard]] bool worse() const noexcept;
 };
 
-/// The figures of both sessions. Figures that neither run has are left out.
+/// The metrics of both sessions. Metrics that neither run has are left out.
 [[nodiscard]] std::vector<MetricPair> metric_pairs(const Summary& a, const Summary& b);
 
 /// The metrics of telepalp-replay, which compare each run with the same run over a network without delay and loss, and

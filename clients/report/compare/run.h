@@ -15,10 +15,10 @@ namespace telepalp::report {
 
 /// What telepalp-replay wrote about a run into report.json beside its session.
 struct ReplayFacts {
-  std::string network;  ///< network and faults in words; the unimpaired run: "none"
+  std::string network;  ///< network and faults in words; "none": no delay, loss or fault
   std::string seed;
   std::string hand;                       ///< "recorded" or "examine"
-  std::map<std::string, double> figures;  ///< by metric, see docs/replay.md; unknown ones are missing
+  std::map<std::string, double> figures;  ///< by metric (docs/replay.md); metrics without a value are missing
 };
 
 /// One of the runs that are compared.
@@ -35,11 +35,11 @@ struct Run {
 /// Reads a session file, or the file session.mcap in the folder `asked`. Error: see read_session().
 [[nodiscard]] Result<Run> read_run(const std::filesystem::path& asked);
 
-/// The facts in `json`, the text of a report.json of telepalp-replay. `unimpaired`: those of the run over the network
-/// without faults. nullopt: another file.
+/// The facts in `json`, the text of telepalp-replay's report.json, about its run; `unimpaired`: about its reference run
+/// over a network without delay, loss and faults. nullopt: `json` is not from telepalp-replay.
 [[nodiscard]] std::optional<ReplayFacts> replay_facts(const std::string& json, bool unimpaired);
 
-/// Shortest ends of the two paths that differ, as labels: "lte/session.mcap" and "lan/session.mcap".
+/// Labels both runs with the shortest tails of their paths that differ: "lte/session.mcap" and "lan/session.mcap".
 void label(Run& a, Run& b);
 
 }  // namespace telepalp::report

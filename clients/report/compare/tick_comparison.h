@@ -18,7 +18,8 @@ struct Origins {
 /// run.
 [[nodiscard]] bool share_time(const Session& a, const Session& b) noexcept;
 
-/// One common instant for sessions that share time; otherwise the first tick of each, or its first message.
+/// If the sessions share time, the earlier of their first messages, for both; otherwise the first tick of each, or its
+/// first message if it has no tick.
 [[nodiscard]] Origins common_origins(const Session& a, const Session& b) noexcept;
 
 /// Two runs at the same time since their origins.

@@ -7,10 +7,11 @@
 
 namespace telepalp::report {
 
-/// The two ledgers of energy and the work of lift and position control, over time. Empty without a station.
+/// Energies over time: taken from the hand less stored (the passivity observer), work on the hand beyond that of the
+/// measured skin, and work of lift and position control. Empty without a station.
 [[nodiscard]] std::vector<plot::Chart> energy(const Session& session);
 
-/// How long the warm motors could still hold the force, over time. Empty when they always could.
+/// Time until the warm motors must lower the force, over time. Empty when they never must.
 [[nodiscard]] std::vector<plot::Chart> heat(const Session& session);
 
 }  // namespace telepalp::report

@@ -7,7 +7,7 @@
 
 namespace telepalp::report {
 
-/// Like S1 Fig. 5: height of the end-effector against height of the tracked hand, by state.
+/// Like Fig. 5 of paper S1 (docs/sources.md): height of the end-effector against height of the tracked hand, by state.
 [[nodiscard]] plot::Chart position_by_state(const Session& session);
 
 /// Like S1 Fig. 6: force against indentation along x, y and z of the haptic base, and their norms. The indentation is

@@ -47,9 +47,9 @@ class Growth {
   std::optional<std::uint64_t> last_;
 };
 
-/// The messages of one sender on the topics of a station.
+/// The messages on the topics of a station that one sender published.
 struct SenderRecord {
-  std::uint32_t sender = 0;  ///< number that the server gave the sender; 0: no sender in the session
+  std::uint32_t sender = 0;  ///< number that the server gave the sender; 0: none known
   std::uint64_t sent_messages = 0;
   Ticks ticks;
   std::vector<msg::StationState> states;
@@ -93,7 +93,7 @@ struct Session : SenderRecord {
 /// Adds one message to the session; an unreadable message is counted as damaged.
 void add(Session& session, const wire::Message& message);
 
-/// Call it after the last message.
+/// Makes the sender with the most ticks the session's own record. Call it after the last message.
 void settle(Session& session);
 
 /// The source of the camera images: as the server stated it, else as the recorder's metadata state it.

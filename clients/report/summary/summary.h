@@ -56,8 +56,8 @@ struct Summary {
 
   Quantiles capture_to_encoded_ms, encoded_to_received_ms, received_to_decoded_ms, decoded_to_touchable_ms;
   Quantiles capture_to_touchable_ms;
-  double object_unseen_share = 0.0;        ///< share of the time in which an object stayed: the skin above was not seen
-  double object_slide_unseen_share = 0.0;  ///< share of the time in which an object did not follow the body's slide
+  double object_unseen_share = 0.0;        ///< share of time: an object stays put, because the skin above is unseen
+  double object_slide_unseen_share = 0.0;  ///< share of time: an object does not follow the skin's unmeasurable slide
   Quantiles surface_carried_mm, hand_carried_mm;  ///< magnitude of the predicted displacement
   /// The loosest bound of the depth that the station touched; without a station, that of the recorded images.
   wire::DepthFidelity depth;
@@ -66,15 +66,15 @@ struct Summary {
   std::vector<Dwell> dwells;  ///< in the order of ar::kPhases
   std::uint64_t touches = 0;  ///< number of contacts
   double contact_s = 0.0;
-  double force_max_N = kUnknown;  ///< largest force in any state; outside the body, it moves the free device
+  double force_max_N = kUnknown;  ///< largest in any state; out of contact, it moves the free device
   double force_in_contact_max_N = kUnknown;
   double indentation_max_mm = kUnknown;
-  double display_least_mJ = kUnknown;     ///< least balance of the display's ledger; below zero it gave energy
-  double hand_excess_most_mJ = kUnknown;  ///< most energy given to the hand in a contact beyond the measured skin's
+  double display_least_mJ = kUnknown;     ///< least energy taken from the hand less energy stored; below 0: active
+  double hand_excess_most_mJ = kUnknown;  ///< most work on the hand in a contact, minus the measured skin's
   std::uint64_t heat_warnings = 0;        ///< announcements that warm motors will lower the force
   std::uint64_t non_finite = 0;           ///< forces, positions or depths that are not finite
   std::uint64_t damaged_messages = 0;
-  std::vector<msg::EffectCost> bill;
+  std::vector<msg::EffectCost> bill;  ///< computing time per tick of each haptic effect
 };
 
 [[nodiscard]] Summary summarise(const Session& session);

@@ -8,8 +8,8 @@
 
 namespace telepalp::capture {
 
-/// Pairs the separate depth and colour streams of a camera by driver time stamps. Depth is never dropped: it waits at
-/// most kWaitForColor for its colour image.
+/// Pairs the separate depth and colour streams of a camera by driver time stamps. A depth image waits at most
+/// kWaitForColor for its colour image. The next depth image replaces one that take() has not fetched.
 class ColorDepthPairing {
  public:
   struct Pair {
@@ -19,14 +19,14 @@ class ColorDepthPairing {
     ColorImage color;  ///< empty when no colour image lies within kStaleColor
   };
 
-  static constexpr std::chrono::microseconds kSameInstant{17'000};  ///< half a period at 30 Hz
+  static constexpr std::chrono::microseconds kSameInstant{17'000};  ///< largest gap in a pair: half a period at 30 Hz
   static constexpr std::chrono::microseconds kStaleColor{200'000};
   static constexpr Nanoseconds kWaitForColor{15'000'000};
 
   void add_color(std::chrono::microseconds driver_time, ColorImage color);
   void add_depth(std::chrono::microseconds driver_time, SessionTime arrival, DepthImage depth);
 
-  /// Returns the depth image with its colour image; when that has not come in time, with the last colour image.
+  /// Returns the depth image with its colour image; after kWaitForColor, with the last one within kStaleColor, or none.
   [[nodiscard]] std::optional<Pair> take(SessionTime now);
 
   /// True while a depth image waits for its colour.

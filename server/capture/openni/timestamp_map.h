@@ -9,9 +9,9 @@
 
 namespace telepalp::capture {
 
-/// Maps a driver's timestamps, of any epoch, to session time by a ClockEnvelope. A driver clock that steps back or
-/// leaps ahead (a recording that starts over, a device that resets) starts a new mapping. Session times never go
-/// backwards.
+/// Maps a driver's timestamps, of any epoch, to session time: the offset follows the least delayed arrivals
+/// (ClockEnvelope). A driver clock that steps back or leaps ahead (a recording that starts over, a device that resets)
+/// starts a new mapping. Session times never go backwards.
 class TimestampMap {
  public:
   /// The session time of a frame with the driver's stamp `driver` that arrived at `arrival`. The result is at most

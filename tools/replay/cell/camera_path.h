@@ -33,7 +33,7 @@ class CameraPath {
   [[nodiscard]] std::optional<link::Frame> take(SessionTime now);
   /// True if the station needs a depth key frame. The call clears the request.
   [[nodiscard]] bool key_frame_wanted();
-  /// True while the server is away.
+  /// True while the server restarts (Faults::restarts).
   [[nodiscard]] bool server_is_away(SessionTime now) const noexcept;
   [[nodiscard]] const PathCounts& counts() const noexcept { return counts_; }
 

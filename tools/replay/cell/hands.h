@@ -12,8 +12,8 @@ namespace telepalp::replay {
 /// holds, rubs to both sides, leaves. One round takes 10 s.
 [[nodiscard]] std::unique_ptr<ports::Rig> examining_hand(const scenes::Scene& scene, std::uint64_t seed);
 
-/// A device and a hand that repeat what was recorded, whatever the force is. Before and after the recording they rest
-/// at its ends. `recorded` is not empty and outlives the rig.
+/// A device and a hand that repeat a recorded motion; the force does not move them. Before and after the recording they
+/// rest at its first and last position. `recorded` is not empty and outlives the rig.
 [[nodiscard]] std::unique_ptr<ports::Rig> recorded_hand(const RecordedHand& recorded);
 
 }  // namespace telepalp::replay

@@ -31,8 +31,8 @@ struct BuiltSurface {
   double build_s = 0.0;
 };
 
-/// The station's surface thread in virtual time: frames that arrive while it works wait; then it takes the newest, as
-/// the station does. Decoding and building take the times StageTimes of the scenario.
+/// The station's surface thread in virtual time: frames that arrive while it works wait; then it builds the newest.
+/// Decoding and building last as long as the scenario's StageTimes say.
 class SurfaceStage {
  public:
   SurfaceStage(const StageTimes& stages, const surface::SurfaceSettings& settings,

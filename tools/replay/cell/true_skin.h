@@ -14,15 +14,15 @@ inline constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// The values of one tick from which the figures are computed.
 struct TickRecord {
-  Eigen::Vector3f force_N = Eigen::Vector3f::Zero();  ///< in H
+  Eigen::Vector3f force_N = Eigen::Vector3f::Zero();  ///< in the haptic base's frame H
   control::Phase phase = control::Phase::Released;
   bool felt = false;               ///< the controller displays the skin or an object in it
   float depth_m = kUnknown;        ///< of the device below the true skin; negative: outside
   float off_truth_N = kUnknown;    ///< along the true normal: displayed force minus the true skin's
   float surface_off_m = kUnknown;  ///< device's distance to the displayed surface minus to the true one
   float surface_age_s = kUnknown;
-  float passivity_J = 0.0F;
-  float hand_excess_J = 0.0F;
+  float passivity_J = 0.0F;    ///< energy taken from the hand less energy stored; below 0: active
+  float hand_excess_J = 0.0F;  ///< work on the hand in this contact beyond the measured skin's
 };
 
 /// Compares a tick with the true skin of the same instant. `surface`: nullopt: unknown. `law`: nullptr: the scene has

@@ -9,8 +9,9 @@
 
 namespace telepalp::replay {
 
-/// What the hand felt in one run, in numbers. A figure that cannot be computed is NaN, for example because the source
-/// has no true skin, or because nothing was touched.
+/// The figures of one run: forces, contact, surface, energy and network. A figure that cannot be computed is NaN, for
+/// example because the source has no true skin, or because nothing was touched. A tick is in true contact if the device
+/// is over 2 mm deep in the true skin or, where that is unknown, if the unimpaired run is in contact.
 struct Figures {
   double seconds = 0.0;
   double force_rmse_N = 0.0;       ///< against the unimpaired run, tick by tick, over all ticks
@@ -19,16 +20,16 @@ struct Figures {
   double force_step_N = 0.0;       ///< largest change of the force from one tick to the next
   double true_force_rmse_N = 0.0;  ///< against the force of the true skin, along its normal, while either is felt
   double true_force_p99_N = 0.0;
-  double contact_lost_pct = 0.0;     ///< of the ticks that should feel the skin: those at which nothing is felt
+  double contact_lost_pct = 0.0;     ///< of the ticks in true contact: those without contact
   double phase_differs_pct = 0.0;    ///< of all ticks: those with another phase than in the unimpaired run
   double phase_changes = 0.0;        ///< transitions of the controller
   double released_pct = 0.0;         ///< of all ticks: those at which the station has let go
-  double surface_error_rms_m = 0.0;  ///< of the displayed surface against the true one, near the skin
+  double surface_error_rms_m = 0.0;  ///< displayed against true surface, within 45 mm of the skin
   double surface_error_p99_m = 0.0;
   double surface_age_p50_s = 0.0;
   double surface_age_p99_s = 0.0;
-  double energy_J = 0.0;       ///< least balance of the display's ledger; below zero the display was active
-  double hand_excess_J = 0.0;  ///< largest work on the hand in a contact beyond the measured skin's
+  double energy_J = 0.0;       ///< least energy taken from the hand less energy stored; below 0: active
+  double hand_excess_J = 0.0;  ///< most work on the hand in a contact, minus the measured skin's
   double frames = 0.0;         ///< number of frames offered to the network whose deadline has passed
   double frames_in_time_pct = 0.0;
   double frames_touched_pct = 0.0;
@@ -38,7 +39,7 @@ struct Figures {
   double total_p50_s = 0.0;    ///< from captured to touchable
   double total_p99_s = 0.0;
   double content_B = 0.0;   ///< size of the encoded frames
-  double sent_B = 0.0;      ///< sent by the server, with repairs
+  double sent_B = 0.0;      ///< sent by the server, with FEC repair packets
   double answered_B = 0.0;  ///< sent by the station
   double datagrams_lost = 0.0;
 };

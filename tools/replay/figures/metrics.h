@@ -11,7 +11,7 @@ namespace telepalp::replay {
 /// One named figure, for reports and assertions.
 struct Metric {
   std::string_view name;  ///< ends with the unit: "force_rmse_N"
-  std::string_view what;
+  std::string_view what;  ///< description for people
   double Figures::*value;
 };
 [[nodiscard]] std::span<const Metric> metrics() noexcept;

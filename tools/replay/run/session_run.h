@@ -37,8 +37,8 @@ struct RunResults {
 
 /// Runs the tape over the networks of `orders`, side by side, window by window: the tape is read once, and memory holds
 /// a few windows at any length. The other runs are compared with that of the first order. `progress`: called after each
-/// window with the session time that is done. Error: the source has no frame in which the scene can be placed, or
-/// cannot be read.
+/// window with the session time replayed so far [s]. Error: the source has no frame in which the scene can be placed,
+/// or cannot be read.
 [[nodiscard]] Result<RunResults> run_session(Tape& tape, const RunSettings& settings, std::vector<RunOrder> orders,
                                              const std::function<void(double seconds)>& progress = {});
 

@@ -25,7 +25,7 @@ struct ClockStep {
   Nanoseconds by{0};
 };
 
-/// The device's encoder reports a place that is off by `off_m` along each axis during the window.
+/// The device's encoder reports a position with an error of `off_m` along each axis during the window.
 struct EncoderGlitch {
   Window when;
   double off_m = 0.0;
@@ -33,8 +33,8 @@ struct EncoderGlitch {
 
 /// Faults beyond those of the link.
 struct Faults {
-  std::vector<Window> outages = {};   ///< nothing crosses the network, in both directions
-  std::vector<Window> restarts = {};  ///< the server is away; at the window's end it begins a new link session
+  std::vector<Window> outages = {};   ///< no datagram crosses the network in either direction
+  std::vector<Window> restarts = {};  ///< the server is down; at the window's end it begins a new link session
   std::vector<Window> tracker_lost = {};
   std::vector<EncoderGlitch> glitches = {};
   std::vector<ClockStep> clock_steps = {};

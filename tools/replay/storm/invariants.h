@@ -10,13 +10,14 @@
 namespace telepalp::replay {
 
 /// What must hold at every tick, whatever the network and the faults do:
-/// - the force is finite, at most the scene's peak, and changes by at most the scene's slew;
-/// - neither energy ledger leaves its bound. The ledger of the hand is not checked in a contact whose surface was older
-///   than 0.9 s, because a station that lets go does less work on the hand than the skin would;
-/// - 0.5 s after the newest surface is 2.5 s old, the station has let go;
+/// - the force is finite, at most the scene's peak, and changes no faster than the scene's slew rate;
+/// - the energy taken from the hand less the energy stored is at least -5 mJ, and the work on the hand in a contact
+///   exceeds that of the measured skin by at most 0.15 J. The latter is not checked in a contact whose surface was
+///   older than 0.9 s, because a station that fades its force does less work on the hand than the skin would;
+/// - 0.5 s after the newest surface is 2.5 s old, the station has released the hand;
 /// - 3 s after the last fault, a device that stays deeper than 5 mm in the true skin, on surfaces younger than 0.8 s,
 ///   feels it within 1.5 s;
-/// - on each topic times do not go back, and ticks are numbered without a gap.
+/// - on each topic, publication times do not decrease, and ticks are numbered without a gap.
 class Invariants {
  public:
   struct Violation {

@@ -24,8 +24,8 @@ struct StormCase {
 /// The command line that repeats a case, without the program's name.
 [[nodiscard]] std::string command_line(const StormCase& storm);
 
-/// Makes a case simpler by one part: one fault fewer, an unimpaired network figure, a patient who does not
-/// move, or the plain scene.
+/// Makes a case simpler by one part: no fault of one kind, one network impairment removed, a patient who breathes
+/// regularly, patient seed 1, or the scene "skin".
 using Simplification = void (*)(StormCase& storm);
 [[nodiscard]] std::span<const Simplification> simplifications() noexcept;
 

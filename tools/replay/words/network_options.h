@@ -10,8 +10,8 @@ namespace telepalp::replay {
 /// The options that describe the network and the faults of a run.
 [[nodiscard]] std::vector<program::Option> network_options();
 
-/// The scenario that these options describe: a profile first, then each figure that is given. The deadline is 100 ms
-/// plus the delay, unless it is given: a frame cannot arrive before the delay is over.
+/// The scenario that these options describe: a named network profile, with the values that further options replace. The
+/// default deadline is 100 ms plus the delay, because a frame cannot arrive before the delay is over.
 [[nodiscard]] Result<Scenario> read_scenario(const program::Arguments& arguments);
 
 /// The deadline of a scenario whose user gave none.

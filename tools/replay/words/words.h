@@ -26,13 +26,13 @@ namespace telepalp::replay {
 /// "10s+500ms,30s+1s": windows by their begin and length. At most 64.
 [[nodiscard]] Result<std::vector<Window>> parse_windows(std::string_view text, std::string_view option);
 
-/// "10s+4ms:20": a window, and how far the encoder is off, in millimetres.
+/// "10s+4ms:20": a window, and the encoder's error along each axis [mm].
 [[nodiscard]] Result<std::vector<EncoderGlitch>> parse_glitches(std::string_view text, std::string_view option);
 
-/// "10s+2s:-300ms": a window, and how wrong the station's clock is.
+/// "10s+2s:-300ms": a window, and the error of the station's clock.
 [[nodiscard]] Result<std::vector<ClockStep>> parse_clock_steps(std::string_view text, std::string_view option);
 
-/// The same words, for a command line that repeats a run.
+/// The inverse of parse_span() and of one window of parse_windows(), for a command line that repeats a run.
 [[nodiscard]] std::string span_in_words(Nanoseconds span);
 [[nodiscard]] std::string window_in_words(const Window& window);
 

@@ -27,7 +27,7 @@ struct RestShape {
   [[nodiscard]] double cloth_share(double u, double v) const noexcept;
 
   /// Body coordinates of the ray through pixel (u, v) at the belly's depth [m]: towards the patient's head, towards the
-  /// right side.
+  /// patient's right.
   [[nodiscard]] Eigen::Vector2d body_coordinates_m(double u, double v) const noexcept;
 
   /// Pixels of image motion per metre that the body slides in body coordinates. A positive slide moves the image
