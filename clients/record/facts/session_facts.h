@@ -19,10 +19,10 @@ struct SessionFacts {
     std::string type;
     std::uint64_t messages = 0;
     std::uint64_t bytes = 0;         ///< sum of the payloads
-    double rate_Hz = 0.0;            ///< 0: fewer than two messages
+    double rate_Hz = 0.0;            ///< mean over the whole session; 0: fewer than two messages
     double longest_gap_s = 0.0;      ///< between two messages
     std::uint64_t lost = 0;          ///< missing sequence numbers: lost between publisher and file
-    std::uint64_t back_in_time = 0;  ///< messages that are older than the topic's message before them
+    std::uint64_t back_in_time = 0;  ///< messages older than an earlier one of the topic in the file
     std::uint64_t unreadable = 0;    ///< messages that do not parse as `type`
     bool is_ours = false;            ///< a topic of telepalp, with its type
     bool has_other_version = false;  ///< the type's definition differs from this program's

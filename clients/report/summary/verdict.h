@@ -25,7 +25,7 @@ struct Check {
 
 /// The overall assessment of a run.
 struct Verdict {
-  bool good = false;     ///< a station took part and no check misses its budget
+  bool good = false;     ///< exactly one station took part, and no check misses its budget
   std::string headline;  ///< "The run was good."
   std::string account;   ///< what happened, in two or three sentences
   std::vector<Check> checks;

@@ -20,7 +20,7 @@ struct StormOutcome {
 /// Runs a case and checks the invariants at every tick. Error: the patient or the scene cannot be read.
 [[nodiscard]] Result<StormOutcome> run_case(const StormCase& storm, const Spoil& spoil = {});
 
-/// Replaces a failing case by simpler ones as long as they fail.
+/// Shortens a failing case to its violation, and replaces it by simpler cases as long as they fail.
 [[nodiscard]] Result<StormCase> shrunk(StormCase failing, const Spoil& spoil = {});
 
 }  // namespace telepalp::replay
