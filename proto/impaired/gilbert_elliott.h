@@ -9,8 +9,8 @@ namespace telepalp::impaired {
 class GilbertElliott {
  public:
   GilbertElliott() = default;
-  /// `loss`: share of packets that are lost, 0 to 1. `mean_burst`: mean number of packets lost in a row. A mean that is
-  /// shorter than independent losses have, 1 / (1 - loss), gives independent losses.
+  /// `loss`: share of packets that are lost, 0 to 1. `mean_burst`: mean number of packets lost in a row. Independent
+  /// losses have the mean 1 / (1 - loss); a smaller `mean_burst` gives independent losses.
   GilbertElliott(double loss, double mean_burst) noexcept { set(loss, mean_burst); }
 
   /// Changes both parameters; the state stays.
@@ -28,8 +28,8 @@ class GilbertElliott {
   }
 
  private:
-  double begins_ = 0.0;  ///< probability of good to bad
-  double ends_ = 1.0;    ///< probability of bad to good
+  double begins_ = 0.0;  ///< probability that the good state changes to the bad one
+  double ends_ = 1.0;    ///< probability that the bad state changes to the good one
   bool bad_ = false;
 };
 

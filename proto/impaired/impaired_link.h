@@ -20,7 +20,8 @@ struct Packet {
   bool stream = false;
 };
 
-/// Counters since the start; a packet is one of lost, dropped, held or delivered.
+/// Counters since the start. Each datagram counts as lost, dropped or delivered, or is still in the link. A TCP segment
+/// is delivered always, and counts as lost too, once for each loss that delays it.
 struct LinkStatistics {
   std::uint64_t sent = 0;
   std::uint64_t sent_bytes = 0;
@@ -34,8 +35,8 @@ struct LinkStatistics {
   Nanoseconds worst_delay{0};  ///< longest time in the link
 };
 
-/// One direction of an impaired link. Pure: packets go in with the time, and come out with the time. Times are since
-/// the start and never decrease. The same seed and the same packets give the same arrivals on every machine.
+/// One direction of an impaired link. Pure: time is an argument. Times are since the start and never decrease. The same
+/// seed and the same packets give the same arrivals on every machine.
 class ImpairedLink {
  public:
   ImpairedLink(const Impairment& impairment, std::uint64_t seed, Trace trace = {});
@@ -48,7 +49,8 @@ class ImpairedLink {
 
   /// Bytes in the bottleneck's queue.
   [[nodiscard]] std::size_t queued_B(Nanoseconds now) const noexcept;
-  /// True if the bottleneck's queue has room for `bytes` more. A sender of a stream waits until it has.
+  /// True if the bottleneck's queue has room for `bytes` more and the link holds at most 64 MiB then. The sender of a
+  /// TCP stream waits while it is false.
   [[nodiscard]] bool has_room(Nanoseconds now, std::size_t bytes) const noexcept;
   /// Forgets a stream that has ended; its segments on the way still arrive.
   void forget_stream(std::uint64_t flow) { last_segment_.erase(flow); }

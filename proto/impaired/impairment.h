@@ -13,7 +13,7 @@ struct Impairment {
   Nanoseconds jitter{0};       ///< added to the delay, uniform from -jitter to jitter; the sum is never negative
   double loss = 0.0;           ///< share of packets
   double burst_packets = 1.0;  ///< mean length of a loss burst; 1: independent losses
-  double reorder = 0.0;        ///< share of packets that `reorder_by` holds back
+  double reorder = 0.0;        ///< share of packets that are delayed by `reorder_by` more
   Nanoseconds reorder_by = std::chrono::milliseconds(10);
   double duplicate = 0.0;            ///< share of packets that arrive twice
   double corrupt = 0.0;              ///< share of packets that arrive with one bit inverted
@@ -23,7 +23,7 @@ struct Impairment {
   Nanoseconds outage_for{0};         ///< each period ends with an outage of this length
 };
 
-/// One row of a trace: the four figures that a measured path gives, valid from `at` until the next row.
+/// One row of a trace: delay, jitter, loss and rate of a measured path, valid from `at` until the next row.
 struct TraceRow {
   Nanoseconds at{0};
   Nanoseconds delay{0};
@@ -31,7 +31,7 @@ struct TraceRow {
   double loss = 0.0;
   double rate_B_per_s = 0.0;  ///< 0: outage
 };
-/// Rows in order of time, the first at 0. After the last row, which only marks the end, the trace begins anew.
+/// Rows in order of time, the first at 0. The last row only marks the end, at which the trace starts again.
 using Trace = std::vector<TraceRow>;
 
 }  // namespace telepalp::impaired

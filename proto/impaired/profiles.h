@@ -9,7 +9,7 @@
 
 namespace telepalp::impaired {
 
-/// Both directions of a kind of path.
+/// The impairments of a kind of network path, in both directions.
 struct Profile {
   std::string_view name;
   std::string_view what;
@@ -23,7 +23,7 @@ struct Profile {
 [[nodiscard]] Result<Profile> profile_named(std::string_view name);
 
 /// Reads a trace: CSV with the header `t_s,delay_ms,jitter_ms,loss_percent,rate_kbit_per_s`, at least two rows, times
-/// from 0 upwards. At most 1 MiB. `where`: the name of the source, for errors, which name the line.
+/// from 0 upwards. At most 1 MiB. `where`: the name of the source. Errors state it and the line.
 [[nodiscard]] Result<Trace> parse_trace(std::string_view text, std::string_view where);
 [[nodiscard]] Result<Trace> read_trace(const std::filesystem::path& file);
 

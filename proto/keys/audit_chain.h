@@ -9,9 +9,9 @@
 
 namespace telepalp::keys {
 
-/// An audit log is lines of "hash text", where hash = SHA-256(hash of the line before, newline, text) in hexadecimal.
-/// So each altered, removed or inserted byte is detected, except when the last lines are removed; a copy of the last
-/// hash kept elsewhere detects that, too.
+/// An audit log is lines of "hash text", where hash = SHA-256(hash of the line before, newline, text) in hexadecimal. A
+/// verifier detects each altered, removed or inserted byte, except the removal of the last lines. It detects this
+/// removal, too, by comparison with a copy of the last hash that is kept elsewhere.
 struct AuditPosition {
   std::uint64_t lines = 0;
   std::string hash = std::string(64, '0');  ///< hash of the last line

@@ -12,11 +12,11 @@
 
 namespace telepalp::keys {
 
-/// A key is valid from this long before it was made, because the clocks of two sites differ.
+/// The validity of a key begins this long before its creation, because the clocks of two machines differ.
 inline constexpr std::chrono::hours kBackdated{1};
 
-/// Issues the keys of one site, and revokes them. Its own file never leaves the machine on which keys are made. Each
-/// function that issues returns the text of a key file (key_file.h).
+/// Issues the keys of one site, and revokes them. Its own file never leaves the machine on which keys are made. Each of
+/// server_key(), client_key() and token() returns the text of a key file (key_file.h).
 class Authority {
  public:
   struct Issue {

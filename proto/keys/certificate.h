@@ -12,13 +12,14 @@ namespace telepalp::keys {
 struct CertificateRequest {
   std::string name;       ///< common name
   std::string alt_names;  ///< subjectAltName as in OpenSSL's configuration: "DNS:host,IP:10.0.0.1"; empty: none
-  std::string usage;      ///< extendedKeyUsage: "serverAuth", "clientAuth"; empty: an authority
+  std::string usage;      ///< extendedKeyUsage: "serverAuth", "clientAuth"; empty: the certificate of an authority
   std::string serial;
   WallTime from{};
   WallTime until{};
 };
 
-/// A certificate for `key`, signed by `issuer` with `issuer_key`. `issuer` null: it signs itself.
+/// A certificate for `key`, signed by `issuer` with `issuer_key`. `issuer` null: the certificate is self-signed;
+/// `issuer_key` is then `key`.
 [[nodiscard]] Result<CertificatePtr> make_certificate(const CertificateRequest& request, EVP_PKEY& key, X509* issuer,
                                                       EVP_PKEY& issuer_key);
 

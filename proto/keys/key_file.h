@@ -17,8 +17,8 @@ inline constexpr std::size_t kMaxKeyFileBytes = 64 * 1024;
 /// Beginning of the line that holds the token in a token's file.
 inline constexpr std::string_view kTokenLine = "token: ";
 
-/// A file that a person carries. It begins with a line for people. Then come either a certificate and its private key
-/// (PEM), or a token; and last the certificate of the authority, which verifies the other end.
+/// A file that a person carries. It begins with a line that describes it to people. Then come either a certificate and
+/// its private key (PEM), or a token; and last the certificate of the authority, which verifies the other end.
 struct KeyFile {
   enum class Kind { Server, Client, Token };
 
@@ -47,7 +47,7 @@ struct KeyFile {
 /// Error: `key` has expired at `now`. `file`: its name, for the error.
 [[nodiscard]] Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::string& file);
 
-/// The key in a few lines for people: whose it is, what it allows, until when.
+/// Describes the key in a few lines: whose it is, what it allows, until when.
 [[nodiscard]] std::string in_words(const KeyFile& key);
 
 /// "2026-11-21 23:10 UTC"

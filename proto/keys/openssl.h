@@ -14,7 +14,7 @@
 
 namespace telepalp::keys {
 
-/// Frees an OpenSSL object with its own function.
+/// Deleter of a unique_ptr to an OpenSSL object: calls `kFree`, the function of OpenSSL that frees this type.
 template <auto kFree>
 struct Freed {
   template <class T>

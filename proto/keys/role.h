@@ -8,14 +8,15 @@
 namespace telepalp::keys {
 
 /// The role of a person, which decides the allowed operations. A key or token carries one role. `Local` is a program on
-/// the server's own machine, when the server has no keys and listens on loopback alone; no key carries it.
+/// the server's own machine, when the server has no keys and listens only on the loopback interface; no key carries the
+/// role `Local`.
 enum class Role { Technician, Doctor, Viewer, Qa, Local };
 
 /// An operation that a peer requests from a server. The server checks the peer's role when the request arrives.
 enum class Operation {
   Watch,     ///< subscribe to topics: see the patient, the hand and the statistics
   Touch,     ///< publish /station/..., or move the hand in the web viewer
-  HandOver,  ///< offer the touch or the hand that one holds to another person
+  HandOver,  ///< offer one's permission to touch, or to move the hand, to another person
   Record,    ///< join as a recorder
   Metrics,   ///< read /metrics
 };
@@ -33,7 +34,7 @@ inline constexpr std::array kOperations{Operation::Watch, Operation::Touch, Oper
 /// The role that a key may carry, by its name; nullopt: no such role, or `local`.
 [[nodiscard]] std::optional<Role> role_named(std::string_view name) noexcept;
 
-/// What `role` allows, for people: "watch, touch, record".
+/// The names of the operations that `role` allows: "watch, touch, record".
 [[nodiscard]] std::string permissions(Role role);
 
 }  // namespace telepalp::keys

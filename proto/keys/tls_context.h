@@ -23,7 +23,7 @@ using TlsContextPtr = std::unique_ptr<SSL_CTX, FreeTlsContext>;
 using IsRevoked = std::function<bool(const std::string& serial)>;
 
 /// TLS 1.3 for a server with `key`. A client's certificate is checked if it sends one; `is_revoked` is asked at each
-/// handshake. There is no resumption: each session checks the key anew.
+/// handshake. Session resumption is off, so that each session checks the certificate again.
 [[nodiscard]] Result<TlsContextPtr> server_context(const KeyFile& key, IsRevoked is_revoked);
 
 /// TLS 1.3 for a server that serves browsers, which are not asked for a certificate.
@@ -41,8 +41,8 @@ void expect_host(SSL& session, const std::string& host);
 /// 32 bytes that both ends of a session share and nobody else knows (RFC 8446, 7.5). nullopt before the handshake ends.
 [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(SSL& session, std::string_view label);
 
-/// Explains why a client's handshake or read failed, if each further attempt would fail too; nullopt: an attempt may
-/// succeed. `code`: OpenSSL's error. `host`: as for expect_host().
+/// Explains why a client's handshake or read failed, if each further attempt to connect would fail too; nullopt:
+/// another attempt may succeed. `code`: OpenSSL's error code. `host`: as for expect_host().
 [[nodiscard]] std::optional<Error> refusal_of(SSL& session, unsigned long code, const KeyFile& key,
                                               const std::string& host);
 

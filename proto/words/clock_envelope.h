@@ -6,16 +6,17 @@
 
 namespace telepalp {
 
-/// Maps another clock's time to ours from pairs (their stamp, our arrival time). Delivery only delays, so the smallest
-/// difference seen is the truest: the offset follows the lower envelope of the differences. It falls at once and rises
-/// by at most `drift` seconds a second. A difference that changes by more than half a second starts a new mapping.
+/// Maps another clock's time to ours from pairs (their stamp, our arrival time). The delivery delay is never negative,
+/// so the smallest difference, arrival minus stamp, is the most accurate: the offset follows the lower envelope of the
+/// differences. It falls at once and rises by at most `drift` seconds a second. A difference that changes by more than
+/// half a second starts a new mapping.
 class ClockEnvelope {
  public:
   using Nanoseconds = std::chrono::nanoseconds;
   static constexpr Nanoseconds kJump = std::chrono::milliseconds(500);
-  static constexpr double kOscillatorDrift = 200e-6;  ///< more than two quartz oscillators differ
+  static constexpr double kOscillatorDrift = 200e-6;  ///< [s/s] above the relative drift of two quartz oscillators
 
-  /// `drift`: larger than the default for a clock that is slewed.
+  /// `drift`: largest rise of the offset [s/s]. Pass more than the default for a clock that is slewed.
   explicit ClockEnvelope(double drift = kOscillatorDrift) noexcept : drift_(drift) {}
 
   /// Our time of the stamp `theirs`, which arrived at `ours`; never later than `ours`.

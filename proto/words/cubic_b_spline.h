@@ -4,7 +4,8 @@
 
 namespace telepalp {
 
-/// The four uniform cubic B-splines that overlap between two knots, and their derivatives by `t`.
+/// The four uniform cubic B-splines that are nonzero between two knots: values, and derivatives by the position `t`
+/// between these knots.
 template <class Real>
 struct CubicBSpline {
   std::array<Real, 4> weight{};  ///< sum to 1

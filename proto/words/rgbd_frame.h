@@ -58,7 +58,7 @@ struct DepthErrorBound {
   double least_m = 0.0;
   double per_m = 0.0;
 
-  /// Depth that was changed by an amount that nobody stated: an infinite bound.
+  /// The infinite bound: depth may differ from the measurement by an unknown amount.
   [[nodiscard]] static DepthErrorBound unknown() noexcept {
     return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
@@ -73,7 +73,7 @@ struct RgbdFrame {
   CameraModel camera;
   DepthImage depth;
   ColorImage color;
-  std::optional<DepthErrorBound> loss = {};  ///< of depth that was coded near-losslessly before; nullopt: as measured
+  std::optional<DepthErrorBound> loss = {};  ///< bound on the error of earlier depth coding; nullopt: as measured
 };
 
 /// True when the sizes agree with each other, lie within kMaxImageSide, and the intrinsics are finite and positive.

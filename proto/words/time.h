@@ -5,8 +5,9 @@
 
 namespace telepalp {
 
-/// Clock type of session time: nanoseconds, monotonic, equal at both sites once the clocks are synchronised. It has no
-/// now(), so that pure code cannot read a clock; SessionClock in proto/wire/session_clock.h reads it.
+/// Clock type of session time: nanoseconds, monotonic, equal at the patient's and the doctor's site once the clocks are
+/// synchronised. It has no now(), so that pure code cannot read a clock; SessionClock in proto/wire/session_clock.h
+/// reads it.
 struct SessionEpoch {
   using rep = std::int64_t;
   using period = std::nano;
