@@ -17,13 +17,14 @@ enum class End { Client, Server };
 struct DatagramLinkSettings {
   SealSettings seal;
   Nanoseconds deadline =
-      std::chrono::milliseconds(100);  ///< longest time from a frame's time stamp until it is complete
+      std::chrono::milliseconds(100);  ///< repair ends so long after the time stamp, assembly after the 1st fragment
   bool takes_frames = true;            ///< false: fragments from the peer are ignored, and take no memory
-  std::size_t most_assembling_B = FrameReceiver::kMostAssembling_B;  ///< of frames from the peer
+  std::size_t most_assembling_B = FrameReceiver::kMostAssembling_B;  ///< bound on the memory of incomplete frames [B]
 };
 
-/// One end of a sealed link that carries frames with a deadline, in both directions. Pure: the caller sends and
-/// receives the datagrams, and passes the time: session time, which is equal at both ends. Owner: one thread.
+/// One end of a sealed (encrypted and authenticated) link that carries frames with a deadline, in both directions.
+/// Pure: the caller sends and receives the datagrams, and passes session time, which is equal at both ends. Owner: one
+/// thread.
 class DatagramLink {
  public:
   DatagramLink(const DatagramLinkSettings& settings, End end);
@@ -36,21 +37,21 @@ class DatagramLink {
   /// of its own offers only then, so that its newest frame goes out.
   [[nodiscard]] bool ready_for_frame(SessionTime now) noexcept { return sender_.idle() && path_.has_room(now); }
 
-  /// Makes a report due although nothing arrived. Reports in both directions keep a NAT's mapping and show that the
-  /// path works.
+  /// Lets next() return a report (Feedback in format/fragment.h) although nothing arrived. Reports in both directions
+  /// keep a NAT's mapping and show that the path works.
   void want_report() noexcept { unreported_ = true; }
 
-  /// When next() may have a datagram again although nothing arrives; nullopt: not before a frame is offered.
+  /// When to call next() again if nothing arrives; nullopt: only after offer() or want_report().
   [[nodiscard]] std::optional<SessionTime> due(SessionTime now) const noexcept;
 
   /// The next datagram to send now; nullopt: nothing to send. Ask again later, or after received().
   [[nodiscard]] std::optional<Datagram> next(SessionTime now);
 
-  /// Processes a received datagram. nullopt: it is not from the peer, and the caller must not answer it. True: it is
-  /// the peer's newest datagram, so the peer's address may change to the address it came from.
+  /// Processes a received datagram. nullopt: it is not from the peer, and the caller must not answer it. True: no newer
+  /// datagram of the peer came before, so its source address may become the peer's address. False: it is older.
   std::optional<bool> received(std::span<const std::byte> datagram, SessionTime now);
 
-  /// The next complete frame.
+  /// The next complete frame; nullopt: none.
   [[nodiscard]] std::optional<Frame> take(SessionTime now);
 
   /// Bit n: the peer needs a key frame of channel n. The call clears all bits.

@@ -41,7 +41,8 @@ class ByteStream {
   [[nodiscard]] virtual std::optional<keys::Identity> identity() { return std::nullopt; }
   /// Secret bytes that both ends of a TLS session share; nullopt before the handshake has ended, and without TLS.
   [[nodiscard]] virtual std::optional<std::array<std::byte, 32>> keying_material(std::string_view label);
-  /// Explains a failure, if each further attempt would fail the same way; nullopt: an attempt may succeed.
+  /// Explains the failed operation if each further attempt to connect would fail the same way; nullopt: another attempt
+  /// may succeed.
   [[nodiscard]] virtual std::optional<Error> refusal(const boost::system::error_code& failed);
 };
 

@@ -52,16 +52,17 @@ class ClientLink : private ConnectionOwner {
     std::shared_ptr<const keys::KeyFile> key{};  ///< null: plain TCP, to this machine alone
     std::vector<std::string> subscribes{};       ///< topic names; one ending in '*' is a prefix
     std::vector<Topic> publishes{};  ///< topics that publish() accepts; the server accepts only /station/…
-    bool datagrams = true;           ///< takes the deadline topics by sealed datagram if the path carries UDP
-    bool accepts_touch = false;      ///< of a station: takes the touch whenever its holder offers it to this doctor
+    bool datagrams = true;           ///< takes images and poses by sealed datagram (UDP) if the path carries UDP
+    bool accepts_touch = false;      ///< of a station: accepts the touch (see hand_over()) when offered
   };
   struct Handlers {
     std::function<void(const Message&)> on_message{};
     /// `detail`: text for a log line with the peer's address, or the reason why there is no connection.
     std::function<void(LinkState, const std::string& detail)> on_state{};
-    /// Called when the carrier of the images changes: Up: datagrams, Blocked: TCP. `detail`: text for a log line.
+    /// Called when the images change between datagrams (phase Up) and TCP (phase Blocked). `detail`: text for a log
+    /// line.
     std::function<void(DatagramPhase, const std::string& detail)> on_datagrams{};
-    /// The server's answer to hand_over(), or none: `done` is false and the connection has ended.
+    /// The server's answer to hand_over(). `done` is false if the server refuses or the connection ends first.
     std::function<void(bool done, const std::string& outcome)> on_hand_over{};
   };
   struct Counts {
@@ -90,10 +91,10 @@ class ClientLink : private ConnectionOwner {
   /// Without a connection it does nothing, because the first frame of a new connection is a key frame.
   void request_key_frame(const Message& unreadable);
 
-  /// Offers the touch, which this station holds, to the doctor named `to`; an empty name withdraws the offer. The
-  /// answer comes to on_hand_over. Returns false without a connection.
+  /// Offers the touch, the permission to publish as a station, which this station holds, to the doctor named `to`. An
+  /// empty name withdraws the offer. The answer comes to on_hand_over. Returns false without a connection.
   bool hand_over(const std::string& to);
-  /// The next connection takes the touch if its holder offers it to this doctor.
+  /// The next connection accepts the touch if its holder offers it to this doctor.
   void accept_touch();
 
   /// The current estimate of the session clock; before the first connection, this machine's wall clock. Any thread.
@@ -107,7 +108,7 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] const Error& refusal() const noexcept { return refusal_; }
   /// Connection::keying_material() of the current connection; nullopt without one.
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const;
-  /// Up: the images come by datagram; else over TCP.
+  /// The phase of the datagram path. In Up the images come by datagram, else over TCP.
   [[nodiscard]] DatagramPhase datagrams() const noexcept;
   /// Continues on another local UDP port. For tests: to the server it looks like a NAT that changes its mapping.
   void change_datagram_port();
@@ -168,8 +169,8 @@ class ClientLink : private ConnectionOwner {
   boost::asio::steady_timer probe_;
   std::chrono::milliseconds back_off_;
   ClockSync clock_sync_;
-  std::atomic<std::int64_t> offset_target_ns_;           // a SlewedOffset; written by the network thread,
-  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // read by any; written before the target, read after it
+  std::atomic<std::int64_t> offset_target_ns_;           // target of a SlewedOffset; stored after the line
+  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // its line; loaded after the target, by any thread
   bool accepts_once_ = false;                            // accept_touch() was called, and no connection came since
   bool hands_over_ = false;                              // the server's answer to hand_over() has not come
   int probes_ = 0;                                       // number of clock probes sent on this connection

@@ -41,7 +41,7 @@ class ConnectionOwner {
   /// Returns the next message to send; nullopt: no message waits, and the owner calls wake() when there is one. The
   /// owner holds the bounded queue; the connection holds only the message being written.
   virtual std::optional<Message> next_to_send() = 0;
-  /// A client asks to hand over the touch, or a server answers.
+  /// A client asks to hand over the touch (the permission to publish as a station), or a server answers.
   virtual void on_hand_over(const msg::HandOver&) {}
   /// The server at the other end offers sealed datagrams. A server makes one offer on a connection.
   virtual void on_datagram_offer(const msg::DatagramOffer&) {}
@@ -66,8 +66,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::string token{};    ///< bearer token, sent in Hello; empty: none
     std::uint64_t run = 0;  ///< random number of this run of the program; 0: none
     msg::DatagramCipher datagrams =
-        msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its fastest cipher; NONE: it takes no datagrams
-    bool accepts_touch = false;                        ///< of a station: takes the touch if it is offered
+        msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: fastest cipher on its processor; NONE: no datagrams
+    bool accepts_touch = false;                        ///< of a station: accepts the touch (see on_hand_over()) if offered
     std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
     std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello
     /// Limit on the rate of reading; 0: no limit. Bytes above it stay in the kernel's receive buffer until they are
@@ -79,7 +79,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Connection(std::unique_ptr<ByteStream> stream, Options options, ConnectionOwner& owner);
 
   void start();                                            ///< sends Hello, reads, and checks the deadlines
-  void wake();                                             ///< call it when next_to_send() has a message again
+  void wake();                                             ///< call it when next_to_send() has a message after it had none
   void subscribe(const std::vector<std::string>& topics);  ///< replaces the earlier subscription
   void probe_clock();
   /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.
@@ -159,7 +159,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::uint64_t control_sequence_ = 0;
   bool has_offer_ = false;  // a datagram offer was received; a second one would reuse its keys and nonces
   bool writing_ = false;
-  bool drains_ = false;  // while leaving: the owner's queue is sent before the Goodbye
+  bool drains_ = false;  // closing: the owner's queued messages are sent before the Goodbye
   bool said_goodbye_ = false;
   HeaderBytes header_being_written_{};
   std::shared_ptr<const std::string> payload_being_written_;

@@ -4,12 +4,14 @@
 
 namespace telepalp {
 
-/// Frames of reference, each an empty tag type. All are right-handed, in metres.  DepthCamera (K)  origin at the depth
-/// sensor's pinhole; x right, y down in the image, z into the scene. HandTracker (L)  origin at the tracker; as its
-/// maker defines it (Leap: x right, y away from it, z to the user). HapticBase  (H)  origin at the haptic device's
-/// base; y up, away from the patient; x and z span the plane above the body in which the end-effector waits (paper S1,
-/// docs/sources.md, II.D). Viewer      (V)  the viewpoint of the person who looks at the scene. Body        (B)  fixed
-/// to the patient or the static model.
+/// Frames of reference, each an empty tag type. All are right-handed, in metres.
+///
+/// DepthCamera (K)  origin at the depth sensor's pinhole; x right, y down in the image, z into the scene.
+/// HandTracker (L)  origin at the tracker; as its maker defines it (Leap: x right, y away from it, z to the user).
+/// HapticBase  (H)  origin at the haptic device's base; y up, away from the patient; x and z span the plane
+///                  above the body in which the end-effector waits (paper S1 in docs/sources.md, II.D).
+/// Viewer      (V)  the viewpoint of the person who looks at the scene.
+/// Body        (B)  fixed to the patient or the static model.
 struct DepthCamera {};
 struct HandTracker {};
 struct HapticBase {};
@@ -22,8 +24,7 @@ struct Point {
   Eigen::Vector3d m = Eigen::Vector3d::Zero();
 };
 
-/// A free vector in `Frame`: a displacement [m], a velocity [m/s] or a unit direction; the name of the variable tells
-/// which.
+/// A free vector in `Frame`: a displacement [m], a velocity [m/s] or a unit direction; the variable's name tells which.
 template <class Frame>
 struct Vector {
   Eigen::Vector3d v = Eigen::Vector3d::Zero();

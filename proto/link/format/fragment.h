@@ -9,19 +9,20 @@
 
 namespace telepalp::link {
 
-/// First byte of a sealed payload.
+/// First byte of the payload of a sealed (encrypted and authenticated) datagram.
 enum class PayloadKind : std::uint8_t { Fragment = 1, Feedback = 2 };
 
 inline constexpr std::size_t kFragmentHeaderBytes = 15;
 inline constexpr std::size_t kMostShardBytes = kPayloadBytes - kFragmentHeaderBytes;
 inline constexpr std::size_t kMostFrameBytes = std::size_t{8} << 20U;
 inline constexpr std::uint8_t kMostChannels = 16;
-/// Data shards of a block. Together with at most 127 repair shards they are 255, the most that GF(2^8) allows.
+/// Data shards of a block. With at most 127 repair shards a block has 255 shards; the Cauchy matrix over GF(2^8) allows
+/// 256.
 inline constexpr std::size_t kMostDataShards = 128;
 inline constexpr std::size_t kMostRepairShards = 127;
 
-/// How a frame of a given size is cut: into shards of one size, dealt to the blocks in turn. Both ends compute it from
-/// the size alone. Successive shards belong to different blocks, so that a loss burst is shared by all blocks.
+/// How a frame of a given size is cut into shards of one size. Shard i belongs to block i modulo `blocks`, so that all
+/// blocks share a loss burst. Each block has its own repair shards. Both ends compute the layout from the size alone.
 struct FrameLayout {
   std::size_t data_shards = 1;
   std::size_t shard_bytes = 1;
@@ -35,7 +36,7 @@ struct FrameLayout {
   [[nodiscard]] std::size_t data_in_block(std::size_t block) const noexcept {
     return (data_shards - block + blocks - 1) / blocks;
   }
-  /// Where the data shard lies in the frame, which is padded with zeros to data_shards * shard_bytes.
+  /// Offset of the data shard in the frame [B]. The frame is padded with zeros to data_shards * shard_bytes.
   [[nodiscard]] std::size_t offset(std::size_t block, std::size_t shard) const noexcept {
     return (shard * blocks + block) * shard_bytes;
   }
@@ -44,11 +45,11 @@ struct FrameLayout {
 /// The fields in front of each shard.
 struct FragmentHeader {
   std::uint8_t channel = 0;       ///< below kMostChannels
-  bool key_frame = true;          ///< false: the frame depends on the one before
+  bool key_frame = true;          ///< false: the frame needs frame `frame - 1` of the channel
   std::uint32_t frame = 0;        ///< counts the frames of the channel
   std::uint32_t frame_bytes = 0;  ///< 1 to kMostFrameBytes
   std::uint8_t block = 0;
-  std::uint8_t shard = 0;          ///< below the block's data shards: data; above: repair
+  std::uint8_t shard = 0;          ///< below the number of data shards in the block: data; else: repair
   std::uint8_t repair_shards = 0;  ///< number of repair shards per block that are sent with the data
 };
 
@@ -59,7 +60,7 @@ struct Fragment {
 };
 
 void write_fragment_header(const FragmentHeader& header, std::span<std::byte, kFragmentHeaderBytes> out) noexcept;
-/// nullopt: `payload` is no fragment, or contradicts itself.
+/// nullopt: `payload` is no fragment, or its fields contradict each other or its size.
 [[nodiscard]] std::optional<Fragment> read_fragment(std::span<const std::byte> payload) noexcept;
 
 /// A block that cannot be decoded yet, because shards of it are missing.
@@ -67,7 +68,7 @@ struct Missing {
   std::uint8_t channel = 0;
   std::uint32_t frame = 0;
   std::uint8_t block = 0;
-  std::uint8_t shards = 0;  ///< how many more the block needs
+  std::uint8_t shards = 0;  ///< how many more shards, data or repair, the block needs
   bool operator==(const Missing&) const = default;
 };
 
@@ -76,7 +77,7 @@ struct Feedback {
   std::uint64_t highest_sequence = 0;
   std::uint64_t received_bytes = 0;
   std::int64_t reported_ns = 0;         ///< session time, which is never negative
-  std::uint32_t held_us = 0;            ///< time from the arrival of the highest sequence until this report
+  std::uint32_t held_us = 0;            ///< time from the arrival of datagram `highest_sequence` until this report
   std::uint32_t settled = 0;            ///< packets that have arrived or are counted as lost
   std::uint32_t lost = 0;               ///< packets that are counted as lost
   std::uint32_t bursts = 0;             ///< runs of lost packets

@@ -9,10 +9,10 @@
 
 namespace telepalp::link {
 
-/// The capture time in front of a frame's bytes.
+/// Size of the capture time that precedes a frame's bytes.
 inline constexpr std::size_t kStampBytes = 8;
 
-/// Time stamp, bytes, and zeros up to whole shards.
+/// The content that is cut into shards: capture time, `bytes`, and zeros up to a whole number of shards.
 [[nodiscard]] inline std::vector<std::byte> frame_body(SessionTime captured, std::span<const std::byte> bytes,
                                                        const FrameLayout& layout) {
   std::vector<std::byte> body(layout.data_shards * layout.shard_bytes);

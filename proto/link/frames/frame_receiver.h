@@ -21,10 +21,10 @@ struct ReceiverStatistics {
 };
 
 /// Assembles frames from fragments in any order. A frame is delivered only when it is complete, and once. A key frame
-/// is delivered at once, and marked as newest or not: one that was repaired within its deadline may come after a newer
-/// frame and must then not be shown. A dependent frame is delivered only after the frame before it, and never late.
-/// Memory is bounded: at most `most_assembling_B`, and kMostFrames of a channel; a larger frame is refused. Pure: time
-/// is an argument. Owner: one thread.
+/// is delivered at once. After a repair it may come later than a newer frame of its channel; then Frame::newest is
+/// false, and it must not be shown. A dependent frame is delivered only after the frame before it, and never after a
+/// newer one. Memory for incomplete frames is bounded: at most `most_assembling_B` bytes, and kMostFrames frames of a
+/// channel. A larger frame is refused. Pure: time is an argument. Owner: one thread.
 class FrameReceiver {
  public:
   static constexpr std::size_t kMostAssembling_B = std::size_t{32} << 20U;
@@ -37,10 +37,11 @@ class FrameReceiver {
   /// The next complete frame; nullopt: none.
   [[nodiscard]] std::optional<Frame> take();
 
-  /// Gives up frames that are too late. Call it at each step of time.
+  /// Gives up frames `deadline` after their first fragment, and complete frames whose reference frame is lost. Call it
+  /// at each step of time.
   void step(SessionTime now);
-  /// Blocks that lack shards although all fragments of their frame should have arrived; oldest frame first, at most
-  /// kMostMissing.
+  /// Blocks that lack shards although all fragments of their frame should have arrived; by channel, then oldest frame
+  /// first; at most kMostMissing.
   [[nodiscard]] std::vector<Missing> missing(SessionTime now) const;
   /// Bit n: channel n cannot deliver frames until a key frame comes.
   [[nodiscard]] std::uint16_t key_frames_wanted() const noexcept { return key_frames_wanted_; }
@@ -65,7 +66,7 @@ class FrameReceiver {
     SessionTime last_at{};  ///< arrival of the newest fragment
     [[nodiscard]] bool complete() const noexcept { return blocks_complete == blocks.size(); }
   };
-  /// The numbers of the delivered frames.
+  /// Remembers the numbers of the newest delivered frames of a channel.
   class Delivered {
    public:
     [[nodiscard]] bool contains(std::uint32_t number) const noexcept {

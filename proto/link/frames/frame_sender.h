@@ -12,7 +12,8 @@
 
 namespace telepalp::link {
 
-/// A message of a deadline topic, as the sender offers it and the receiver gets it.
+/// A message that is worthless when it is late (topics: proto/wire/datagram_message.h), as FrameSender takes it and
+/// FrameReceiver returns it.
 struct Frame {
   std::uint8_t channel = 0;
   std::uint32_t number = 0;  ///< counts the channel's frames at the source
@@ -25,7 +26,7 @@ struct Frame {
 struct SenderStatistics {
   std::uint64_t started = 0;
   std::uint64_t replaced = 0;  ///< dropped unsent, because a newer frame was offered
-  std::uint64_t expired = 0;   ///< dropped unsent, because their deadline could not be met
+  std::uint64_t expired = 0;   ///< dropped unsent: would arrive after twice the deadline (frame_sender.cpp)
   std::uint64_t data_shards = 0;
   std::uint64_t repair_shards = 0;
   std::uint64_t requested_shards = 0;  ///< repair shards that were sent on request
@@ -37,8 +38,8 @@ class FrameSender {
  public:
   explicit FrameSender(Nanoseconds deadline) : deadline_(deadline) {}
 
-  /// The frame waits until the path has room. Returns the number of the waiting frame that it replaces. Frames of no
-  /// bytes, or above kMostFrameBytes with their time stamp, are a bug of the caller.
+  /// The frame waits until the path has room. Returns the number of the waiting frame that it replaces. It is a bug of
+  /// the caller if `bytes` is empty, or larger than kMostFrameBytes less the time stamp.
   std::optional<std::uint32_t> offer(Frame frame);
 
   /// The payload of the next datagram; nullopt: nothing to send, or no room on the path.
@@ -49,7 +50,7 @@ class FrameSender {
   /// True while fragments wait for room on the path.
   [[nodiscard]] bool holds_fragments() const noexcept { return !first_round_.empty() || !requested_.empty(); }
 
-  /// Prepares the repair shards that a receiver asks for, if they can arrive before the frame's deadline.
+  /// Queues further repair shards for the blocks `missing`, if they can arrive before the frame's deadline.
   void on_missing(std::span<const Missing> missing, SessionTime now, const PathEstimate& path);
 
   [[nodiscard]] const SenderStatistics& statistics() const noexcept { return statistics_; }
@@ -62,12 +63,12 @@ class FrameSender {
   struct Outgoing {
     FragmentHeader header;
     SessionTime captured;
-    std::vector<std::byte> padded;  ///< time stamp, bytes, zeros up to whole shards
+    std::vector<std::byte> padded;  ///< time stamp, bytes, zeros up to a whole number of shards
     FrameLayout layout;
     std::vector<Block> blocks;
   };
   struct Piece {
-    std::uint64_t outgoing;  ///< number of the frame in sent_, counted from the session's start
+    std::uint64_t outgoing;  ///< index of the frame among all started frames
     std::uint8_t block;
     std::uint8_t shard;
     std::vector<std::byte> repair;  ///< bytes of a repair shard; empty: a data shard
@@ -81,9 +82,9 @@ class FrameSender {
 
   Nanoseconds deadline_;
   std::map<std::uint8_t, Frame> waiting_;
-  std::uint8_t last_channel_ = kMostChannels;  ///< channels take turns
+  std::uint8_t last_channel_ = kMostChannels;  ///< channel of the frame started last: channels take turns
   std::deque<Outgoing> sent_;                  ///< started frames, kept for repairs
-  std::uint64_t forgotten_ = 0;                ///< frames that have left sent_
+  std::uint64_t forgotten_ = 0;                ///< number of frames removed from the front of sent_
   std::deque<Piece> first_round_;
   std::deque<Piece> requested_;
   SenderStatistics statistics_;

@@ -7,13 +7,13 @@
 
 namespace telepalp::link {
 
-/// Counts lost packets and loss bursts from the sequence numbers that arrive. A packet counts as lost when it is
-/// missing while one that was sent kPatience packets later arrived kOvertaking ago, or while kMostWaiting newer ones
-/// have arrived. The caller passes each number once.
+/// Counts lost packets and loss bursts from the sequence numbers that arrive. A missing packet counts as lost when
+/// packet number + kPatience or a later one arrived kOvertaking ago, or when a packet with a number more than
+/// kMostWaiting higher has arrived. The caller passes each number once.
 class LossMeter {
  public:
   static constexpr std::uint64_t kPatience = 256;
-  /// On a path with jitter, a packet overtakes those that were sent up to this much earlier.
+  /// Bound on reordering by jitter: a packet may overtake packets that were sent up to this much earlier.
   static constexpr Nanoseconds kOvertaking = std::chrono::milliseconds(150);
   static constexpr std::uint64_t kMostWaiting = 8192;
 
@@ -44,7 +44,7 @@ class LossMeter {
     if (lost && !in_burst_) ++bursts_;
     in_burst_ = lost;
   }
-  /// Call it after an outage: all packets that were on the way count as one burst.
+  /// Continues at `sequence` after an outage: all packets in between count as lost, in one burst.
   void skip_to(std::uint64_t sequence, SessionTime now) noexcept {
     while (settling_ < next_) settle(settling_++);
     const auto gone = static_cast<std::uint32_t>(sequence - next_);
@@ -59,9 +59,9 @@ class LossMeter {
 
   std::bitset<kSize> seen_;
   std::uint64_t next_ = 0;       ///< one more than the highest number received
-  std::uint64_t settling_ = 0;   ///< the lowest number that is not counted yet
-  std::uint64_t mark_ = 0;       ///< next_ at mark_at_
-  std::uint64_t overtaken_ = 0;  ///< next_ at least kOvertaking ago
+  std::uint64_t settling_ = 0;   ///< the lowest number that counts neither as arrived nor as lost yet
+  std::uint64_t mark_ = 0;       ///< value that next_ had at mark_at_
+  std::uint64_t overtaken_ = 0;  ///< value that next_ had at least kOvertaking ago
   SessionTime mark_at_{};
   std::uint32_t settled_ = 0;
   std::uint32_t lost_ = 0;

@@ -10,21 +10,23 @@
 
 namespace telepalp::link {
 
-/// Rate, delay and loss of a path, as its sender knows them from the receiver's feedback, and the bound on data in
-/// flight that follows. Pure: time is an argument.
+/// Rate, delay and loss of a path, which the sender estimates from the receiver's feedback, and the congestion window
+/// that follows from them: limit_B(), a bound on the data in flight. Pure: time is an argument.
 class PathEstimate {
  public:
   /// A datagram of `bytes` left at `now`.
   void sent(std::uint64_t sequence, std::size_t bytes, SessionTime now);
-  /// Ignores feedback that is older than the last one, or acknowledges nothing, or a datagram that was not sent.
+  /// Ignores feedback that is older than the last one, that reports no received byte, or that names a datagram that was
+  /// not sent.
   void on_feedback(const Feedback& feedback, SessionTime now);
 
-  /// True if a datagram may be sent now. Without feedback for a while all data in flight counts as lost.
+  /// True if a datagram may be sent now. Without feedback for the longer of 1 s and 4 round trips, all data in flight
+  /// counts as lost, and limit_B() falls to its least value.
   [[nodiscard]] bool has_room(SessionTime now) noexcept;
 
   [[nodiscard]] Nanoseconds round_trip() const noexcept { return round_trip_; }  ///< smoothed; 0: unknown
   [[nodiscard]] Nanoseconds least_round_trip() const noexcept { return least_round_trip_; }
-  /// Delay by queues in the sender's direction; jitter is not in it.
+  /// Queueing delay in the direction of sending, without jitter.
   [[nodiscard]] Nanoseconds queue_delay() const noexcept { return queue_delay_; }
   [[nodiscard]] double loss() const noexcept { return loss_; }                    ///< share of packets
   [[nodiscard]] double burst_packets() const noexcept { return burst_packets_; }  ///< mean, at least 1
@@ -32,7 +34,7 @@ class PathEstimate {
   [[nodiscard]] std::uint64_t in_flight_B() const noexcept { return sent_bytes_ - acknowledged_; }
   [[nodiscard]] std::uint64_t limit_B() const noexcept { return limit_B_; }
   [[nodiscard]] Nanoseconds reported_age() const noexcept { return reported_age_; }  ///< of the newest complete frame
-  /// Reports that acknowledged a datagram which no earlier report did: the path works in both directions.
+  /// Number of reports that acknowledged a new datagram. While it grows, the path works in both directions.
   [[nodiscard]] std::uint64_t answers() const noexcept { return answers_; }
 
  private:
@@ -41,8 +43,8 @@ class PathEstimate {
     SessionTime at;
     std::uint64_t total_B;  ///< sent up to and including this datagram
   };
-  /// The least delay of the newest moment and of a long time. Their difference is the queue: in each moment some
-  /// packets meet little jitter, but none passes the queue.
+  /// The least delays of the last 0.2 s and of the last 10 s. Their difference is the queueing delay: in each 0.2 s
+  /// some packets meet hardly any jitter, but all packets meet the queue.
   struct LeastDelay {
     WindowedMinimum<Nanoseconds> of_a_moment;
     WindowedMinimum<Nanoseconds> of_a_long_time;
@@ -64,7 +66,7 @@ class PathEstimate {
   std::uint64_t answers_ = 0;
   SessionTime last_heard_{};
   LeastDelay round_trips_;
-  LeastDelay one_way_;          ///< with the unknown difference of the two clocks
+  LeastDelay one_way_;          ///< includes the unknown difference of the two clocks
   std::deque<Report> reports_;  ///< reports of the last fifth of a second
   Nanoseconds round_trip_{0};
   Nanoseconds least_round_trip_{0};
@@ -72,19 +74,19 @@ class PathEstimate {
   SessionTime least_seen_at_{};
   bool draining_ = false;
   Nanoseconds reported_age_{0};
-  double settled_ = 0.0;  ///< decayed counts
+  double settled_ = 0.0;  ///< packet counts with exponential decay
   double lost_ = 0.0;
   double bursts_ = 0.0;
   double loss_ = 0.01;
   double burst_packets_ = 1.0;
   double rate_B_per_s_ = 0.0;
   WindowedMaximum<double> rates_;
-  double best_rate_B_per_s_ = 0.0;  ///< of the last round trips: a pause of the sender does not lower it
+  double best_rate_B_per_s_ = 0.0;  ///< best of the last 1 s or 2 round trips: pauses in sending do not lower it
   std::uint64_t limit_B_ = std::uint64_t{1} << 20U;
 };
 
-/// Number of repair shards to send at once with a block of `data_shards`. `repairable`: a request for more shards and
-/// its answer fit before the frame's deadline.
+/// Number of repair shards to send at once with a block of `data_shards`. `loss`: share of packets. `repairable`: a
+/// request for more shards and the answer can arrive before the frame's deadline.
 [[nodiscard]] std::size_t repair_shards(std::size_t data_shards, double loss, double burst_packets,
                                         bool repairable) noexcept;
 

@@ -7,8 +7,8 @@
 
 namespace telepalp::link {
 
-/// The best of the values of a span of time, by `Better`. Only values that may still become the best are kept, so that
-/// adding one takes constant time on average.
+/// The best of the values of the last span of time; `Better` compares two values. It keeps only values that may still
+/// become the best, so that adding one takes constant time on average.
 template <class Value, class Better>
 class WindowedExtreme {
  public:

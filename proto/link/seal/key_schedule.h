@@ -37,9 +37,9 @@ struct PacketKey {
 /// HKDF-Expand of RFC 5869 with SHA-256, for one block: HMAC(secret, label || 1).
 [[nodiscard]] Secret expand(const Secret& secret, std::string_view label);
 
-/// The traffic secret of a direction's epoch 0.
+/// The traffic secret of epoch 0 in one direction. An epoch is the period in which one key is used.
 [[nodiscard]] Secret first_epoch(const Secret& session, Direction direction, Cipher cipher);
-/// The traffic secret of the next epoch. It does not reveal the one before.
+/// The traffic secret of the next epoch. The secret of an epoch cannot be computed from that of a later one.
 [[nodiscard]] Secret next_epoch(const Secret& epoch);
 [[nodiscard]] PacketKey packet_key(const Secret& epoch);
 

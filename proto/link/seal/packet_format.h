@@ -7,7 +7,8 @@
 
 namespace telepalp::link {
 
-/// Sizes of a sealed datagram: header, ciphertext, tag. Each path for IPv6 carries 1200 B unfragmented (RFC 9000 §14).
+/// Sizes of a sealed datagram: header, ciphertext, tag. Every IPv6 path carries a datagram of 1200 B without
+/// fragmentation (RFC 9000 §14).
 inline constexpr std::size_t kDatagramBytes = 1200;
 inline constexpr std::size_t kHeaderBytes = 16;
 inline constexpr std::size_t kTagBytes = 16;
@@ -17,7 +18,7 @@ inline constexpr std::uint8_t kSealVersion = 1;
 
 /// The header of a sealed datagram, authenticated and not encrypted. All numbers are little-endian.
 struct SealHeader {
-  std::uint16_t epoch = 0;     ///< number of the key
+  std::uint16_t epoch = 0;     ///< number of the sender's key, from 0
   std::uint32_t session = 0;   ///< random number by which the server names the session, and thereby its keys
   std::uint64_t sequence = 0;  ///< counts each sender's datagrams, across epochs
 };

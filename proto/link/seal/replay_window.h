@@ -9,7 +9,7 @@ namespace telepalp::link {
 /// forged sequence number must not move the window.
 class ReplayWindow {
  public:
-  /// Number of later packets that may overtake a packet. At 4000 packets/s it covers a second of jitter.
+  /// Number of later packets that may overtake a packet: those of one second at 4000 packets/s.
   static constexpr std::uint64_t kSize = 4096;
 
   /// False: `sequence` was received before, or is older than the window.

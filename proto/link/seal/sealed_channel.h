@@ -20,14 +20,15 @@ struct SealSettings {
   std::uint64_t packets_per_epoch = std::uint64_t{1} << 22U;
 };
 
-/// A datagram's bytes; no heap.
+/// The bytes of one datagram, stored in place without heap memory.
 struct Datagram {
   std::array<std::byte, kDatagramBytes> storage;
   std::size_t size = 0;
   [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return {storage.data(), size}; }
 };
 
-/// Seals the datagrams of one direction. The sequence number counts on across epochs, so that no nonce comes twice.
+/// Seals (encrypts and authenticates) the datagrams of one direction. The sequence number counts on across epochs, so
+/// that no nonce comes twice.
 class Sealer {
  public:
   Sealer(const SealSettings& settings, Direction direction);
@@ -80,7 +81,7 @@ class Opener {
   void adopt(const Epoch& used);
 
   SealSettings settings_;
-  std::optional<Epoch> previous_;  ///< kept for packets that the change of key has overtaken
+  std::optional<Epoch> previous_;  ///< for packets that were sealed before a key change and arrive after it
   Epoch current_;
   Epoch next_;
   ReplayWindow window_;

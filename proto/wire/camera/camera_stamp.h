@@ -21,7 +21,7 @@ inline void set_stamp(google::protobuf::Timestamp& timestamp, SessionTime at) {
   timestamp.set_nanos(static_cast<std::int32_t>(to_nanoseconds(at) % kNanosecondsPerSecond));
 }
 
-/// Session time [ns] of a message's timestamp. Impossible times of a hostile peer wrap around.
+/// Session time [ns] of a message's timestamp. A time that exceeds 64 bits, as from a hostile peer, wraps around.
 [[nodiscard]] inline std::int64_t stamp_ns(const google::protobuf::Timestamp& timestamp) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(timestamp.seconds()) * kNanosecondsPerSecond +
                                    static_cast<std::uint64_t>(timestamp.nanos()));

@@ -16,10 +16,11 @@ namespace telepalp::wire {
 class ClientDatagrams {
  public:
   struct Handlers {
-    std::function<std::optional<link::Frame>()> next_frame{};  ///< to send
+    std::function<std::optional<link::Frame>()> next_frame{};  ///< the next frame to send; nullopt: none
     std::function<void(link::Frame)> on_frame{};
     std::function<void(DatagramPhase)> on_phase{};
-    /// True: from now on next_frame() is asked. False: no longer, because the path is down or close() was called.
+    /// True: frames now go by datagram, from next_frame(). False: no longer, because the path is down or close() was
+    /// called.
     std::function<void(bool)> on_carry{};
     std::function<SessionTime()> now{};
   };
@@ -48,7 +49,7 @@ class ClientDatagrams {
   boost::asio::ip::udp::socket socket_;
   DatagramEnd end_;
   std::array<std::byte, link::kDatagramBytes + 1> buffer_{};  // one byte more, to recognise datagrams that are too long
-  std::uint64_t socket_number_ = 0;                           // by it, a pending read of a replaced socket is ignored
+  std::uint64_t socket_number_ = 0;                           // identifies and ignores reads of a replaced socket
   bool closed_ = false;
   std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending reads hold weak_ptrs to it
 };

@@ -15,14 +15,14 @@
 namespace telepalp::wire {
 
 /// One end of a connection's datagrams: the sealed link, the watch over its path, and the timer that both need. The
-/// caller has the socket. The client opens the path and keeps it open by sending reports. The server answers the
-/// reports. Both send frames while the path is up. Owner: the thread of its executor.
+/// caller owns the socket. The client opens the path, and keeps it open, by sending reports (link::Feedback). The
+/// server answers with reports. Both send frames while the path is up. Owner: the thread of its executor.
 class DatagramEnd {
  public:
   struct Handlers {
     std::function<bool(std::span<const std::byte>)> send{};    ///< false: the socket is full, try again
-    std::function<std::optional<link::Frame>()> next_frame{};  ///< the next frame to send; empty: this end sends none
-    /// Complete, and newer than all before it on its channel; empty: this end takes none.
+    std::function<std::optional<link::Frame>()> next_frame{};  ///< nullopt: none now; empty function: this end sends none
+    /// Takes a complete frame that is newer than all before it on its channel. Empty function: this end takes none.
     std::function<void(link::Frame)> on_frame{};
     /// The peer cannot decode `channel` until it gets a key frame.
     std::function<void(std::uint8_t channel)> on_key_frame_needed{};
@@ -39,7 +39,7 @@ class DatagramEnd {
   std::optional<bool> received(std::span<const std::byte> datagram);
   /// Sends datagrams while the path and the socket have room. Call it when next_frame() has a frame again.
   void pump();
-  /// Ends the timer: no handler is called afterwards, and nothing is sent.
+  /// Stops the timer: afterwards no handler is called, and nothing is sent.
   void close() noexcept;
 
   [[nodiscard]] DatagramPhase phase() const noexcept { return watch_.phase(); }
@@ -63,7 +63,7 @@ class DatagramEnd {
   PathWatch watch_;
   KeyFrameRepair repair_;
   DatagramPhase reported_phase_ = DatagramPhase::Off;
-  std::uint64_t answers_ = 0;  // link_.path().answers() at the last received datagram
+  std::uint64_t answers_ = 0;  // link_.path().answers() after the last received datagram
   SessionTime heard_at_{};     // arrival of the newest authenticated datagram
   SessionTime reported_at_{};
   std::optional<link::Datagram> unsent_;  // waits until the socket has room

@@ -16,7 +16,7 @@ inline constexpr std::string_view kDatagramKeyLabel = "EXPORTER-telepalp-datagra
 
 using KeyingMaterial = std::optional<std::array<std::byte, 32>>;
 
-/// The fastest cipher on this processor. A client names it in its Hello.
+/// The fastest cipher on this processor. A client sends it in its Hello.
 [[nodiscard]] msg::DatagramCipher quick_cipher() noexcept;
 
 /// A server's offer of datagrams: the message to the client, and the settings that both ends then use.

@@ -55,12 +55,12 @@ inline constexpr DatagramRow kDatagramTransitions[] = {
 class PathWatch {
  public:
   static constexpr Nanoseconds kAnswerWithin =
-      std::chrono::milliseconds(1500);  ///< from the offer to the first answer; long enough for a slow TLS handshake
-  static constexpr Nanoseconds kSilence = std::chrono::seconds(1);  ///< without an answer, before Up ends
+      std::chrono::milliseconds(1500);  ///< longest time in Trying; long enough for a slow TLS handshake
+  static constexpr Nanoseconds kSilence = std::chrono::seconds(1);  ///< longest time without an answer in Up
   static constexpr Nanoseconds kFirstPause = std::chrono::seconds(2);
   static constexpr Nanoseconds kLongestPause = std::chrono::seconds(30);
   static constexpr Nanoseconds kSteady =
-      std::chrono::seconds(10);  ///< after so long in Up, the next pause is kFirstPause again
+      std::chrono::seconds(10);  ///< after this time in Up, pauses start at kFirstPause again
 
   void offered(SessionTime now) noexcept { on(DatagramEvent::Offered, now); }
   /// The peer acknowledged a datagram of this end: the path works in both directions.
