@@ -31,12 +31,14 @@ struct SlewedOffset {
   [[nodiscard]] Nanoseconds at(Nanoseconds local) const noexcept { return std::max(target, line_at_zero - local / 2); }
 };
 
-/// Estimates session time minus local steady time from probes. Pure: it reads no clock.  The network delay is never
-/// negative. So the quickest request of the last minute bounds the offset from above, the quickest reply bounds it from
-/// below, and the estimate is the middle. Jitter that is alike in both directions cancels. The drift of the clocks is
-/// the change of the estimate over half a minute. Samples that contradict the sample with the smallest error bound are
-/// left out. An upward correction applies at once. A downward correction is slewed, so that time never runs backwards,
-/// unless it is 1 s or more, as after a restart of the server: then it applies at once.
+/// Estimates session time minus local steady time from probes. Pure: it reads no clock.
+///
+/// The network delay is never negative. So the quickest request of the last minute bounds the offset from above, the
+/// quickest reply bounds it from below, and the estimate is the middle. Jitter that is alike in both directions
+/// cancels. The drift of the clocks is the change of the estimate over half a minute. Samples that contradict the
+/// sample with the smallest error bound are left out. An upward correction applies at once. A downward correction is
+/// slewed, so that time never runs backwards, unless it is 1 s or more, as after a restart of the server: then it
+/// applies at once.
 class ClockSync {
  public:
   /// Adds a sample. False: the sample is inconsistent (time ran backwards) and is dropped.
@@ -50,7 +52,7 @@ class ClockSync {
   /// Bound on the estimate's error on any path, symmetric or not: from the bounds that requests and replies give,
   /// widened by the largest drift of oscillators.
   [[nodiscard]] Nanoseconds uncertainty() const noexcept;
-  /// Number of corrections by 1 s or more, which start a new session time. The first estimate does not count.
+  /// Number of corrections of 1 s or more, upward or downward. The first estimate does not count.
   [[nodiscard]] std::uint64_t steps() const noexcept { return steps_; }
 
  private:

@@ -66,8 +66,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::string token{};    ///< bearer token, sent in Hello; empty: none
     std::uint64_t run = 0;  ///< random number of this run of the program; 0: none
     msg::DatagramCipher datagrams =
-        msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: fastest cipher on its processor; NONE: no datagrams
-    bool accepts_touch = false;                        ///< of a station: accepts the touch (see on_hand_over()) if offered
+        msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its processor's fastest cipher; NONE: none
+    bool accepts_touch = false;                        ///< of a station: accepts an offered touch (on_hand_over())
     std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
     std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello
     /// Limit on the rate of reading; 0: no limit. Bytes above it stay in the kernel's receive buffer until they are
@@ -79,7 +79,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Connection(std::unique_ptr<ByteStream> stream, Options options, ConnectionOwner& owner);
 
   void start();                                            ///< sends Hello, reads, and checks the deadlines
-  void wake();                                             ///< call it when next_to_send() has a message after it had none
+  void wake();                                             ///< call it when next_to_send() has a message again
   void subscribe(const std::vector<std::string>& topics);  ///< replaces the earlier subscription
   void probe_clock();
   /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.

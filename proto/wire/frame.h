@@ -56,7 +56,7 @@ class FrameParser {
   /// bytes were consumed and the frame is still incomplete.
   [[nodiscard]] Result<std::optional<Frame>> next(std::span<const std::byte>& bytes);
 
-  /// True once a frame of another protocol version has come. Its error is what next() returns.
+  /// True once a frame of another protocol version has come. next() then returns its error.
   [[nodiscard]] bool met_other_version() const noexcept;
 
   /// Changes the limit for later frames.

@@ -11,7 +11,7 @@ namespace telepalp::wire {
 // The messages of some topics come in groups of pictures: a key frame, then frames that are each predicted from the one
 // before. A receiver that lacks a reference frame requests a key frame. The request goes from the receiver
 // (KeyFrameRequest) to the hub (KeyFrameState), and from the hub to the encoder (KeyFramePacing). Each of the three
-// passes on only some of its requests.
+// passes on only some of the requests that it gets.
 
 /// Decides when a receiver that cannot decode requests a key frame: at the first failure, then at a fixed interval
 /// while decoding still fails.
@@ -43,7 +43,7 @@ struct GroupPosition {
   return key_frame || (position.last != 0 && sequence == position.last + 1);
 }
 
-/// The hub's state about the key frames of a topic.
+/// The hub's state about the key frames of one topic.
 struct KeyFrameState {
   bool in_groups = false;        ///< a predicted frame has been published
   bool requested = false;        ///< a key frame was requested and is not published yet
@@ -62,8 +62,8 @@ struct KeyFrameState {
   return undecodable > state.last_key_frame;
 }
 
-/// Least distance in frames from a key frame to a requested key frame. However many requests come, three of four frames
-/// stay small predicted frames. A subscriber waits at most 0.13 s for its key frame, at 30 Hz.
+/// Least distance in frames from a key frame to a requested key frame. At any rate of requests, at least three of four
+/// frames are small predicted frames. At 30 Hz the encoder makes a requested key frame within 0.13 s.
 inline constexpr int kMinKeyFrameDistance = 4;
 
 /// State that decides whether the next frame of the encoder is a requested key frame.

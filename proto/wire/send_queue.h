@@ -11,13 +11,14 @@
 
 namespace telepalp::wire {
 
-/// Limits of one topic's queue to one peer. One message is always accepted, whatever its size.
+/// Limits of one topic's queue to one peer. A message of a topic that has no queued message is always accepted.
 struct QueueLimit {
   std::size_t messages;
   std::size_t bytes;
 };
 
-/// The limits of a topic. Of images only the newest are useful; small topics keep a short history.
+/// The limits of a topic: two messages for images, whose older frames are worthless; 256 messages and 1 MiB for other
+/// topics, as a short history.
 [[nodiscard]] QueueLimit queue_limit(std::string_view topic) noexcept;
 
 /// The queue of messages to one peer. It is bounded by topic, in messages and bytes: at a topic's limit its own oldest
@@ -25,24 +26,26 @@ struct QueueLimit {
 /// and socket.
 class SendQueue {
  public:
-  /// Adds `message` and returns the dropped messages: the topic's oldest one with the messages predicted from it. If
-  /// `message` itself is predicted from a queued message and there is no room, `message` is dropped, because dropping
-  /// older ones would remove its reference.
+  /// Adds `message` and returns the dropped messages: as many of the topic's oldest messages as needed, each with the
+  /// messages predicted from it. If `message` itself is predicted from a queued message and there is no room, `message`
+  /// is dropped, because dropping older ones would remove its reference.
   std::vector<Message> push(const Message& message);
 
-  /// While `on`, pop() skips the deadline topics, because datagrams carry them: pop_newest() takes their messages. Call
-  /// it while no such message waits.
+  /// While `on`, datagrams carry the deadline topics (datagram_message.h): pop() skips their messages, and pop_newest()
+  /// takes them. Call it while no such message is queued.
   void send_by_datagram(bool on) noexcept { by_datagram_ = on; }
 
   /// The next message to send. Messages of /camera/... go first, oldest first. The other topics, oldest first, get a
   /// quarter of the camera's bytes while both wait, so that neither stops the other.
   std::optional<Message> pop();
 
-  /// The next message to send by datagram: of one deadline topic, the newest that can be decoded without an older one
-  /// that waits. Older messages of its topic go to `gone`. Topics take turns.
+  /// The next message to send by datagram. Its topic is that of the oldest queued message of the deadline topics. It is
+  /// the newest key frame of that topic; without a queued key frame, the oldest message. Older messages of the topic go
+  /// to `gone`.
   std::optional<Message> pop_newest(std::vector<Message>& gone);
 
-  /// Removes the oldest message of that topic outside /camera/... that occupies the most bytes in the queue.
+  /// Of the topics outside /camera/... that wait for TCP, finds the one with the most queued bytes and removes its
+  /// oldest message.
   std::optional<Message> drop_of_largest();
 
   [[nodiscard]] std::size_t waiting(const Topic& topic) const;

@@ -10,7 +10,7 @@
 
 namespace telepalp::wire {
 
-/// The TLS settings of one end, shared by its connections.
+/// The TLS settings (certificate, trusted authority) of one end, shared by its connections.
 using TlsSettings = std::shared_ptr<boost::asio::ssl::context>;
 
 [[nodiscard]] Result<TlsSettings> tls_settings(Result<keys::TlsContextPtr> context);

@@ -21,7 +21,7 @@ class DatagramEnd {
  public:
   struct Handlers {
     std::function<bool(std::span<const std::byte>)> send{};    ///< false: the socket is full, try again
-    std::function<std::optional<link::Frame>()> next_frame{};  ///< nullopt: none now; empty function: this end sends none
+    std::function<std::optional<link::Frame>()> next_frame{};  ///< nullopt: none now; empty function: sends none
     /// Takes a complete frame that is newer than all before it on its channel. Empty function: this end takes none.
     std::function<void(link::Frame)> on_frame{};
     /// The peer cannot decode `channel` until it gets a key frame.

@@ -24,7 +24,7 @@ class KeyFrameRepair {
   }
 
  private:
-  static constexpr Nanoseconds kTransfer = std::chrono::milliseconds(60);  ///< time to send a key frame and to repair it once
+  static constexpr Nanoseconds kTransfer = std::chrono::milliseconds(60);  ///< time to send and once repair a key frame
   std::array<std::optional<SessionTime>, link::kMostChannels> sent_{};
 };
 

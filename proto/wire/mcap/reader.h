@@ -20,14 +20,15 @@ struct McapSelection {
 };
 
 /// Reads a complete session file through its index. Only chunks with selected messages are read. Messages come in order
-/// of log time; of two with equal time, the one written first. Memory holds only the chunks whose times overlap.
+/// of log time; of two with equal time, the one written first. Memory holds only those chunks whose time ranges contain
+/// the next message's time.
 class McapReader {
  public:
   [[nodiscard]] static Result<McapReader> open(const std::filesystem::path& file);
   [[nodiscard]] static Result<McapReader> open(std::unique_ptr<mcap::ByteSource> source);
 
   [[nodiscard]] const mcap::Summary& summary() const noexcept { return summary_; }
-  /// The file's metadata about its recording; missing texts are empty.
+  /// The file's metadata about its recording; a field that the file lacks is empty.
   [[nodiscard]] Result<SessionInfo> session();
   [[nodiscard]] Result<mcap::Metadata> read(const mcap::MetadataIndex& index);
   [[nodiscard]] Result<mcap::Attachment> read(const mcap::AttachmentIndex& index);

@@ -10,8 +10,8 @@
 
 namespace telepalp::wire::mcap {
 
-/// A chunk is closed when it reaches this size or when the messages of one channel in it span this time. A crash loses
-/// at most the open chunk.
+/// A chunk is closed when it reaches this size or when the log times of one channel's messages in it span this time. A
+/// crash loses at most the open chunk.
 struct ChunkLimits {
   std::size_t bytes = std::size_t{1} << 20;
   std::uint64_t span_ns = 1'000'000'000;

@@ -19,13 +19,14 @@ inline constexpr std::uint64_t kMaxRecordBytes = kMaxChunkBytes + 4096;
 
 struct RecordHead {
   Opcode opcode{};
-  std::uint64_t offset = 0;  // of the record's head
-  std::uint64_t length = 0;  // of the record's content
+  std::uint64_t offset = 0;  // offset of the record's head in the file
+  std::uint64_t length = 0;  // of the record's content [B]
   [[nodiscard]] std::uint64_t content() const noexcept { return offset + kRecordHeadBytes; }
   [[nodiscard]] std::uint64_t end() const noexcept { return content() + length; }
 };
 
-/// An error about damage in `source` that `telepalp-record repair` can skip. `offset`: of the damage in the file.
+/// An error about damage in `source` that `telepalp-record repair` can skip. `offset`: where the damage lies in the
+/// file.
 [[nodiscard]] Error damaged(const ByteSource& source, std::string what);
 [[nodiscard]] Error damaged(const ByteSource& source, std::string what, std::uint64_t offset);
 /// An error about `source` that a repair cannot solve.

@@ -50,7 +50,7 @@ class McapStreamReader {
   bool complete_ = false;
   bool summary_read_ = false;
   std::uint64_t chunk_offset_ = 0;                   // of the chunk read last
-  std::uint64_t trusted_end_ = mcap::kMagic.size();  // no damaged length can have skipped a chunk before this offset
+  std::uint64_t trusted_end_ = mcap::kMagic.size();  // where the search for a chunk begins after damage
   std::uint64_t record_offset_ = 0;                  // of the record outside chunks, or the chunk, read last
   std::uint64_t chunks_ = 0;                         // number read so far, including damaged ones
   std::unique_ptr<const std::string> records_;  // records of walk_'s chunk; on the heap, so that views survive a move
