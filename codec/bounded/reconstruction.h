@@ -9,7 +9,7 @@
 
 namespace telepalp::codec {
 
-/// DepthErrorBound in sample units: the largest allowed change of a sample.
+/// A DepthErrorBound in units of a sample: the largest allowed change of a sample.
 struct BoundInUnits {
   DepthErrorBound bound;
   double unit_m = 0.001;
@@ -17,19 +17,19 @@ struct BoundInUnits {
   [[nodiscard]] int operator()(int sample) const noexcept;
 };
 
-/// The few levels that the many levels of a frame are quantised to.
+/// The reconstruction levels: the depths to which near-lossless coding moves the depths of a frame.
 struct ReconstructionLevels {
   LevelPalette levels;
   BoundInUnits bound;
 };
 
-/// Chooses reconstruction levels that are few, and that as many neighbouring pixels of `depth` as possible can share.
-/// `palette` holds the levels of `depth`.
+/// Chooses reconstruction levels: few levels, such that as many neighbouring pixels of `depth` as possible can take the
+/// same one. `palette` holds the distinct depths of `depth`.
 [[nodiscard]] ReconstructionLevels reconstruction_levels_for(const DepthImage& depth, const LevelPalette& palette,
                                                              const DepthErrorBound& bound);
 
-/// The range of reconstruction levels that each pixel may take; the coder chooses within it. A depth without a level
-/// within its bound, because the key frame did not have that depth, adds a level to `reconstruction`.
+/// The range of reconstruction levels that each pixel may take; the coder chooses one of them. If a depth has no level
+/// within its bound (the levels were chosen for the key frame), the function adds one to `reconstruction`.
 [[nodiscard]] RankedFrame within_bounds(const DepthImage& depth, const LevelPalette& palette,
                                         ReconstructionLevels& reconstruction);
 

@@ -22,7 +22,8 @@ void append(std::string& bytes, T value) {
   std::memcpy(bytes.data() + at, &value, sizeof value);
 }
 
-/// Appends a number of up to 32 bits, seven bits a byte, the lowest first; the top bit says that more follow.
+/// Appends a number of up to 32 bits, seven bits a byte, the lowest first; the top bit of a byte is set if another byte
+/// follows.
 inline void append_varint(std::string& bytes, std::uint32_t value) {
   for (; value >= 0x80; value >>= 7) bytes.push_back(static_cast<char>(0x80 | (value & 0x7f)));
   bytes.push_back(static_cast<char>(value));

@@ -10,16 +10,17 @@
 
 namespace telepalp::codec {
 
-/// How much effort zstd spends on matches.
+/// Which stages of zstd run.
 enum class ZstdEffort {
-  Entropy,  ///< entropy coding only: tokens hardly repeat
+  Entropy,  ///< entropy coding only, for data with hardly any repetition
   Matches,  ///< zstd's level 1
 };
 
-/// Appends `plain` as: its size, its compressed size (0: stored uncompressed), the bytes.
+/// Appends three fields: the size of `plain`, its compressed size (0: stored uncompressed), the bytes.
 void append_zstd_stream(std::string& packet, std::string_view plain, ZstdEffort effort);
 
-/// Reads one such stream. nullopt when it is damaged, or longer than `most_bytes`, which is checked first.
+/// Reads one such stream. nullopt when it is damaged, or its decompressed size exceeds `most_bytes`, which is checked
+/// before decompression.
 [[nodiscard]] std::optional<std::string> read_zstd_stream(ByteReader& reader, std::size_t most_bytes);
 
 }  // namespace telepalp::codec

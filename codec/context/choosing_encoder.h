@@ -2,13 +2,15 @@
 
 #include "codec/context/interleaved_slices.h"
 
-// Near-lossless encoding of four slices in lockstep: each pixel may take one of several ranks and takes the one that
-// its model codes in the fewest bits. Internal linkage: several instruction sets compile this header (range_coder.h).
+// Near-lossless encoding of four slices in lockstep: each pixel may take a range of ranks. The encoder compares two of
+// them, and takes the one that is likelier under the pixel's model, weighted by its use to the next pixels. A rank is
+// the index of a depth in the frame's palette; a gap is a pixel that was not measured. Internal linkage: several
+// instruction sets compile this header (range_coder.h).
 
 namespace telepalp::codec {
 namespace {
 
-/// The symbols that code four differences between rank and prediction (steps), one per lane.
+/// The symbols that code four steps, one per lane. A step is the difference between rank and prediction.
 inline LaneVector symbols_for(LaneVector steps) {
   const LaneVector size = greatest(steps, -steps);
   const LaneVector near = size + size - (steps < 0);
@@ -21,14 +23,14 @@ struct RankBounds {
   uint16_t* most = nullptr;
 };
 
-/// 1 where `rank` lies outside the bounds, else 0.
+/// 1 where `rank` lies outside the bounds of the pixel `at`, else 0.
 inline RowVector missed(RowVector rank, const RankBounds& bounds, int at) {
   const auto outside = (rank < row_vector_at(bounds.least + at)) | (rank > row_vector_at(bounds.most + at));
   return reinterpret_cast<RowVector>(outside) & 1;
 }
 
-/// For each pixel, how often the probability of its least rank (low byte) and of its greatest rank (high byte) is
-/// doubled before the comparison: twice, minus once for each neighbour (east, south) that cannot take the same rank.
+/// Weights of each pixel's least rank (low byte) and greatest rank (high byte), as powers of two by which encode_row()
+/// multiplies their probabilities: 2, less 1 for each neighbour (east, south) that cannot take the same rank.
 inline void weigh(const RankBounds& here, const RankBounds& south, uint16_t* weights, int width) {
   for (int i = 0; i < kLanes * width; i += kRowVectorPixels) {
     const auto weight = [&](RowVector rank) { return 2 - missed(rank, here, i + kLanes) - missed(rank, south, i); };
@@ -147,7 +149,7 @@ inline RankBounds take_bounds(uint8_t*& scratch, int width) {
   return {least, take_interleaved_rows(scratch, width, 0xffff)};
 }
 
-/// Stands in for the rows of a slice that has ended.
+/// Stands in for the rows of a slice that has ended, or of a lane without a slice.
 struct PaddingRows {
   uint16_t* zeros = nullptr;
   uint16_t* ones = nullptr;     ///< every bit set: 65 535
@@ -164,7 +166,7 @@ inline PaddingRows take_padding_rows(uint8_t*& scratch, int width) {
   return taken;
 }
 
-/// One row of each slice, in the caller's layout.
+/// One row of each slice, as the caller stores it: not interleaved.
 struct LaneRows {
   const uint16_t* least[kLanes];
   const uint16_t* most[kLanes];
@@ -226,7 +228,7 @@ void choose_and_encode(EncodeSlice* slices, int count, int width, const ContextT
   }
 }
 
-/// Encodes losslessly; near-losslessly when the slices hold the greatest rank of each pixel (`most`).
+/// Encodes near-losslessly if the slices have the greatest rank of each pixel (`most`), else losslessly.
 template <class Vector>
 void encode_or_choose(EncodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch) {
   if (slices[0].most == nullptr) return encode<Vector>(slices, count, width, tables, scratch);

@@ -13,8 +13,8 @@ namespace telepalp::codec {
 /// The fastest kernel that this processor supports.
 [[nodiscard]] const ContextKernel& context_kernel();
 
-/// How a frame is cut into slices: bands of rows, equal in height except the last. Why: slices are independent, so one
-/// core codes four of them in lockstep.
+/// How a frame is cut into slices: bands of rows, equal in height except the last. Slices are coded independently, so
+/// that one core codes four of them in lockstep.
 struct Slicing {
   int slices = 1;
   int rows = 0;  ///< rows of each slice except the last
@@ -27,19 +27,19 @@ struct Slicing {
   [[nodiscard]] int rows_of(int slice, int height) const noexcept;
 };
 
-/// The reference frame that a frame is predicted from.
+/// The reference frame, from which a frame is predicted.
 struct FrameBefore {
   std::span<const std::uint16_t> samples;  ///< samples of a frame of the same size; empty: a key frame
   const LevelPalette* palette = nullptr;   ///< of `samples`; nullptr: not known
 };
 
-/// Codes a frame's palette and slices. In near-lossless coding, where pixels may take one of several ranks,
+/// Codes a frame's palette and slices. In near-lossless coding, where each pixel may take a range of ranks,
 /// `frame.ranks` receives the chosen ranks. nullopt: the result would be larger than the raw samples.
 [[nodiscard]] std::optional<std::string> encode_contexts(RankedFrame& frame, int width, const FrameBefore& before,
                                                          const Slicing& slicing, const ContextKernel& kernel);
 
 /// Converts ranks to samples. A rank beyond the palette, which only a damaged packet contains, becomes "not measured";
-/// the frame's CRC then fails.
+/// the check of the frame's CRC then fails.
 void put_levels(const Ranks& ranks, const LevelPalette& palette, std::span<std::uint16_t> samples);
 
 /// Decodes a body of encode_contexts() into `samples` and returns its palette. nullopt: the body is damaged.

@@ -2,8 +2,9 @@
 
 #include "codec/context/interleaved_slices.h"
 
-// Decodes four slices of equal height in lockstep. Predictions and contexts are computed for four lanes at once; only
-// the symbols are decoded lane by lane. Internal linkage: several instruction sets compile this header (range_coder.h).
+// Decodes four slices of equal height in lockstep, one per lane of a SIMD register. Predictions and contexts are
+// computed for four lanes at once; only the symbols are decoded lane by lane. Internal linkage: several instruction
+// sets compile this header (range_coder.h).
 
 namespace telepalp::codec {
 namespace {
@@ -84,7 +85,7 @@ void decode_interleaved_slices(DecodeSlice* slices, int width, const ContextTabl
   }
 }
 
-/// Decodes any number of slices; four slices of equal height take the fast interleaved path.
+/// Decodes `count` slices. Four slices of equal height are decoded in lockstep, others one by one.
 template <class Vector>
 void decode_interleaved(DecodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch) {
   if (count < kLanes || slices[kLanes - 1].rows != slices[0].rows)

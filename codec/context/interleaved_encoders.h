@@ -11,7 +11,7 @@ namespace {
 using LaneShares [[gnu::vector_size(16)]] = uint32_t;
 using LaneWide [[gnu::vector_size(32)]] = uint64_t;
 
-/// The cumulative frequencies on both sides of a symbol: the lower one in the low half, the upper one in the high half.
+/// The cumulative frequencies that bound a symbol: the lower one in the low 16 bits, the upper one in the high 16 bits.
 inline uint32_t cumulative_range(const Model& model, uint32_t symbol) {
   uint32_t places = 0;
   memcpy(&places, model.cdf + symbol, sizeof places);
@@ -28,7 +28,7 @@ inline LaneShares leading_zeros16(LaneShares numbers) {
   return 15 + 127 - (reinterpret_cast<LaneShares>(floats) >> 23);
 }
 
-/// Encodes the size and sign of a step beyond kLargestStep, after the symbol kFarther.
+/// Encodes a step (rank minus prediction) beyond kLargestStep: its size and sign. The symbol kFarther precedes it.
 [[gnu::noinline]] void encode_far(RangeEncoder& coder, Model& model, int step) {
   const int size = step < 0 ? -step : step;
   encode_number(coder, model, static_cast<uint32_t>(size - kLargestStep - 1));
@@ -41,7 +41,7 @@ struct LaneEncoders {
   Model* far_models[kLanes];
 };
 
-/// The state of four encoders in three registers. The arithmetic is RangeEncoder's, so the bytes are the same.
+/// The state of four RangeEncoders in three registers. It uses the same arithmetic, so it writes the same bytes.
 struct InterleavedEncoders {
   LaneShares range;
   LaneShares pending;
@@ -77,7 +77,7 @@ struct InterleavedEncoders {
   }
 };
 
-// Both return the advanced encoder state by value, so that it stays in registers.
+// Both functions below return the advanced encoder state by value, so that it stays in registers.
 
 [[gnu::noinline]] InterleavedEncoders with_words_put(const InterleavedEncoders& lanes, const LaneEncoders& encoders) {
   lanes.store(encoders);
@@ -100,7 +100,7 @@ struct InterleavedEncoders {
   return after;
 }
 
-/// True when one of four symbols is kFarther, which ends at the model's total frequency.
+/// True when one of four symbols is kFarther: it is the last symbol, so its upper cumulative frequency is the total.
 inline bool any_farther(LaneShares places) {
   return any(reinterpret_cast<LaneVector>(places >> 16) == int{kModelTotal});
 }

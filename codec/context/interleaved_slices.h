@@ -5,8 +5,10 @@
 #include "codec/simd/row_interleave.h"
 
 // Four slices in lockstep, shared by the interleaved decoder and the near-lossless encoder. Neighbours, predictions and
-// contexts of four lanes lie in one register each; the rows above are interleaved, four numbers a pixel. Internal
-// linkage, because this header is compiled for several instruction sets (codec/entropy/range_coder.h).
+// contexts of four lanes lie in one register each; the rows above are interleaved: the numbers of the four slices for
+// one pixel are adjacent. A rank is the index of a depth in the frame's palette; a gap is a pixel that was not
+// measured. Internal linkage, because this header is compiled for several instruction sets
+// (codec/entropy/range_coder.h).
 
 namespace telepalp::codec {
 namespace {
@@ -34,12 +36,12 @@ struct Neighbours {
   LaneVector west_measured, west_stayed;
 };
 
-/// The interleaved rows that one row of four slices is coded with, four numbers a pixel.
+/// The input and output rows of one row of four slices; all are interleaved.
 struct InterleavedRows {
   const uint16_t* above = nullptr;  ///< the row above, gaps filled with predictions
   const uint32_t* context_above = nullptr;
   const uint16_t* before = nullptr;  ///< this row of the reference frame
-  uint16_t* filled = nullptr;        ///< output: ranks, gaps filled; `measured` is output too
+  uint16_t* filled = nullptr;        ///< output: ranks, gaps filled with predictions
   uint16_t* measured = nullptr;
 };
 
@@ -75,15 +77,15 @@ inline void step_east(Neighbours& at, const InterleavedRows& rows, int x, LaneVe
   at = {value, at.west, lanes_at(rows.above + kLanes * x), is_measured, rank == was};
 }
 
-/// The neighbours before a row's first pixel: its northern neighbour stands in for all of them.
+/// The neighbours of a row's first pixel: its northern neighbour replaces those to the west, which do not exist.
 inline Neighbours neighbours_at_start(const InterleavedRows& rows) {
   const LaneVector start = lanes_at(rows.above);
   return {start, start, start, LaneVector{}, LaneVector{}};
 }
 
-/// The interleaved current row of four slices and the rows above it.
+/// The interleaved rows that the coding of four slices keeps: the current row and the rows above it.
 struct InterleavedHistory {
-  uint16_t* above = nullptr;  // filled
+  uint16_t* above = nullptr;  // ranks of the row above, gaps filled with predictions
   uint16_t* two_above = nullptr;
   uint16_t* measured_above = nullptr;
   uint16_t* filled = nullptr;
@@ -112,7 +114,7 @@ inline InterleavedRows begin_rows(const InterleavedHistory& history, const uint1
   return {history.above, history.contexts, history.before, history.filled, history.measured};
 }
 
-/// Finishes a row: pads both ends and makes it the row above.
+/// Finishes a row: repeats its first and last pixel as padding, and makes it the row above.
 inline void end_rows(InterleavedHistory& history, int width) {
   uint16_t* const filled = history.filled;
   for (int i = 0; i < kLanes; ++i) {

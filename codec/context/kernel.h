@@ -7,11 +7,12 @@
 
 namespace telepalp::codec {
 
-/// The number of slices that a kernel codes in lockstep, one per SIMD lane. Why: within a slice, each pixel waits for
-/// the pixel before it.
+/// The number of slices that a kernel codes in lockstep, one per SIMD lane. Within a slice each pixel depends on the
+/// pixel before it, so parallelism must come from several slices.
 inline constexpr int kLanes = 4;
 
-/// One slice for the encoder: a band of whole rows, coded independently.
+/// One slice for the encoder: a band of whole rows, coded independently. A pixel's rank is the index of its depth in
+/// the frame's palette.
 struct EncodeSlice {
   uint16_t* ranks = nullptr;       ///< rows x width; 0 is "not measured"
   const uint16_t* most = nullptr;  ///< nullptr: lossless; else each pixel may take a rank from `ranks` to `most`, and
@@ -27,7 +28,7 @@ struct EncodeSlice {
 struct DecodeSlice {
   const uint8_t* bytes = nullptr;
   size_t size = 0;
-  uint16_t* ranks = nullptr;         ///< rows x width, output; arbitrary when the bytes are damaged
+  uint16_t* ranks = nullptr;         ///< rows x width, output; arbitrary if the bytes are damaged
   const uint16_t* before = nullptr;  ///< as for the encoder
   int rows = 0;
 };

@@ -19,7 +19,7 @@ struct Plain {
   }
 };
 
-/// Contexts, predictions and symbols of a whole row, computed before the row is coded.
+/// Contexts, predictions and symbols of a whole row, which the encoder computes before it codes the row.
 struct RowPlan {
   uint32_t* context = nullptr;
   uint16_t* predicted = nullptr;
@@ -53,7 +53,7 @@ inline void step_east(Lane<Coder>& lane, int x, int filled, bool is_measured) {
   return coder.decode_bits(1) != 0 ? -size : size;
 }
 
-/// A bit mask of the zeros among 16 numbers.
+/// Bit i is set if the i-th of 16 numbers is zero.
 inline uint32_t zeros_of(const uint16_t* at) {
 #if defined(__SSE2__)
   const __m128i zero = _mm_setzero_si128();
@@ -67,7 +67,7 @@ inline uint32_t zeros_of(const uint16_t* at) {
 #endif
 }
 
-/// Copies the row and fills its gaps with predictions, from west to east.
+/// Copies the row and fills its gaps (pixels that were not measured) with predictions, from west to east.
 inline void fill_gaps(Lane<RangeEncoder>& lane, const uint16_t* ranks, int width) {
   uint16_t* const filled = lane.filled;
   const uint16_t* const above = lane.filled_above;
@@ -89,7 +89,7 @@ inline void fill_gaps(Lane<RangeEncoder>& lane, const uint16_t* ranks, int width
   }
 }
 
-/// Computes the plan of a row. No turn of the loop uses the result of another, so the compiler vectorises it.
+/// Computes the plan of a row. No iteration of the loop uses the result of another, so the compiler vectorises it.
 template <bool kDependent>
 inline void plan_row(const Lane<RangeEncoder>& lane, const RowPlan& plan, int width) {
   const uint16_t* const filled = lane.filled;

@@ -2,8 +2,9 @@
 
 #include "codec/model/contexts.h"
 
-// The part of a row's contexts that the rows above determine, computed for many pixels at once. Internal
-// linkage, because this header is compiled for several instruction sets (codec/entropy/range_coder.h).
+// The part of each pixel's context that the rows above determine, computed for many pixels at once. A gap is a pixel
+// that was not measured. Internal linkage, because this header is compiled for several instruction sets
+// (codec/entropy/range_coder.h).
 
 namespace telepalp::codec {
 namespace {
@@ -36,15 +37,16 @@ inline RowVector bounded_difference(RowVector a, RowVector b, uint16_t most) {
 /// `value` for measured pixels, 0 for gaps.
 inline RowVector flag(RowVector measured, uint16_t value) { return (RowVector{} + value) & (measured != 0); }
 
-/// The rows above, with gaps filled and as measured.
+/// The ranks (palette indices) of the rows above: with gaps filled by predictions, and as measured.
 struct RowsAbove {
   const uint16_t* filled = nullptr;
   const uint16_t* filled_two_above = nullptr;
   const uint16_t* measured = nullptr;
 };
 
-/// Computes the rows' part of `count` contexts, beyond_class() included. Writes up to fifteen numbers past the end.
-/// Horizontal neighbours lie kStride numbers apart: 1 in a plain row, 4 in an interleaved one.
+/// Computes, for `count` pixels, the part of the context that the rows above determine, beyond_class() included. Writes
+/// up to fifteen numbers past the end. Horizontal neighbours lie kStride numbers apart: 1 in a plain row, 4 in an
+/// interleaved one.
 template <int kStride>
 inline void classify_above(const RowsAbove& rows, uint32_t* context, int count) {
   for (int i = 0; i < count; i += kRowVectorPixels) {

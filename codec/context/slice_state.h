@@ -3,8 +3,9 @@
 #include "codec/context/kernel.h"
 #include "codec/context/row_contexts.h"
 
-// One slice's state in the coder's inner loop: the range coder, the models and the rows above. Internal linkage,
-// because this header is compiled for several instruction sets (codec/entropy/range_coder.h).
+// One slice's state in the coder's inner loop: the range coder, the models and the rows above. A rank is the index of a
+// depth in the frame's palette; a gap is a pixel that was not measured. Internal linkage, because this header is
+// compiled for several instruction sets (codec/entropy/range_coder.h).
 
 namespace telepalp::codec {
 namespace {
@@ -75,7 +76,7 @@ void start(Lane<Coder>& lane, uint8_t*& scratch, int width, const ContextTables&
   for (int x = -kMargin; x < width + kMargin; ++x) lane.filled_above[x] = lane.filled_two_above[x] = 1;
 }
 
-/// Prepares a row: the contexts' part of the rows above, and the neighbours of the first pixel.
+/// Prepares a row: the part of its contexts that the rows above determine, and the neighbours of the first pixel.
 template <class Coder>
 void begin_row(Lane<Coder>& lane, int width) {
   classify_above<1>({lane.filled_above, lane.filled_two_above, lane.measured_above}, lane.context_above, width);

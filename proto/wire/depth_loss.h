@@ -28,8 +28,8 @@ struct DepthFidelity {
 /// largest, lossless depth the smallest.
 [[nodiscard]] DepthFidelity less_exact(const DepthFidelity& older, const DepthFidelity& newer);
 
-/// Describes the error for people: "not stated", "as measured", "off by an unknown amount", "off by up to 2.85 mm at 1
-/// m".
+/// Describes the error for people: "as measured", "off by up to 2.85 mm at 1 m", "off by an unknown amount", "not
+/// stated".
 [[nodiscard]] std::string how_far(const DepthFidelity& fidelity);
 
 /// The codec's mode and how_far(): "bounded, off by up to 2.85 mm at 1 m".

@@ -24,7 +24,7 @@ struct SessionInfo {
   std::string consent{};      ///< the patient's consent, as stated to the recorder; empty: not stated
 };
 inline constexpr std::string_view kSessionMetadata = "telepalp.session";
-inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  ///< name of the record with results known at the end
+inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  ///< results known at the recording's end
 
 /// Parses the record "telepalp.session"; a field that the record lacks is empty.
 [[nodiscard]] SessionInfo session_info(const mcap::Metadata& metadata);
