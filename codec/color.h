@@ -9,11 +9,11 @@
 
 namespace telepalp::codec {
 
-/// JPEG, 4:2:0. `quality` 1 to 100. `color` must be well formed and not empty.
+/// Encodes as JPEG with 4:2:0 chroma subsampling. `quality` 1 to 100. `color` must be well formed and not empty.
 [[nodiscard]] std::string encode_color(const ColorImage& color, int quality = 85);
 
-/// The picture in `jpeg`. The header is checked against kMaxImageSide before anything is allocated; a truncated or
-/// corrupt picture is an error, never half a picture.
+/// Decodes `jpeg`. The header is checked against kMaxImageSide before anything is allocated; a truncated or corrupt
+/// picture is an error, never half a picture.
 [[nodiscard]] Result<ColorImage> decode_color(std::span<const std::byte> jpeg);
 
 }  // namespace telepalp::codec

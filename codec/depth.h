@@ -30,7 +30,7 @@ inline constexpr std::uint8_t kLastDepthMode = 3;
 /// sensor's own resolution, and at least a millimetre.
 inline constexpr DepthErrorBound kOneDisparityStep{.least_m = 0.001, .per_m = 2.85e-3};
 
-/// A compressed depth image with the facts that its reader would otherwise have to parse from `bytes`.
+/// A compressed depth image, with facts about it that a reader would otherwise parse from `bytes`.
 struct EncodedDepth {
   std::string bytes;
   bool key_frame = true;  ///< decodes without the frame before it
@@ -44,7 +44,8 @@ struct EncodedDepth {
 [[nodiscard]] std::string encode_depth(const DepthImage& depth, DepthMode mode = DepthMode::Fast);
 
 /// Decodes a key frame of any mode. A damaged or hostile packet is an error, never wrong depth: the decoded samples are
-/// checked against a CRC made before coding. No allocation exceeds what kMaxImageSide allows.
+/// checked against a CRC made before coding. No allocation is larger than an image of kMaxImageSide by kMaxImageSide
+/// needs.
 [[nodiscard]] Result<DepthImage> decode_depth(std::span<const std::byte> packet);
 
 /// The header fields of a packet.

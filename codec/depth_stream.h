@@ -38,7 +38,7 @@ class DepthEncoder {
 };
 
 /// Decodes the frames of one DepthEncoder in order. A frame whose reference frame is missing is an error and changes
-/// nothing. After a loss, errors last until the next key frame: depth is right or absent.
+/// nothing. After a loss, decode() returns errors until the next key frame: it never returns wrong depth.
 class DepthDecoder {
  public:
   DepthDecoder();
@@ -60,8 +60,8 @@ struct DecodedDepth {
   bool key_frame = true;
 };
 
-/// Decodes some frames of a stream and skips others, in the stream's order. A skipped frame is decoded only if a frame
-/// that is read depends on it, so skipping key frames costs nothing.
+/// Decodes some frames of a stream and skips others: read() or skip() is called for each packet, in the stream's order.
+/// A skipped frame is decoded only if a frame that is read depends on it, so skipping key frames costs nothing.
 class DepthReader {
  public:
   DepthReader();

@@ -10,9 +10,9 @@
 
 namespace telepalp::codec {
 
-/// Which stages of zstd run.
+/// How hard zstd searches for repeated bytes (matches).
 enum class ZstdEffort {
-  Entropy,  ///< entropy coding only, for data with hardly any repetition
+  Entropy,  ///< hardly at all: for data with few matches, such as tokens
   Matches,  ///< zstd's level 1
 };
 

@@ -42,7 +42,7 @@ struct InterleavedRows {
   const uint32_t* context_above = nullptr;
   const uint16_t* before = nullptr;  ///< this row of the reference frame
   uint16_t* filled = nullptr;        ///< output: ranks, gaps filled with predictions
-  uint16_t* measured = nullptr;
+  uint16_t* measured = nullptr;      ///< output: ranks, 0 in gaps
 };
 
 /// Prediction and context of four pixels, which select their models.

@@ -10,7 +10,8 @@
 #include "codec/entropy/range_coder.h"
 #include "codec/levels/disparity_law.h"
 
-// Range coding of a palette's levels. Internal linkage: several instruction sets compile this header.
+// Range coding of the levels of a palette: the distinct depths of a frame, ascending. Internal linkage: several
+// instruction sets compile this header.
 
 namespace telepalp::codec {
 namespace {
@@ -19,17 +20,18 @@ using Levels = std::vector<std::uint16_t>;
 
 constexpr std::int64_t kLevels = 65536;
 
-// Alphabet for coding by steps: the change from the previous step.
+// Alphabet for coding by steps, the differences of successive levels: a symbol is the change from the previous step.
 constexpr int kSmallChange = 6;
 constexpr int kLargeChange = 14;  // escape: the step itself follows as a number
 
-// Alphabet for coding by a disparity law: for each step of the law, no level, or a level at this offset from the law.
+// Alphabet for coding by a DisparityLaw, which predicts a level for each disparity step. A symbol states, for one
+// disparity step, that there is no level, or the offset of the level from the predicted one.
 constexpr int kAbsent = 0;
 constexpr int kOnLaw = 7;
 constexpr int kLargestMiss = 6;
 constexpr int kLawRate = 4;
 
-/// The initial model: most steps of a law have a level exactly on it.
+/// The initial model: most disparity steps have a level exactly where the law predicts it.
 constexpr Model kLawModel = [] {
   Model model{};
   constexpr int kShares[kSymbols] = {6000, 40, 40, 40, 60, 200, 1500, 23000, 1500, 200, 60, 40, 40, 40, 7};
@@ -94,8 +96,7 @@ std::optional<Levels> decode_steps(RangeDecoder& coder) {
   return levels;
 }
 
-/// Codes the levels along the law's steps, farthest first. The last argument receives the levels that the law
-/// expresses.
+/// Codes the levels along the law's steps, farthest first. `law_levels` receives the levels that are coded in this way.
 void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& levels, Levels& law_levels) {
   encode_bytes(coder, law.farthest, 6);
   encode_bytes(coder, law.step, 4);
@@ -107,7 +108,7 @@ void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& l
   for (std::uint32_t n = 0; n <= last; ++n) {
     const auto lawful = static_cast<std::int64_t>(law.level_at(n));
     int symbol = kAbsent;
-    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // a second level at one step is coded by steps
+    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // a second level at one disparity step stays for encode_steps()
       const std::int64_t miss = *level - lawful;
       if (symbol != kAbsent || miss < -kLargestMiss || miss > kLargestMiss) continue;
       symbol = kOnLaw + static_cast<int>(miss);
@@ -145,15 +146,15 @@ std::optional<Levels> decode_by_law(RangeDecoder& coder) {
   return levels;
 }
 
-/// The greatest common divisor of all levels.
+/// The grain: the greatest common divisor of all levels, at least 1.
 std::uint16_t grain_of(std::span<const std::uint16_t> levels) noexcept {
   std::uint16_t grain = 0;
   for (const std::uint16_t level : levels) grain = std::gcd(grain, level);
   return std::max<std::uint16_t>(grain, 1);
 }
 
-/// Range-codes ascending levels that begin with 0, as multiples of their grain. With `by_law`: by the law of a
-/// disparity sensor, and the remaining levels by steps. Without: all by steps. False, and nothing is written: no law
+/// Range-codes ascending levels that begin with 0, as multiples of their grain. With `by_law`: first the levels that a
+/// DisparityLaw predicts, then the others by steps. Without: all by steps. Returns false, and writes nothing, if no law
 /// fits.
 bool encode_levels(RangeEncoder& coder, std::span<const std::uint16_t> levels, bool by_law) {
   const std::uint16_t grain = grain_of(levels);

@@ -10,8 +10,8 @@
 #include <wasm_simd128.h>
 #endif
 
-// Everything here has internal linkage, and nothing here comes from the C++ library. Why: this header is compiled for
-// more than one instruction set, and the linker must never pick one file's copy for another.
+// Everything here has internal linkage, and nothing here comes from the C++ library. Several source files compile this
+// header for different instruction sets, and the linker must never use one file's code in another.
 
 namespace telepalp::codec {
 
@@ -26,8 +26,8 @@ struct alignas(32) Model {
 
 namespace {
 
-/// The cumulative frequencies that a model moves towards when symbol s is coded. Each symbol keeps a frequency of at
-/// least 1 of 32 767: neighbouring targets differ by at least 1, and rounding down cannot close the gap.
+/// The targets that a model's cumulative frequencies move towards when symbol s is coded: row s. Each symbol keeps a
+/// frequency of at least 1 of 32 767, because neighbouring targets differ by at least 1 and rounding is downwards.
 struct alignas(32) ModelTargets {
   int16_t of[16][16];
 };
@@ -50,10 +50,11 @@ constexpr Model kFlatModel = [] {
   return model;
 }();
 
-/// Half a model, in one register of any processor since 2004.
+/// Half a model, in one 128-bit SIMD register.
 using HalfModel [[gnu::vector_size(16), gnu::may_alias]] = int16_t;
 
-/// Moves the model by 2^-kRate towards the symbol. Why not a loop: not every compiler vectorises it.
+/// Moves the model by 2^-kRate of the distance to the symbol's targets. It is not a loop, because not every compiler
+/// vectorises one.
 template <int kRate>
 inline void learn(Model& model, int symbol) {
   auto* const at = reinterpret_cast<HalfModel*>(model.cdf);
@@ -84,7 +85,7 @@ inline int symbol_at(const Model& model, uint32_t frequency) {
 #endif
 }
 
-/// Scales a cumulative frequency to a 16-bit range.
+/// The product of a 16-bit range and a cumulative frequency, as a share of kModelTotal + 1.
 inline uint32_t part(uint32_t range, uint32_t frequency) { return (range * 2 * frequency) >> 16; }
 
 inline int leading_zeros16(uint32_t value) { return __builtin_clz(value) - 16; }
@@ -112,7 +113,7 @@ struct RangeEncoder {
   /// Codes `count` equiprobable bits, at most 8.
   void encode_bits(uint32_t value, int count) { encode_part((range * value) >> count, (range * (value + 1)) >> count); }
 
-  /// Flushes and returns the number of bytes written; 0: the buffer was too small. A reader may assume zero bits after
+  /// Flushes and returns the number of bytes written; 0: the buffer was too small. The decoder reads zero bits after
   /// the end.
   size_t finish() {
     uint64_t rest =
@@ -217,14 +218,14 @@ struct RangeDecoder {
   }
 };
 
-/// Encodes a 32-bit number: one symbol for its length in bits, then the bits.
+/// Encodes a number of at most 81 918: one symbol for the bit length of value + 1, then its lower bits.
 inline void encode_number(RangeEncoder& coder, Model& length_model, uint32_t value) {
   int length = 0;
   while (((value + 1) >> (length + 1)) != 0 && length < kSymbols - 1) ++length;
   coder.encode(length_model, length);
   learn<4>(length_model, length);
   const uint32_t below = value + 1 - (uint32_t{1} << length);
-  const int bits = length == kSymbols - 1 ? 16 : length;  // the greatest length also stands for greater ones
+  const int bits = length == kSymbols - 1 ? 16 : length;  // the greatest length symbol has 16 bits
   if (bits > 8) coder.encode_bits(below >> 8, bits - 8);
   coder.encode_bits(below & (bits > 8 ? 0xffU : (uint32_t{1} << bits) - 1), bits > 8 ? 8 : bits);
 }

@@ -14,8 +14,7 @@ struct Body {
   std::string bytes;
 };
 
-/// Codes as tokens, or by plain zstd when there are too many levels for tokens, or stores raw samples when that is
-/// smaller.
+/// Codes by tokens; with more than kMaxTokenLevels levels, by zstd alone. Stores the raw samples if they are smaller.
 [[nodiscard]] Body encode_fast(const DepthImage& depth);
 
 /// Stores the raw samples.

@@ -7,12 +7,12 @@
 namespace telepalp::codec {
 
 /// Converts prediction errors back into ranks, eight rows in a wavefront: each row is one pixel behind the row above
-/// it, and one register holds the current pixel of all eight. Why: within a row, each pixel waits for the pixel before
-/// it.
+/// it, and one register holds the current pixel of all eight. Within a row each pixel depends on the pixel before it,
+/// so parallelism must come from several rows. A rank is the index of a depth in the frame's palette.
 class RankWavefront {
  public:
   static constexpr std::size_t kRows = 8;
-  static constexpr std::int16_t kNotMeasured = INT16_MIN / 2;  ///< the prediction error of a gap
+  static constexpr std::int16_t kNotMeasured = INT16_MIN / 2;  ///< stands for the error of a pixel that was not measured
 
   explicit RankWavefront(std::size_t width)
       : width_(width), changes_(places(width)), above_(places(width)), ranks_(places(width)) {}
@@ -22,7 +22,7 @@ class RankWavefront {
     return changes_[place(row, column)];
   }
 
-  /// Computes eight rows of ranks from the errors and the eight rows before, then resets the errors to 0. Returns the
+  /// Computes eight rows of ranks from the errors and the row above them, then resets the errors to 0. Returns the
   /// highest rank, which is arbitrary when the errors are damaged.
   [[nodiscard]] std::uint16_t advance() noexcept;
 

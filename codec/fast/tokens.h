@@ -9,13 +9,13 @@
 
 namespace telepalp::codec {
 
-/// Ranks as run-length tokens. Each pixel is predicted from three neighbours (the median edge detector of LOCO-I;
-/// outside the frame counts as not measured). A token states how many predictions in a row are right and what the pixel
-/// after them is: byte = min(run, 31) * 8 + TokenKind. The kind of the previous token selects one of four streams, so
-/// that zstd's Huffman coder sees that context. Longer runs and larger steps continue in `extra` as varints. A pixel
-/// that is measured where a gap is predicted has its rank in `entries`, as the zigzag-coded difference from the
-/// previous entry. The reference is the previous entry and not a neighbouring pixel, so that the reader places tokens
-/// without knowing ranks and then predicts many rows at once.
+/// Ranks (indices into the palette) as run-length tokens. Each pixel is predicted from three neighbours (the median
+/// edge detector of LOCO-I; outside the frame counts as not measured). A token states how many consecutive predictions
+/// are right, and how the next pixel differs from its prediction: byte = min(run, 31) * 8 + TokenKind. The kind of the
+/// previous token selects one of four streams, so that zstd's Huffman coder adapts to that kind. Longer runs and larger
+/// steps continue in `extra` as varints. A pixel that is measured where a gap is predicted has its rank in `entries`,
+/// as the zigzag-coded difference from the previous entry. An entry does not refer to a neighbouring pixel, so that the
+/// reader knows each token's pixel before any rank, and then computes the ranks of several rows at once.
 struct TokenStreams {
   std::array<std::string, 4> tokens;
   std::string extra;
@@ -25,9 +25,9 @@ struct TokenStreams {
 enum class TokenKind : std::uint8_t { NotMeasured, Up1, Down1, Up2, Down2, Entry, Up, Down };
 
 inline constexpr std::uint32_t kLongRun = 31;
-inline constexpr int kFirstFarStep = 3;  ///< Up and Down begin here
+inline constexpr int kFirstFarStep = 3;  ///< least step [ranks] of the kinds Up and Down
 
-/// The stream that holds the token after one of this kind.
+/// Index in `tokens` of the stream that holds the token after one of kind `what`.
 [[nodiscard]] constexpr std::size_t stream_after(TokenKind what) noexcept {
   return what < TokenKind::Up2 ? static_cast<std::size_t>(what) : 3;
 }

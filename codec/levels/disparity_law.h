@@ -7,13 +7,13 @@
 namespace telepalp::codec {
 
 /// The levels of a camera that measures disparity in whole steps (Kinect-class): 1/z grows by the same amount from
-/// level to level, and z is then rounded to whole units. Two numbers describe hundreds of levels. The arithmetic uses
-/// only integers, so that every machine computes the same levels.
+/// level to level, and z is then rounded to whole units of a sample. So two numbers predict hundreds of levels. The
+/// arithmetic uses only integers, so that every machine computes the same levels.
 struct DisparityLaw {
   static constexpr std::uint64_t kOne = std::uint64_t{1} << 40;
   static constexpr std::uint32_t kMostSteps = 65535;
 
-  std::uint64_t farthest = kOne;  ///< kOne / z of step 0, 1 … kOne
+  std::uint64_t farthest = kOne;  ///< kOne / z of step 0, the farthest level; from 1 to kOne
   std::uint32_t step = 1;         ///< above 0
 
   /// z of the level that is `n` steps nearer than the farthest one, rounded.
@@ -21,7 +21,7 @@ struct DisparityLaw {
     const std::uint64_t inverse = farthest + std::uint64_t{step} * n;
     return (kOne + inverse / 2) / inverse;
   }
-  /// The step whose z is nearest.
+  /// The number of the step whose z is nearest to `level`.
   [[nodiscard]] std::uint32_t step_of(std::uint16_t level) const noexcept;
 };
 

@@ -11,8 +11,7 @@
 namespace telepalp::codec {
 
 /// The distinct depths of a frame, ascending. `levels[0]` is 0, "not measured". A pixel's rank is its index in this
-/// list. A Kinect-class frame has a few hundred levels, and neighbouring ranks are neighbouring disparities at any
-/// distance.
+/// list. A Kinect-class frame has a few hundred levels, and successive ranks are successive disparities, near and far.
 struct LevelPalette {
   std::vector<std::uint16_t> levels{0};
 
@@ -31,8 +30,8 @@ using RankOfLevel = std::vector<std::uint16_t>;
 /// Looks up the rank of each sample.
 [[nodiscard]] std::vector<std::uint16_t> ranks_by(const RankOfLevel& rank_of, std::span<const std::uint16_t> samples);
 
-/// Writes the count, then the differences between levels minus one. Why differences: an unordered palette cannot be
-/// expressed.
+/// Writes the count, then the differences between levels minus one. With differences, the bytes cannot express an
+/// unordered palette.
 void append_palette(std::string& bytes, const LevelPalette& palette);
 
 /// nullopt: the bytes end too soon, or a level exceeds 65 535.

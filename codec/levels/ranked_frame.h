@@ -14,8 +14,8 @@ using Ranks = std::vector<std::uint16_t>;
 struct RankedFrame {
   LevelPalette palette;
   Ranks ranks;
-  /// Empty: lossless. Else the greatest rank that each pixel may take, where `ranks` has the least. 65 535 in gaps, so
-  /// that a gap never looks different from its neighbours.
+  /// Empty: lossless. Else the greatest rank that each pixel may take, where `ranks` has the least. 65 535 for pixels
+  /// that were not measured, so that they can take any rank of their neighbours.
   Ranks most = {};
 };
 

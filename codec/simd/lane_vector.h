@@ -14,7 +14,8 @@
 namespace telepalp::codec {
 namespace {
 
-/// Four numbers in one register, one per slice. A comparison yields a mask: all bits or none per lane.
+/// Four numbers in one register, one lane for each of four slices that are coded in lockstep. A comparison yields a
+/// mask: all bits of a lane are set, or none.
 using LaneVector [[gnu::vector_size(16)]] = int32_t;
 
 inline LaneVector splat(int number) { return LaneVector{number, number, number, number}; }
@@ -29,7 +30,7 @@ inline Numbers pick(LaneVector mask, Numbers yes, Numbers no) {
 
 inline LaneVector bounded_by_two(LaneVector value) { return greatest(least(value, splat(2)), splat(-2)); }
 
-/// The median edge detector of predict(), for four pixels.
+/// predict() for four pixels.
 inline LaneVector predict(LaneVector west, LaneVector north, LaneVector north_west) {
   return greatest(least(west + north - north_west, greatest(west, north)), least(west, north));
 }
@@ -77,7 +78,7 @@ inline void put_lanes(uint16_t* at, LaneVector numbers) {
 #endif
 }
 
-/// Looks up four indices, each in 0 … 15.
+/// Looks up four indices in `table`, each in 0 … 15.
 inline LaneVector look_up(const int8_t (&table)[16], LaneVector index) {
 #if defined(__SSE4_1__)
   const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(table));

@@ -28,7 +28,7 @@ inline EightPixels interleave_high(EightPixels a, EightPixels b) {
   return __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
 }
 
-/// Interleaves four rows into one, four numbers a pixel.
+/// Interleaves four rows into one: the four numbers of a column become adjacent.
 inline void interleave_rows(const uint16_t* const (&rows)[4], uint16_t* interleaved, int width) {
   int x = 0;
   for (; x + 8 <= width; x += 8) {

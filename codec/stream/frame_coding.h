@@ -19,22 +19,22 @@ struct Reference {
   std::uint16_t since_key = 0;  ///< frames from the key frame to the predicted frame
 };
 
-/// Packs `depth` unchanged, in any mode.
+/// Codes `depth` losslessly as a packet, in any mode.
 [[nodiscard]] WrittenPacket write_frame(const DepthImage& depth, DepthMode mode, const Reference& reference);
 
-/// Packs `depth` unchanged with `palette`, its own, in any mode but Fast.
+/// Codes `depth` losslessly as a packet. `palette`: of `depth`. `mode`: any but Fast.
 [[nodiscard]] WrittenPacket write_lossless(const DepthImage& depth, const LevelPalette& palette, DepthMode mode,
                                            const Reference& reference);
 
-/// A packet together with the frame as its decoder will have it.
+/// A packet, and the frame that its decoder reconstructs.
 struct CodedFrame {
   WrittenPacket packet;
   DepthImage depth;
   LevelPalette palette;
 };
 
-/// Codes `depth` near-losslessly: each pixel moves within its bound to where it costs least. `palette` is the frame's
-/// own; `reconstruction` as for within_bounds().
+/// Codes `depth` near-losslessly: each pixel moves, within its bound, to a depth that costs few bits. `palette`: of
+/// `depth`; `reconstruction` as for within_bounds().
 [[nodiscard]] CodedFrame code_bounded(const DepthImage& depth, const LevelPalette& palette,
                                       ReconstructionLevels& reconstruction, const Reference& reference);
 

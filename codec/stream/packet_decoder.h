@@ -19,7 +19,7 @@ namespace telepalp::codec {
 /// Decodes parsed packets in order and keeps the last frame as reference for the next one.
 class PacketDecoder {
  public:
-  /// An error changes nothing.
+  /// Decodes the next packet. After an error the reference frame is unchanged.
   [[nodiscard]] Result<DepthImage> decode(const Packet& packet);
 
  private:
@@ -27,7 +27,7 @@ class PacketDecoder {
   [[nodiscard]] Reference reference() const noexcept;
 
   DepthImage previous_;
-  std::optional<LevelPalette> previous_palette_;  // as its packet had it
+  std::optional<LevelPalette> previous_palette_;  // of the previous frame; nullopt: its packet has none
   std::uint32_t previous_crc_ = 0;
 };
 

@@ -29,10 +29,10 @@ using AnyImage = std::variant<GrayImage16, ColorImage>;
 [[nodiscard]] Result<AnyImage> decode_png(std::span<const std::byte> bytes, const std::string& name);
 [[nodiscard]] Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string& name);
 
-/// Reads a PNG or TIFF file, recognised by its first bytes. Error: larger than 256 MiB.
+/// Reads a PNG or TIFF file, recognised by its first bytes. Error: the file is larger than 256 MiB.
 [[nodiscard]] Result<AnyImage> read_image(const std::filesystem::path& file);
 
-/// read_image() for one kind of content. Error: the file has the other kind.
+/// read_image() for a file that must contain depth, or colour. Error: it contains the other.
 [[nodiscard]] Result<GrayImage16> read_depth_image(const std::filesystem::path& file);
 [[nodiscard]] Result<ColorImage> read_color_image(const std::filesystem::path& file);
 

@@ -13,7 +13,8 @@
 
 namespace telepalp::models {
 
-/// The content of a PCD, PLY or OBJ file that touch needs. Coordinates are in the unit and frame of the file.
+/// The content of a PCD, PLY or OBJ file that haptic rendering needs. Coordinates are in the unit and frame of the
+/// file.
 struct PointModel {
   std::vector<Eigen::Vector3f> points;              ///< NaN in the holes of an organised cloud
   std::vector<Eigen::Vector3f> normals;             ///< one per point, or empty

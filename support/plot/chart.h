@@ -73,8 +73,8 @@ struct Chart {
   double height_px = 300.0;
 };
 
-/// The rectangle in which the curves are drawn. Its left and right edges depend only on the chart's width, so that the
-/// time axes of stacked charts of equal width are aligned.
+/// The rectangle in which the curves are drawn. Its left and right edges in the drawing depend only on the chart's
+/// width, so that the time axes of stacked charts of equal width are aligned.
 struct Frame {
   Range x_px;
   Range y_px;  ///< `least` is the bottom

@@ -5,7 +5,7 @@
 
 namespace telepalp::plot {
 
-/// A table of values as coloured cells, each with its number. Darker is larger.
+/// A table of values as coloured cells, each with its value. A darker cell has a larger value.
 struct HeatMap {
   std::string title;
   std::string x_label;  ///< with the unit

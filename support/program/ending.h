@@ -9,7 +9,7 @@ namespace telepalp::program {
 inline constexpr std::chrono::seconds kTimeToEnd{5};
 
 // A terminal sends Ctrl-C to every program of a script, and the script then signals each program again. So a second
-// signal must not end the program sooner: time limits the ending, not the number of signals.
+// signal does not end the program sooner: only the time limit ends it early.
 
 /// Makes the process print `last_words` and exit with kFailed after `limit`, unless it has ended before. Only the first
 /// call has an effect.

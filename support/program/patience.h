@@ -10,7 +10,7 @@ namespace telepalp::program {
 
 using Patience = std::optional<std::chrono::duration<double>>;  ///< time limit; nullopt: unlimited
 
-/// Replaces "unlimited" where a number is needed: about four months.
+/// Stands for "unlimited" where the type cannot express it: 10^7 s, about four months.
 inline constexpr std::chrono::duration<double> kForEver{1e7};
 
 /// The option `--patience S`: how long a program waits for its peer. `help`: the option's help text.

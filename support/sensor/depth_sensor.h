@@ -19,7 +19,7 @@ enum class DepthNoise {
 struct DepthSensorSettings {
   DepthNoise noise = DepthNoise::Kinect;
   double gaussian_sigma_m = 0.001;
-  bool disparity_steps = true;  ///< depth comes in levels 2.85 mm z^2 apart, as from 11-bit disparity
+  bool disparity_steps = true;  ///< depth takes levels 2.85 mm z^2 apart (z in metres), as on a Kinect v1
   double unit_m = 0.001;        ///< metres for one step of a sample
   std::uint64_t seed = 1;
 };
@@ -27,10 +27,11 @@ struct DepthSensorSettings {
 /// The noise of one frame. Pixels can be sampled in any order.
 class Exposure {
  public:
-  /// The random bits that determine the noise of `pixel`. The caller may use the upper eight bits for something else.
+  /// The random bits that determine the noise of `pixel`. The noise uses the lowest twelve bits only; a caller may use
+  /// the highest eight for another purpose.
   [[nodiscard]] std::uint32_t bits(std::uint32_t pixel) const noexcept { return noise_.bits(pixel); }
 
-  /// The sample [unit] for a depth of `z_m` > 0 with these random bits; 0: outside the sensor's range.
+  /// The sample [unit] for a depth of `z_m` > 0, with the noise of `bits`; 0: outside the sensor's range.
   [[nodiscard]] std::uint16_t sample_of(float z_m, std::uint32_t bits) const noexcept {
     const float far_m = z_m - 0.4F;
     const float sigma_m = base_m_ + growth_per_m_ * far_m * far_m;
@@ -57,8 +58,8 @@ class Exposure {
   std::uint32_t level_count_ = 1;
 };
 
-/// The one model of a depth sensor's error: noise, then disparity steps or rounding. A pure function of settings,
-/// frame instant and pixel.
+/// The one model of a depth sensor's error: noise, then rounding to a disparity level or to a whole unit. A pure
+/// function of settings, frame instant and pixel.
 class DepthSensor {
  public:
   explicit DepthSensor(const DepthSensorSettings& settings);

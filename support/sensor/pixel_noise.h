@@ -8,8 +8,8 @@
 namespace telepalp::sensor {
 
 /// Random bits as a pure function of (seed, instant, pixel), so pixels can be evaluated in any order, for the cost of a
-/// few multiplications. The mixing function is a 32-bit finaliser with full avalanche. The key enters twice, so that
-/// the streams of two frames are not shifted copies of each other.
+/// few multiplications. The mixing function is a 32-bit finaliser with full avalanche. The key made from seed and
+/// instant enters twice, so that the bits of two frames are not shifted copies of each other.
 class PixelNoise {
  public:
   PixelNoise(std::uint64_t seed, std::int64_t instant) noexcept {

@@ -7,7 +7,7 @@
 
 namespace telepalp::program {
 
-/// Writes the lines `key=value` of `text` to `file` atomically: a program that waits for this one to be ready never
+/// Writes the lines `key=value` of `text` to `file` atomically: a script that waits until this program is ready never
 /// reads a partial file. An empty `file` does nothing.
 [[nodiscard]] Result<void> write_ready_file(const std::filesystem::path& file, const std::string& text);
 
