@@ -108,7 +108,7 @@ void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& l
   for (std::uint32_t n = 0; n <= last; ++n) {
     const auto lawful = static_cast<std::int64_t>(law.level_at(n));
     int symbol = kAbsent;
-    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // a second level at one disparity step stays for encode_steps()
+    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // a second level at one step stays for encode_steps()
       const std::int64_t miss = *level - lawful;
       if (symbol != kAbsent || miss < -kLargestMiss || miss > kLargestMiss) continue;
       symbol = kOnLaw + static_cast<int>(miss);

@@ -85,7 +85,7 @@ inline int symbol_at(const Model& model, uint32_t frequency) {
 #endif
 }
 
-/// The product of a 16-bit range and a cumulative frequency, as a share of kModelTotal + 1.
+/// `range` * `frequency` / 32 768, rounded down: where a cumulative frequency lies in a 16-bit range.
 inline uint32_t part(uint32_t range, uint32_t frequency) { return (range * 2 * frequency) >> 16; }
 
 inline int leading_zeros16(uint32_t value) { return __builtin_clz(value) - 16; }

@@ -12,7 +12,7 @@ namespace telepalp::codec {
 class RankWavefront {
  public:
   static constexpr std::size_t kRows = 8;
-  static constexpr std::int16_t kNotMeasured = INT16_MIN / 2;  ///< stands for the error of a pixel that was not measured
+  static constexpr std::int16_t kNotMeasured = INT16_MIN / 2;  ///< error that marks a pixel as not measured
 
   explicit RankWavefront(std::size_t width)
       : width_(width), changes_(places(width)), above_(places(width)), ranks_(places(width)) {}
