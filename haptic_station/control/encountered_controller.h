@@ -14,9 +14,10 @@
 
 namespace telepalp::control {
 
-/// The controller of an encountered-type device (S1 II.D). The end-effector waits on a plane above the body, under the
-/// free hand. At contact it displays the skin, and it leaves the contact without a jump of force. Pure: the output
-/// depends only on the inputs since construction. Real-time safe. Owner: control thread.
+/// The controller of an encountered-type device (paper S1 II.D, docs/sources.md). The end-effector waits on a plane
+/// above the body, under the free hand. In contact it displays the force of the skin. The force does not jump when a
+/// contact begins or ends. The output depends only on the inputs since construction. Real-time safe. Owner: control
+/// thread.
 class EncounteredController {
  public:
   EncounteredController(const ControlSettings& settings, const effects::EffectBank& effects) noexcept
@@ -28,7 +29,7 @@ class EncounteredController {
         displayed_hand_(settings.transitions.offset_fade_s),
         limiter_(settings.limits) {}
 
-  /// One tick, `dt_s` after the last.
+  /// Computes one tick, `dt_s` after the last. `dt_s` is limited to [0, 0.01] s.
   [[nodiscard]] ControlOutput step(const ControlInput& in, double dt_s) noexcept;
 
   /// Sets the clock that measures the cost of the effects. It must make no system call. nullptr: no measurement.
@@ -57,7 +58,7 @@ class EncounteredController {
   DisplayedHand displayed_hand_;
   ForceLimiter limiter_;
   HeatWarning heat_warning_;
-  Point<HapticBase> target_;  ///< S1's p_t of the last tick
+  Point<HapticBase> target_;  ///< the target p_t of S1 eq. (5) at the last tick; the end-effector, except in Out body
 };
 
 }  // namespace telepalp::control

@@ -5,7 +5,7 @@
 
 namespace telepalp::control {
 
-/// A vector and its rate of change.
+/// A vector [m] and its rate of change [m/s].
 struct Moving {
   Eigen::Vector3d m = Eigen::Vector3d::Zero();
   Eigen::Vector3d per_s = Eigen::Vector3d::Zero();

@@ -4,15 +4,15 @@
 
 namespace telepalp::control {
 
-/// Where the viewer draws the hand (S1 II.E): in the body at the proxy, outside the body where it is tracked. When the
-/// hand enters or leaves the body, the distance between the two places fades instead of showing as a jump. Owner:
-/// control thread.
+/// Computes where the viewer draws the hand (paper S1 II.E, docs/sources.md). While the hand is in the body, that is
+/// the proxy; otherwise it is the tracked position. When the hand enters or leaves the body, the offset between the two
+/// decays exponentially, so that the drawn hand does not jump. Owner: control thread.
 class DisplayedHand {
  public:
-  /// `fade_s`: time constant with which that distance fades.
+  /// `fade_s`: time constant of that offset's decay.
   explicit DisplayedHand(double fade_s) noexcept : fade_s_(fade_s) {}
 
-  /// One tick. `inside`: the hand is in the body. `contact`: the contact as the hand feels it.
+  /// Computes one tick. `inside`: the hand is in the body. `contact`: contact with the displayed skin.
   [[nodiscard]] Point<HapticBase> step(const ControlInput& in, const ports::SurfaceContact& contact, bool inside,
                                        double dt_s) noexcept;
 

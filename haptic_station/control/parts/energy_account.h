@@ -4,24 +4,23 @@
 
 namespace telepalp::control {
 
-/// Keeps the energy balance between the effects and the hand, also while the device gives less force than the effects
-/// ask for, and adds the passivity controller's damping. Owner: control thread.
+/// Books the energy that the effects take from the hand and return to it, and adds the passivity controller's damping.
+/// The books stay right while the device gives less force than the effects ask for. Owner: control thread.
 class EnergyAccount {
  public:
   /// Starts the balance of a new contact at zero.
   void begin() noexcept;
 
-  /// Returns the force to show for the next tick [N], damping included. `asked_N`: the force that the effects ask for.
-  /// `share`: the part of it that is shown; 1 unless the contact is being released. `exchange`: the energy that passed
-  /// between the effects and the hand over the last tick. `bound_N`: the largest force that the limiter lets through
-  /// now.
+  /// Returns the force to display over the next tick [N], damping included. `asked_N`: the force that the effects ask
+  /// for. `share`: the displayed share of `asked_N`, 0 to 1; below 1 while the contact is faded. `exchange`: energy and
+  /// motion between the effects and the hand over the last tick. `bound_N`: the present peak force of the limiter.
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& asked_N, double share, const Exchange& exchange,
                                      double bound_N, double dt_s) noexcept;
 
-  /// Call after the limiter, which turned `wanted_N` into `given_N`.
+  /// Call after the limiter. `wanted_N`: the limiter's input. `given_N`: its output.
   void limited(const Eigen::Vector3d& given_N, const Eigen::Vector3d& wanted_N) noexcept;
 
-  /// True when the device gives another force than the effects ask for.
+  /// True when the force of the device differs from the one that the effects and the damping ask for.
   [[nodiscard]] bool withholds() const noexcept;
   [[nodiscard]] const Force<HapticBase>& damping() const noexcept { return damping_; }  ///< of the last step
   [[nodiscard]] const PassivityController& passivity() const noexcept { return passivity_; }

@@ -9,23 +9,24 @@
 
 namespace telepalp::control {
 
-/// Force control (S1 II.D): the scene's effects act on the hand. Effects that are stiffer than the device can show act
-/// through the virtual coupling. The energy account keeps them passive. Owner: control thread.
+/// Force control (paper S1 II.D, docs/sources.md): the scene's effects act on the hand. If they are stiffer than the
+/// device can display stably, they act through the virtual coupling. EnergyAccount keeps them passive. Owner: control
+/// thread.
 class ForceControl {
  public:
   /// `most_N`: the largest force that the device gives.
   ForceControl(const effects::EffectBank& effects, const CouplingSettings& coupling, double most_N) noexcept
       : effects_(effects), coupling_(coupling, effects.stiffest_N_per_m(most_N)) {}
 
-  /// One tick. `touching`: the hand is in contact with the skin. Returns the force for the device [N]; zero without
-  /// contact.
+  /// Computes one tick. `touching`: the hand is in contact with the skin. `bound_N`: the present peak force of the
+  /// limiter. Returns the force for the device [N]; zero without contact.
   [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, bool touching, double bound_N, double dt_s) noexcept;
 
-  /// Call after the limiter. `wanted`: the parts of the force that were asked for; `given_N`: what the limiter made of
-  /// their sum. The device holds `given_N` until the next step.
+  /// Call after the limiter. `wanted`: the parts of the limiter's input. `given_N`: the limiter's output, which the
+  /// device applies until the next step.
   void gave(const HeldForce& wanted, const Eigen::Vector3d& given_N) noexcept;
 
-  /// Fades the contact out (`release`) or in again: the share of the skin's force that is shown goes to 0 or 1 over
+  /// Moves the displayed share of the effects' force towards 0 (`release`) or back towards 1. The full range takes
   /// `over_s`. Does nothing without contact.
   void release(bool release, double over_s, double dt_s) noexcept;
   [[nodiscard]] bool released() const noexcept { return share_ <= 0.0; }
@@ -36,9 +37,9 @@ class ForceControl {
   [[nodiscard]] bool touching() const noexcept { return touching_; }
   /// True when contact began or ended at the last step.
   [[nodiscard]] bool contact_changed() const noexcept { return contact_changed_; }
-  /// True when the device gives another force than the effects ask for.
+  /// True when the force of the device differs from the one that the effects and the damping ask for.
   [[nodiscard]] bool withholds() const noexcept { return touching_ && account_.withholds(); }
-  /// The contact as the hand feels it: after a contact that began at depth, the body is displayed lower.
+  /// The contact with the displayed skin. After a contact that began below the skin, it is lowered; see SinkIn.
   [[nodiscard]] const ports::SurfaceContact& shown() const noexcept { return shown_; }
   [[nodiscard]] Force<HapticBase> damping() const noexcept {
     return touching_ ? account_.damping() : Force<HapticBase>{};
@@ -65,12 +66,12 @@ class ForceControl {
   EnergyAccount account_;
   effects::CostClock cost_clock_ = nullptr;
   ports::SurfaceContact shown_;
-  Point<HapticBase> last_felt_;  ///< position of the end-effector in the body's frame at the last step in contact
-  HandLedger ledger_;            ///< compares with the newest measured surface
-  HeldForce held_;               ///< the force during the last tick
-  Eigen::Vector3d moved_m_ = Eigen::Vector3d::Zero();  ///< movement of the end-effector over the last tick, in H
+  Point<HapticBase> last_felt_;  ///< end-effector relative to the lowered body (see SinkIn) at the last step in contact
+  HandLedger ledger_;            ///< its reference skin is the newest captured surface, predicted to now
+  HeldForce held_;               ///< the force that the device applied over the last tick
+  Eigen::Vector3d moved_m_ = Eigen::Vector3d::Zero();  ///< movement of the end-effector over the last tick
   Point<HapticBase> last_device_;
-  double share_ = 1.0;  ///< the part of the skin's force that is shown, 0 to 1
+  double share_ = 1.0;  ///< displayed share of the effects' force, 0 to 1
   bool touching_ = false;
   bool contact_changed_ = false;
 };

@@ -6,14 +6,14 @@
 
 namespace telepalp::control {
 
-/// Warns the hand, seconds ahead, that warm motors will lower the force. The warning is a faint vibration along the
-/// force. Owner: control thread.
+/// Warns the hand 4 s before ForceLimiter lowers the force to protect the motors from heat. The warning is a faint
+/// vibration along the force. Owner: control thread.
 class HeatWarning {
  public:
   /// The vibration to add to `force_N` for the next tick [N]; it decays to zero while yields_in_s() is at least 4 s.
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& force_N, const ForceLimiter& limiter, double dt_s) noexcept;
 
-  /// Time until the limiter would lower the force of the last step, if that force were held [s]; infinite: never.
+  /// Time until the limiter would lower the low-pass filtered force, if that force were held [s]; infinite: never.
   [[nodiscard]] double yields_in_s() const noexcept { return yields_in_s_; }
 
  private:

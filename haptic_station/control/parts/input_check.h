@@ -6,22 +6,23 @@
 
 namespace telepalp::control {
 
-/// True when every number that the controller would use is finite.
+/// True when positions, velocities, heights and implausible times are finite. `hand` and `contact` are checked only
+/// while they are valid. Tracker and surface ages, `contact.support` and `placements` are not checked.
 [[nodiscard]] bool is_finite(const ControlInput& in) noexcept;
 
 /// An input without a hand or a surface, with the end-effector at `device`. It replaces an input that is not finite, so
-/// that no NaN reaches the controller's state. It keeps only the operator's request from `in`.
+/// that no NaN reaches the controller's state. It copies only the re-arm request from `in`.
 [[nodiscard]] ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device) noexcept;
 
 /// The reason why the station must fault at this tick, or FaultCause::None. While the hand is `touching` the skin, the
-/// force needs the device alone: an implausible tracker is then no fault, it counts as one that has lost the hand.
+/// force does not depend on the tracker, so implausible tracker samples are then no fault; hand_is_lost() handles them.
 [[nodiscard]] FaultCause standing_fault(const ControlInput& in, bool touching, const AgeLimits& ages) noexcept;
 
 /// True when the surface is older than its limit. An age that is NaN counts as too old.
 [[nodiscard]] bool surface_is_stale(const ControlInput& in, const AgeLimits& ages) noexcept;
 
 /// True when the tracker has not seen the hand within `limit_s`. An age that is NaN counts as too old, and so does a
-/// sample from the future, which would never age.
+/// sample more than `limit_s` in the future.
 [[nodiscard]] bool hand_is_lost(const ControlInput& in, double limit_s) noexcept;
 
 }  // namespace telepalp::control

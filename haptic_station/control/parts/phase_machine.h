@@ -6,15 +6,15 @@
 
 namespace telepalp::control {
 
-/// The phase, how long it has lasted, and why it is Faulted. Applies the transition table and its dwell.
-/// Owner: control thread.
+/// Holds the phase, its duration and the cause of a fault. Applies the transition table. A transition that waits for
+/// the dwell happens only after the phase has lasted the dwell time. Owner: control thread.
 class PhaseMachine {
  public:
-  /// `dwell_s`: S1's "at least 0.3 s in each state".
+  /// `dwell_s`: the dwell time, 0.3 s in paper S1 (docs/sources.md).
   explicit PhaseMachine(double dwell_s) noexcept : dwell_s_(dwell_s) {}
 
-  /// One tick, `dt_s` after the last. `stands`: the cause that would fault this tick. Returns the event that changed
-  /// the phase, or nullopt if the phase stays.
+  /// Computes one tick, `dt_s` after the last. `stands`: the fault cause that is present now. Returns the event that
+  /// changed the phase, or nullopt if the phase stays.
   std::optional<Event> step(const Seen& seen, FaultCause stands, double dt_s) noexcept;
 
   [[nodiscard]] Phase phase() const noexcept { return phase_; }

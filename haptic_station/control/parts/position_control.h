@@ -6,19 +6,20 @@
 
 namespace telepalp::control {
 
-/// Position control of the free end-effector in Out body: proportional-derivative control to S1 eq. (5)'s target, which
-/// follows the hand's x and z on the waiting plane. Owner: control thread.
+/// Position control of the free end-effector in the phase Out body: proportional-derivative control to the target of
+/// eq. (5) of paper S1 (docs/sources.md). The target follows the hand's x and z at the height of the waiting plane, in
+/// H, the haptic base's frame, with y up. Owner: control thread.
 class PositionControl {
  public:
-  /// `offset_fade_s`: time constant with which eq. (5)'s Delta p fades.
+  /// `offset_fade_s`: decay time constant of eq. (5)'s Delta p, the offset from the hand's target to the end-effector.
   PositionControl(const PositionControlSettings& settings, double offset_fade_s) noexcept
       : settings_(settings), offset_fade_s_(offset_fade_s) {}
 
-  /// Out body begins. The target starts with the position and velocity of the end-effector, so that the control begins
-  /// at zero force.
+  /// Call when Out body begins. The target starts with the position and velocity of the end-effector, so that the force
+  /// starts at zero.
   void begin(const ControlInput& in, double target_height_m) noexcept;
 
-  /// The force for the end-effector [N]. `target_height_m`: height of the waiting plane.
+  /// The force for the end-effector [N]. `target_height_m`: y of the target in H.
   [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, double target_height_m, double dt_s) noexcept;
 
   [[nodiscard]] const Point<HapticBase>& target() const noexcept { return target_; }  ///< S1's p_t at the last step
@@ -28,15 +29,15 @@ class PositionControl {
 
   PositionControlSettings settings_;
   double offset_fade_s_;
-  Moving hand_;    ///< the hand, smoothed over the tracker's updates
-  Moving offset_;  ///< Delta p of S1 eq. (5), fading
+  Moving hand_;    ///< the tracked hand after a low-pass filter that smooths the tracker's 100 Hz steps
+  Moving offset_;  ///< Delta p of S1 eq. (5), which decays to zero
   Point<HapticBase> target_;
   Eigen::Vector3d force_N_ = Eigen::Vector3d::Zero();
 };
 
-/// The force of Body to plane [N]: "a force is applied to the end-effector in order to go farther from the body" (S1).
-/// It brings the end-effector to a bounded speed, so that an end-effector without a hand neither flies off nor rises
-/// past the plane while the dwell lasts.
+/// The force of the phase Body to plane [N]: "a force is applied to the end-effector in order to go farther from the
+/// body" (S1). It controls the velocity: a bounded rise that stops 2 mm above `target_height_m`. So an end-effector
+/// without a hand does not fly off while the phase waits for its dwell time.
 [[nodiscard]] Eigen::Vector3d lift_force_N(const ControlInput& in, double target_height_m,
                                            const PositionControlSettings& settings) noexcept;
 

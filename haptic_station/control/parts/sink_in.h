@@ -6,20 +6,21 @@
 namespace telepalp::control {
 
 /// Handles a contact that begins below the skin, because the skin rose or the station was not ready. The hand has done
-/// no work to reach that depth. The whole body, with the objects inside, is therefore displayed lower by that depth and
-/// rises slowly to its true place. Owner: control thread.
+/// no work to reach that depth. The whole body, with the objects inside, is therefore displayed lower by that depth,
+/// along the skin's normal, and rises to its true place at 30 mm/s or less. Owner: control thread.
 class SinkIn {
  public:
   /// Contact begins `depth_m` below the skin.
   void begin(double depth_m) noexcept;
-  /// One tick: the displayed body rises.
+  /// Lets the displayed body rise for one tick.
   void step(double dt_s) noexcept;
 
-  /// `contact` with the lowered body.
+  /// `contact`, converted to the contact with the lowered body.
   [[nodiscard]] ports::SurfaceContact shown(const ports::SurfaceContact& contact) const noexcept;
 
-  /// The input of the effects, in the frame of the lowered body. In this frame the body is at its true place and the
-  /// device lies higher, so that a contact that begins inside an inner object does not release that object's energy.
+  /// The input of the effects, relative to the lowered body: the body is at its true place, and the device is higher by
+  /// the lowering. `as_shown`: the result of shown(). A contact that begins inside an inner object thus does not start
+  /// with elastic energy that the hand never supplied.
   [[nodiscard]] effects::EffectInput in_body_frame(const Point<HapticBase>& device, const Vector<HapticBase>& velocity,
                                                    const ports::SurfaceContact& as_shown) const noexcept;
 

@@ -8,8 +8,8 @@ namespace telepalp::control {
 /// at a bounded rate. Owner: control thread.
 class TransitionFade {
  public:
-  /// `raw_N`: the force of the current phase. `breaks`: `raw_N` may jump at this tick; its difference from the last
-  /// tick's force begins to fade now. Returns the force to pass to the limiter.
+  /// `raw_N`: the force of the current phase. `breaks`: `raw_N` may jump at this tick; the fade then restarts with the
+  /// difference between the force last returned and `raw_N`. Returns `raw_N` plus the remaining difference.
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& raw_N, bool breaks, double rate_N_per_s,
                                      double dt_s) noexcept;
 

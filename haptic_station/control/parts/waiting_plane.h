@@ -5,17 +5,18 @@
 
 namespace telepalp::control {
 
-/// The horizontal plane above the body on which the free end-effector waits (S1 II.D). It keeps its clearance from the
-/// skin below the end-effector and moves at a bounded speed. Owner: control thread.
+/// The horizontal plane above the body on which the free end-effector waits (paper S1 II.D, docs/sources.md). It stays
+/// at least PlaneSettings::clearance_m above the skin below the end-effector, as far as its bounded speed allows.
+/// Heights are y in H, the haptic base's frame. Owner: control thread.
 class WaitingPlane {
  public:
   explicit WaitingPlane(const PlaneSettings& settings) noexcept : settings_(settings) {}
 
-  /// One tick. At the first tick the plane takes its place at once; later it moves at the bounded speed.
+  /// Computes one tick. The first tick sets the height at once; later ticks move it at the bounded speed.
   void move(const Point<HapticBase>& device, const ports::SurfaceContact& contact, double dt_s) noexcept;
 
   [[nodiscard]] double height_m() const noexcept { return height_m_; }
-  /// Height at which the end-effector is held: S1 eq. (5) adds delta_o.
+  /// Height at which the end-effector is held: the plane plus delta_o of S1 eq. (5).
   [[nodiscard]] double target_height_m() const noexcept { return height_m_ + settings_.offset_m; }
 
  private:

@@ -6,33 +6,33 @@
 
 namespace telepalp::control {
 
-/// The phases of S1 Fig. 4, and two phases without force that S1 does not have. The numbers are those of
-/// telepalp.msg.Phase.
+/// The phases of Fig. 4 of paper S1 (docs/sources.md), and two phases without force that S1 does not have. The values
+/// are those of telepalp.msg.Phase. The numbers in brackets are S1's s_f.
 enum class Phase : std::uint8_t {
-  InBody = 1,         ///< force control: the hand feels the skin (S1's s_f = 0)
+  InBody = 1,         ///< force control: the hand feels the skin (0)
   BodyToPlane = 2,    ///< a gentle lift carries the end-effector away from the body (1)
   OutBody = 3,        ///< position control on the plane above the body, following the free hand (2)
   PlaneToBody = 4,    ///< neither force nor position control: the hand can push the end-effector to the body (3)
   ObjectLateral = 5,  ///< in the body, pressing an inner object's side (-1)
   AroundObject = 6,   ///< in the body, beside an inner object (-2)
   ObjectUpper = 7,    ///< in the body, pressing an inner object's upper face (-3)
-  Released = 8,       ///< no force until every input is valid
-  Faulted = 9,        ///< no force until an operator re-arms
+  Released = 8,       ///< no force until tracker and surface have been valid for the dwell time
+  Faulted = 9,        ///< no force until an operator re-arms; then Released
 };
 
 enum class Event : std::uint8_t {
-  FromBody,    ///< S1: i_b is false, at any distance from the surface
-  ToPlane,     ///< S1: the height of the plane is reached
+  FromBody,    ///< the device point is outside the body: S1's i_b is false; at any distance from the surface
+  ToPlane,     ///< S1: the end-effector has reached the height of the waiting plane
   UnderPlane,  ///< S1: the hand has pushed the end-effector below the plane
   HandRose,    ///< the hand left the waiting end-effector and is above the plane
-  IntoBody,    ///< S1: i_b is true
+  IntoBody,    ///< the device point has entered the body: S1's i_b is true
   NearObject,  ///< the device point is within an inner object's margin
   AwayFromObject,
   TouchUpper,    ///< pressing an inner object, its upper face nearest
   TouchLateral,  ///< pressing an inner object, its side nearest
   InputStale,    ///< tracker or surface older than its limit
-  InputsBack,
-  Fault,  ///< see FaultCause
+  InputsBack,  ///< tracker and surface are within their age limits again
+  Fault,  ///< a FaultCause is present, or the limiter has latched a force that was not finite
   Rearm,  ///< an operator re-arms
 };
 
@@ -42,14 +42,14 @@ enum class FaultCause : std::uint8_t {
   DeviceSilent,       ///< the last reading of the device is older than its limit
   NotFinite,          ///< a number in the input or in the force is NaN or infinite
   DeviceImplausible,  ///< the device reports impossibly fast movements for longer than a glitch lasts
-  HandImplausible,    ///< the hand tracker does, out of contact, where the end-effector follows it
+  HandImplausible,    ///< the same for the hand tracker, while the hand is not in contact
 };
 
 struct Row {
   Phase from;
   Event on;
   Phase to;
-  bool waits_for_dwell;  ///< S1's "at least 0.3 s in each state"
+  bool waits_for_dwell;  ///< the transition waits until `from` has lasted the dwell time, 0.3 s in S1
 };
 
 inline constexpr std::size_t kPhaseCount = 9;

@@ -13,14 +13,14 @@ struct Seen {
   bool fault_latched = false;  ///< the limiter has latched a force that was not finite
   bool rearm = false;          ///< an operator asks to re-arm
   bool inputs_stale = false;   ///< tracker or surface older than its limit
-  bool in_body = false;        ///< S1's i_b
+  bool in_body = false;        ///< the device point is in the body: i_b of paper S1 (docs/sources.md)
   bool below_plane = false;    ///< the end-effector is below the plane
-  bool at_plane = false;       ///< the end-effector has reached the height of S1 eq. (5)
+  bool at_plane = false;       ///< the end-effector is at or above the target height of S1 eq. (5)
   bool hand_rose = false;      ///< the hand is clearly above the plane and the end-effector
   effects::ObjectTouch touch = effects::ObjectTouch::None;
 };
 
-/// The event for the device point's relation to the inner objects: pressed, near, or away.
+/// The event that reports how the device point touches the inner objects: pressing one, near one, or away from all.
 [[nodiscard]] constexpr Event object_event(effects::ObjectTouch touch) noexcept {
   switch (touch) {
     case effects::ObjectTouch::None:
@@ -35,8 +35,8 @@ struct Seen {
   return Event::AwayFromObject;
 }
 
-/// The event that follows from `seen` in this phase; nullopt: no event. Safety events come first, then those of S1 Fig.
-/// 4. If two events are possible, the first one is returned; the other one can follow at the next tick.
+/// The event that `seen` triggers in this phase; nullopt: no event. Safety events have priority over those of S1 Fig.
+/// 4. If two events are possible, only the first one is returned; the other one can follow at the next tick.
 [[nodiscard]] constexpr std::optional<Event> event_in(Phase phase, const Seen& seen) noexcept {
   const auto when = [](bool condition, Event event) noexcept {
     return condition ? std::optional<Event>(event) : std::nullopt;

@@ -6,10 +6,10 @@ namespace telepalp::control {
 
 /// Limits of the force, for the device and for the hand.
 struct ForceLimits {
-  double peak_N = 10.0;          ///< never exceeded (S1 II.A)
+  double peak_N = 10.0;          ///< never exceeded (paper S1 II.A, docs/sources.md)
   double continuous_N = 4.0;     ///< may be held without time limit (S1 II.A)
   double thermal_time_s = 20.0;  ///< time constant of the motors' heating
-  double slew_N_per_s = 2000.0;  ///< largest rate of change; a low value would delay and so add energy
+  double slew_N_per_s = 2000.0;  ///< largest rate of change; a low value delays the force, which adds energy
 };
 
 /// Every force to the device passes this limiter, which bounds its peak, the motors' heat and its rate of change. A
@@ -18,15 +18,15 @@ class ForceLimiter {
  public:
   explicit ForceLimiter(const ForceLimits& limits = {}) noexcept : limits_(limits) {}
 
-  /// The force to give when `wanted` is asked for, `dt_s` after the last call. Heat is the mean square force over
-  /// thermal_time_s. As the heat approaches that of the continuous force, the bound falls slowly from peak_N to
-  /// continuous_N.
+  /// Returns `wanted` after the limits, `dt_s` after the last call. The heat is the squared force, low-pass filtered
+  /// with the time constant thermal_time_s. As the heat rises from 40 % to 100 % of continuous_N², the largest force falls
+  /// from peak_N to continuous_N.
   [[nodiscard]] Force<HapticBase> limit(const Force<HapticBase>& wanted, double dt_s) noexcept;
 
   [[nodiscard]] bool limited() const noexcept { return limited_; }
   [[nodiscard]] bool faulted() const noexcept { return faulted_; }
   [[nodiscard]] double heat_N2() const noexcept { return heat_N2_; }
-  [[nodiscard]] double bound_N() const noexcept;
+  [[nodiscard]] double bound_N() const noexcept;  ///< the largest force that the heat allows now
   /// Time until the heat lowers the bound below `force_N`, if that force is held [s]; infinite: never.
   [[nodiscard]] double holds_for_s(double force_N) const noexcept;
   void rearm() noexcept { faulted_ = false; }

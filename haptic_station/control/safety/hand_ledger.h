@@ -4,18 +4,18 @@
 
 namespace telepalp::control {
 
-/// The force that the device holds over a tick, by cause [N]. The sum of the parts is the limiter's output.
+/// The force that the device applies over a tick, split by cause [N]. The sum of the parts is the limiter's output.
 struct HeldForce {
-  Eigen::Vector3d skin = Eigen::Vector3d::Zero();   ///< effects and damping, after the limiter
-  Eigen::Vector3d fade = Eigen::Vector3d::Zero();   ///< the fading force of the phase before a transition
+  Eigen::Vector3d skin = Eigen::Vector3d::Zero();   ///< effects, damping, warning, and the limiter's change
+  Eigen::Vector3d fade = Eigen::Vector3d::Zero();   ///< what remains of the force difference at the last transition
   Eigen::Vector3d drive = Eigen::Vector3d::Zero();  ///< lift and position control of the free end-effector
 };
 
-/// The ledger at the hand compares the work of the device on the hand since the contact began with the work that a
-/// reference skin would have done on the same path. The reference is the newest measured surface in the station, and
-/// the true surface in a simulation. The passivity ledger moves with the displayed surface; this ledger does not. It
-/// therefore sees the energy that the display itself adds by its motion, its delay and its fades. Owner: control
-/// thread.
+/// Compares the work of the device on the hand since the contact began with the work that a reference skin would have
+/// done on the same path. In the station, the reference is the newest captured surface, predicted to now; in a
+/// simulation, it is the true surface. The ledger of PassivityController counts motion relative to the displayed surface; this
+/// one counts motion in H, the haptic base's frame. It therefore includes the energy that the display adds by its own
+/// motion, its delay and its fades. Owner: control thread.
 class HandLedger {
  public:
   /// A contact begins; the balance starts at zero.
