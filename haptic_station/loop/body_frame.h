@@ -8,33 +8,33 @@
 
 namespace telepalp::loop {
 
-/// The marks to follow for the objects inside the body: for each object of `effects`, the skin straight above it
-/// (along y of the haptic base), in the depth camera's frame.
+/// The lines on which surface::MarkTracker finds the skin above the objects inside the body: one line for each object
+/// of `effects`, through the object and along y of the haptic base, in the depth camera's frame.
 [[nodiscard]] surface::MarkLines mark_lines(const effects::EffectBank& effects,
                                             const Transform<DepthCamera, HapticBase>& camera_from_haptic) noexcept;
 
 /// How well the place of one object inside the body is known.
 struct ObjectPlacement {
-  bool watched = false;          ///< false: there is no such object
-  bool unseen = false;           ///< the skin above it is not seen: the object stays where it is
-  bool slide_unseen = false;     ///< its slide cannot be measured: the object follows the skin's normal motion only
+  bool watched = false;          ///< false: this entry has no object
+  bool unseen = false;           ///< the camera does not see the skin above it: the object stays where it is
+  bool slide_unseen = false;     ///< the skin's tangential motion (slide) cannot be measured: the last slide is held
   const char* name = "";         ///< name of the effect
-  std::array<float, 3> moved{};  ///< displacement from the place that the scene gives it, in H [m]
-  float sigma_normal_m = 0.0F;   ///< 1-sigma along the skin's normal
+  std::array<float, 3> moved{};  ///< displacement from its place in the scene, in the haptic base's frame H [m]
+  float sigma_normal_m = 0.0F;   ///< 1-sigma of the displacement along the skin's normal
   float sigma_slide_m = 0.0F;    ///< 1-sigma along the skin, in the least certain direction
 };
 using ObjectPlacements = std::array<ObjectPlacement, effects::kMostEffects>;
 
-/// The frame of the body: where the objects inside it are displayed. Each object has the displacement of the mark on
-/// the skin above it: as measured up to the newest capture, and from then to now predicted along the skin's normal,
-/// like the skin. The displayed object follows with the bounded speed and acceleration of the displayed skin, so that
-/// it never jumps. When a contact begins with a skin that is shown lower than it was measured, the objects are shown
-/// lower by as much, and rise with it. Owner: the haptic thread. Nothing here allocates, locks or throws.
+/// Computes where the objects inside the body are displayed. The target of each object is the displacement of the mark
+/// (a followed point of the skin) above it: measured up to the newest capture, then predicted to now along the skin's
+/// normal. The displayed object approaches its target with bounded speed and acceleration, so that it never jumps. If a
+/// contact begins while the skin is displayed lower than measured, the objects are lowered by the same distance and
+/// rise with the skin. Owner: the haptic thread. Nothing here allocates, locks or throws.
 class BodyFrame {
  public:
   explicit BodyFrame(const surface::FollowLimits& limits) noexcept : limits_(limits) {}
 
-  /// A newer snapshot. It must stay alive until the next adopt() or release().
+  /// Uses a newer snapshot. It must stay alive until the next adopt() or release().
   void adopt(const surface::SurfaceSnapshot& snapshot,
              const Transform<HapticBase, DepthCamera>& haptic_from_camera) noexcept;
   /// Forgets the snapshot. The objects stay where they are.
@@ -44,8 +44,8 @@ class BodyFrame {
   [[nodiscard]] const effects::Placements& step(const surface::TouchSample& touch, double dt_s) noexcept;
 
   [[nodiscard]] ObjectPlacements objects() const noexcept;
-  [[nodiscard]] bool unseen() const noexcept;        ///< any object
-  [[nodiscard]] bool slide_unseen() const noexcept;  ///< any object
+  [[nodiscard]] bool unseen() const noexcept;        ///< ObjectPlacement::unseen of any object
+  [[nodiscard]] bool slide_unseen() const noexcept;  ///< ObjectPlacement::slide_unseen of any object
 
  private:
   /// Motion of the skin at a mark since the capture, along the skin's normal.

@@ -16,7 +16,7 @@ struct Compensation {
   std::int64_t stamp_ns = 0;             ///< session time of the tick
   std::int64_t surface_captured_ns = 0;  ///< 0: no surface yet
 
-  // The hand: its samples at 100 Hz are predicted to now (S1 II.D).
+  // The hand: its samples at 100 Hz are predicted to now (paper S1 II.D, docs/sources.md).
   double hand_age_s = 0.0;      ///< age of the newest sample
   double hand_carried_m = 0.0;  ///< distance from that sample to the predicted hand
   double hand_sigma_m = 0.0;    ///< standard deviation of the prediction, per axis
@@ -24,13 +24,13 @@ struct Compensation {
   // The surface: predicted from its capture to now. Displacements are along its normal, positive out of the body.
   double surface_age_s = 0.0;
   double surface_carried_m = 0.0;
-  double surface_sigma_m = 0.0;  ///< standard deviation of noise, fit and prediction
-  double slewed_m = 0.0;         ///< offset that hides the step between two snapshots; it decays to 0
-  double support = 0.0;          ///< 1: full contact; falls to 0 on a stale surface and at rims
+  double surface_sigma_m = 0.0;  ///< standard deviation of its position, from noise, fit and prediction
+  double slewed_m = 0.0;         ///< offset that hides the step from one snapshot to the next; decays to 0
+  double support = 0.0;          ///< displayed share of the contact; falls to 0 at rims and on a stale surface
 
   // The displayed hand, the energy at the hand and the passivity controller.
   double shown_offset_m = 0.0;  ///< from the tracked hand to the displayed hand (S1 II.E)
-  double hand_excess_J = 0.0;   ///< work on the hand in this contact beyond the measured skin's on the same path
+  double hand_excess_J = 0.0;   ///< work on the hand in this contact minus the measured skin's on the same path
   double drive_J = 0.0;         ///< work on the hand by lift and position control since the contact began
   double damping_N = 0.0;       ///< magnitude of the passivity controller's damping force
 
@@ -38,7 +38,7 @@ struct Compensation {
   std::uint64_t device_jumps = 0;
   std::uint64_t hand_jumps = 0;
 
-  // The objects inside the body, by the number of their effect: they follow the skin above them.
+  // The objects inside the body, which follow the skin above them; indexed by the number of the effect.
   ObjectPlacements objects{};
 };
 static_assert(std::is_trivially_copyable_v<Compensation>);

@@ -6,28 +6,29 @@
 
 namespace telepalp::loop {
 
-/// Bounds of the end-effector's motion in a hand, and the handling of readings outside them.
+/// Bounds of the motion of an end-effector that a hand holds, and the handling of readings beyond them.
 struct DeviceGateSettings {
   double most_acceleration_m_per_s2 = 300.0;
   double encoder_noise_m = 0.05e-3;
   double timing_error = 0.5;  ///< relative error of the time between two readings
-  double slip_m = 0.005;      ///< a lasting offset up to this is removed slowly; a larger one counts as implausible
-  double believed_after_s = 0.001;  ///< readings that agree for this long after a jump show a lasting offset (slip)
-  double rebased_after_s = 0.5;  ///< after a large offset, readings that agree for this long are accepted as they are
-  double absorbed_over_s = 0.02;
-  double absorbed_m_per_s = 0.15;  ///< fastest removal of an offset: 0.04 N a tick on a skin of 500 N/m
+  double slip_m = 0.005;      ///< a lasting offset up to this (slip) is removed slowly; a larger one is implausible
+  double believed_after_s = 0.001;  ///< after a jump, readings consistent for this long show a lasting offset
+  double rebased_after_s = 0.5;  ///< after a larger offset, readings consistent for this long are accepted unchanged
+  double absorbed_over_s = 0.02;   ///< time constant of the removal of an offset
+  double absorbed_m_per_s = 0.15;  ///< fastest removal of an offset: 0.04 N per tick on a skin of 500 N/m
 };
 
-/// A reading as the controller may use it.
+/// A reading of the end-effector after the gate.
 struct GatedReading {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
-  double implausible_s = 0.0;   ///< for how long readings have been impossibly fast; 0: this one is plausible
+  double implausible_s = 0.0;   ///< how long the readings have been impossibly fast; 0: this one is plausible
 };
 
-/// Bridges encoder jumps that are impossibly fast: while a reading cannot follow from the one before, the end-effector
-/// is extrapolated with its last velocity. A short glitch is bridged. A small lasting slip is removed slowly. A large
-/// lasting offset stays implausible, and the controller then faults. Owner: haptic thread.
+/// Bridges encoder jumps that are impossibly fast. While a reading is farther from the expected position than a hand
+/// can move, the position is extrapolated with the last velocity, which decays. A small lasting offset is removed
+/// slowly. A large one stays implausible for rebased_after_s, and the controller then faults; after that time the
+/// readings are accepted unchanged. Owner: haptic thread.
 class DeviceGate {
  public:
   explicit DeviceGate(const DeviceGateSettings& settings = {}) noexcept : settings_(settings) {}
@@ -47,12 +48,12 @@ class DeviceGate {
   DeviceGateSettings settings_;
   bool started_ = false;
   ports::DeviceReading last_;                            ///< the last reading
-  Eigen::Vector3d at_m_ = Eigen::Vector3d::Zero();       ///< the position returned last
+  Eigen::Vector3d at_m_ = Eigen::Vector3d::Zero();       ///< position returned last
   Eigen::Vector3d speed_ = Eigen::Vector3d::Zero();      ///< velocity of `at_m_` [m/s], low-pass filtered
   Eigen::Vector3d raw_speed_ = Eigen::Vector3d::Zero();  ///< velocity from the last two readings [m/s]
-  Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();   ///< returned minus read position: a slip that is being removed
+  Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();   ///< returned minus read position, while a slip is removed
   double implausible_s_ = 0.0;
-  double agree_s_ = 0.0;  ///< for how long readings have agreed with each other
+  double agree_s_ = 0.0;  ///< how long consecutive readings have been consistent with each other
   std::uint64_t jumps_ = 0;
 };
 

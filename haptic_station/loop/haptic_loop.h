@@ -18,13 +18,13 @@ namespace telepalp::loop {
 
 /// A surface and its place relative to the haptic device. The surface thread hands it to the haptic thread.
 struct TouchableSurface {
-  std::shared_ptr<const surface::SurfaceSnapshot> snapshot;  // shared: the hand-off's slot keeps it alive while in use
+  std::shared_ptr<const surface::SurfaceSnapshot> snapshot;  // shared: the hand-off between the threads owns it, too
   Transform<HapticBase, DepthCamera> haptic_from_camera;
 };
 
-/// One tick of the haptic station: sense, decide, act. Joins the touch on the surface, the estimate of the hand and the
-/// encountered controller. It knows no clock, no thread and no device, so that the same tick runs live at 2 kHz, in
-/// virtual time and in a test. Owner: the haptic thread. Nothing here allocates, locks, throws or calls the system.
+/// One tick of the haptic station: sense, decide, act. Connects surface::Touch, the estimate of the hand and the
+/// encountered controller. It uses no clock, no thread and no device, so that the same tick runs live at 2 kHz, in
+/// virtual time and in a test. Owner: the haptic thread. Nothing here allocates, locks, throws or makes a system call.
 class HapticLoop {
  public:
   struct Settings {
@@ -39,11 +39,12 @@ class HapticLoop {
   void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
 
   /// Takes a sample of the hand tracker, stamped with the time of the measurement. A sample stamped more than 50 ms
-  /// after the last tick is dropped. `attitude`: H from the hand's axes; nullopt: the tracker does not measure it.
+  /// after the last tick is dropped. `attitude`: rotation from the hand's axes to H, the haptic base's frame; nullopt:
+  /// the tracker does not measure it.
   void hand_sampled(SessionTime at, const Point<HapticBase>& hand,
                     const std::optional<Eigen::Quaterniond>& attitude = std::nullopt) noexcept;
 
-  /// An operator asks to re-arm. The next tick handles the request.
+  /// Call when an operator asks to re-arm after a fault. The next tick handles the request.
   void rearm() noexcept { rearm_ = true; }
 
   /// The result of one tick: the force to apply until the next tick [N, in H], after the limiter, and the values that
@@ -55,7 +56,8 @@ class HapticLoop {
     TickSample sample;
   };
   /// Runs one tick. `now` may stand still or go back by up to 50 ms. A larger step back means that another session has
-  /// begun: surface and hand samples are then discarded, and the station releases until new ones come.
+  /// begun: surface and hand samples are then discarded, and the controller gives no force (phase Released) until new
+  /// ones come.
   [[nodiscard]] Act tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept;
 
   /// The delay compensation of the last tick. The caller sets its time stamp.

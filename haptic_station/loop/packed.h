@@ -6,7 +6,7 @@
 
 namespace telepalp::loop {
 
-/// A vector as three floats, each rounded to nearest, which halves the size of the recorded tick.
+/// A vector as three floats, each rounded to nearest. Floats halve the size of the recorded tick.
 inline std::array<float, 3> packed(const Eigen::Vector3d& v) noexcept {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
@@ -16,7 +16,8 @@ inline std::array<float, 4> packed(const Eigen::Quaterniond& q) noexcept {
   return {static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z()), static_cast<float>(q.w())};
 }
 
-/// Rounded towards zero, so that a force on its limit is never recorded above it. NaN stays NaN.
+/// A vector as three floats, each rounded towards zero, so that a force at its limit is never recorded above the limit.
+/// NaN stays NaN.
 inline std::array<float, 3> packed_towards_zero(const Eigen::Vector3d& v) noexcept {
   std::array<float, 3> floats = packed(v);
   for (int axis = 0; axis < 3; ++axis) {

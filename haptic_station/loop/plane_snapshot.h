@@ -5,13 +5,14 @@
 namespace telepalp::loop {
 
 /// The tangent plane of a surface at one point, as a surface snapshot. A collision detection that is too slow for the 2
-/// kHz haptic thread runs on another thread and hands this plane over (S1 II.C and II.D find the proxy at 100 Hz and
-/// use it at 2 kHz).
+/// kHz haptic thread runs on another thread and hands this plane over. Paper S1 (II.C and II.D, docs/sources.md)
+/// likewise finds the proxy at 100 Hz and uses it at 2 kHz.
 class PlaneSnapshot final : public surface::SurfaceSnapshot {
  public:
-  /// No surface in reach.
+  /// A snapshot without a surface: no skin is in reach.
   PlaneSnapshot() = default;
-  /// The plane through `foot`, with the unit `normal` out of the body. Depth camera's frame.
+  /// The plane through the surface point `foot`, with the unit `normal` out of the body, in the depth camera's frame.
+  /// `support`: 1 well inside the known surface, 0 at its rim.
   PlaneSnapshot(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, double support) noexcept
       : foot_(foot), normal_(normal), support_(support), known_(true) {}
 

@@ -10,8 +10,9 @@
 
 namespace telepalp::loop {
 
-/// A simulated device held by a simulated hand that carries out a trial or repeats a recorded movement, observed by a
-/// simulated tracker. In the station it runs on the haptic thread; tests step it in virtual time.
+/// A simulated device, a simulated hand that holds it, and a simulated tracker that observes the hand. The hand follows
+/// the scripted path of a trial or repeats a recorded movement. In the station it runs on the haptic thread; tests step
+/// it in virtual time.
 class SimulatedRig final : public ports::Rig {
  public:
   struct Settings {

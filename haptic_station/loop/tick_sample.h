@@ -15,13 +15,13 @@ struct TickSample {
   std::uint32_t late_ns = 0;      ///< delay from the deadline to the wake-up
   float work_us = 0.0F;           ///< time spent in the tick
   std::uint8_t phase = 0;         ///< msg.Phase
-  std::uint8_t fault = 0;         ///< control::FaultCause of the phase Faulted
+  std::uint8_t fault = 0;         ///< control::FaultCause that led to the phase Faulted
   std::uint8_t fault_stands = 0;  ///< control::FaultCause that persists and blocks re-arming
   bool in_body = false;
-  bool surface_stale = false;
+  bool surface_stale = false;        ///< no contact can be computed: the surface is stale or not near the device
   bool limited = false;              ///< the limiter changed the force
-  bool object_unseen = false;        ///< an object inside the body stays put: the skin above it is not seen
-  bool object_slide_unseen = false;  ///< an object does not follow the body's slide, which cannot be measured
+  bool object_unseen = false;        ///< an object inside the body stays where it is: the skin above it is not seen
+  bool object_slide_unseen = false;  ///< the skin's tangential motion (slide) above an object cannot be measured
   std::array<float, 3> hand{};
   std::array<float, 3> device{};
   std::array<float, 3> proxy{};
@@ -33,12 +33,12 @@ struct TickSample {
   std::array<float, 3> normal_camera{};
   std::array<float, 3> device_camera{};
   std::array<float, 3> force_camera{};
-  float indentation_m = 0.0F;  ///< |d| of S1 eq. (8); 0 outside the body
-  float distance_m = 0.0F;     ///< signed distance of the device point; negative inside
-  float passivity_J = 0.0F;    ///< balance of the display's ledger; below zero the display is active
-  float hand_excess_J = 0.0F;  ///< work on the hand in this contact beyond the measured skin's on the same path
-  float yields_in_s = 0.0F;    ///< time until warm motors lower the contact force; infinite: never
-  float device_age_s = 0.0F;   ///< ages of the three inputs, as the watchdog measured them
+  float indentation_m = 0.0F;  ///< |d| of paper S1 eq. (8), depth in the skin; 0 out of contact
+  float distance_m = 0.0F;     ///< signed distance of the device point from the skin; negative inside
+  float passivity_J = 0.0F;    ///< PassivityController::balance_J(); negative: the display is active
+  float hand_excess_J = 0.0F;  ///< work on the hand in this contact minus the measured skin's on the same path
+  float yields_in_s = 0.0F;    ///< time until the motors' heat lowers the contact force; infinite: never
+  float device_age_s = 0.0F;   ///< this and the next two: ages of the inputs that the controller used
   float hand_age_s = 0.0F;
   float surface_age_s = 0.0F;
   std::int64_t surface_captured_ns = 0;

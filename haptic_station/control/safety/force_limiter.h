@@ -19,8 +19,8 @@ class ForceLimiter {
   explicit ForceLimiter(const ForceLimits& limits = {}) noexcept : limits_(limits) {}
 
   /// Returns `wanted` after the limits, `dt_s` after the last call. The heat is the squared force, low-pass filtered
-  /// with the time constant thermal_time_s. As the heat rises from 40 % to 100 % of continuous_N², the largest force falls
-  /// from peak_N to continuous_N.
+  /// with the time constant thermal_time_s. As the heat rises from 40 % to 100 % of continuous_N², the largest force
+  /// falls from peak_N to continuous_N.
   [[nodiscard]] Force<HapticBase> limit(const Force<HapticBase>& wanted, double dt_s) noexcept;
 
   [[nodiscard]] bool limited() const noexcept { return limited_; }

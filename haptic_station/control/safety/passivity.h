@@ -7,36 +7,38 @@ namespace telepalp::control {
 struct PassivitySettings {
   bool enabled = true;
   double most_damping_N_s_per_m = 40.0;
-  double tolerance_J = 1e-5;  ///< a smaller excess counts as rounding and quantisation
-  double reaction_s = 0.004;  ///< the damping changes over about this time, so that the hand feels no jerk
-  double hand_most_damping_N_s_per_m = 25.0;  ///< largest damping for an excess in HandLedger
-  double hand_tolerance_J = 1e-4;             ///< a smaller excess at the hand counts as noise of the measured surface
+  double tolerance_J = 1e-5;  ///< a smaller excess of energy is ignored as rounding and quantisation
+  double reaction_s = 0.004;  ///< time to remove an excess; the damping takes as long to rise from 0 to its limit
+  double hand_most_damping_N_s_per_m = 25.0;  ///< largest damping against an excess in HandLedger
+  double hand_tolerance_J = 1e-4;             ///< a smaller excess in HandLedger is ignored as noise of the surface
   double hand_reaction_s = 0.01;
   double slew_N_per_s = 120.0;  ///< largest rate of change of the damping force: 0.06 N a tick
 };
 
-/// Energy and motion between the effects and the hand over one tick.
+/// Energy and motion between the effects and the hand over one tick. H is the haptic base's frame.
 struct Exchange {
   double absorbed_J = 0.0;             ///< work that the effects took from the hand
   double stored_J = 0.0;               ///< energy in the effects now
   Vector<HapticBase> moved;            ///< movement of the device relative to the displayed surface [m]
   Vector<HapticBase> velocity;         ///< velocity of the device relative to the displayed surface [m/s]
   Vector<HapticBase> device_velocity;  ///< velocity of the device in H [m/s]
-  double hand_excess_J = 0.0;          ///< HandLedger::excess_J()
+  double hand_excess_J = 0.0;          ///< HandLedger::excess_J(): work on the hand beyond the measured skin's
 };
 
 /// Reads two energy ledgers and adds damping when either shows an excess of energy.
 ///
 /// The ledger of the display: E = -sum F (v - v_displayed) dt since the contact began, minus the energy stored in the
-/// effects. A breathing patient may lift the hand, so the motion of the displayed surface is not counted. The effects
-/// may store energy but must never return more than they took. This ledger detects the energy that sampling, stiffness
-/// and friction create. It cannot detect that the displayed surface itself moves wrongly.
+/// effects; F: force on the hand, v: velocity of the device, v_displayed: velocity of the displayed surface. A
+/// breathing patient may lift the hand, so the work of the moving surface is not counted. The effects may store energy
+/// but must never return more than they took. This ledger detects the energy that sampling, stiffness and friction
+/// create. It cannot detect a wrong motion of the displayed surface.
 ///
-/// The ledger at the hand (HandLedger) detects such wrong motion: it compares the work on the hand with the work that
-/// the newest measured surface would have done. Its damping acts on the device's velocity in H, so a resting hand feels
+/// The ledger at the hand (HandLedger) detects a wrong motion: it compares the work on the hand with the work that the
+/// newest measured surface would have done. Its damping acts on the device's velocity in H, so a resting hand feels
 /// none.
 ///
-/// The damping removes the excess and no more, and its force never steps. Owner: control thread.
+/// The damping stops when the excess is gone. Its force changes by at most PassivitySettings::slew_N_per_s. Owner:
+/// control thread.
 class PassivityController {
  public:
   explicit PassivityController(const PassivitySettings& settings = {}) noexcept : settings_(settings) {}
@@ -47,11 +49,11 @@ class PassivityController {
   /// Books the last tick and returns the damping force to add for the next tick of `dt_s`.
   [[nodiscard]] Force<HapticBase> step(const Exchange& exchange, double dt_s) noexcept;
 
-  /// Energy taken from the hand since the contact began, minus the stored energy [J]; below zero the display is active.
+  /// Energy taken from the hand since the contact began, minus the stored energy [J]; negative: the display is active.
   [[nodiscard]] double balance_J() const noexcept { return taken_J_ - stored_J_; }
-  /// The smallest balance since the start.
+  /// The smallest balance since construction [J].
   [[nodiscard]] double least_balance_J() const noexcept { return least_J_; }
-  [[nodiscard]] double dissipated_J() const noexcept { return dissipated_J_; }
+  [[nodiscard]] double dissipated_J() const noexcept { return dissipated_J_; }  ///< by the damping, since construction
 
  private:
   /// A damping coefficient that grows and falls gradually with the excess of energy.

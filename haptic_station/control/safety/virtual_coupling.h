@@ -9,21 +9,22 @@ struct CouplingSettings {
   bool enabled = true;
   double device_damping_N_s_per_m = 1.0;
   double tick_s = 0.0005;
-  double margin = 0.5;  ///< share of the stiffness that theory allows; the rest of the damping dissipates energy
+  double margin = 0.5;  ///< share of the theoretical stiffness in use; the damping left over dissipates energy
 };
 
-/// The stiffest spring that a device with this damping can show without creating energy, when its force is held over a
-/// tick: 2 b / T (Colgate and Schenkel 1997, eq. 20, without virtual damping). At least 400 N/m: by this formula a
-/// device without friction could show nothing, and the passivity controller removes the energy that remains.
+/// The stiffest spring that a device with damping b can display without creating energy, when its force is held over a
+/// tick T: `margin` times 2 b / T (Colgate and Schenkel 1997, eq. 20, without virtual damping), but at least 400 N/m.
+/// By the formula, a device without damping could display no spring; the passivity controller removes the energy that a
+/// stiffer spring creates.
 [[nodiscard]] double stiffest_shown_N_per_m(const CouplingSettings& settings) noexcept;
 
-/// Colgate's virtual coupling: effects that are stiffer than the device can show act on a massless tool, and a spring
-/// that the device can show connects the tool to the device. It is used only when the scene's effects together are too
-/// stiff. The hand then feels both springs in series, which are never stiffer than the device can show.
+/// Colgate's virtual coupling: effects that are stiffer than the device can display act on a massless tool, and a
+/// spring that the device can display connects the tool to the device. It is used only when the scene's effects
+/// together are too stiff. The hand then feels both springs in series, which are softer than the coupling's spring.
 ///
-/// Each tick moves the tool against the gradient of the energy of coupling and effects, by at most the inverse of their
-/// stiffness. This is the implicit integration of a damper, so the energy falls at every tick length. Owner: control
-/// thread.
+/// Each tick moves the tool against the gradient of the energy of coupling and effects. The step is the gradient
+/// divided by the sum of both stiffnesses, like an implicit step of a damped massless tool, so the energy falls at
+/// every tick length. Owner: control thread.
 class VirtualCoupling {
  public:
   /// `effects_N_per_m`: upper bound of the effects' combined stiffness.
@@ -35,8 +36,8 @@ class VirtualCoupling {
   /// Contact begins: the tool is at the device.
   void begin(const Point<HapticBase>& device) noexcept;
 
-  /// Moves the tool and returns the effects' input at the tool, derived from their input at the device. Tool and device
-  /// are millimetres apart; between them the surface counts as plane.
+  /// Moves the tool and returns the input of the effects at the tool, converted from their input at the device. Tool
+  /// and device are millimetres apart, so the surface between them is approximated by a plane.
   [[nodiscard]] effects::EffectInput at_tool(const effects::EffectInput& at_device) noexcept;
 
   /// The force on the device when the effects act on the tool with the force `on_tool`.

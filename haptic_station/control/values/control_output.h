@@ -5,20 +5,20 @@
 
 namespace telepalp::control {
 
-/// The output of one tick of the controller.
+/// The output of one tick of the controller, in H, the haptic base's frame. S1: see docs/sources.md.
 struct ControlOutput {
   Phase phase = Phase::Released;
   Phase previous = Phase::Released;  ///< differs from `phase` on the tick of a transition
   Event event = Event::Rearm;        ///< the cause of the transition; meaningless on a tick without a transition
-  Force<HapticBase> force;           ///< force for the device to show, after the limiter
+  Force<HapticBase> force;           ///< force for the device, after the limiter
   Point<HapticBase> target;          ///< in Out body: S1's target p_t, eq. (5); in other phases: the end-effector
   Point<HapticBase> displayed_hand;  ///< where the viewer draws the hand (S1 II.E)
-  Vector<HapticBase> indentation;    ///< S1's d, eq. (8); zero outside the body
-  double plane_height_m = 0.0;
-  double passivity_J = 0.0;    ///< balance of the passivity ledger
+  Vector<HapticBase> indentation;    ///< S1's d, eq. (8): depth in the skin [m]; zero out of contact
+  double plane_height_m = 0.0;       ///< y of the waiting plane
+  double passivity_J = 0.0;    ///< PassivityController::balance_J(); negative: the display is active
   double hand_excess_J = 0.0;  ///< HandLedger::excess_J() of this contact: work on the hand beyond the measured skin's
   double drive_J = 0.0;        ///< work of lift and position control on the hand since this contact began
-  double yields_in_s = 0.0;    ///< time until warm motors lower the contact force; infinite: never
+  double yields_in_s = 0.0;    ///< time until the motors' heat lowers the contact force; infinite: never
   Force<HapticBase> damping;   ///< the part of `force` that the passivity controller added
   double surface_speed_m_per_s = 0.0;          ///< speed of the displayed skin along its normal
   bool limited = false;                        ///< the limiter changed the force
