@@ -13,9 +13,9 @@ struct DeviceGateSettings {
   double timing_error = 0.5;  ///< relative error of the time between two readings
   double slip_m = 0.005;      ///< a lasting offset up to this (slip) is removed slowly; a larger one is implausible
   double believed_after_s = 0.001;  ///< after a jump, readings consistent for this long show a lasting offset
-  double rebased_after_s = 0.5;  ///< after a larger offset, readings consistent for this long are accepted unchanged
-  double absorbed_over_s = 0.02;   ///< time constant of the removal of an offset
-  double absorbed_m_per_s = 0.15;  ///< fastest removal of an offset: 0.04 N per tick on a skin of 500 N/m
+  double rebased_after_s = 0.5;     ///< after a larger offset, readings consistent for this long are accepted unchanged
+  double absorbed_over_s = 0.02;    ///< time constant of the removal of an offset
+  double absorbed_m_per_s = 0.15;   ///< fastest removal of an offset: 0.04 N per tick on a skin of 500 N/m
 };
 
 /// A reading of the end-effector after the gate.

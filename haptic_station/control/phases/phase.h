@@ -31,9 +31,9 @@ enum class Event : std::uint8_t {
   TouchUpper,    ///< pressing an inner object, its upper face nearest
   TouchLateral,  ///< pressing an inner object, its side nearest
   InputStale,    ///< tracker or surface older than its limit
-  InputsBack,  ///< tracker and surface are within their age limits again
-  Fault,  ///< a FaultCause is present, or the limiter has latched a force that was not finite
-  Rearm,  ///< an operator re-arms
+  InputsBack,    ///< tracker and surface are within their age limits again
+  Fault,         ///< a FaultCause is present, or the limiter has latched a force that was not finite
+  Rearm,         ///< an operator re-arms
 };
 
 /// Why the station must not give force.

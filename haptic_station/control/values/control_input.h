@@ -18,9 +18,9 @@ struct ControlInput {
   bool hand_valid = false;             ///< false while the tracker has not seen a hand yet; `hand` is then meaningless
   double hand_age_s = 0.0;             ///< time since the newest sample of the tracker
   double hand_implausible_s = 0.0;     ///< how long the tracker has reported impossibly fast movements; 0: plausible
-  ports::SurfaceContact contact;  ///< contact of `device`; its age_s is valid even if no surface is near
-  effects::Placements placements{};  ///< displacements of the objects inside the body
-  bool rearm = false;                ///< true on the tick at which an operator asks to re-arm
+  ports::SurfaceContact contact;       ///< contact of `device`; its age_s is valid even if no surface is near
+  effects::Placements placements{};    ///< displacements of the objects inside the body
+  bool rearm = false;                  ///< true on the tick at which an operator asks to re-arm
 };
 
 }  // namespace telepalp::control

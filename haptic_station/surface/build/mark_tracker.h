@@ -7,14 +7,15 @@
 
 namespace telepalp::surface {
 
-/// Follows places on the skin from image to image. Each image is compared with the patch of skin that was first seen
-/// there, so that errors do not add up. Where the patch is hidden, or has too little shape to measure a slide, the last
-/// values are held, and the mark's flags say so. Owner: surface thread.
+/// Follows places on the skin from image to image. Each image is registered with the patch of skin that was first seen
+/// there, so that errors do not accumulate. While the patch is hidden, its last displacement is held, and
+/// SkinMark::seen is false. While it is too smooth to measure its tangential motion (slide), its last slide is held,
+/// and SkinMark::slide_seen is false. Owner: surface thread.
 class MarkTracker {
  public:
   /// Sets the places to follow from now on and forgets the earlier ones.
   void watch(const MarkLines& lines);
-  /// Forgets the patches and keeps the lines on which to find them.
+  /// Forgets the patches. New ones are found on the same lines.
   void restart();
 
   /// Adds a frame, `dt_s` after the last. `averaged`: depth averaged over time, from which a patch is taken; `seen`:
@@ -26,10 +27,10 @@ class MarkTracker {
  private:
   struct Followed {
     std::optional<MarkLine> line;
-    int frames = 0;  ///< number of frames before the patch is taken
+    int frames = 0;  ///< number of frames so far; the patch is taken at the tenth
     std::optional<SkinPatch> patch;
-    PatchPose pose;                                    ///< as last registered, with the filtered slide
-    Eigen::Vector3d slid_m = Eigen::Vector3d::Zero();  ///< part of the motion along the skin
+    PatchPose pose;  ///< result of the last registration, with the low-pass filtered slide
+    Eigen::Vector3d slid_m = Eigen::Vector3d::Zero();  ///< part of the displacement tangential to the skin
   };
 
   static void begin(Followed& one, SkinMark& mark, const DepthField& averaged, const Intrinsics& camera);

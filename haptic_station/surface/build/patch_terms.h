@@ -8,7 +8,8 @@ namespace telepalp::surface {
 
 inline constexpr double kPatchRadius_m = 0.13;
 
-/// Motion of a patch as coefficients: slide along x and y, then the rise's polynomial 1, x, y, x², xy, y².
+/// Motion of a patch as coefficients: slide along x and y [m], then the change of depth [m] as a polynomial 1, x, y,
+/// x², xy, y² of the position in units of kPatchRadius_m.
 using PatchCoefficients = Eigen::Matrix<double, 8, 1>;
 
 /// Derivatives of a node's expected depth by the coefficients.
@@ -20,7 +21,7 @@ using PatchCoefficients = Eigen::Matrix<double, 8, 1>;
   return terms;
 }
 
-/// Information matrix of the slide after the rise's polynomial is marginalised out (Schur complement).
+/// Information matrix of the slide after the change of depth is marginalised out (Schur complement).
 [[nodiscard]] inline Eigen::Matrix2d slide_information(const Eigen::Matrix<double, 8, 8>& normal) {
   const Eigen::Matrix<double, 6, 6> rise = normal.bottomRightCorner<6, 6>();
   return normal.topLeftCorner<2, 2>() -

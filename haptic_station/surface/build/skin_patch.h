@@ -8,7 +8,8 @@
 
 namespace telepalp::surface {
 
-/// A patch of skin as it was first seen: points around a mark. A sideways slide of the patch is found by their slopes.
+/// A patch of skin as first seen: points around a mark, which is its centre. Their slopes make a tangential motion
+/// (slide) of the patch visible in depth.
 struct SkinPatch {
   struct Node {
     Eigen::Vector3d at;     ///< [m], depth camera's frame
@@ -18,7 +19,8 @@ struct SkinPatch {
   Eigen::Vector3d mark = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, towards the camera
   std::vector<Node> nodes;
-  Eigen::Matrix2d slide_information = Eigen::Matrix2d::Zero();  ///< Fisher information on a slide at 1 m depth noise
+  Eigen::Matrix2d slide_information =
+      Eigen::Matrix2d::Zero();  ///< Fisher information on the slide, for a depth noise of 1 m
 };
 
 /// The patch where the line through `point` along `up` meets the surface. nullopt: too few pixels are measured there.

@@ -9,7 +9,7 @@
 
 namespace telepalp::surface {
 
-/// Numbers of frames that the builder used and dropped.
+/// Numbers of frames that the builder used or dropped.
 struct BuilderCounts {
   std::uint64_t built = 0;
   std::uint64_t not_newer = 0;  ///< duplicates and frames out of order, dropped
@@ -35,13 +35,14 @@ class SurfaceBuilder {
   [[nodiscard]] const BuilderCounts& counts() const noexcept;
   [[nodiscard]] const SurfaceSettings& settings() const noexcept;
 
-  /// Uses `settings` from the next snapshot on; average and motion are kept.
+  /// Uses `settings` from the next snapshot on. Keeps the temporal average and the estimated motion.
   void use(const SurfaceSettings& settings);
 
-  /// Follows these places on the skin from the next frame on; SurfaceSnapshot::marks tells where they are.
+  /// Follows the skin at these lines from the next frame on. SurfaceSnapshot::marks holds the positions.
   void watch(const MarkLines& lines);
 
-  /// Discards average, motion and the patches of the marks. Call it when the camera is replaced or moved.
+  /// Discards the temporal average, the estimated motion and the patches of the marks. Call it when the camera is
+  /// replaced or moved.
   void restart();
 
  private:

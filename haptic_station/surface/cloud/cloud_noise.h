@@ -11,13 +11,14 @@ namespace telepalp::surface {
 struct CloudNoise {
   double spacing_m = 0.0;
   double noise_m = 0.0;    ///< standard deviation along the normal
-  double support_m = 0.0;  ///< radius of the weights that averages the noise enough for a steady force
-  bool is_surface = true;  ///< false: at each scale the points fill a volume
+  double support_m = 0.0;  ///< radius of the weights, wide enough that averaged noise leaves the force steady
+  bool is_surface = true;  ///< false: at every tested radius the points fill a volume
   [[nodiscard]] bool follows_noise() const noexcept;  ///< the support is wider than three spacings
 };
 
-/// Fits quadrics to neighbourhoods of up to 300 points. The radius grows from three spacings until it is five times the
-/// median residual, because a smaller neighbourhood of a noisy cloud is a ball and not a disc.
+/// Estimates the noise by quadrics that are fitted to the neighbourhoods of at least 300 sampled points. Their radius
+/// grows from three spacings until it exceeds five times the median residual, because a smaller neighbourhood of a
+/// noisy cloud is a ball and not a disc.
 ///
 /// The support is at least three spacings and four times the noise. It is also so wide that the curvature of the
 /// averaged noise stays below 10 per metre: a proxy 10 mm above the hand then moves by at most a tenth more than the
@@ -26,7 +27,7 @@ struct CloudNoise {
 
 inline constexpr double kWidestSupport_m = 0.02;  ///< a cloud that needs a wider support is refused
 
-/// Number of points in a disc of the support: neighbours for the estimate of a normal.
+/// Number of neighbours for the estimate of a normal: the points in a disc with the support's radius, 16 to 256.
 [[nodiscard]] int neighbors_in_support(const CloudNoise& noise);
 
 /// "22500 points 2.0 mm apart scatter by 2.0 mm: the support follows the noise and is 9.6 mm instead of 6.0 mm".

@@ -7,16 +7,16 @@
 
 namespace telepalp::surface {
 
-/// Which way the normals of a cloud should point, found from the points alone: neighbours on a smooth surface have
-/// similar normals, and a closed surface winds once around its inside. Works on at most 20 000 points of the cloud.
+/// Finds the side to which the normals of a cloud should point, from the points alone: neighbours on a smooth surface
+/// have similar normals, and a closed surface has the winding number 1 inside. Uses at most 20 000 points of the cloud.
 /// Source: Hoppe et al. 1992 (propagation along a minimum spanning tree), Barill et al. 2018 (winding number).
 class CloudOrientation {
  public:
-  /// `cloud`: points with normals of the right direction, but of any sign. `noise_m`: scatter along the normal.
+  /// `cloud`: points with normals that are correct except for their sign. `noise_m`: scatter along the normal.
   CloudOrientation(const std::vector<CloudPoint>& cloud, double noise_m);
 
-  /// Share of normals that disagree with the majority of their connected piece after propagation: about one half when
-  /// the signs are random.
+  /// Share of input normals that disagree with the propagated sign, where the sign of each connected piece is that of
+  /// the majority of its normals. About one half when the input signs are random.
   [[nodiscard]] double against_neighbors() const noexcept { return against_; }
   /// False when propagation contradicts itself in more than 5 % of the pairs of neighbours, as at touching thin sheets.
   [[nodiscard]] bool is_consistent() const noexcept { return contradictions_ < 0.05; }
@@ -27,9 +27,9 @@ class CloudOrientation {
   /// inward ones, 0 for a plane, in between for a dome or a bowl.
   [[nodiscard]] double turns() const noexcept { return turns_; }
 
-  /// Share of normals of `cloud` that point to the other side.
+  /// Share of the normals of `cloud` that point against this orientation.
   [[nodiscard]] double share_against(const std::vector<CloudPoint>& cloud) const;
-  /// Reverses the normals of `cloud` that point to the other side.
+  /// Reverses the normals of `cloud` that point against this orientation.
   void apply(std::vector<CloudPoint>& cloud) const;
 
  private:
@@ -41,7 +41,7 @@ class CloudOrientation {
   void look_for_inside();
   [[nodiscard]] bool points_against(const CloudPoint& point) const;
 
-  std::vector<CloudPoint> points_;  // some of the cloud, oriented by propagation
+  std::vector<CloudPoint> points_;  // a subset of the cloud, oriented by propagation
   std::shared_ptr<const NeighborIndex> index_;
   double noise_m_;
   double against_ = 0.0;

@@ -22,8 +22,8 @@ struct CloudShape {
 
 /// A point-set surface for unorganised clouds: a weighted mean of tangent planes with a support in metres, the implicit
 /// function of GridSurface. Points whose normals point away from `facing` belong to the other side of a thin sheet;
-/// their weights fade to zero. With a k-th neighbour support, f is continuous, but the gradient neglects the change of
-/// the support radius. Does not own points or index.
+/// their weights fade to zero. If the support is the distance of the k-th neighbour, f is continuous, but the gradient
+/// neglects the change of that distance. Does not own points or index.
 class CloudSurface : public SurfaceSnapshot {
  public:
   [[nodiscard]] FieldSample evaluate(const Eigen::Vector3d& query, const Eigen::Vector3d& facing,

@@ -16,8 +16,9 @@ struct IndexedPoints {
   int width = 0;
 };
 
-/// Builds an index over a copy of `points`. PclOrganized needs a width; without one a k-d tree is built. Returns a
-/// shared_ptr because NeighborIndex has no public destructor: the shared_ptr keeps the deleter of the concrete type.
+/// Builds an index over a copy of `points`. Index::PclOrganized needs a width; with width 0 a k-d tree is built.
+/// Returns a shared_ptr because NeighborIndex has no public destructor: the shared_ptr keeps the deleter of the
+/// concrete type.
 [[nodiscard]] std::shared_ptr<const NeighborIndex> make_index(Index kind, const IndexedPoints& points);
 
 /// One function per kind of index, each in its own translation unit because the library headers are slow to compile.

@@ -8,25 +8,26 @@
 
 namespace telepalp::surface {
 
-/// Errors of the touched surface against the mesh from which it was sampled, at random test points. Half of the points
-/// are drawn by area and half by face, because small features have small faces.
+/// Errors of the point-set surface against the mesh from which it was sampled, at random test points. Half of the
+/// points are drawn by area and half by face, because small features have small faces.
 struct Fidelity {
   double error_m = 0.0;  ///< 99 % quantile of the distance between surface and mesh
   double missing = 0.0;  ///< share of test points without a touchable surface
-  double in_air = 0.0;   ///< share of points 3 to 15 mm above the mesh with a false contact
-  double jumps = 0.0;    ///< share of presses in which the proxy jumps from one wall to another
+  double in_air = 0.0;   ///< share of test points 3 to 15 mm outside the mesh that are in contact all the same
+  double jumps = 0.0;    ///< share of presses in which the proxy jumps; see MeshJudge::share_of_jumps()
 };
 
-/// Judges surfaces that were sampled from one mesh. Owns its test points; refers to the mesh only in the constructor.
+/// Measures the Fidelity of surfaces that were sampled from one mesh. Owns its test points and keeps no reference to
+/// the mesh.
 class MeshJudge {
  public:
-  /// `mesh`: in metres around its middle. `side` -1 reverses all normals.
+  /// `mesh`: in metres, relative to its centre. `side` -1 reverses all normals.
   MeshJudge(const models::PointModel& mesh, float side, std::uint64_t seed);
 
   /// False when the mesh has no area that can be reached from outside.
   [[nodiscard]] bool has_places() const noexcept { return !places_.empty(); }
 
-  /// Removes points whose outer side lies inside another part of the mesh. Returns the share that is removed.
+  /// Removes points whose outer side lies inside another part of the mesh. Returns the removed share.
   double leave_out_hidden(std::vector<CloudPoint>& points) const;
 
   /// Error, missing surface and contact in free air; `jumps` stays 0.

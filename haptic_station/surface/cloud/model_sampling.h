@@ -16,18 +16,19 @@ struct SampledMesh {
   Fidelity fidelity;
 };
 
-/// Samples `mesh`, in metres around its middle. `settings` give the number of points or their spacing. If they give
-/// neither, the spacing is reduced until the surface lies within kFaithful_m of the mesh or kMostSamples is reached.
-/// `side` -1 reverses all normals. Parts of the mesh that lie inside other parts are left out: no finger reaches them,
-/// and they would pull the surface inwards and make it jump from wall to wall.
+/// Samples `mesh`, in metres relative to its centre. `settings` give the number of points or their spacing. If they
+/// give neither, the spacing is reduced until the surface lies within kFaithful_m of the mesh or kMostSamples is
+/// reached. `side` -1 reverses all normals. Parts of the mesh that lie inside other parts are left out: no finger
+/// reaches them, and they would pull the surface inwards and make it jump from wall to wall.
 [[nodiscard]] SampledMesh sample_mesh(const models::PointModel& mesh, const StaticModelSettings& settings,
                                       const Eigen::Vector3d& origin_m, float side);
 
 inline constexpr double kFaithful_m = 0.001;
 inline constexpr double kTooCoarse_m = 0.003;  ///< a surface with a greater error_m is refused
-inline constexpr double kMostInAir = 0.002;    ///< a surface with a greater in_air is refused
-inline constexpr double kOverlap = 0.05;       ///< a greater in_air means that the mesh overlaps itself
-inline constexpr double kMostMissing = 0.02;   ///< a surface with a greater `missing` is refused
+inline constexpr double kMostInAir = 0.002;    ///< a surface with an in_air between this and kOverlap is refused
+inline constexpr double kOverlap =
+    0.05;  ///< a mesh with an in_air above this overlaps itself; it is accepted with a remark
+inline constexpr double kMostMissing = 0.02;  ///< a surface with a greater `missing` is refused
 inline constexpr std::size_t kMostSamples = 120'000;
 
 [[nodiscard]] bool is_too_coarse(const Fidelity& fidelity) noexcept;

@@ -8,14 +8,14 @@ namespace telepalp::surface {
 
 struct Neighbor {
   std::uint32_t index = 0;
-  float squared_m2 = 0.0F;
+  float squared_m2 = 0.0F;  ///< squared distance from the query
 };
 
 /// Interface of every index for neighbour queries over 3-D points. Immutable after construction.
 class NeighborIndex {
  public:
-  /// Writes the points within `radius_m` of `query` to `found`, unordered; when there are more than fit, the nearest.
-  /// Returns their number.
+  /// Writes the points within `radius_m` of `query` to `found`, unordered. If `found` is too short for all, it gets the
+  /// nearest ones. Returns the number written.
   [[nodiscard]] virtual std::size_t within(const Eigen::Vector3f& query, float radius_m,
                                            std::span<Neighbor> found) const noexcept = 0;
   [[nodiscard]] virtual const char* name() const noexcept = 0;

@@ -9,8 +9,8 @@ namespace telepalp::surface {
 
 struct StaticModelSettings {
   double unit_m = 1.0;      ///< metres for one unit of the file
-  std::size_t samples = 0;  ///< number of points sampled from a mesh; 0: `spacing_m` decides
-  double spacing_m = 0.0;   ///< distance of a mesh's samples; 0: area and smallest features decide
+  std::size_t samples = 0;  ///< number of points sampled from a mesh; 0: it follows from `spacing_m`
+  double spacing_m = 0.0;   ///< spacing of a mesh's samples; 0: it follows from area and smallest features
   bool anyway = false;  ///< accept too coarse samples, a too noisy cloud, or normals that contradict their neighbours
   std::uint64_t seed = 1;
   int normal_neighbors = 16;                              ///< smallest number of neighbours per estimated normal

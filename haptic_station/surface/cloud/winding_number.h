@@ -11,8 +11,8 @@ namespace telepalp::surface {
 
 /// How often a surface winds around a point: 1 inside a closed surface whose normals point outwards, 0 outside, 2 where
 /// two bodies overlap. On an open surface the number is a fraction: one half behind a large sheet, minus one half in
-/// front of it. Triangles near the query are summed exactly, distant groups as one dipole. Error: below 0.03. Source:
-/// Jacobson et al. 2013 (triangles), Barill et al. 2018 (groups and point clouds).
+/// front of it. Triangles near the query are summed exactly, distant groups as one dipole each. Error: below 0.03.
+/// Source: Jacobson et al. 2013 (triangles), Barill et al. 2018 (groups and point clouds).
 class WindingNumber {
  public:
   explicit WindingNumber(const models::PointModel& mesh);
@@ -29,7 +29,7 @@ class WindingNumber {
     double radius = 0.0;
     std::uint32_t triangle = 0;
   };
-  /// Patches `from` to `to`; a node without children has at most kLeaf.
+  /// A node of the tree: patches `from` up to, but without, `to`. A leaf has at most kLeaf patches.
   struct Node {
     Patch sum;
     std::uint32_t from = 0, to = 0;
