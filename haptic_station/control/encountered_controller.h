@@ -1,5 +1,8 @@
 #pragma once
 
+#include "haptic_station/control/values/control_input.h"
+#include "haptic_station/control/values/control_output.h"
+#include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/control/parts/displayed_hand.h"
 #include "haptic_station/control/parts/force_control.h"
 #include "haptic_station/control/parts/heat_warning.h"
@@ -7,9 +10,6 @@
 #include "haptic_station/control/parts/position_control.h"
 #include "haptic_station/control/parts/transition_fade.h"
 #include "haptic_station/control/parts/waiting_plane.h"
-#include "haptic_station/control/values/control_input.h"
-#include "haptic_station/control/values/control_output.h"
-#include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/effects/effect_bank.h"
 
 namespace telepalp::control {

@@ -19,8 +19,7 @@ struct SkinPatch {
   Eigen::Vector3d mark = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, towards the camera
   std::vector<Node> nodes;
-  Eigen::Matrix2d slide_information =
-      Eigen::Matrix2d::Zero();  ///< Fisher information on the slide, for a depth noise of 1 m
+  Eigen::Matrix2d slide_information = Eigen::Matrix2d::Zero();  ///< Fisher information on a slide for 1 m depth noise
 };
 
 /// The patch where the line through `point` along `up` meets the surface. nullopt: too few pixels are measured there.

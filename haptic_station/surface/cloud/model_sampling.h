@@ -26,9 +26,8 @@ struct SampledMesh {
 inline constexpr double kFaithful_m = 0.001;
 inline constexpr double kTooCoarse_m = 0.003;  ///< a surface with a greater error_m is refused
 inline constexpr double kMostInAir = 0.002;    ///< a surface with an in_air between this and kOverlap is refused
-inline constexpr double kOverlap =
-    0.05;  ///< a mesh with an in_air above this overlaps itself; it is accepted with a remark
-inline constexpr double kMostMissing = 0.02;  ///< a surface with a greater `missing` is refused
+inline constexpr double kOverlap = 0.05;       ///< a mesh with a greater in_air overlaps itself: accepted with a remark
+inline constexpr double kMostMissing = 0.02;   ///< a surface with a greater `missing` is refused
 inline constexpr std::size_t kMostSamples = 120'000;
 
 [[nodiscard]] bool is_too_coarse(const Fidelity& fidelity) noexcept;

@@ -38,15 +38,15 @@ struct Reach {
 };
 
 [[nodiscard]] DepthField to_depth_field(const DepthImage& depth);
-/// The same into `field`, whose memory is used again.
+/// As above, but writes to `field` and reuses its memory.
 void to_depth_field(const DepthImage& depth, DepthField& field);
 
 /// The bounding box of `reach` projected into the image, grown by `margin_px`. The whole image when `reach` is nullopt
 /// or contains the camera; empty when the sphere lies behind the camera or outside the image.
 [[nodiscard]] PixelBox box_in_reach(const Intrinsics& camera, const std::optional<Reach>& reach, int margin_px);
 
-/// The depth step between neighbouring pixels that counts as a depth break. It grows with depth, because noise and the
-/// step of a slanted surface do.
+/// The least depth step between neighbouring pixels that counts as a depth break [m]. It grows with depth, because
+/// noise and the step on a slanted surface grow, too. `break_at_1m`: its value at a depth of 1 m.
 [[nodiscard]] inline float break_at(float z_m, float break_at_1m) noexcept {
   return break_at_1m * (0.5F + 0.5F * z_m * z_m);
 }

@@ -9,13 +9,13 @@
 namespace telepalp::surface {
 
 /// Converts samples to depth. If the images themselves show that the camera measures disparity in whole steps, each
-/// sample is replaced by the depth of its level; otherwise it is kept. One image in 32 is checked again, so that a
-/// change of the camera is noticed. Owner: surface thread.
+/// sample is replaced by the depth of its level; otherwise its rounded depth is used. One image in 32 is checked again,
+/// so that a change of the camera is noticed. Owner: surface thread.
 class SampleDepths {
  public:
   /// The depths of the next image of the stream.
   [[nodiscard]] DepthField field_of(const DepthImage& depth);
-  /// The same into `field`, whose memory is used again.
+  /// As above, but writes to `field` and reuses its memory.
   void field_of(const DepthImage& depth, DepthField& field);
 
   /// The camera's levels; nullopt: none are known.
@@ -26,7 +26,7 @@ class SampleDepths {
   void use(const std::optional<DisparityLevels>& levels);
 
   std::optional<DisparityLevels> levels_;
-  std::vector<float> depth_m_;  ///< by sample; empty: no levels are known
+  std::vector<float> depth_m_;  ///< depth by sample value; empty: no levels are known
   double unit_m_ = 0.0;         ///< unit of the last image
   int images_ = 0;              ///< number of images since the unit changed
 };

@@ -19,8 +19,8 @@ class GridSnapshot final : public GridSurface {
   GridSnapshot& operator=(const GridSnapshot&) = delete;
   ~GridSnapshot() = default;
 
-  /// Sets each node's motion along its normal from the motion field at its pixel. Called by the surface builder before
-  /// the snapshot is shared with other threads.
+  /// Sets each node's predicted motion along its normal from the motion field at its pixel. SurfaceBuilder calls it
+  /// before other threads get the snapshot.
   void carry_forward(const MotionField& field);
 
  private:

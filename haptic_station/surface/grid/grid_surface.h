@@ -12,8 +12,8 @@ struct alignas(64) GridNode {
   std::array<float, 3> at_m{};    ///< relative to the grid's origin
   float confidence = 0.0F;        ///< 0: no surface at this node
   std::array<float, 3> normal{};  ///< unit, towards the camera
-  float deviation_m = 0.0F;       ///< standard deviation of the position along the normal
-  MotionTerms motion{};           ///< [m/s, m, m, m, m] along the normal
+  float deviation_m = 0.0F;       ///< standard deviation of `at_m` along the normal
+  MotionTerms motion{};           ///< coefficients of MotionTerms [m/s, m, m, m, m] along the normal
   std::array<float, 3> spare{};
 };
 static_assert(sizeof(GridNode) == 64);
@@ -35,8 +35,9 @@ struct GridLayout {
 /// the nodes around its pixel, so every query costs the same, and slanted skin has the density with which the camera
 /// sampled it.
 ///
-/// Each node's tangent plane is averaged with the mean plane: f = Σ w ½(n_i + n̄)·(x − p_i) / Σ w. On any quadric this
-/// is exact to third order, while the node planes or the mean plane alone are off by curvature × support² / 4. Why: on
+/// Each node's tangent plane is averaged with the mean plane: f = Σ w ½(n_i + n̄)·(x − p_i) / Σ w, with the query x,
+/// the node i at p_i with normal n_i and weight w, and n̄ the weighted mean normal. On any quadric this
+/// is exact to third order, while the node planes or the mean plane alone err by curvature × support² / 4. Why: on
 /// a sphere, the line from p_i to a surface point x is perpendicular to the sum of the normals at p_i and x, and n̄
 /// approximates the normal at x. f is C1: the weights fade smoothly in the image plane, whose coordinates are smooth
 /// functions of x.

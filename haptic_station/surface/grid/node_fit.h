@@ -7,7 +7,7 @@
 
 namespace telepalp::surface {
 
-/// Parameters of the fit of nodes to pixels.
+/// Parameters of fit_nodes(); their meaning is that of the members of SurfaceSettings with similar names.
 struct FitSettings {
   int step_px = 2;
   int radius_px = 6;
@@ -17,9 +17,9 @@ struct FitSettings {
 
 /// Fits nodes on a lattice over `box`, a rectangle inside the image. Position, normal and confidence of a node come
 /// from a weighted quadratic fit of inverse depth over its window; in inverse depth a plane is linear in the pixel
-/// coordinates, so planes are exact. A window without hole or depth break costs three separable sums; any other gathers
-/// the pixels connected to its centre and solves by least squares. Writes the lattice in `layout` (columns, rows, left,
-/// top, step, origin) and the nodes.
+/// coordinates, so planes are exact. A window without hole or depth break is fitted by three separable sums. Any other
+/// window is fitted by least squares to the pixels that are connected to its centre. Writes the lattice in `layout`
+/// (columns, rows, left, top, step, origin) and the nodes.
 void fit_nodes(const DepthField& depth, const Intrinsics& camera, const PixelBox& box, const FitSettings& settings,
                GridLayout& layout, std::vector<GridNode>& nodes);
 

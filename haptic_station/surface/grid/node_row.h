@@ -12,8 +12,8 @@ struct NodeRow {
   explicit NodeRow(std::size_t nodes);
 
   // inputs
-  std::vector<float> wide_at, wide_across, wide_down;  ///< wide window's fit: inverse depth - reference, and its slopes
-  std::vector<float> narrow_at, narrow_across, narrow_down;  ///< narrow window's fit
+  std::vector<float> wide_at, wide_across, wide_down;  ///< wide window: inverse depth less a reference [1/m], slopes
+  std::vector<float> narrow_at, narrow_across, narrow_down;  ///< the same of the narrow window
   std::vector<float> wide;                                   ///< 1 where the wide window has no hole or break, else 0
   std::vector<float> frames;                                 ///< number of frames averaged at the node's pixel, >= 1
   std::vector<float> ray_x;                                  ///< x of the node's ray at 1 m depth
@@ -34,8 +34,8 @@ struct NodeRowView {
 };
 
 /// Blends the two windows' fits by slant and computes position, normal and deviation of each node. On a slanted
-/// surface, a window of pixels covers more area, perhaps beyond the silhouette, while the noise along the normal falls
-/// with the cosine of the slant. So the narrow window's weight grows with the slant.
+/// surface, a window of pixels covers more area and may cross the silhouette, while the noise along the normal falls
+/// with the cosine of the slant. The narrow window's weight therefore grows with the slant.
 void make_nodes(NodeRow& row, const NodeRowView& view);
 
 }  // namespace telepalp::surface

@@ -9,7 +9,8 @@
 
 namespace telepalp::surface {
 
-/// Tangent plane in inverse depth around a pixel: ρ ≈ at + across·du + down·dv [1/m, 1/(m·px)].
+/// Tangent plane in inverse depth ρ, at the offset (du, dv) px from a pixel: ρ ≈ at + across·du + down·dv [1/m,
+/// 1/(m·px)].
 struct InverseDepthPlane {
   double at = 0.0;
   double across = 0.0;
@@ -62,7 +63,7 @@ struct InverseDepthView {
 /// Fits the window around (column, row) to the pixels that are connected to its centre without crossing a depth break.
 /// If the centre is not measured, the nearest measured pixel within `bridge_px` replaces it, provided that at least
 /// half of the window is measured. The fit is quadratic, or linear where one side of the window is missing; nullopt
-/// where neither is determined.
+/// where the pixels determine neither.
 [[nodiscard]] std::optional<WindowFit> fit_window(const InverseDepthView& view, int column, int row,
                                                   const AxisWeights& axis, int bridge_px);
 

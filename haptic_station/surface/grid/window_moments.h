@@ -11,12 +11,13 @@ namespace telepalp::surface {
 
 inline constexpr int kMostRadius = 15;
 inline constexpr int kMostSide = 2 * kMostRadius + 1;  ///< one row of a window fits a 32-bit word
-/// Number of pixels that are summed at once. An image or a row that is read or written here has this many spare floats
-/// behind its end.
+/// Number of pixels that are summed at once. The functions below may read and write up to this many floats behind the
+/// end of an image or a row.
 inline constexpr int kBlock = 8;
 
-/// Weights along one axis, (1 - (k/(r+1))^2)^2, and their derived constants. The window is separable and falls smoothly
-/// to 0 at its rim.
+/// Weights (1 - (k/(r+1))^2)^2 at the distance k px from the centre, along one axis of a window of radius r, and
+/// constants derived from them. A pixel's weight is the product over both axes; it falls smoothly to 0 at the window's
+/// rim.
 struct AxisWeights {
   int radius = 0;
   std::array<float, kMostRadius + 1> by_distance{};
@@ -48,7 +49,7 @@ void fit_whole_windows(const float* centre, std::ptrdiff_t stride, int width, co
 
 /// Sums over the pixels of one window that a mask selects, by the window's columns.
 struct MaskedColumns {
-  std::array<std::array<float, kMostSide + kBlock>, 5> weight;  ///< sums of w_l l^b, b = 0 ... 4
+  std::array<std::array<float, kMostSide + kBlock>, 5> weight;  ///< sums of w_l l^b over rows l, b = 0 ... 4
   std::array<std::array<float, kMostSide + kBlock>, 3> value;  ///< sums of w_l l^b times the pixel's value, b = 0 ... 2
 };
 
@@ -57,14 +58,14 @@ struct MaskedColumns {
 void sum_masked_columns(const float* image, std::ptrdiff_t first, std::ptrdiff_t stride, const std::uint32_t* mask,
                         const AxisWeights& axis, int from, int to, MaskedColumns& sums);
 
-/// Inverse depth minus `reference` for one row of depths. An unmeasured pixel (0) becomes 0.
+/// Writes the inverse depth minus `reference` [1/m] of one row of depths. An unmeasured pixel (depth 0) becomes 0.
 void invert_row(const float* z_m, int width, float reference, float* per_m);
 
-/// Sets the flags of window_fit.h for each pixel of a row. `below`: the next row; for the last row, the same row.
-/// `break_at_1m`: see break_at().
+/// Sets the flags kBrokenRight, kBrokenBelow and kMeasured of window_fit.h for each pixel of a row. `below`: the next
+/// row; for the last row, the same row. `break_at_1m`: see break_at() in depth_field.h.
 void mark_row(const float* z_m, const float* below, int width, float break_at_1m, std::uint8_t* marks);
 
-/// A bitmap of the pixels with the flag `mark`, 64 pixels per word, the first pixel in bit 0.
+/// Writes a bitmap of the pixels that have the flag `mark`: 64 pixels per word, the first pixel in bit 0.
 void pack_row(const std::uint8_t* marks, int width, std::uint8_t mark, std::uint64_t* bits);
 
 }  // namespace telepalp::surface

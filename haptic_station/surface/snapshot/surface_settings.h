@@ -11,7 +11,7 @@ namespace telepalp::surface {
 /// Which implicit function represents the surface.
 enum class Method {
   Grid,   ///< smoothed nodes on the depth image's own lattice: the default
-  Paper,  ///< exactly S1 §II.C: at most N neighbours within R, whose normals are estimated at each query
+  Paper,  ///< exactly paper S1 §II.C (docs/sources.md): N neighbours within R, normals estimated per query
   Cloud,  ///< points with given normals; weights fall to zero at the support: static models, unorganised clouds
 };
 
@@ -32,16 +32,16 @@ struct SurfaceSettings {
   int node_step_px = 2;
   double support_nodes = 2.5;  ///< radius of the weights, in nodes
   int fit_radius_px = 8;       ///< half side of the window of each node's quadratic fit
-  double gate_m = 0.02;        ///< a plane farther than this from the query belongs to another surface
-  double break_m = 0.015;      ///< a depth step between neighbouring pixels that ends a surface, at 1 m; grows with z²
-  int bridge_px = 2;           ///< holes of at most this radius are bridged
+  double gate_m = 0.02;        ///< a node whose tangent plane is farther than this from the query is ignored
+  double break_m = 0.015;  ///< depth step between neighbouring pixels, at 1 m, that separates surfaces; grows with z²
+  int bridge_px = 2;       ///< holes of at most this radius are bridged
 
   // over time
-  bool temporal = true;          ///< average over frames where the patient is still, follow where they move
-  double memory_frames = 120.0;  ///< most frames that a pixel's moving average weighs: about one breath
+  bool temporal = true;          ///< average depth over frames where the patient is still; follow the motion elsewhere
+  double memory_frames = 120.0;  ///< most frames in a pixel's running average: about one breath
   bool predict = true;           ///< predict each snapshot forward by its velocity
-  bool shared = true;            ///< estimate speed and acceleration of the motion that the whole body shares
-  bool breathing = true;         ///< predict also by the breathing model once it has locked on
+  bool shared = true;            ///< estimate the motion common to the whole body, with its acceleration
+  bool breathing = true;         ///< predict by the breathing model, too, while it follows the breath
 
   // Paper and Cloud
   Index index = Index::PclKdTree;

@@ -10,19 +10,20 @@
 
 namespace telepalp::surface {
 
-/// The terms of a point's motion after its capture: a linear term that decays, and cosine and sine of two breathing
-/// harmonics. The offset of a point along its normal is the dot product of its coefficients with these terms.
+/// The terms of a point's motion after its capture: a linear term whose velocity decays, and cosine and sine of two
+/// breathing harmonics. The offset of a point along its normal is the dot product of its coefficients with these terms.
 inline constexpr int kMotionTerms = 5;
 using MotionTerms = std::array<float, kMotionTerms>;
 
-/// The terms' values [s, 1, 1, 1, 1] and rates [1, 1/s …] at one instant, the same for every point.
+/// The terms' values [s, 1, 1, 1, 1] and time derivatives [1, 1/s …] at one age of the snapshot, the same for every
+/// point.
 struct MotionBasis {
   MotionTerms value{};
   MotionTerms rate{};
 };
 
-/// The prediction ages at which the weight of a predicted motion is learned. Between them it is interpolated; below the
-/// first one and above the last one it is constant.
+/// Times from capture to prediction for which SharedMotion learns the weight of a predicted motion. Between them the
+/// weight is interpolated; below the first one and above the last one it is constant.
 inline constexpr std::array kForesightAges_s{0.065, 0.12, 0.215};
 /// Weight of a predicted motion at each of these ages: 1: fully applied, 0: ignored.
 using ForesightShare = std::array<double, kForesightAges_s.size()>;
@@ -33,8 +34,8 @@ struct MotionModel {
   bool moves = false;  ///< false: a static model, or an unknown motion
   bool ages = true;    ///< false: a static model, which is never stale
   double breathing_rad_per_s = 0.0;
-  ForesightShare speed = kFullForesight;         ///< of the linear term and the first harmonic's sine
-  ForesightShare acceleration = kFullForesight;  ///< of the first harmonic's cosine
+  ForesightShare speed = kFullForesight;         ///< weight of the linear term and of the first harmonic's sine
+  ForesightShare acceleration = kFullForesight;  ///< weight of the first harmonic's cosine
   double linear_fade_s = 0.3;                    ///< time constant with which a velocity decays
   double freeze_from_s = 0.6;   ///< from this age the predicted motion slows down; it stops at twice this age
   double spread_m_per_s = 0.0;  ///< growth of the prediction's standard deviation with age
@@ -54,7 +55,7 @@ struct FieldSample {
   double deviation_m = 0.0;       ///< standard deviation of f_m at the capture, from the statistics of the points
 };
 
-/// Where a search for the foot may begin.
+/// Start of a search for the foot, the surface point nearest to the query.
 struct Seed {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   bool query_in_front = false;  ///< true: the query lies on the outer side of the surface
@@ -70,15 +71,15 @@ class SurfaceSnapshot {
   std::uint32_t points = 0;         ///< number of points in the index
   const char* index_name = "none";  ///< name of the neighbour index
   MotionModel motion;
-  SkinMarks marks{};  ///< places on the skin that are followed, at the capture
+  SkinMarks marks{};  ///< the followed places on the skin, at the capture
 
   /// The implicit function at `query`. `facing`: unit vector to the outside. It selects between two near surfaces, such
   /// as the two sides of a sheet; zero when unknown.
   [[nodiscard]] virtual FieldSample evaluate(const Eigen::Vector3d& query, const Eigen::Vector3d& facing,
                                              const MotionBasis& basis) const noexcept = 0;
 
-  /// A surface point near `query` from which the search for the foot starts; cheap and coarse. nullopt: no surface in
-  /// reach.
+  /// A surface point near `query`, cheap and coarse, from which the search for the foot starts. nullopt: there is no
+  /// surface near `query`.
   [[nodiscard]] virtual std::optional<Seed> seed(const Eigen::Vector3d& query) const noexcept = 0;
 
   /// The longest step of the proxy in one iteration [m]. After such a step evaluate() still has support.
