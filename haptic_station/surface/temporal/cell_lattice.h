@@ -13,7 +13,8 @@ struct CellMean {
 };
 
 /// The lattice of a smooth function over an image: a cubic B-spline with one coefficient at the centre of each cell of
-/// kCell_px × kCell_px pixels. The function is C2, so that a surface that moves by it gets no kinks.
+/// kCell_px × kCell_px pixels. The function is twice continuously differentiable, so a surface displaced by it gets no
+/// kinks.
 struct CellLattice {
   static constexpr int kCell_px = 16;
 
@@ -30,8 +31,8 @@ struct CellLattice {
 
 [[nodiscard]] CellLattice lattice_of(int width_px, int height_px) noexcept;
 
-/// The four cells along one axis whose coefficients determine the function at a pixel, and their shares, whose sum is
-/// 1.
+/// The four cells along one axis whose coefficients determine the function at a pixel, and the weights of these
+/// coefficients, with the sum 1.
 struct Knots {
   std::array<int, 4> cell{};
   std::array<float, 4> share{};
@@ -48,14 +49,14 @@ void spread_over_row(const CellLattice& lattice, std::span<const float> coeffici
 
 /// Smoothed coefficients from the means of the cells. Averaging over cells, smoothing and the spline each flatten the
 /// function; together they change it by 17/12 cell² times half its second derivative. The kernel corrects this, so that
-/// a quadratic function is reproduced exactly. The fewer pixels a cell has, the more its neighbours count; a cell
-/// without measured neighbours gets 0.
+/// a quadratic function is reproduced exactly. The fewer measured pixels a cell has, the more its neighbours weigh. A
+/// cell without any measured neighbour gets 0.
 [[nodiscard]] std::vector<float> smooth_coefficients(const CellLattice& lattice, std::span<const CellMean> means);
 
 /// The means over the cells of the function with these coefficients.
 [[nodiscard]] std::vector<float> means_of(const CellLattice& lattice, std::span<const float> coefficients);
 
-/// For each cell, the mean over the kWide_cells × kWide_cells cells around it.
+/// For each cell, the mean over the square of kWide_cells × kWide_cells cells centred on it.
 inline constexpr int kWide_cells = 5;
 [[nodiscard]] std::vector<CellMean> wide_means(const CellLattice& lattice, std::span<const CellMean> means);
 

@@ -6,21 +6,21 @@ namespace telepalp::surface {
 // sums by column, so that compilers vectorise them. The results are the same on every processor that rounds as IEEE 754
 // requires.
 
-/// The noise of the pixels.
+/// Scale of the pixels' depth noise.
 struct PixelNoise {
-  float scale = 1.0F;  ///< ratio of the measured noise to the noise model
+  float scale = 1.0F;  ///< ratio of the measured standard deviation to the noise model's
 };
 
 /// Sums by column over the rows of a cell.
 struct ColumnSums {
   float* innovation;  ///< measured minus expected [m]
-  float* unit;        ///< size of the innovation over the noise model's sigma
-  float* sigma;       ///< sigma of the noise model [m]
+  float* unit;        ///< |innovation| / sigma of the noise model, without PixelNoise::scale
+  float* sigma;       ///< sigma of the noise model times PixelNoise::scale, at least 0.2 mm [m]
   float* count;
 };
 
-/// Adds the innovations of one row, `seen` − (`average` + `change`), at the pixels where both are known and the
-/// innovation is no outlier.
+/// Adds the innovations of one row, `seen` − (`average` + `change`), at the pixels where `seen` and `average` are known
+/// (not 0) and the innovation is at most 10 sigma.
 void observe_row(const float* seen, const float* average, const float* change, int width, PixelNoise noise,
                  const ColumnSums& sums) noexcept;
 
@@ -36,8 +36,9 @@ struct LeanSums {
   float* count;  ///< number of residuals
 };
 
-/// Moves the average by `moved` and updates it with `seen`. Residuals are relative to `expected`, which includes the
-/// whole innovation of the cells, because motion that the cells follow must not count as a residual of the pixels.
+/// Adds the change of depth `moved` to the average and updates it with `seen`. A residual is `seen` minus (average +
+/// `expected`), where `expected` is the change of depth with the whole innovation of the cell: the motion of a whole
+/// cell is then no residual of its pixels.
 void update_row(const float* seen, const float* moved, const float* expected, int width, PixelNoise noise,
                 float memory_frames, const AverageRow& average, const LeanSums& leans) noexcept;
 

@@ -17,38 +17,38 @@ struct CellInnovation {
   double sigma_m = 0.0;  ///< standard deviation of the mean under noise alone
 };
 
-/// The motion of the scene along the lines of sight, by cell: a g-h filter estimates each cell's displacement and
-/// velocity, and all cells share one breathing model. A cell averages up to 256 pixels, so that its motion is known far
-/// more accurately than a pixel's depth. TemporalFilter then averages the detail of the pixels. A cubic spline
-/// interpolates between cells; this class stores the coefficients of the spline.
+/// The motion of the scene along the camera's rays, by cell: a g-h filter (position and velocity) estimates each cell's
+/// displacement and velocity, and all cells share one breathing model. A cell averages up to 256 pixels, so its motion
+/// is known far more accurately than a pixel's depth. TemporalFilter then averages the depth of the pixels, moved by
+/// this field. A cubic spline interpolates between cells; this class stores the coefficients of the spline.
 class MotionField {
  public:
   MotionField(int width_px, int height_px, const SurfaceSettings& settings);
 
   [[nodiscard]] const CellLattice& lattice() const noexcept { return lattice_; }
 
-  /// Moves on to the next frame, `dt_s` later. Call once for each frame, before correct().
+  /// Predicts the motion to the next frame, `dt_s` later. Call once for each frame, before correct().
   void predict(double dt_s);
   /// Updates the filter with the innovations of a frame: measured depth minus the depth that change() predicts.
   void correct(const std::vector<CellInnovation>& seen, double dt_s);
 
-  /// Expected change of depth since the frame before, as coefficients.
+  /// Change of depth since the frame before that predict() expects, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& change() const noexcept { return change_; }
-  /// The change after correct(), as coefficients.
+  /// The change of depth since the frame before as correct() estimates it, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& moved() const noexcept { return moved_; }
-  /// The change plus the whole innovation, noise included, as coefficients.
+  /// change() plus the whole innovation, noise included, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& expected() const noexcept { return expected_; }
 
-  /// Terms of the motion of depth after the last frame, as coefficients.
+  /// Predicted motion of depth after the last frame: spline coefficients of each of MotionTerms.
   [[nodiscard]] const std::vector<MotionTerms>& terms() const noexcept { return terms_; }
   [[nodiscard]] MotionModel model() const noexcept;
 
  private:
   struct Cell {
-    double velocity_m_per_s = 0.0;  ///< in addition to the shared motion
-    double energy = 0.0;            ///< slow mean of the squared velocity; weight of this cell in the breathing model
+    double velocity_m_per_s = 0.0;  ///< beyond the cell's share of the shared motion
+    double energy = 0.0;  ///< running mean of the squared velocity; sets this cell's weight in the breathing model
     double frames = 0.0;
-    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation: by how much the filter lags
+    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation beyond the shared part: the filter's lag
   };
 
   void update_moving(const std::vector<CellInnovation>& seen);
@@ -65,7 +65,7 @@ class MotionField {
   bool shared_wanted_;
   std::vector<Cell> cells_;
   std::vector<CellMean> means_;
-  std::vector<CellMean> moving_;     ///< how significant each neighbourhood's mean innovation is, 0 to 1
+  std::vector<CellMean> moving_;     ///< significance of each neighbourhood's mean innovation, 0 (noise) to 1
   std::vector<float> displacement_;  ///< estimated displacement of each cell since the start [m]
   std::vector<float> observed_;      ///< measured displacement of each cell; the breathing model is fitted to it
   std::vector<float> weight_;
@@ -76,7 +76,7 @@ class MotionField {
   BreathingModel breathing_;
   SharedMotion shared_;
   std::vector<SharedInnovation> shared_seen_;
-  double miss_m_ = 0.0;  ///< running mean of |innovation| over the cells that move
+  double miss_m_ = 0.0;  ///< running mean of |innovation|, weighted by `weight_`
   double frame_s_ = 0.033;
 };
 

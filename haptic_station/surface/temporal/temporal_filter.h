@@ -6,15 +6,17 @@
 
 namespace telepalp::surface {
 
-/// Averages depth over frames where the patient is still and follows the patient where they move. Each pixel's average
-/// moves with its cell, so that breathing does not smear it. Any other motion gives a patch of pixels residuals of one
-/// sign; there the average starts anew. Latency: none on modelled motion. An unmodelled step is detected after two to
-/// four frames. A step too small to detect (patch mean under 4.5 sigma/4) fades with the memory of the average.
+/// Averages the depth of each pixel over frames. The average moves with the pixel's cell in MotionField, so that
+/// breathing does not smear it. Any other motion gives a patch of 4 × 4 pixels residuals of one sign; the average of
+/// that patch then keeps the weight of at most four frames. Latency: none for motion that MotionField models. Another
+/// step is detected after two to four frames. A step too small to detect (below about 0.65 sigma of a pixel's noise)
+/// fades with the memory of the average.
 class TemporalFilter {
  public:
   TemporalFilter(int width, int height, const SurfaceSettings& settings);
 
-  /// Depth as of this frame, `dt_s` after the last; the first frame passes through.
+  /// Returns the averaged depth at the time of the frame `seen`, `dt_s` after the last one. The first frame is returned
+  /// unchanged.
   [[nodiscard]] const DepthField& add(const DepthField& seen, double dt_s);
   [[nodiscard]] const MotionField& motion() const noexcept { return motion_; }
 
@@ -28,9 +30,9 @@ class TemporalFilter {
 
   DepthField average_;
   MotionField motion_;
-  std::vector<float> moved_at_;     ///< MotionField::moved() at one row of pixels, padded as spread_over_row() needs
-  std::vector<float> expected_at_;  ///< MotionField::expected() at that row
-  std::vector<float> sums_;         ///< four or two rows of sums by column, over the rows of a cell or a patch
+  std::vector<float> moved_at_;     ///< MotionField::change() or moved() over a row, padded for spread_over_row()
+  std::vector<float> expected_at_;  ///< MotionField::expected() over one row, padded alike
+  std::vector<float> sums_;         ///< four rows of ColumnSums of a cell, or two of LeanSums of a patch
   std::vector<CellInnovation> seen_;
   std::vector<float> patch_mean_;  ///< running mean of the residuals of each patch
   float memory_frames_;
@@ -40,8 +42,9 @@ class TemporalFilter {
   bool first_ = true;
 };
 
-/// Fills a single unmeasured pixel with the mean of its measured neighbours if these agree. Otherwise flickering pixels
-/// would force the plane fit of their window onto its slow path.
+/// Fills an unmeasured pixel if its four neighbours are measured and there is no depth break between them, with the
+/// harmonic mean of their depths. Without this, flickering pixels would force the fit of their window onto its slow
+/// path.
 void fill_pinholes(DepthField& depth, double break_at_1m);
 
 }  // namespace telepalp::surface

@@ -4,18 +4,19 @@
 
 namespace telepalp::surface {
 
-/// A tangent plane of the surface. The proxy stays on the plane or on the side to which `normal` (unit) points.
+/// A tangent plane of the surface at the point `at`. The proxy stays on the plane or on the side to which `normal`
+/// (unit) points.
 struct ConstraintPlane {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
 };
 
 /// The point nearest to `device` that one constraint plane allows: the projection of the device on the plane, or the
-/// device itself on the free side. Source: the goal of the proxy in Salisbury and Tarr (1997).
+/// device itself on the side of the normal. Source: the goal of the proxy in Salisbury and Tarr (1997).
 [[nodiscard]] Eigen::Vector3d goal_on_plane(const Eigen::Vector3d& device, const ConstraintPlane& plane) noexcept;
 
 /// The point nearest to `device` that two constraint planes allow. It lies on no plane, on one plane, or, in a crease,
-/// on the line where both planes meet. Of two nearly parallel planes only the outer one counts.
+/// on the line where both planes meet. Of two nearly parallel planes, only the one with the device deeper below counts.
 [[nodiscard]] Eigen::Vector3d goal_in_crease(const Eigen::Vector3d& device, const ConstraintPlane& first,
                                              const ConstraintPlane& second) noexcept;
 

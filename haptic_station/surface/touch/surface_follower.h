@@ -6,12 +6,12 @@
 
 namespace telepalp::surface {
 
-/// Limits of the displayed surface's approach to the newest one.
+/// Limits of the approach of the displayed surface, which the hand feels, to the newest one.
 struct FollowLimits {
-  double bandwidth_rad_per_s = 40.0;  ///< of the critically damped approach to a near surface
+  double bandwidth_rad_per_s = 40.0;  ///< of the critically damped approach, while the other limits are not reached
   double speed_m_per_s = 0.05;        ///< greatest speed of the approach, in addition to the surface's own motion
   double acceleration_m_per_s2 = 1.5;
-  double fastest_surface_m_per_s = 0.3;  ///< a faster motion of the surface counts as this speed
+  double fastest_surface_m_per_s = 0.3;  ///< a greater speed of the newest surface is limited to this
 };
 
 /// One step of a critically damped approach with bounded speed and acceleration. `rate`: rate of the value; `error`:
@@ -29,7 +29,7 @@ class SurfaceFollower {
  public:
   explicit SurfaceFollower(const FollowLimits& limits) noexcept : limits_(limits) {}
 
-  /// The point of the newest surface that is displayed at `shown`.
+  /// The position, relative to the newest surface, that is displayed at `shown`.
   [[nodiscard]] Eigen::Vector3d on_newest(const Eigen::Vector3d& shown) const noexcept;
   /// The sample of the displayed surface at a point, given `newest`, the sample of the newest surface at on_newest() of
   /// that point.
@@ -37,11 +37,12 @@ class SurfaceFollower {
 
   /// Sets the lag to zero. The displayed surface moves at `speed_m_per_s` along `normal`.
   void follow_at_once(const Eigen::Vector3d& normal, double speed_m_per_s) noexcept;
-  /// A newer surface takes over. Its point `there`, with `newest_normal`, corresponds to the displayed `foot` with
-  /// `normal`. The displayed position, normal and speed do not change.
+  /// Call when a newer surface replaces the last one. Its point `there`, with `newest_normal`, corresponds to the
+  /// displayed `foot`, with `normal`. The displayed position, normal and speed do not change.
   void take_over(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, const Eigen::Vector3d& there,
                  const Eigen::Vector3d& newest_normal) noexcept;
-  /// Lets `dt_s` pass, in which the newest surface moves at `newest_speed_m_per_s` along `normal` at `foot`.
+  /// Advances the displayed surface by `dt_s`, while the newest surface moves at `newest_speed_m_per_s` along `normal`
+  /// at `foot`.
   void advance(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, double newest_speed_m_per_s,
                double dt_s) noexcept;
 
@@ -60,16 +61,16 @@ class SurfaceFollower {
   Eigen::Vector3d turn_rad_per_s_ = Eigen::Vector3d::Zero();    ///< angular velocity of the displayed surface
 };
 
-/// Follows the displayed skin along one fixed line, for a place where the device no longer is. Owner: the haptic
-/// thread.
+/// Follows the displayed skin along one fixed line, for a place that the device has left, such as the start of the
+/// contact. Owner: the haptic thread.
 class LineFollower {
  public:
   explicit LineFollower(const FollowLimits& limits) noexcept : limits_(limits) {}
 
-  /// Starts at the point `at`, which moves along `along` (unit) at `rate_m_per_s`.
+  /// Starts at the point `at`, with the rate `rate_m_per_s` along the line's direction `along` (unit).
   void begin(const Eigen::Vector3d& at, const Eigen::Vector3d& along, double rate_m_per_s) noexcept;
-  /// Moves the point towards the newest surface, which crosses the line `error_m` farther up and moves at
-  /// `target_m_per_s`.
+  /// Moves the point towards the newest surface, which crosses the line `error_m` farther along `along` and moves at
+  /// `target_m_per_s` along it.
   void advance(double error_m, double target_m_per_s, double dt_s) noexcept;
 
   [[nodiscard]] Eigen::Vector3d at() const noexcept { return start_ + risen_m_ * along_; }

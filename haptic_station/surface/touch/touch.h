@@ -12,22 +12,22 @@ namespace telepalp::surface {
 
 struct TouchSettings {
   FollowLimits follow;
-  int most_iterations = 4;         ///< iterations of the proxy in one step; each evaluates the surface once
-  double settle_m = 2e-5;          ///< a shorter step of the proxy ends the iteration: its error is of second order
-  double longest_hop_m = 0.004;    ///< a longer move of the device is divided, so that no surface is passed unseen
-  double deepest_start_m = 0.09;   ///< a device that is first seen deeper than this is behind the surface, not in it
-  bool gentle_start = true;        ///< skin starts at a device first seen in the body, and rises
+  int most_iterations = 4;        ///< iterations of the foot in one step; each evaluates the surface at least once
+  double settle_m = 2e-5;         ///< a shorter step of the foot ends the iteration: its error is of second order
+  double longest_hop_m = 0.004;   ///< a longer move of the device is divided, into at most 32 parts, to miss no surface
+  double deepest_start_m = 0.09;  ///< a device first seen deeper than this is behind the surface, not in the body
+  bool gentle_start = true;       ///< a device first seen in the body: the skin is displayed at it and rises from there
   double other_surface_m = 0.045;  ///< a surface that jumps farther than this during a contact is another surface
-  double off_foot_m = 0.004;       ///< a device farther than this to the side of its foot is beyond the rim
+  double off_foot_m = 0.004;       ///< a device tangentially farther than this from its foot is beyond the rim
   double stale_after_s = 1.0;      ///< age of the snapshot at which the contact begins to fade
-  double let_go_over_s = 0.5;      ///< time over which that contact fades
+  double let_go_over_s = 0.5;      ///< time over which a contact fades after its surface is stale or lost
 };
 
 /// The result of one step, in the depth camera's frame.
 struct TouchSample {
   bool valid = false;        ///< false: no surface in reach, or a stale one; there is no contact and no distance
   bool in_body = false;      ///< the device came from outside and is below the displayed surface
-  Point<DepthCamera> proxy;  ///< in the body: the nearest allowed point on the surface; else: the device. A spring
+  Point<DepthCamera> proxy;  ///< in the body: device + support · (foot − device); else: the device. So a spring
                              ///< k·(proxy − device) fades at rims, over holes and with age
   Point<DepthCamera> foot;   ///< the surface point nearest to the device
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, out of the body, at the foot; zero when not valid
@@ -35,26 +35,26 @@ struct TouchSample {
   double surface_velocity_m_per_s = 0.0;  ///< speed of the displayed surface at the foot, along the normal
   double newest_above_m = 0.0;  ///< height of the newest surface, carried to now, over the displayed one at the foot
   double newest_velocity_m_per_s = 0.0;  ///< speed of the newest surface there, along the normal
-  Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< of the displayed surface where contact began
+  Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< displayed skin where contact began
   double uncertainty_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
-  double support = 0.0;        ///< 1 well inside the known surface, 0 where it ends or is stale
+  double support = 0.0;        ///< displayed share of the contact; 0 where the known surface ends or is stale
   double age_s = 0.0;          ///< time since the snapshot's capture or its adoption, whichever is longer
 };
 
-/// Difference at the foot between the displayed surface and the newest snapshot as captured; out of the body is
-/// positive.
+/// Displacement at the foot of the displayed surface from the newest snapshot as captured, along the normal; positive
+/// out of the body.
 struct Displaced {
   double carried_m = 0.0;  ///< part due to prediction over the snapshot's age
-  double slewed_m = 0.0;   ///< part that remains of the gradual change from the snapshot before
+  double slewed_m = 0.0;   ///< remaining offset from the newest surface since the last change of snapshots
 };
 
-/// The touch of one device point: owns the proxy, carries the surface forward in time and follows new snapshots
-/// gradually.
+/// The touch of one device point: finds the foot, the surface point nearest to the device, and the proxy, predicts the
+/// surface from its capture to now, and changes gradually to new snapshots.
 ///
 /// A device below the displayed surface is in the body. At the start, or after a release, no surface is displayed; then
-/// the newest image decides on which side the device is. If the device is in the body, the skin is first displayed at
-/// the device and rises from there. One thing is remembered from step to step: a device that went round a rim, behind a
-/// silhouette or to the back of a thin sheet is behind the visible surface but not in the body. Owner: the haptic
+/// the newest snapshot decides on which side the device is. If the device is in the body, the skin is first displayed
+/// at the device and rises from there. The side is remembered from step to step: a device that went round a rim, behind
+/// a silhouette or to the back of a thin sheet is behind the visible surface but not in the body. Owner: the haptic
 /// thread. step() and adopt() neither allocate, lock, throw nor call the system, if the snapshot is realtime_safe().
 class Touch {
  public:
@@ -62,15 +62,15 @@ class Touch {
 
   /// Uses `snapshot` from now on; the displayed surface does not jump. The snapshot must stay alive until the next
   /// adopt() or release(). The earlier snapshot is not read again. A snapshot that is not newer than the last one is
-  /// counted in out_of_order().
+  /// used all the same and counted in out_of_order().
   void adopt(const SurfaceSnapshot& snapshot, SessionTime now) noexcept;
   /// Forgets the snapshot and ends the contact at once.
   void release() noexcept;
-  /// The touch of `device` at `now`, `dt_s` after the last step. A position that is not finite changes nothing and gets
-  /// valid = false. Time that goes back counts as time that stands still.
+  /// The touch of `device` at `now`, `dt_s` after the last step. A position that is not finite moves nothing and gives
+  /// valid = false. If `now` goes back, the latest `now` so far is used.
   [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s) noexcept;
 
-  /// Evaluates the surface twice; zero without a foot.
+  /// The displacement after the last step. Evaluates the surface twice; zero without a foot.
   [[nodiscard]] Displaced displaced() const noexcept;
 
   [[nodiscard]] std::uint64_t out_of_order() const noexcept { return out_of_order_; }
@@ -106,8 +106,8 @@ class Touch {
   Side side_ = Side::Unknown;
   bool has_foot_ = false;
   bool fresh_foot_ = false;     // the foot was found anew: the newest surface is displayed without a lag
-  bool swapped_ = false;        // a new snapshot that has not been evaluated yet
-  bool was_in_front_ = false;   // at the last step the device was in front: to go in from there is to touch the skin
+  bool swapped_ = false;        // a new snapshot was adopted and has not been evaluated yet
+  bool was_in_front_ = false;   // at the last step the device was outside: going in from there passes the skin
   FieldSample at_foot_;         // sample of the displayed surface at foot_
   double newest_velocity_ = 0;  // speed of the newest surface at foot_ [m/s]
   Eigen::Vector3d foot_ = Eigen::Vector3d::Zero();
@@ -116,7 +116,7 @@ class Touch {
   bool has_device_ = false;
   bool anchored_ = false;
   LineFollower anchor_{settings_.follow};                    // the displayed skin where the contact began
-  Eigen::Vector3d newest_anchor_ = Eigen::Vector3d::Zero();  // where the newest surface crosses its line
+  Eigen::Vector3d newest_anchor_ = Eigen::Vector3d::Zero();  // where the newest surface crosses the anchor's line
   double anchor_speed_ = 0.0;                                // speed of newest_anchor_ over the last step [m/s]
   double slide_ = 1.0;  // share of the tangential step that the curvature under the proxy allows
   double held_ = 0.0;   // displayed share of the contact; follows the support gradually
