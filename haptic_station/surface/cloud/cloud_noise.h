@@ -16,7 +16,7 @@ struct CloudNoise {
   [[nodiscard]] bool follows_noise() const noexcept;  ///< the support is wider than three spacings
 };
 
-/// Estimates the noise by quadrics that are fitted to the neighbourhoods of at least 300 sampled points. Their radius
+/// Estimates the noise by quadrics that are fitted to the neighbourhoods of at most 600 sampled points. Their radius
 /// grows from three spacings until it exceeds five times the median residual, because a smaller neighbourhood of a
 /// noisy cloud is a ball and not a disc.
 ///

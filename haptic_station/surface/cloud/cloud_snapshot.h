@@ -26,7 +26,7 @@ class CloudSnapshot final : public CloudSurface {
   std::shared_ptr<const NeighborIndex> owned_index_;
 };
 
-/// Mean spacing of a cloud: the median distance to the sixth neighbour, over up to 500 points, divided by √6.
+/// Mean spacing of a cloud: the median distance to the sixth neighbour, over a sample of the points, times √(π/6).
 [[nodiscard]] double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& index);
 
 /// The unit normal of points that lie near each other, by principal component analysis; of either sign. nullopt when

@@ -33,8 +33,8 @@ class MeshJudge {
   /// Error, missing surface and contact in free air; `jumps` stays 0.
   [[nodiscard]] Fidelity judge(const CloudSnapshot& snapshot) const;
 
-  /// Presses 2 mm deep at up to 300 places, slides 5 mm to the side, and counts the presses in which the proxy moves by
-  /// more than 0.4 mm while the hand moves by 0.05 mm.
+  /// Presses 2 mm deep at about 300 places and slides 5 mm to the side. Returns the share of presses in which the
+  /// offset from hand to proxy changes by more than 0.4 mm while the hand moves by 0.05 mm.
   [[nodiscard]] double share_of_jumps(const CloudSnapshot& snapshot) const;
 
  private:

@@ -10,7 +10,7 @@ namespace telepalp::surface {
 struct StaticModelSettings {
   double unit_m = 1.0;      ///< metres for one unit of the file
   std::size_t samples = 0;  ///< number of points sampled from a mesh; 0: it follows from `spacing_m`
-  double spacing_m = 0.0;   ///< spacing of a mesh's samples; 0: it follows from area and smallest features
+  double spacing_m = 0.0;   ///< spacing of a mesh's samples; 0: refined until the surface fits the mesh
   bool anyway = false;  ///< accept too coarse samples, a too noisy cloud, or normals that contradict their neighbours
   std::uint64_t seed = 1;
   int normal_neighbors = 16;                              ///< smallest number of neighbours per estimated normal
