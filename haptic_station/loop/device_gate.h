@@ -27,8 +27,8 @@ struct GatedReading {
 
 /// Bridges encoder jumps that are impossibly fast. While a reading is farther from the expected position than a hand
 /// can move, the position is extrapolated with the last velocity, which decays. A small lasting offset is removed
-/// slowly. A large one stays implausible for rebased_after_s, and the controller then faults; after that time the
-/// readings are accepted unchanged. Owner: haptic thread.
+/// slowly. While an offset is large, readings count as implausible, so that the controller faults; once they have been
+/// consistent for rebased_after_s, they are accepted unchanged. Owner: haptic thread.
 class DeviceGate {
  public:
   explicit DeviceGate(const DeviceGateSettings& settings = {}) noexcept : settings_(settings) {}

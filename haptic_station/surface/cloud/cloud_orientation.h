@@ -23,7 +23,8 @@ class CloudOrientation {
   /// True when the cloud encloses a volume: the orientation then points outwards with certainty.
   [[nodiscard]] bool is_closed() const noexcept { return closed_; }
 
-  /// The winding number below the surface plus the one above it: 1 for a closed surface with outward normals, -1 with
+  /// The winding number below the surface plus the one above it, with the signs that propagation gives the normals: 1
+  /// for a closed surface with outward normals, -1 with
   /// inward ones, 0 for a plane, in between for a dome or a bowl.
   [[nodiscard]] double turns() const noexcept { return turns_; }
 
