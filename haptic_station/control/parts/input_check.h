@@ -6,8 +6,8 @@
 
 namespace telepalp::control {
 
-/// True when positions, velocities, heights and implausible times are finite. `hand` and `contact` are checked only
-/// while they are valid. Tracker and surface ages, `contact.support` and `placements` are not checked.
+/// True when the numbers of `in` are finite. `hand` and `contact` count only while they are valid. Not checked: the
+/// ages of tracker and surface, `contact.support`, `contact.anchor_velocity` and `placements`.
 [[nodiscard]] bool is_finite(const ControlInput& in) noexcept;
 
 /// An input without a hand or a surface, with the end-effector at `device`. It replaces an input that is not finite, so
