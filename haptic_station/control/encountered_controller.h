@@ -1,8 +1,5 @@
 #pragma once
 
-#include "haptic_station/control/values/control_input.h"
-#include "haptic_station/control/values/control_output.h"
-#include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/control/parts/displayed_hand.h"
 #include "haptic_station/control/parts/force_control.h"
 #include "haptic_station/control/parts/heat_warning.h"
@@ -10,6 +7,9 @@
 #include "haptic_station/control/parts/position_control.h"
 #include "haptic_station/control/parts/transition_fade.h"
 #include "haptic_station/control/parts/waiting_plane.h"
+#include "haptic_station/control/values/control_input.h"
+#include "haptic_station/control/values/control_output.h"
+#include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/effects/effect_bank.h"
 
 namespace telepalp::control {
