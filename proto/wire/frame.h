@@ -45,7 +45,7 @@ using HeaderBytes = std::array<std::byte, kFrameHeaderBytes>;
 [[nodiscard]] Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payload_bytes);
 
 /// Splits a byte stream into frames; the stream may arrive in pieces of any size. Buffers at most one frame. Memory for
-/// a payload is reserved only after the declared length has passed the limit. After an error the frame boundaries are
+/// a payload is reserved only once the declared length is known to be allowed. After an error the frame boundaries are
 /// lost, so every later call returns the same error.
 class FrameParser {
  public:

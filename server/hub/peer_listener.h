@@ -43,7 +43,7 @@ class PeerListener {
   };
   struct Counts {
     std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;           ///< peers refused: no valid key, no permission, no place, or no touch
+    std::uint64_t refused = 0;           ///< peers refused: key, permission, too many, or touch held by another
     std::uint64_t let_go_idle = 0;       ///< connections closed because they neither received nor published
     std::uint64_t invalid_messages = 0;  ///< invalid messages of peers, dropped
     std::uint64_t over_rate = 0;         ///< messages dropped because the peer exceeded its rate

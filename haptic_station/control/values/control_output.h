@@ -14,7 +14,7 @@ struct ControlOutput {
   Point<HapticBase> target;          ///< in Out body: S1's target p_t, eq. (5); in other phases: the end-effector
   Point<HapticBase> displayed_hand;  ///< where the viewer draws the hand (S1 II.E)
   Vector<HapticBase> indentation;    ///< S1's d, eq. (8): depth in the skin [m]; zero out of contact
-  double plane_height_m = 0.0;       ///< y of the waiting plane
+  double plane_height_m = 0.0;       ///< y of the plane on which the device waits above the skin
   double passivity_J = 0.0;          ///< PassivityController::balance_J(); negative: the display is active
   double hand_excess_J = 0.0;  ///< HandLedger::excess_J() of this contact: work on the hand beyond the measured skin's
   double drive_J = 0.0;        ///< work of lift and position control on the hand since this contact began
