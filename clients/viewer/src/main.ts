@@ -47,6 +47,7 @@ function openView(): SceneView {
 let coming: Instant | undefined;   // in the scene, but not drawn yet
 let drawing: Instant | undefined;  // being drawn
 
+const playback = new PlaybackLink(askServer);
 const link = new SiteLink(
     (instant) => {
       coming = instant;
@@ -61,14 +62,18 @@ const link = new SiteLink(
 
 const read = () => {
   state.holdsHand = viewerHand.held;
+  state.paused = playback.state?.playing === false;
   return state.read(now_ms());
 };
 
-view.onDraw = () => (drawing = coming);
+view.onDraw = () => {
+  drawing = coming ?? drawing;
+  coming = undefined;
+  link.ask('instant');  // so that the next picture is decoded while this one is drawn
+};
 view.onDrawn = () => {
   if (drawing === undefined) return;
   const drawn = drawing;
-  if (coming === drawn) coming = undefined;
   drawing = undefined;
   state.drawn(drawn, now_ms());
   readouts.addTrail(drawn.trail);
@@ -88,7 +93,6 @@ const status = publishStatus(() => ({
   view: views.view,
 }));
 
-const playback = new PlaybackLink(askServer);
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   doctor: [new DoctorPanel()],
   technician: [new TechnicianPanel(view, canvas)],
@@ -106,5 +110,6 @@ window.setInterval(() => {
   const reading = read();
   views.setRole(reading.role);
   readouts.show(reading);
+  readouts.showDetail(view.detail);
   for (const panel of panels[views.view]) panel.show(reading);
 }, READOUTS_EVERY_MS);

@@ -57,6 +57,7 @@ export class ViewerState {
   news: News | undefined;
   holdsHand = false;
   graphicsLost = false;
+  paused = false;  // the played session
   frames = 0;
 
   private coming: Instant | undefined;  // taken by the page, not drawn yet
@@ -72,8 +73,9 @@ export class ViewerState {
   }
 
   /** `instant` is on the screen, so its numbers are shown, too. */
-  drawn({picture, station, compensation, times}: Instant, now_ms: number): void {
-    this.coming = undefined;
+  drawn(instant: Instant, now_ms: number): void {
+    const {picture, station, compensation, times} = instant;
+    if (this.coming === instant) this.coming = undefined;
     this.station = station;
     this.compensation = compensation;
     if (picture === undefined) return;
@@ -98,6 +100,7 @@ export class ViewerState {
       depth: news?.depth,
       holdsHand: this.holdsHand,
       graphicsLost: this.graphicsLost,
+      paused: this.paused,
       untaken: news?.untaken_ms !== undefined && now_ms - news.untaken_ms < UNTAKEN_MS,
       surfaceStale: station !== undefined && (news?.surfaceStale ?? false),
       station_ms: news?.stationHeard_ms === undefined ? undefined : now_ms - news.stationHeard_ms,

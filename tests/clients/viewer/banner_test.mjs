@@ -9,7 +9,7 @@ const {bannerFor} = await bundled('panel/banner.ts');
 const WELL = {
   connected: true, everConnected: true, retryIn_ms: undefined, capture: undefined, phase: 3, picture_ms: 60,
   account: {site: 10, network: 30, computer: 20}, apart_ms: -4, station_ms: 10, surfaceStale: false, surface_ms: 40,
-  handShown: true, holdsHand: false, untaken: false, yields_s: undefined, graphicsLost: false,
+  handShown: true, holdsHand: false, untaken: false, yields_s: undefined, graphicsLost: false, paused: false,
 };
 const banner = (changes) => bannerFor({...WELL, ...changes});
 
@@ -48,4 +48,10 @@ test('warm motors are announced seconds before they lower the force', () => {
   assert.equal(banner({yields_s: 9}), undefined);
   assert.equal(banner({yields_s: 2.34, station_ms: 2000}).title, 'Station silent', 'an old word is no warning');
   assert.equal(banner({yields_s: 2.34, phase: 9}).title, 'Station faulted');
+});
+
+test('the picture of a paused session is paused, not stale', () => {
+  const old = {account: {...WELL.account, site: 60_000}};
+  assert.equal(banner({...old, paused: true}).title, 'Paused');
+  assert.equal(banner({...old, paused: true, graphicsLost: true}).title, 'No picture');
 });

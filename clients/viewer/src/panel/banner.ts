@@ -14,6 +14,7 @@ export interface Health extends TouchHealth {
   station_ms: number | undefined;
   surfaceStale: boolean;
   surface_ms: number | undefined;
+  paused: boolean;           // the session that is played stands still, as somebody asked
   graphicsLost: boolean;     // the browser has lost its graphics context, and draws nothing
   phase: Phase;
   yields_s: number | undefined;  // until warm motors lower the force in contact; undefined: they do not
@@ -59,6 +60,7 @@ export function bannerFor(health: Health): Banner | undefined {
       title: 'The device is warm',
       text: `In ${health.yields_s.toFixed(1)} s it holds less force, and the hand sinks in. Press less, or let go.`,
     };
+  if (health.paused) return {level: 'wait', title: 'Paused', text: 'The session stands still at this moment.'};
   const age_ms = health.account === undefined ? health.picture_ms : total_ms(health.account);
   if (age_ms > STALE_MS) return {level: 'warn', title: 'Stale picture', text: whereTo(age_ms, health.account)};
   if (health.surfaceStale)

@@ -2,6 +2,7 @@ import {CaptureState} from '../link/messages';
 import {element, setText as write} from '../page';
 import type {Touch} from '../present/instant';
 import {total_ms} from '../present/time_account';
+import type {Detail} from '../scene/frame_pacer';
 import {forceColor} from '../scene/force_color';
 import type {Reading} from '../viewer_state';
 import {type Banner, bannerFor} from './banner';
@@ -12,10 +13,12 @@ const milliseconds = (ms: number | undefined) =>
     ms === undefined ? '–' : ms < 10_000 ? `${Math.max(0, Math.round(ms))} ms` : `${(ms / 1000).toFixed(0)} s`;
 
 const OLD_MS = 250;
+const PLOTS_EVERY = 2;  // calls of show: five times a second, because plotting is most of its work
 
 /** Writes the readings that every view has. */
 export class Readouts {
   private readonly plots = new TouchPlots();
+  private shows = 0;
 
   /** The station's values since the last presented instant. */
   addTrail(trail: readonly Touch[]): void {
@@ -34,7 +37,13 @@ export class Readouts {
     this.showNumbers(reading);
     this.showFreshness(reading);
     this.updateBanner(reading);
-    this.plots.draw();
+    if (++this.shows % PLOTS_EVERY === 0) this.plots.draw();
+  }
+
+  /** The level of detail to which the drawing has adapted. */
+  showDetail({stride, pixelRatio}: Detail): void {
+    const share = Math.min(1, pixelRatio / window.devicePixelRatio);
+    setText('drawn-detail', `${stride === 1 ? 'each pixel' : `mesh 1:${stride}`}, ${(100 * share).toFixed(0)} %`);
   }
 
   private showLink({connected, everConnected, capture}: Reading): void {

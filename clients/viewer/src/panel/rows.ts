@@ -22,9 +22,10 @@ export class RowList {
       const shown = this.lines[at]!;
       setText(shown.name, name);
       setText(shown.value, value);
-      shown.line.title = says ?? '';
-      shown.line.className = part === true ? 'part' : '';
-      shown.value.dataset['level'] = level ?? '';
+      const kind = part === true ? 'part' : '';
+      if (shown.line.title !== (says ?? '')) shown.line.title = says ?? '';
+      if (shown.line.className !== kind) shown.line.className = kind;
+      if (shown.value.dataset['level'] !== (level ?? '')) shown.value.dataset['level'] = level ?? '';
     });
   }
 

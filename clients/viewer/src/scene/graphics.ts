@@ -7,3 +7,10 @@ export function drawsInSoftware(): boolean {
   gl.getExtension('WEBGL_lose_context')?.loseContext();
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
 }
+
+/** A context without what costs time when a processor draws: smoothed edges, a transparent canvas. */
+export function plainContext(canvas: HTMLCanvasElement): WebGL2RenderingContext {
+  const context = canvas.getContext('webgl2', {alpha: false, antialias: false, stencil: false});
+  if (context === null) throw new Error('this browser has no WebGL 2');
+  return context;
+}

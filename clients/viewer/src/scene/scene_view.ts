@@ -19,14 +19,14 @@ import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 
 import type {DepthSummary} from '../depth/depth_summary';
 import {type Detail, FramePacer} from './frame_pacer';
-import {drawsInSoftware} from './graphics';
+import {drawsInSoftware, plainContext} from './graphics';
 import {Halo} from './halo';
 import {Hand} from './hand';
 import {Headset} from './headset';
 import {Probe} from './probe';
 import {Surface} from './surface';
 
-/** Levels of detail, finest first. A browser without a graphics card starts at SOFTWARE_LEVEL. */
+/** Levels of detail, finest first, with a graphics card, and without one. */
 const DETAILS: readonly Detail[] = [
   {stride: 1, pixelRatio: 2},
   {stride: 1, pixelRatio: 1},
@@ -34,12 +34,19 @@ const DETAILS: readonly Detail[] = [
   {stride: 1, pixelRatio: 0.5},
   {stride: 2, pixelRatio: 0.5},
 ];
-const SOFTWARE_LEVEL = 2;
+const SOFTWARE_DETAILS: readonly Detail[] = [
+  {stride: 3, pixelRatio: 1},
+  {stride: 4, pixelRatio: 0.7},
+  {stride: 4, pixelRatio: 0.5},
+  {stride: 6, pixelRatio: 0.5},
+  {stride: 8, pixelRatio: 0.4},
+];
+const SOFTWARE_LEVEL = 2;  // where a browser without a graphics card begins
 const EYE_DISTANCE_M = 0.063;  // the mean of adults
 
 /** The 3D view: its objects, its camera, and its drawing, which happens only after a change. */
 export class SceneView {
-  readonly surface = new Surface();
+  readonly surface: Surface;
   readonly hand = new Hand();
   readonly probe = new Probe();
   readonly halo = new Halo();
@@ -68,16 +75,21 @@ export class SceneView {
   private readonly home = {target: new Vector3(0, 0, -1), distance_m: 0.9};
   private placed = false;
   private size = '';
+  private box = {width: 0, height: 0};  // of the canvas on the page [CSS pixels], as observed: reading it would lay out the page
   private drawingVertices = 0;
+  private readonly details: readonly Detail[];
   private readonly pacer: FramePacer;
   readonly headset: Headset;
 
   /** Throws when the browser has no WebGL 2. */
   constructor(private readonly canvas: HTMLCanvasElement) {
     const software = drawsInSoftware();
-    this.renderer = new WebGLRenderer({canvas, antialias: !software, powerPreference: 'high-performance'});
+    document.documentElement.dataset['graphics'] = software ? 'software' : 'card';
+    this.surface = new Surface(software);
+    this.details = software ? SOFTWARE_DETAILS : DETAILS;
+    this.renderer = new WebGLRenderer(software ? {canvas, context: plainContext(canvas)} : {canvas, antialias: true, powerPreference: 'high-performance'});
     this.pacer = new FramePacer(
-        this.renderer.getContext() as WebGL2RenderingContext, DETAILS.length, () => this.draw(),
+        this.renderer.getContext() as WebGL2RenderingContext, this.details.length, () => this.draw(),
         () => {
           this.drawnVertices = this.drawingVertices;
           this.onDrawn();
@@ -98,7 +110,10 @@ export class SceneView {
     this.controls.maxDistance = 4;
     this.controls.maxPolarAngle = 0.93 * Math.PI;
     this.controls.addEventListener('change', () => this.invalidate());
-    new ResizeObserver(() => this.invalidate()).observe(canvas);
+    new ResizeObserver(([entry]) => {
+      this.box = entry?.contentRect ?? this.box;
+      this.invalidate();
+    }).observe(canvas);
     for (const [event, lost] of [['webglcontextlost', true], ['webglcontextrestored', false]] as const)
       canvas.addEventListener(event, () => {
         this.onGraphics(lost);
@@ -158,6 +173,9 @@ export class SceneView {
   get coarseness(): number {
     return this.pacer.level;
   }
+  get detail(): Detail {
+    return this.details[this.pacer.level] as Detail;
+  }
 
   /**
    * The home position of the view: in front of the surface at the picture's middle. The first frame moves the view
@@ -214,7 +232,7 @@ export class SceneView {
   private draw(): boolean {
     if (this.headset.isOn) return false;  // the headset asks for its own frames
     this.onDraw();
-    this.fit(DETAILS[this.pacer.level] as Detail);
+    this.fit(this.detail);
     if (this.controls.update()) this.invalidate();
     this.drawingVertices = this.surface.meshVertices;
     this.render();
@@ -241,15 +259,15 @@ export class SceneView {
   /** Sets the size of the canvas. Called just before drawing, because it clears the picture. */
   private fit({stride, pixelRatio}: Detail): void {
     this.surface.setStride(stride);
-    const {clientWidth, clientHeight} = this.canvas;
-    if (clientWidth === 0 || clientHeight === 0) return;
+    const {width, height} = this.box;
+    if (width === 0 || height === 0) return;
     const ratio = Math.min(window.devicePixelRatio, pixelRatio);
-    const size = `${clientWidth} x ${clientHeight} at ${ratio}`;
+    const size = `${width} x ${height} at ${ratio}`;
     if (size === this.size) return;
     this.size = size;
     this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = clientWidth / clientHeight;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
   }
 }

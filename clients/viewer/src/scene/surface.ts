@@ -7,6 +7,7 @@ import {
   LinearFilter,
   Mesh,
   NearestFilter,
+  NoColorSpace,
   RedIntegerFormat,
   ShaderMaterial,
   SRGBColorSpace,
@@ -19,6 +20,7 @@ import {
 
 import type {DepthFrame} from '../depth/decode_depth';
 import type {DepthSummary} from '../depth/depth_summary';
+import {CoarseSurface} from './coarse_surface';
 import {SURFACE_FRAGMENT, SURFACE_VERTEX} from './surface_shaders';
 
 interface DepthSpan {
@@ -67,26 +69,31 @@ export class Surface {
     touchedAt: {value: new Vector3()},
     touched: {value: 0},
     touchColor: {value: new Color()},
+    touchScreenColor: {value: new Color()},  // the same, encoded for the screen
     eye: {value: new Vector3()},
   };
+
+  private readonly coarse: CoarseSurface | undefined;  // undefined: a graphics card draws every pixel
 
   /** Approximate number of vertices on the measured surface in the displayed frame; 0 before the first. */
   get meshVertices(): number {
     return Math.round(this.measured / this.stride ** 2);
   }
 
-  constructor() {
-    this.color.colorSpace = SRGBColorSpace;
+  /** `software`: the browser has no graphics card, so the surface is drawn with as little work per pixel as possible. */
+  constructor(software: boolean) {
+    this.color.colorSpace = software ? NoColorSpace : SRGBColorSpace;
     this.color.flipY = false;
     this.color.generateMipmaps = false;
-    this.color.minFilter = LinearFilter;
+    this.color.minFilter = this.color.magFilter = software ? NearestFilter : LinearFilter;
+    this.coarse = software ? new CoarseSurface(this.uniforms) : undefined;
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: SURFACE_VERTEX,
       fragmentShader: SURFACE_FRAGMENT,
       uniforms: this.uniforms,
     });
-    this.mesh = new Mesh(new BufferGeometry(), material);
+    this.mesh = new Mesh(this.coarse?.geometry ?? new BufferGeometry(), this.coarse?.material ?? material);
     this.mesh.frustumCulled = false;  // only the graphics card knows the positions of the vertices
     this.mesh.visible = false;
     this.mesh.onBeforeRender = (_renderer, _scene, camera) =>
@@ -98,7 +105,8 @@ export class Surface {
     const {width, height} = frame;
     this.frame = frame;
     const size = this.uniforms.size.value;
-    if (this.depth === undefined || size.x !== width || size.y !== height) this.resize(frame);
+    if (this.coarse !== undefined) size.set(width, height);
+    else if (this.depth === undefined || size.x !== width || size.y !== height) this.resize(frame);
     else this.depth.image.data = frame.samples;
     if (this.depth !== undefined) this.depth.needsUpdate = true;
     const [fx, , cx, , fy, cy] = k ?? [];
@@ -108,6 +116,7 @@ export class Surface {
     this.picked = {near_m: summary.near_m, far_m: summary.far_m};
     this.applyRange();
     this.measured = summary.measured;
+    this.layCoarse();
     this.mesh.visible = true;
   }
 
@@ -175,11 +184,19 @@ export class Surface {
     if (at !== undefined) this.uniforms.touchedAt.value.copy(at);
     this.uniforms.touched.value = at === undefined ? 0 : strength;
     this.uniforms.touchColor.value.copy(color);
+    this.uniforms.touchScreenColor.value.copy(color).convertLinearToSRGB();
   }
 
   private applyColor(): void {
     this.uniforms.colored.value = this.showColor && this.picture !== undefined ? 1 : 0;
     this.uniforms.plain.value = this.showColor;
+    this.coarse?.setColored(this.uniforms.colored.value === 1);
+  }
+
+  private layCoarse(): void {
+    if (this.frame === undefined) return;
+    const {x: fx, y: fy, z: cx, w: cy} = this.uniforms.intrinsics.value;
+    this.coarse?.show(this.frame, {fx, fy, cx, cy}, this.stride);
   }
 
   private resize({width, height, samples}: DepthFrame): void {
@@ -198,6 +215,7 @@ export class Surface {
     if (stride === this.stride) return;
     this.stride = stride;
     this.uniforms.stride.value = stride;
+    this.layCoarse();
     if (this.depth !== undefined) this.layGrid();
   }
 
