@@ -16,7 +16,7 @@ test('a browser sees the synthetic patient, and the force move while the station
     browser = await openBrowser(workplace.folder);
     const {context, page, problems} = browser;
     await page.goto(`http://127.0.0.1:${http_port}/`);
-    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 2000);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 200);
     const pressed = await untilStatus(page, 'the hand presses', (now) => now.force_N > 0.3);
     const moved = await untilStatus(page, 'the force moves', (now) => Math.abs(now.force_N - pressed.force_N) > 0.2);
     assert.ok(moved.force_N <= 10.001, 'the limiter holds');
@@ -40,7 +40,7 @@ test('temporal depth is followed mid-group, and again after the page was stuck f
     browser = await openBrowser(workplace.folder);
     const {page, problems} = browser;
     await page.goto(`http://127.0.0.1:${http_port}/`);
-    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 2000);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 200);
     await page.evaluate(() => {
       for (const end = performance.now() + 2000; performance.now() < end;);
     });

@@ -48,7 +48,7 @@ test('the pointer meets the skin, presses, and when it leaves the page the stati
     browser = await openBrowser(workplace.folder, {width: 700, height: 520});
     const {page, problems} = browser;
     await page.goto(`http://127.0.0.1:${http_port}/`);
-    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 2000);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 200);
     await untilStatus(page, 'without a hand it has let go', (now) => now.phase === 'Released');
     await page.click('#hold-hand');
     await page.mouse.move(350, 270);
@@ -79,7 +79,7 @@ test('deploy/demo --hand browser: the page says that there is no hand, and a mou
     browser = await openBrowser(workplace.folder, {width: 700, height: 640});
     const {page, problems} = browser;
     await page.goto(address);
-    await untilStatus(page, 'the patient is let go of', (now) => now.meshVertices > 2000 && now.phase === 'Released');
+    await untilStatus(page, 'the patient is let go of', (now) => now.meshVertices > 200 && now.phase === 'Released');
     assert.equal((await untilStatus(page, 'a status', () => true)).handPosition_m, undefined, 'no hand is drawn');
     await page.waitForSelector('#banner-title:text-is("No hand")');
     await page.keyboard.press('t');
@@ -203,7 +203,7 @@ test('the page that holds the hand shows that another viewer asks, and its butto
     browser = await openBrowser(workplace.folder, {width: 700, height: 520});
     const {page, problems} = browser;
     await page.goto(`http://127.0.0.1:${http_port}/`);
-    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 2000);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 200);
     await page.click('#hold-hand');
     await page.mouse.move(350, 270);
     await until('the page holds the hand', () => Number(other.heard.holder?.viewer ?? 0) > 0);

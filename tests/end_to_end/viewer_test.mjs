@@ -25,7 +25,7 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     browser = await openBrowser(workplace.folder);
     const {context, page, problems} = browser;
     await page.goto(running.address);
-    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 2000);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 200);
     const pressed = await untilStatus(page, 'the hand presses', (now) => now.force_N > 2 && now.phase === 'In body');
     assert.ok(pressed.indentation_m > 0.02 && pressed.indentation_m < 0.04, `${pressed.indentation_m} m`);
     assert.equal(pressed.handPosition_m.length, 3);
@@ -107,7 +107,7 @@ test('the safety readings stay in view in a small window, with a banner and a no
     browser = await openBrowser(workplace.folder);
     const {page} = browser;
     await page.goto(address);
-    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 2000);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 200);
     child.stdin.write('bounded on\nphase PHASE_CYLINDER_LATERAL\nstale on\n');
     await page.waitForSelector('#banner:not([hidden])');
     for (const [width, height] of [[1400, 900], [900, 640], [390, 760], [390, 500], [700, 420], [640, 320], [320, 568]]) {
@@ -143,7 +143,7 @@ test('an overloaded viewer says that this computer is slow, and its numbers stay
     browser = await openBrowser(workplace.folder);
     const {context, page} = browser;
     await page.goto(address);
-    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 2000);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 200);
     const devtools = await context.newCDPSession(page);
     await devtools.send('Emulation.setCPUThrottlingRate', {rate: 20});
     await page.evaluate(() => window.setInterval(() => {  // and another program that wants the same core

@@ -36,7 +36,7 @@ before(async () => {
   browser = await openBrowser(place.folder, SIZE);
   page = browser.page;
   await page.goto(`${address}?view=doctor`);
-  await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 2000);
+  await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 200);
 });
 after(async () => {
   await browser?.context.close();
@@ -110,7 +110,7 @@ test('QA shares a moment, and the address brings another visitor to it', async (
   await page.goto(shared);
   await until('the address leads back', async () => (await playback()).position_s === 4);
   assert.equal((await status(page)).view, 'qa');
-  await untilStatus(page, 'the mesh is drawn again', (now) => now.meshVertices > 2000);
+  await untilStatus(page, 'the mesh is drawn again', (now) => now.meshVertices > 200);
 });
 
 test('a snapshot is a picture file', async () => {
@@ -164,7 +164,7 @@ test('a lost graphics context is said, and the picture comes back', async () => 
   await until('the page says so', async () => /No picture/.test(await text('banner-title')));
   const {frames} = await status(page);
   await page.evaluate(() => window.lose.restoreContext());
-  await untilStatus(page, 'pictures are drawn again', (now) => now.frames > frames && now.meshVertices > 2000);
+  await untilStatus(page, 'pictures are drawn again', (now) => now.frames > frames && now.meshVertices > 200);
   assert.ok(!/No picture/.test(await page.evaluate(() => document.querySelector('#banner:not([hidden])')?.textContent ?? '')));
   assert.deepEqual(browser.problems, []);
 });
@@ -176,7 +176,7 @@ test('an emulated headset shows the scene, and gives the page back', async (cont
   await page.setViewportSize({width: 390, height: 620});  // both eyes are drawn without a graphics card
   await page.addInitScript(`${IWER}; new IWER.XRDevice(IWER.metaQuest3).installRuntime({forceInstall: true});`);
   await page.goto(`${address}?view=doctor`);
-  await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 2000);
+  await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 200);
   await page.waitForSelector('#headset', {state: 'visible'});
   await page.evaluate(() => document.getElementById('headset').click());
   await page.waitForSelector('#headset[aria-pressed="true"]', {state: 'attached'});
