@@ -110,7 +110,7 @@ TickSample HapticLoop::sample_of(const control::ControlInput& in, const control:
   sample.fault = static_cast<std::uint8_t>(out.fault);
   sample.fault_stands = static_cast<std::uint8_t>(out.fault_stands);
   sample.in_body = in.contact.in_body;
-  sample.surface_stale = !in.contact.valid;
+  sample.contact_unknown = !in.contact.valid;
   sample.limited = out.limited;
   sample.object_unseen = body_.unseen();
   sample.object_slide_unseen = body_.slide_unseen();

@@ -18,7 +18,7 @@ struct TickSample {
   std::uint8_t fault = 0;         ///< control::FaultCause that led to the phase Faulted
   std::uint8_t fault_stands = 0;  ///< control::FaultCause that persists and blocks re-arming
   bool in_body = false;
-  bool surface_stale = false;        ///< no contact can be computed: the surface is stale or not near the device
+  bool contact_unknown = false;      ///< no contact can be computed: the surface is stale or not near the device
   bool limited = false;              ///< the limiter changed the force
   bool object_unseen = false;        ///< an object inside the body stays where it is: the skin above it is not seen
   bool object_slide_unseen = false;  ///< the skin's tangential motion (slide) above an object cannot be measured

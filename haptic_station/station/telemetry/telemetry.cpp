@@ -60,7 +60,7 @@ msg::StationState state_message(const loop::TickSample& sample) {
   state.set_distance_m(sample.distance_m);
   state.set_indentation_m(sample.indentation_m);
   state.set_in_body(sample.in_body);
-  state.set_surface_stale(sample.surface_stale);
+  state.set_surface_stale(sample.contact_unknown);
   state.set_limited(sample.limited);
   state.set_passivity_j(sample.passivity_J);
   state.set_hand_excess_j(sample.hand_excess_J);
