@@ -7,7 +7,8 @@
 
 namespace telepalp::capture {
 
-/// Openers of the kinds of source for open_source(). The first argument is the text after the colon.
+/// One function for each kind of source, which open_source() calls. The first argument is the part of --source after
+/// the first colon: FILE of `oni:FILE`.
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_camera(const std::string& uri, const SourceOptions& options);
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_oni(const std::string& file, const SourceOptions& options);
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_synthetic(const std::string& model,

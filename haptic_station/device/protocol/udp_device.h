@@ -42,8 +42,8 @@ inline constexpr std::size_t kPoseBytes = 80;
 [[nodiscard]] std::array<std::byte, kCommandBytes> encode(const Command& command) noexcept;
 [[nodiscard]] std::array<std::byte, kPoseBytes> encode(const Pose& pose) noexcept;
 
-/// nullopt: wrong size, magic, version or check sum, unknown flags, numbers not finite or out of range (2 m, 50 m/s,
-/// 100 N).
+/// nullopt: wrong size, magic, version or check sum, unknown flags, or a number that is not finite or out of range: 2 m
+/// for each coordinate and the distance, 50 m/s for each component of a velocity, 100 N for each component of a force.
 [[nodiscard]] std::optional<Command> decode_command(std::span<const std::byte> datagram) noexcept;
 [[nodiscard]] std::optional<Pose> decode_pose(std::span<const std::byte> datagram) noexcept;
 

@@ -36,7 +36,8 @@ class FaultMonitor {
   /// Takes every tick, in order.
   void add(const loop::TickSample& sample) noexcept;
 
-  /// Announces a new fault. Writes the flight recorder to disk once the release has been recorded, or when `ending`.
+  /// Announces a new fault. Writes the flight recorder to disk 1000 ticks (0.5 s) after the fault, so that the file
+  /// shows how the force ended; at once if `ending`, because the station stops.
   void look(bool ending);
 
   void stop();

@@ -17,7 +17,8 @@ namespace telepalp::station {
 /// Counts of cycles_now() per microsecond. The first call measures them against the steady clock and blocks for 10 ms.
 [[nodiscard]] double cycles_per_us();
 
-/// Computation cost of each effect so far, in counts of cycles_now(). The haptic thread hands over a copy.
+/// Computing time of each effect since the station started, in counts of cycles_now(). The haptic thread hands over a
+/// copy.
 struct Bill {
   std::array<effects::EffectBill, effects::EffectBank::kMostEffects> lines{};
   std::size_t count = 0;

@@ -115,11 +115,12 @@ class Touch {
   Eigen::Vector3d device_ = Eigen::Vector3d::Zero();  // position of the device at the last step
   bool has_device_ = false;
   bool anchored_ = false;
-  LineFollower anchor_{settings_.follow};                    // the displayed skin where the contact began
-  Eigen::Vector3d newest_anchor_ = Eigen::Vector3d::Zero();  // where the newest surface crosses the anchor's line
-  double anchor_speed_ = 0.0;                                // speed of newest_anchor_ over the last step [m/s]
-  double slide_ = 1.0;  // share of the tangential step that the curvature under the proxy allows
-  double held_ = 0.0;   // displayed share of the contact; follows the support gradually
+  LineFollower anchor_{settings_.follow};  // the displayed skin where the contact began
+  // The newest surface, carried to now, at the place where the contact began: its point on the anchor's normal line.
+  Eigen::Vector3d newest_anchor_ = Eigen::Vector3d::Zero();
+  double anchor_speed_ = 0.0;  // mean speed of anchor_ along its line over the last step [m/s]
+  double slide_ = 1.0;         // share of the tangential step that the curvature under the proxy allows
+  double held_ = 0.0;          // factor on the contact, 0 to 1: the support, changed gradually; TouchSample::support
   std::uint64_t out_of_order_ = 0;
 };
 
