@@ -57,7 +57,7 @@ export function compensationRows(
         says: 'Work on the hand in this contact beyond the work that the newest measured skin would do.',
       },
       {
-        name: 'Ledger of the coupling',
+        name: 'Ledger of the display',
         value: state === undefined ? '–' : mJ(state.passivityJ),
         says: 'Energy taken from the hand less energy stored, relative to the displayed surface.',
       },

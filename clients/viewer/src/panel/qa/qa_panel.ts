@@ -82,7 +82,7 @@ export class QaPanel {
 
   private async snapshot(): Promise<void> {
     const picture = await this.view.snapshot();
-    if (picture === undefined) return setText(this.said, 'The browser gave no picture.');
+    if (picture === undefined) return setText(this.said, 'The browser could not make the picture: try again, or use another browser.');
     const {state} = this.playback;
     const link = made('a');
     link.href = URL.createObjectURL(picture);
