@@ -106,9 +106,9 @@ Result<Section> organ_section() {
   if (!truth) return truth.error();
   const std::vector<Place> places = places_in(**truth);
   Section section;
-  PageTable table{
-      .head = {"`cell_m`, mm", "depth error mm, RMS", "p99", "normal error °, RMS", "load ms", "memory MB", "step µs"},
-      .rows = {}};
+  PageTable table{.head = {"`cell_m`, mm", "depth error mm, RMS", "p99", "normal error °, RMS", "to read, ms",
+                           "memory MB", "step µs"},
+                  .rows = {}};
   for (const double cell_m : kCells_m) {
     const Result<OrganPrice> price = price_of(cell_m, places);
     if (!price) return price.error();

@@ -32,9 +32,10 @@ std::string hand_text(const std::vector<HandPredictionError>& errors) {
     mean[model] = std::exp(sum / static_cast<double>(errors.size()));
   }
   const auto best = static_cast<std::size_t>(std::min_element(mean.begin(), mean.end()) - mean.begin());
-  std::string text = "Over all rows (geometric mean, times the default's): ";
+  std::string text =
+      "RMS error over all axes, divided by that of the default (adaptive); geometric mean over all rows: ";
   for (std::size_t model = 0; model < mean.size(); ++model)
-    text += (model > 0 ? ", " : "") + std::string(kHandModels[model]) + " " + cell(mean[model]);
+    text += (model > 0 ? "; " : "") + std::string(kHandModels[model]) + " " + cell(mean[model]);
   text += best == kDefaultHandModel ? ". The default is the best of them.\n"
                                     : std::string(". Best is ") + kHandModels[best] + ", which is not the default.\n";
   return text;

@@ -125,24 +125,24 @@ std::string knee_text(const std::vector<Tried>& all, std::size_t knee) {
   const auto product = [](const Tried& tried) { return tried.figures.torso.position_m * tried.figures.load(); };
   std::string text = "**The knee is `" + best.variant.name +
                      "`**: of the settings that meet every requirement above, it has the "
-                     "least error × load. ";
+                     "least product of position error on the torso and load. ";
   constexpr double kAsGood = 1.10;  // a smaller difference is within the noise and cannot be felt
   if (best.variant.name == name)
     text += "It is the default.\n";
   else if (usual.figures.right_enough() && product(usual) <= kAsGood * product(best))
-    text += "The default, `" + name + "`, is as good to within 10 %: error " +
-            ratio(usual.figures.torso.position_m, best.figures.torso.position_m) + ", load " +
-            ratio(usual.figures.load(), best.figures.load()) + ", their product " +
+    text += "The default, `" + name + "`, is as good to within 10 %: its position error is " +
+            ratio(usual.figures.torso.position_m, best.figures.torso.position_m) + " times, its load " +
+            ratio(usual.figures.load(), best.figures.load()) + " times and their product " +
             ratio(product(usual), product(best)) + " times the knee's.\n";
   else
-    text += "The default is `" + name + "`: its error is " +
+    text += "The default is `" + name + "`: its position error is " +
             ratio(usual.figures.torso.position_m, best.figures.torso.position_m) + " times and its load " +
             ratio(usual.figures.load(), best.figures.load()) + " times the knee's, the product " +
             ratio(product(usual), product(best)) + " times" +
-            (usual.figures.right_enough() ? "" : "; and it misses a promise above") + ".\n";
-  text += "\nAgainst the paper's own surface, the default's error is " +
+            (usual.figures.right_enough() ? "" : "; and it misses a requirement above") + ".\n";
+  text += "\nAgainst the paper's own surface, the default's position error is " +
           ratio(paper.figures.torso.position_m, usual.figures.torso.position_m) + " times smaller, its load " +
-          ratio(paper.figures.load(), usual.figures.load()) + " times less, and f jumps by " +
+          ratio(paper.figures.load(), usual.figures.load()) + " times smaller, and f jumps by " +
           cell(usual.figures.jump_um) + " µm instead of " + cell(paper.figures.jump_um) + " µm for 1 µm of travel.\n";
   return text;
 }
