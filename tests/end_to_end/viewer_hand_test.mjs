@@ -68,6 +68,63 @@ test('the pointer meets the skin, presses, and when it leaves the page the stati
   }
 });
 
+test('keys and a gamepad steer the hand as a mouse does, and the gamepad shakes with the force', async () => {
+  const workplace = new Workplace('viewer_hand_steered');
+  let browser;
+  try {
+    const {http_port} = await start(workplace, 'browser');
+    browser = await openBrowser(workplace.folder, {width: 700, height: 520});
+    const {page, problems} = browser;
+    await page.addInitScript(() => {
+      const buttons = Array.from({length: 17}, () => ({pressed: false, value: 0}));
+      window.shaken = [];
+      window.pad = {axes: [0, 0, 0, 0], buttons, vibrationActuator: {playEffect: async (kind, how) => window.shaken.push([kind, how])}};
+      navigator.getGamepads = () => [window.pad, null, null, null];
+    });
+    await page.goto(`http://127.0.0.1:${http_port}/`);
+    await untilStatus(page, 'without a hand it has let go', (now) => now.connected && now.meshVertices > 200 && now.phase === 'Released');
+
+    await page.keyboard.press('t');
+    await page.keyboard.down('Shift');
+    await page.keyboard.down('ArrowRight');
+    await untilStatus(page, 'the keys\' hand is followed', (now) => now.holdsHand && now.phase === 'Out body');
+    await page.keyboard.up('ArrowRight');
+    await page.keyboard.down('Enter');
+    await untilStatus(page, 'the keys press the skin', (now) => now.phase === 'In body' && now.force_N > 0.2);
+    await page.keyboard.up('Enter');
+    await page.keyboard.up('Shift');
+    await untilStatus(page, 'the hand rises', (now) => now.phase === 'Out body');
+    await page.keyboard.press('t');
+    await untilStatus(page, 'the station lets go', (now) => !now.holdsHand && now.phase === 'Released');
+
+    const press = (button, value) => page.evaluate(([at, how]) => (window.pad.buttons[at] = {pressed: how > 0, value: how}), [button, value]);
+    await page.evaluate(() => (window.shaken.length = 0));
+    await press(0, 1);
+    await untilStatus(page, 'A begins the touch', (now) => now.holdsHand);
+    await press(0, 0);
+    await page.evaluate(() => (window.pad.axes[0] = -0.8));
+    await untilStatus(page, 'the stick\'s hand is followed', (now) => now.phase === 'Out body');
+    await page.evaluate(() => (window.pad.axes[0] = 0));
+    await page.evaluate(() => (window.shaken.length = 0));
+    await press(7, 1);
+    await untilStatus(page, 'the trigger presses the skin', (now) => now.phase === 'In body' && now.force_N > 1);
+    const strongest = await until('the gamepad shakes', async () => {
+      const shaken = await page.evaluate(() => window.shaken);
+      const most = Math.max(0, ...shaken.map(([, {strongMagnitude}]) => strongMagnitude));
+      return most > 0.1 && most;  // more than 1 N of 10 N
+    });
+    assert.ok(strongest <= 1, `${strongest}`);
+    await press(7, 0);
+    await untilStatus(page, 'and the hand rises', (now) => now.phase === 'Out body');
+    await press(0, 1);
+    await untilStatus(page, 'A ends it', (now) => !now.holdsHand && now.phase === 'Released');
+    assert.deepEqual(problems, []);
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
 test('deploy/demo --hand browser: the page says that there is no hand, and a mouse touches the patient', async () => {
   const workplace = new Workplace('viewer_hand_demo');
   let browser;

@@ -17,6 +17,7 @@ import {SceneView} from './scene/scene_view';
 import {publishStatus} from './status';
 import {ThemeSwitch} from './theme';
 import {type Reading, ViewerState} from './viewer_state';
+import {HandSteering} from './touch/hand_steering';
 import type {View} from './views/view';
 import {ViewSwitch} from './views/view_switch';
 
@@ -34,6 +35,8 @@ const canvas = document.getElementById('scene') as HTMLCanvasElement;
 const view = openView();
 if (new URLSearchParams(location.search).get('mesh') === 'off') view.surface.hide();  // for tests/bench/viewer/viewer_bench.mjs
 const viewerHand = new ViewerHandInput(view, canvas, (hand) => link.publishHand(hand));
+const steering = new HandSteering(canvas, () => viewerHand.held, () => document.getElementById('hold-hand')?.click());
+viewerHand.steering = steering;
 
 function openView(): SceneView {
   try {
@@ -110,6 +113,7 @@ window.setInterval(() => {
   const reading = read();
   views.setRole(reading.role);
   readouts.show(reading);
+  steering.feel(reading.force_N);
   readouts.showDetail(view.detail);
   for (const panel of panels[views.view]) panel.show(reading);
 }, READOUTS_EVERY_MS);

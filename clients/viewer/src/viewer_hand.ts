@@ -3,6 +3,8 @@ import type {Vector3} from 'three';
 import type {HandHolder, HandOver, LetGo, ViewerHand} from './link/messages';
 import {toCamera} from './scene/frames';
 import type {SceneView} from './scene/scene_view';
+import type {HandSteering} from './touch/hand_steering';
+import type {Pointer} from './touch/steering';
 
 const EVERY_MS = 10;
 const HOVER_M = 0.05;     // height over the skin, towards the camera
@@ -37,14 +39,14 @@ class HolderNotice {
 }
 
 /**
- * A hand that follows the pointer. It hovers over the skin, and it presses slowly in while the first button or a finger
+ * A hand that follows the pointer, keys or a gamepad. It hovers over the skin, and it presses slowly in while the first button or a finger
  * is down. Its position is sent about 100 times a second. When the pointer leaves the picture or the browser is busy,
  * nothing is sent: the station releases, but this viewer still holds the hand. The button, a hidden page or the end of
  * the connection gives up the hand, and *Hand over* passes it to a viewer that asks; until then, other viewers can only
  * ask for it.
  */
 export class ViewerHandInput {
-  private pointer: {x: number; y: number; pressed: boolean} | undefined;
+  private pointer: Pointer | undefined;
   private skin: Vector3 | undefined;
   private at: Vector3 | undefined;
   private height_m = HOVER_M;
@@ -52,6 +54,8 @@ export class ViewerHandInput {
   private stepped_ms = 0;
   private holder: HandHolder = {viewer: 0n, asking: []};
   private mine = false;  // true: this viewer holds the hand
+  /** Keys and gamepad that steer the hand; set once, after construction. */
+  steering: HandSteering | undefined;
   private readonly notice = new HolderNotice(() => this.handOver());
 
   constructor(
@@ -61,7 +65,7 @@ export class ViewerHandInput {
   ) {
     for (const moved of ['pointermove', 'pointerdown', 'pointerup'] as const)
       canvas.addEventListener(moved, ({clientX, clientY, buttons}) => {
-        this.pointer = {x: clientX, y: clientY, pressed: (buttons & 1) === 1};
+        this.pointer = {x: clientX, y: clientY, press: (buttons & 1) === 1 ? 1 : 0};
       });
     for (const gone of ['pointerleave', 'pointercancel'] as const)
       canvas.addEventListener(gone, () => (this.pointer = undefined));
@@ -91,10 +95,12 @@ export class ViewerHandInput {
     const now_ms = performance.now();
     const step_s = Math.min(LONGEST_STEP_S, (now_ms - this.stepped_ms) / 1000);
     this.stepped_ms = now_ms;
+    this.pointer = this.steering?.move(step_s) ?? this.pointer;
     if (this.pointer === undefined) return this.rest();
     this.skin = this.view.surfaceUnder(this.pointer.x, this.pointer.y) ?? this.skin;
     if (this.skin === undefined) return;
-    const way_m = (this.pointer.pressed ? -SINKS_M_PER_S : RISES_M_PER_S) * step_s;
+    const {press} = this.pointer;
+    const way_m = (press > 0 ? -SINKS_M_PER_S * press : RISES_M_PER_S) * step_s;
     this.height_m = Math.min(HOVER_M, Math.max(PRESSED_M, this.height_m + way_m));
     const towardsCamera = this.skin.clone().multiplyScalar(-1).normalize();
     const at = this.movedTowards(this.skin.clone().addScaledVector(towardsCamera, this.height_m), step_s);
