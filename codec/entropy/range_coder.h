@@ -218,8 +218,14 @@ struct RangeDecoder {
   }
 };
 
-/// Encodes a number of at most 81 918: one symbol for the bit length of value + 1, then its lower bits.
+/// The largest number that encode_number() can encode: value + 1 is at most 2^14 + 2^16 - 1, because the greatest of
+/// the 15 length symbols has 16 bits below it.
+constexpr uint32_t kLargestNumber = 81'918;
+static_assert(kLargestNumber + 1 == (1U << (kSymbols - 1)) + 0xffffU);
+
+/// Encodes a number of at most kLargestNumber: one symbol for the bit length of value + 1, then its lower bits.
 inline void encode_number(RangeEncoder& coder, Model& length_model, uint32_t value) {
+  if (value > kLargestNumber) __builtin_trap();  // demand() needs the C++ library
   int length = 0;
   while (((value + 1) >> (length + 1)) != 0 && length < kSymbols - 1) ++length;
   coder.encode(length_model, length);
