@@ -8,6 +8,7 @@ namespace {
 constexpr double kShare = 0.5;        // share of the frame period that a snapshot may take
 constexpr double kSpareShare = 0.15;  // below it the next better setting fits, which costs three times as much
 constexpr double kPatience_s = 0.33;
+constexpr double kFirstRetry_s = 10.0;
 constexpr double kLongestRetry_s = 600.0;
 
 SurfaceSettings with_step(SurfaceSettings settings, int step_px) {
@@ -37,7 +38,7 @@ bool SettingChoice::add(double cost_s, double frame_s) noexcept {
   within_s_ = cost_s < kSpareShare * frame_s ? within_s_ + frame_s : 0.0;
   if (over_s_ > kPatience_s && chosen_ + 1 < settings_.size()) {
     ++chosen_;
-    retry_after_s_ = std::min(2.0 * retry_after_s_, kLongestRetry_s);
+    retry_after_s_ = std::clamp(2.0 * retry_after_s_, kFirstRetry_s, kLongestRetry_s);
   } else if (within_s_ > retry_after_s_ && chosen_ > 0) {
     --chosen_;
   } else {

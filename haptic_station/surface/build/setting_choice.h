@@ -14,8 +14,8 @@ namespace telepalp::surface {
 
 /// Selects among affordable_settings() by the measured cost of a snapshot, which may take half of the frame period.
 /// After 1/3 s of slower snapshots, net of the time of faster ones, it selects the next cheaper setting. It retries the
-/// better one after a run of snapshots that take less than 15 % of the frame period. This run lasts 20 s at first and
-/// doubles, up to 600 s, each time a cheaper setting is selected. Owner: surface thread.
+/// better one after a run of snapshots that take less than 15 % of the frame period. This run lasts 10 s after
+/// the first selection of a cheaper setting, and doubles, up to 600 s, with each further one. Owner: surface thread.
 class SettingChoice {
  public:
   explicit SettingChoice(const SurfaceSettings& asked) : settings_(affordable_settings(asked)) {}
@@ -27,9 +27,9 @@ class SettingChoice {
  private:
   std::vector<SurfaceSettings> settings_;
   std::size_t chosen_ = 0;
-  double over_s_ = 0.0;    ///< time of too slow snapshots minus that of others, at least 0
-  double within_s_ = 0.0;  ///< duration of the current run of snapshots below 15 %
-  double retry_after_s_ = 10.0;
+  double over_s_ = 0.0;         ///< time of too slow snapshots minus that of others, at least 0
+  double within_s_ = 0.0;       ///< duration of the current run of snapshots below 15 %
+  double retry_after_s_ = 0.0;  ///< 0: no cheaper setting was selected yet
 };
 
 }  // namespace telepalp::surface

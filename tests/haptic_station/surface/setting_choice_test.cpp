@@ -46,6 +46,15 @@ TEST(SettingChoice, TheBetterOneIsRetriedWithBackOff) {
   EXPECT_LT(tries, 15);
 }
 
+TEST(SettingChoice, TheFirstRetryComesAfterTenSecondsAndTheSecondAfterTwenty) {
+  SettingChoice choice{SurfaceSettings{}};
+  for (const double retry_after_s : {10.0, 20.0, 40.0}) {
+    ASSERT_TRUE(feed(choice, 0.025, 0.5)) << "too slow: a cheaper setting";
+    EXPECT_FALSE(feed(choice, 0.004, retry_after_s - 0.5));
+    EXPECT_TRUE(feed(choice, 0.004, 1.0)) << "after " << retry_after_s << " s";
+  }
+}
+
 TEST(SettingChoice, EveryCheaperSettingHasTheSameMethod) {
   for (const SurfaceSettings& asked : all_surface_settings())
     for (const SurfaceSettings& one : affordable_settings(asked)) {
