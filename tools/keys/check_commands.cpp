@@ -26,10 +26,12 @@ Result<std::string> verify_audit(const Asked& asked) {
   if (!log) return Error{.what = "the log cannot be read", .where = asked.file, .fix = "check its name"};
   keys::AuditVerifier verifier;
   for (std::string line; std::getline(log, line);) {
-    const Result<void> follows = log.eof() ? Error{.what = "the last line is cut off",
-                                                   .where = "line " + std::to_string(verifier.position().lines + 1),
-                                                   .fix = "the server was ended while it wrote, or bytes were removed"}
-                                           : verifier.add(line);
+    const Result<void> follows =
+        log.eof()
+            ? Error{.what = "the last line is cut off: the server was ended while it wrote, or bytes were removed",
+                    .where = "line " + std::to_string(verifier.position().lines + 1),
+                    .fix = "compare with a copy of the log; the lines before it are as they were written"}
+            : verifier.add(line);
     if (!follows)
       return Error{
           .what = follows.error().what, .where = asked.file + ", " + follows.error().where, .fix = follows.error().fix};
