@@ -94,7 +94,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
 
   void answer(HttpRequest request) {
     if (view(request.target()) == kHealthTarget) return write(health(request));
-    visit_.emplace(*context(), request, peer_.address().to_string());
+    visit_.emplace(*context(), request, peer_.address());
     if (beast::websocket::is_upgrade(request)) return upgrade(request);
     if (std::optional<HttpReply> reply = visit_->reply(request)) return write(std::move(*reply));
     write(reply_to(request, context()->files, context()->options.policy, context()->now()));
@@ -111,8 +111,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     const std::string_view host = view(request[http::field::host]);
     if (!host_is_ours(policy, host))
       return write(refuse(request, http::status::misdirected_request, "the Host header is not a name of this server"));
-    const bool is_program = peer_.address().is_loopback() || visit_->brought_token();
-    if (!origin_is_allowed(policy, view(request[http::field::origin]), host, is_program))
+    if (!origin_is_allowed(policy, view(request[http::field::origin]), host, visit_->is_from_trusted_program()))
       return write(refuse(request, http::status::forbidden, "pages from that origin may not open the stream"));
     const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));
     if (!subprotocol)

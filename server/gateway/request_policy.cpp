@@ -32,8 +32,8 @@ bool host_is_ours(const RequestPolicy& policy, std::string_view host) {
 }
 
 bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,
-                       bool peer_is_loopback) {
-  if (origin.empty()) return peer_is_loopback;
+                       bool is_trusted_program) {
+  if (origin.empty()) return is_trusted_program;
   if (contains(policy.allowed_origins, origin)) return true;
   const std::size_t scheme = origin.find("://");
   if (scheme == std::string_view::npos) return false;

@@ -26,9 +26,9 @@ struct RequestPolicy {
 [[nodiscard]] bool host_is_ours(const RequestPolicy& policy, std::string_view host);
 
 /// True when a page from `origin` may open a WebSocket: `origin` is `host` or is allowed by the policy. A request
-/// without an origin does not come from a browser; it is accepted only if `peer_is_loopback`. The callers also pass
-/// true for a request with a token.
+/// without an origin does not come from a browser's page; it is accepted only if `is_trusted_program`
+/// (Visit::is_from_trusted_program()).
 [[nodiscard]] bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,
-                                     bool peer_is_loopback);
+                                     bool is_trusted_program);
 
 }  // namespace telepalp::gateway

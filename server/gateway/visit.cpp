@@ -34,8 +34,8 @@ bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
 
 }  // namespace
 
-Visit::Visit(GatewayContext& context, const HttpRequest& request, std::string address)
-    : context_(context), address_(std::move(address)) {
+Visit::Visit(GatewayContext& context, const HttpRequest& request, const boost::asio::ip::address& peer)
+    : context_(context), address_(peer.to_string()), is_on_this_machine_(peer.is_loopback()) {
   access::Access& access = *context_.options.access;
   const std::string_view token = token_of(request);
   const std::string cookie(our_cookie(view(request[http::field::cookie])));
@@ -118,8 +118,8 @@ HttpReply Visit::playback(const HttpRequest& request) const {
   if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
   if (moves && !may(keys::Operation::Metrics))
     return refuse(request, http::status::forbidden, "moving a session is for technicians and QA");
-  const bool is_program = !options.access->has_keys() || brought_token_;
-  if (moves && !origin_is_allowed(options.policy, view(request[http::field::origin]), host, is_program))
+  const std::string_view origin = view(request[http::field::origin]);
+  if (moves && !origin_is_allowed(options.policy, origin, host, is_from_trusted_program()))
     return refuse(request, http::status::forbidden, "pages from that origin may not move the session");
   if (!options.playback_state)
     return refuse(request, http::status::not_found,

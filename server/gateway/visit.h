@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/asio/ip/address.hpp>
 #include <optional>
 #include <string>
 
@@ -21,11 +22,12 @@ struct Visitor {
 /// signing in and out.
 class Visit {
  public:
-  /// `address`: the peer's address without its port.
-  Visit(GatewayContext& context, const HttpRequest& request, std::string address);
+  Visit(GatewayContext& context, const HttpRequest& request, const boost::asio::ip::address& peer);
 
   [[nodiscard]] const std::optional<Visitor>& visitor() const noexcept { return visitor_; }
-  [[nodiscard]] bool brought_token() const noexcept { return brought_token_; }
+  /// True if the request, when it names no origin, comes from a program that may act for its user: one on this machine,
+  /// or one that sent a valid token.
+  [[nodiscard]] bool is_from_trusted_program() const noexcept { return is_on_this_machine_ || brought_token_; }
   [[nodiscard]] bool may(keys::Operation operation) const;
 
   /// The reply when permission decides it (sign-in, sign-out, metrics, a refusal); nullopt: the visitor may get the
@@ -40,7 +42,8 @@ class Visit {
   void note(access::AuditEvent event, const std::string& text) const;
 
   GatewayContext& context_;
-  std::string address_;
+  std::string address_;  // of the peer, without its port
+  bool is_on_this_machine_;
   std::optional<Visitor> visitor_;
   bool brought_token_ = false;
   std::string problem_;  // why the token in the request was refused

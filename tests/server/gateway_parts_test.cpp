@@ -177,7 +177,7 @@ struct OriginCase {
   const char* behaviour;
   const char* origin;
   const char* host;
-  bool loopback;
+  bool trusted_program;
   bool allowed;
 };
 const OriginCase kOrigins[] = {
@@ -190,8 +190,8 @@ const OriginCase kOrigins[] = {
     {"a page whose own name was made to resolve to us", "http://evil.example:8080", "evil.example:8080", true, false},
     {"a file or a sandboxed frame", "null", "127.0.0.1:8080", true, false},
     {"an origin that is no origin", "127.0.0.1:8080", "127.0.0.1:8080", true, false},
-    {"a tool on this machine", "", "127.0.0.1:8080", true, true},
-    {"a tool elsewhere", "", "10.0.0.5:8080", false, false},
+    {"a program on this machine, or with a token", "", "127.0.0.1:8080", true, true},
+    {"a program elsewhere without a token", "", "10.0.0.5:8080", false, false},
     {"a page that is allowed by name", "https://viewer.example", "10.0.0.5:8080", false, true},
 };
 
@@ -204,10 +204,11 @@ TEST(RequestPolicy, AnAllowedOriginIsExact) {
     EXPECT_FALSE(gateway::check_origin(bad)) << bad;
 }
 
-TEST(RequestPolicy, OnlyOurOwnPagesAndToolsOnThisMachineMayOpenTheStream) {
+TEST(RequestPolicy, OnlyOurOwnPagesAndTrustedProgramsMayOpenTheStream) {
   const gateway::RequestPolicy policy{.allowed_hosts = {}, .allowed_origins = {"https://viewer.example"}};
   for (const OriginCase& one : kOrigins)
-    EXPECT_EQ(gateway::origin_is_allowed(policy, one.origin, one.host, one.loopback), one.allowed) << one.behaviour;
+    EXPECT_EQ(gateway::origin_is_allowed(policy, one.origin, one.host, one.trusted_program), one.allowed)
+        << one.behaviour;
 }
 
 TEST(RequestPolicy, AHostNameMustBeAllowedByName) {
