@@ -9,10 +9,11 @@ namespace telepalp::access {
 
 /// Decides which doctor's station may publish on the station's topics (it "holds the touch"): one at a time. The holder
 /// keeps the touch while it publishes, and frees it with a Goodbye or after kLease without a message; then any station
-/// may take it. When the holder's connection breaks, the same doctor alone may take the touch within kLease, unless it
-/// was offered. The holder may offer the touch to another doctor, who gets it by accepting. An offer ends after kOffer,
-/// with the holder's lease, or when the touch changes hands. A holder that leaves with a Goodbye after an offer leaves
-/// the touch to the other doctor for kLease. Pure; owner: the server's network thread.
+/// may take it. When the holder's connection breaks, the same doctor may take the touch again within kLease. The holder
+/// may offer the touch to another doctor, who gets it by accepting. An offer ends after kOffer, with the holder's
+/// lease, or when the touch changes hands. It survives a broken connection of the holder: within kLease, the touch goes
+/// to whoever of the two doctors asks first. A holder that leaves with a Goodbye after an offer leaves the touch to the
+/// other doctor for kLease. Pure; owner: the server's network thread.
 class TouchLease {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -30,8 +31,8 @@ class TouchLease {
   /// `peer` offers the touch to the doctor named `to`, instead of an earlier offer. An empty name withdraws the offer.
   /// Returns false if `peer` does not hold the touch.
   [[nodiscard]] bool offer(std::uint64_t peer, const std::string& to, TimePoint now);
-  /// Station `peer` of the doctor `name` accepts an offer. Returns the peer that held the touch until now; nullopt:
-  /// nothing is offered to this doctor.
+  /// Station `peer` of the doctor `name` accepts an offer. Returns the peer that held the touch until now, 0 if its
+  /// connection has ended; nullopt: nothing is offered to this doctor.
   [[nodiscard]] std::optional<std::uint64_t> accept(std::uint64_t peer, const std::string& serial,
                                                     const std::string& name, TimePoint now);
 

@@ -282,11 +282,31 @@ TEST(TouchLease, AnOfferIsTakenByItsDoctorAloneAndEndsByTimeOrWithTheLease) {
   EXPECT_FALSE(left.take(3, "c", "carla", start + 2s)) << "anna left the touch to bert";
   EXPECT_FALSE(left.take(1, "a", "anna", start + 2s));
   EXPECT_TRUE(left.take(2, "b", "bert", start + 2s));
+}
 
-  access::TouchLease lost = offered();
-  lost.leave(1, false, start + 1s);
-  EXPECT_TRUE(lost.take(4, "a", "anna", start + 2s)) << "anna's connection was lost and comes back";
-  EXPECT_EQ(lost.offered_to(start + 2s), "bert") << "and her offer stands";
+TEST(TouchLease, AnOfferSurvivesABrokenConnectionOfTheHolder) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto broken = [&] {
+    access::TouchLease lease;
+    EXPECT_TRUE(lease.take(1, "a", "anna", start));
+    EXPECT_TRUE(lease.offer(1, "bert", start));
+    lease.leave(1, false, start + 1s);
+    return lease;
+  };
+  access::TouchLease returned = broken();
+  EXPECT_TRUE(returned.take(4, "a", "anna", start + 2s)) << "anna comes back within her lease";
+  EXPECT_EQ(returned.offered_to(start + 2s), "bert") << "and her offer stands";
+  EXPECT_TRUE(returned.offer(4, "", start + 3s)) << "she may withdraw it";
+  EXPECT_FALSE(returned.accept(2, "b", "bert", start + 4s));
+
+  access::TouchLease accepted = broken();
+  EXPECT_FALSE(accepted.accept(3, "c", "carla", start + 2s));
+  EXPECT_EQ(accepted.accept(2, "b", "bert", start + 2s), 0u) << "bert accepts while no station has the touch";
+  EXPECT_FALSE(accepted.take(4, "a", "anna", start + 3s)) << "anna comes back too late";
+
+  access::TouchLease ended = broken();
+  EXPECT_FALSE(ended.accept(2, "b", "bert", start + 12s)) << "the offer ends with the holder's lease";
+  EXPECT_TRUE(ended.take(3, "c", "carla", start + 12s));
 }
 
 TEST(TouchLease, IsLostBySilenceAndKeptForTheSameDoctorOverALostConnection) {
