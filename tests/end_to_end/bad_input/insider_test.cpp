@@ -2,7 +2,9 @@
 // station feels the patient. Each is refused, counted and audited; the doctor's session goes on.
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <filesystem>
 #include <thread>
 
 #include "tests/end_to_end/bad_input/insider.h"
@@ -16,9 +18,7 @@ using boost::asio::ip::tcp;
 
 class InsiderTest : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { session_ = std::make_unique<RunningSession>(); }
-  static void TearDownTestSuite() { session_.reset(); }
-  static RunningSession& session() { return *session_; }
+  static RunningSession& session() { return SharedByTests<RunningSession>::get(); }
   static std::shared_ptr<const keys::KeyFile> mallory() { return session().ring().key("mallory", keys::Role::Viewer); }
   /// A viewer says `bytes` after its Hello. Checks that its connection ends with `reason` in the server's log.
   static void expect_ended(const std::string& bytes, const std::string& reason) {
@@ -30,11 +30,7 @@ class InsiderTest : public ::testing::Test {
     EXPECT_TRUE(comes(session().file("server.log"), reason)) << text_of(session().file("server.log"));
     EXPECT_NE(session().audit().find("event=left who=viewer mallory"), std::string::npos) << session().audit();
   }
-
- private:
-  static std::unique_ptr<RunningSession> session_;
 };
-std::unique_ptr<RunningSession> InsiderTest::session_;
 
 class BadInput02 : public InsiderTest {};
 TEST_F(BadInput02, AHeaderThatDeclaresMoreThanAPeerMaySendIsRefusedBeforeItsPayload) {
@@ -79,6 +75,69 @@ TEST_F(BadInput14, AViewerThatDoesNotReadLosesItsOwnFramesAlone) {
     stalled.say(greeting("stalled") + subscription("*"));
     std::this_thread::sleep_for(4s);
   });
+}
+
+/// True if the server ends a connection that has sent `bytes`, within `patience`.
+bool is_ended_after(std::uint16_t port, const std::string& bytes, std::chrono::milliseconds patience) {
+  boost::asio::io_context io;
+  tcp::socket socket(io);
+  socket.connect({boost::asio::ip::make_address("127.0.0.1"), port});
+  boost::asio::write(socket, boost::asio::buffer(bytes));
+  bool ended = false;
+  std::array<char, 1024> heard{};
+  std::function<void()> read = [&] {
+    socket.async_read_some(boost::asio::buffer(heard), [&](const boost::system::error_code& code, std::size_t) {
+      ended = static_cast<bool>(code);
+      if (!ended) read();
+    });
+  };
+  read();
+  const auto until = SteadyClock::now() + patience;
+  while (!ended && SteadyClock::now() < until) io.run_one_for(20ms);
+  return ended;
+}
+
+class BadInput11 : public InsiderTest {};
+TEST_F(BadInput11, AHandshakeThatStopsInTheMiddleIsEndedBesideTheDoctor) {
+  session().expect_undisturbed_by(
+      [&] { EXPECT_TRUE(is_ended_after(session().port(), std::string("\x16\x03\x01", 3), 20s)); });
+  EXPECT_TRUE(comes(session().file("audit.log"), "no Hello within 5 s")) << session().audit();
+}
+
+/// The running process may open `more` further files while this lives.
+struct FewDescriptorsOf {
+  pid_t process;
+  rlimit before{};
+  FewDescriptorsOf(pid_t of, std::size_t more) : process(of) {
+    std::size_t open = 0;
+    for ([[maybe_unused]] const auto& one :
+         std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/fd"))
+      ++open;
+    EXPECT_EQ(::prlimit(process, RLIMIT_NOFILE, nullptr, &before), 0);
+    rlimit few = before;
+    few.rlim_cur = static_cast<rlim_t>(open + more);
+    EXPECT_EQ(::prlimit(process, RLIMIT_NOFILE, &few, nullptr), 0);
+  }
+  ~FewDescriptorsOf() { EXPECT_EQ(::prlimit(process, RLIMIT_NOFILE, &before, nullptr), 0); }
+};
+
+class BadInput33 : public InsiderTest {};
+TEST_F(BadInput33, WithoutFreeDescriptorsTheServerServesTheDoctorAndLaterAcceptsAgain) {
+  session().expect_undisturbed_by([&] {
+    const FewDescriptorsOf few(session().server().pid(), 4);
+    boost::asio::io_context io;
+    std::vector<tcp::socket> greedy;
+    for (int i = 0; i < 60; ++i) {
+      greedy.emplace_back(io);
+      boost::system::error_code ignored;
+      greedy.back().connect({boost::asio::ip::make_address("127.0.0.1"), session().port()}, ignored);
+    }
+    std::this_thread::sleep_for(1s);
+  });
+  Insider later(session().port(), mallory());
+  EXPECT_TRUE(later.say(greeting("later")));
+  EXPECT_TRUE(comes(session().file("server.log"), "later (viewer mallory) joined"))
+      << text_of(session().file("server.log"));
 }
 
 class BadInput12 : public InsiderTest {};

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <ctime>
+#include <fstream>
 #include <thread>
 
+#include "tests/end_to_end/bad_input/insider.h"
 #include "tests/end_to_end/bad_input/running_session.h"
 #include "tests/haptic_station/device/protocol/fake_udp_device.h"
 #include "where.h"
@@ -35,6 +38,66 @@ TEST(BadInput36, AFrozenStationLosesItsPlaceAndAsksForItAgain) {
   session.station().signal(SIGCONT);
   std::this_thread::sleep_for(5s);
   session.expect_undisturbed_by([] { std::this_thread::sleep_for(1s); });
+}
+
+/// The wall clock of programs that are started with environment().
+class SteppedWallClock {
+ public:
+  SteppedWallClock() { step(0s); }
+  void step(std::chrono::seconds ahead) const {
+    const std::int64_t seconds = ahead.count();
+    std::fstream file(file_, std::filesystem::exists(file_) ? std::ios::in | std::ios::out | std::ios::binary
+                                                            : std::ios::out | std::ios::binary);
+    file.write(reinterpret_cast<const char*>(&seconds), sizeof seconds);
+  }
+  [[nodiscard]] std::vector<std::string> environment() const {
+    return {"LD_PRELOAD=" TELEPALP_BINARY_DIR "/preload/telepalp_stepped_wall_clock.so",
+            "TELEPALP_WALL_CLOCK_STEP=" + file_.string()};
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_.path() / "step";
+};
+
+std::string in_utc(std::chrono::system_clock::time_point at, const char* format) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
+  std::tm parts{};
+  ::gmtime_r(&seconds, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, format, &parts);
+  return text;
+}
+
+TEST(BadInput29, AWallClockThatStepsAnHourForwardAndBackDisturbsNobody) {
+  const SteppedWallClock wall;
+  RunningSession session({}, wall.environment());
+  for (const auto ahead : {3600s, -3600s, 0s})
+    session.expect_undisturbed_by([&] {
+      wall.step(ahead);
+      std::this_thread::sleep_for(2s);
+    });
+  EXPECT_EQ(text_of(session.file("station.log")).find("link lost"), std::string::npos);
+  wall.step(3600s);
+  const auto before = std::chrono::system_clock::now() + 1h;
+  Insider late(session.port(), session.ring().key("mallory", keys::Role::Viewer));
+  late.say(greeting("late"));
+  EXPECT_TRUE(comes(session.file("audit.log"), "who=viewer mallory")) << session.audit();
+  const auto after = std::chrono::system_clock::now() + 1h;
+  const bool stamped = session.audit().find(in_utc(before, "%Y-%m-%dT%H:%M")) != std::string::npos ||
+                       session.audit().find(in_utc(after, "%Y-%m-%dT%H:%M")) != std::string::npos;
+  EXPECT_TRUE(stamped) << "the server's wall clock is an hour ahead: " << session.audit();
+}
+
+TEST(BadInput35, TheServerProgramRefusesToStartWithAnExpiredKeyAndSaysHowToRenewIt) {
+  const server::KeyRing ring;
+  const auto log = ring.folder.path() / "server.log";
+  support::ChildProcess server(TELEPALP_BINARY_DIR "/bin/telepalp-server",
+                               {"--port", "0", "--key", ring.server_key(ring.now - std::chrono::days(3)).string()},
+                               log);
+  EXPECT_EQ(server.wait(20s), 1);
+  EXPECT_NE(text_of(log).find("expired"), std::string::npos) << text_of(log);
+  EXPECT_NE(text_of(log).find("telepalp-keys renew"), std::string::npos) << text_of(log);
 }
 
 TEST(BadInput10, ADevicePoseThatIsNaNGetsNoForceAndLatchesAFault) {

@@ -143,23 +143,27 @@ class RunningSession::Listener {
   std::thread thread_;
 };
 
-RunningSession::RunningSession(const std::function<std::uint16_t(std::uint16_t)>& way) {
+RunningSession::RunningSession(const std::function<std::uint16_t(std::uint16_t)>& way,
+                               const std::vector<std::string>& environment) {
+  const auto start = [&](std::optional<support::ChildProcess>& child, const char* program,
+                         const std::vector<std::string>& arguments) {
+    std::vector<std::string> words = environment;  // env(1) sets them and becomes the program
+    words.push_back((kPrograms / program).string());
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    child.emplace("/usr/bin/env", words, file(std::string(program).substr(std::string("telepalp-").size()) + ".log"));
+  };
   const std::filesystem::path key = ring_.server_key(ring_.now);
-  server_.emplace(kPrograms / "telepalp-server",
-                  std::vector<std::string>{"--source", "synthetic", "--port", "0", "--key", key.string(),
-                                           "--ready-file", file("ready").string()},
-                  file("server.log"));
+  start(server_, "telepalp-server",
+        {"--source", "synthetic", "--port", "0", "--key", key.string(), "--ready-file", file("ready").string()});
   const auto port = support::await_ready(file("ready"), "port");
   if (!port) throw std::runtime_error("the server does not start: " + text_of(file("server.log")));
   port_ = static_cast<std::uint16_t>(std::stoi(*port));
   const auto anna = ring_.write(
       "anna.key", ring_.authority.client_key(
                       {.name = "anna", .role = keys::Role::Doctor, .now = ring_.now, .valid = std::chrono::days(1)}));
-  station_.emplace(kPrograms / "telepalp-station",
-                   std::vector<std::string>{"--connect", "127.0.0.1:" + std::to_string(way ? way(port_) : port_),
-                                            "--key", anna.string(), "--control", file("control").string(),
-                                            "--state-dir", file("state").string()},
-                   file("station.log"));
+  start(station_, "telepalp-station",
+        {"--connect", "127.0.0.1:" + std::to_string(way ? way(port_) : port_), "--key", anna.string(), "--control",
+         file("control").string(), "--state-dir", file("state").string()});
   listener_ = std::make_unique<Listener>(port_, ring_.key("quentin", keys::Role::Qa));
   for (int tenth = 0; tenth < 200 && !listener_->hears_surfaces(); ++tenth) std::this_thread::sleep_for(100ms);
   EXPECT_TRUE(listener_->hears_surfaces()) << text_of(file("station.log"));

@@ -39,7 +39,9 @@ struct Felt {
 class RunningSession {
  public:
   /// The station connects to the port that `way` returns for the server's port; without `way`, to the server's.
-  explicit RunningSession(const std::function<std::uint16_t(std::uint16_t)>& way = {});
+  /// `environment`: NAME=VALUE of both programs.
+  explicit RunningSession(const std::function<std::uint16_t(std::uint16_t)>& way = {},
+                          const std::vector<std::string>& environment = {});
   ~RunningSession();
   RunningSession(const RunningSession&) = delete;
   RunningSession& operator=(const RunningSession&) = delete;
