@@ -86,11 +86,11 @@ HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s
   return force;
 }
 
-/// A fault fades any force to zero within 30 ms. A release, after which the contact resumes by itself, takes 50 ms, so
-/// that the force changes by at most 0.1 N a tick.
+/// A fault fades any force to zero within 30 ms. A release, after which the contact resumes by itself, takes 52 ms, so
+/// that the force changes by less than 0.1 N a tick, also while the skin's own force changes.
 double EncounteredController::fade_rate_N_per_s() const noexcept {
   constexpr double kFaultWithin_s = 0.03;
-  constexpr double kReleaseWithin_s = 0.05;
+  constexpr double kReleaseWithin_s = 0.052;
   if (phases_.phase() == Phase::Faulted) return settings_.limits.peak_N / kFaultWithin_s;
   if (phases_.phase() == Phase::Released) return settings_.limits.peak_N / kReleaseWithin_s;
   return settings_.transitions.force_fade_N_per_s;

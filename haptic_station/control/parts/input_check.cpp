@@ -1,5 +1,6 @@
 #include "haptic_station/control/parts/input_check.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace telepalp::control {
@@ -8,7 +9,14 @@ namespace {
 bool is_finite(const ports::SurfaceContact& contact) noexcept {
   return contact.proxy.m.allFinite() && contact.normal.v.allFinite() && std::isfinite(contact.distance_m) &&
          std::isfinite(contact.surface_speed_m_per_s) && std::isfinite(contact.measured_above_m) &&
-         std::isfinite(contact.measured_speed_m_per_s);
+         std::isfinite(contact.measured_speed_m_per_s) && std::isfinite(contact.support) &&
+         (!contact.anchor_seen || contact.anchor_velocity.v.allFinite());
+}
+
+bool is_finite(const effects::Placements& placements) noexcept {
+  return std::all_of(placements.begin(), placements.end(), [](const effects::Placement& one) noexcept {
+    return one.moved.v.allFinite() && one.velocity.v.allFinite();
+  });
 }
 
 }  // namespace
@@ -17,7 +25,7 @@ bool is_finite(const ControlInput& in) noexcept {
   return in.device.m.allFinite() && in.device_velocity.v.allFinite() && std::isfinite(in.device_age_s) &&
          std::isfinite(in.device_implausible_s) && std::isfinite(in.hand_implausible_s) &&
          (!in.hand_valid || (in.hand.m.allFinite() && in.hand_velocity.v.allFinite())) &&
-         (!in.contact.valid || is_finite(in.contact));
+         (!in.contact.valid || is_finite(in.contact)) && is_finite(in.placements);
 }
 
 ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device) noexcept {

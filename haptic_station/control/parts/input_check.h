@@ -6,8 +6,9 @@
 
 namespace telepalp::control {
 
-/// True when the numbers of `in` are finite. `hand` and `contact` count only while they are valid. Not checked: the
-/// ages of tracker and surface, `contact.support`, `contact.anchor_velocity` and `placements`.
+/// True when the numbers of `in` are finite. `hand` and `contact` count only while they are valid, and
+/// `contact.anchor_velocity` only while the anchor is seen. Not checked: the ages of tracker and surface, because an
+/// age that is NaN counts as too old.
 [[nodiscard]] bool is_finite(const ControlInput& in) noexcept;
 
 /// An input without a hand or a surface, with the end-effector at `device`. It replaces an input that is not finite, so

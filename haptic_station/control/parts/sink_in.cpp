@@ -5,8 +5,8 @@
 namespace telepalp::control {
 namespace {
 
-constexpr double kFastest_m_per_s = 0.03;
-constexpr double kEasesOver_s = 0.05;  // slower over the last 1.5 mm, so that it stops without a jerk
+constexpr double kFastest_m_per_s = 0.05;  // as fast as the displayed surface follows the measured one
+constexpr double kEasesOver_s = 0.05;      // slower over the last 2.5 mm, so that it stops without a jerk
 constexpr double kSlowest_m_per_s = 0.0003;
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace telepalp::control {
 
 /// Handles a contact that begins below the skin, because the skin rose or the station was not ready. The hand has done
 /// no work to reach that depth. The whole body, with the objects inside, is therefore displayed lower by that depth,
-/// along the skin's normal, and rises to its true place at 30 mm/s or less. Owner: control thread.
+/// along the skin's normal, and rises to its true place at 50 mm/s or less. Owner: control thread.
 class SinkIn {
  public:
   /// Contact begins `depth_m` below the skin.

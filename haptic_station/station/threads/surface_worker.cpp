@@ -9,8 +9,10 @@ namespace {
 // A hand at 2 m/s moves 0.13 m in two frame times; the rest is the support of the implicit function.
 constexpr double kReach_m = 0.16;
 
-// Half a second of frames. Further frames are dropped while this many wait.
-constexpr int kMostWaiting = 16;
+// Ten seconds of a 30 Hz stream with 100 kB a frame. A message that is dropped before it is decoded breaks the chain of
+// predicted frames until the next key frame, so all messages wait, as far as memory allows.
+constexpr int kMostWaiting = 300;
+constexpr std::size_t kMostWaitingBytes = 32U << 20U;
 
 Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
   return {.what = "the image is " + std::to_string(depth.width) + " x " + std::to_string(depth.height) +
@@ -42,12 +44,15 @@ SurfaceWorker::~SurfaceWorker() {
 
 void SurfaceWorker::offer(Work work) {
   ++offered_;
-  if (waiting_ >= kMostWaiting) return;
+  const std::size_t bytes = work.depth.payload->size();
+  if (waiting_ >= kMostWaiting || waiting_bytes_ + bytes > kMostWaitingBytes) return;
   ++waiting_;
+  waiting_bytes_ += bytes;
   boost::asio::post(io_, [this, work = std::move(work)] { work_off(work); });
 }
 
 void SurfaceWorker::work_off(const Work& work) {
+  waiting_bytes_ -= work.depth.payload->size();
   const bool is_newest = --waiting_ == 0;
   msg::DepthImage message;
   if (!message.ParseFromString(*work.depth.payload))

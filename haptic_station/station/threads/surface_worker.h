@@ -23,9 +23,10 @@
 namespace telepalp::station {
 
 /// The surface thread: makes a touchable surface from the newest depth message. A message that has a newer one waiting
-/// behind it is dropped and counted; it is still decoded when a newer frame is predicted from it. While 16 messages
-/// wait, further ones are dropped undecoded. The 2 kHz thread never waits for this thread. While depth cannot be
-/// decoded because a reference frame is missing, the last surface stays.
+/// behind it is dropped and counted; it is still decoded when a newer frame is predicted from it. While 300 messages
+/// or 32 MiB wait, further ones are dropped undecoded, and the next predicted frame leads to a key frame request. The
+/// 2 kHz thread never waits for this thread. While depth cannot be decoded because a reference frame is missing, the
+/// last surface stays.
 class SurfaceWorker {
  public:
   /// Returns haptic_from_camera for an image; called with each image until it returns a value.
@@ -75,11 +76,12 @@ class SurfaceWorker {
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
   Handlers handlers_;
   LatestValue<loop::TouchableSurface>& to_haptic_;
-  LatestValue<Point<HapticBase>>& device_;  // written by: haptic thread
-  const effects::EffectBank effects_;       // owner: surface thread
-  bool device_known_ = false;               // owner: surface thread
-  std::atomic<int> waiting_{0};             // messages offered and not yet taken by the surface thread
-  std::uint64_t offered_ = 0;               // owner: network thread
+  LatestValue<Point<HapticBase>>& device_;     // written by: haptic thread
+  const effects::EffectBank effects_;          // owner: surface thread
+  bool device_known_ = false;                  // owner: surface thread
+  std::atomic<int> waiting_{0};                // messages offered and not yet taken by the surface thread
+  std::atomic<std::size_t> waiting_bytes_{0};  // of these messages
+  std::uint64_t offered_ = 0;                  // owner: network thread
   std::atomic<std::uint64_t> built_{0};
   boost::asio::io_context io_{1};
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> stay_;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <condition_variable>
+#include <future>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 #include "codec/depth_stream.h"
@@ -41,6 +43,11 @@ wire::Message message_of(int number, std::string packet) {
 /// A worker with the list of its answers, for which a test can wait.
 class Bench {
  public:
+  /// `held`: the worker waits at its first frame until go_on() is called.
+  explicit Bench(bool held = false) {
+    if (!held) go_on();
+  }
+  void go_on() { may_go_on_.set_value(); }
   void offer(const wire::Message& message) {
     worker_.offer({.depth = message, .camera = kCamera, .received = message.published});
   }
@@ -78,6 +85,8 @@ class Bench {
     changed_.notify_all();
   }
 
+  std::promise<void> may_go_on_;
+  std::shared_future<void> goes_on_ = may_go_on_.get_future().share();
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<msg::SurfaceReport> reports_;
@@ -85,7 +94,10 @@ class Bench {
   std::vector<SessionTime> wanted_;
   SurfaceWorker worker_{
       *surface::surface_settings("fast"),
-      [](const DepthImage&, const Intrinsics&) { return Transform<HapticBase, DepthCamera>{}; },
+      [this](const DepthImage&, const Intrinsics&) {
+        goes_on_.wait();
+        return Transform<HapticBase, DepthCamera>{};
+      },
       {.now = [] { return session_time(2'000'000'000); },
        .on_report = [this](const msg::SurfaceReport& report) { keep(reports_, report); },
        .on_bad_frame = [this](const Error& error) { keep(errors_, error); },
@@ -121,6 +133,23 @@ TEST(SurfaceWorker, FramesThatPileUpAreDecodedIfANewerOneNeedsThem) {
   for (int tries = 0; tries < 1000 && bench.reports().back().sequence() != 9; ++tries) std::this_thread::sleep_for(1ms);
   EXPECT_EQ(bench.reports().back().sequence(), 9u);
   EXPECT_TRUE(bench.errors().empty());
+}
+
+TEST(SurfaceWorker, NoFrameIsLostToTheDecoderWhileTheWorkerIsBusyForSeconds) {
+  Bench bench(true);
+  const auto stream = stream_of(codec::DepthMode::Temporal, 101, 1000);
+  for (std::size_t i = 0; i < 100; ++i) bench.offer(stream[i]);
+  bench.go_on();
+  const auto waits_for = [&](std::uint64_t number) {
+    for (int tries = 0; tries < 10'000; ++tries, std::this_thread::sleep_for(1ms))
+      if (const auto reports = bench.reports(); !reports.empty() && reports.back().sequence() == number) return true;
+    return false;
+  };
+  EXPECT_TRUE(waits_for(99)) << "the newest of the waiting frames becomes the surface";
+  bench.offer(stream[100]);
+  EXPECT_TRUE(waits_for(100)) << "and can be the reference of the next one";
+  EXPECT_TRUE(bench.errors().empty());
+  EXPECT_TRUE(bench.wanted().empty());
 }
 
 TEST(SurfaceWorker, AMissingReferenceKeepsTheLastSurfaceAndAsksOnceForAKeyFrame) {

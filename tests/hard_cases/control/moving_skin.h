@@ -52,10 +52,11 @@ class MovingSkin final : public surface::SurfaceSnapshot {
   Shape shape_;
 };
 
-/// A moving skin felt through the live loop, with an exact camera of `frames_hz` without delay.
+/// A moving skin felt through the live loop, with an exact camera of `frames_hz`.
 struct MovingSkinScene {
   double seconds = 6.0;
   double frames_hz = 30.0;
+  double delay_s = 0.0;  ///< from capture to adoption
   effects::EffectBank effects = the_skin();
   Person person = presses_to(0.03);
   std::function<MovingSkin::Shape(double now_s)> skin;
@@ -73,7 +74,8 @@ inline Felt feel(const MovingSkinScene& scene) {
     const double now_s = tick * LoopScene::kTick_s;
     if (now_s * scene.frames_hz >= frames) {
       ++frames;
-      auto newer = std::make_shared<MovingSkin>(scene.skin(now_s), at_s(now_s));
+      const double captured_s = now_s - scene.delay_s;
+      auto newer = std::make_shared<MovingSkin>(scene.skin(captured_s), at_s(captured_s));
       loop.adopt({newer, {}}, at_s(now_s));
       shown = std::move(newer);  // the earlier one must stay alive until the next adopt()
     }

@@ -35,6 +35,38 @@ AssertionResult step_by_10_mm() {
   return all_of({below_N("step", worst_N, 0.1), below("90 % at 10 to 200 Hz", slowest_s, 0.6, 1.0, "s")});
 }
 
+/// A delay of 0.15 s. The patient sinks by 10 mm at 3 s, and the hand lets go 0.05 s later, before any image shows it.
+AssertionResult let_go_as_it_sinks() {
+  constexpr double kSkin_N_per_m = 300.0;
+  MovingSkinScene scene;
+  scene.delay_s = 0.15;
+  scene.effects = the_skin({.law = effects::linear_law(kSkin_N_per_m), .anchor = effects::SkinAnchor::Sliding});
+  const auto skin_m = [](double now_s) { return now_s < 3.0 ? 0.0 : -0.01; };
+  scene.skin = [=](double now_s) { return MovingSkin::Shape{.flat_m = skin_m(now_s)}; };
+  scene.person = [](const device::TrialView& view) {
+    device::Intention aim = presses_to(0.03)(view);
+    aim.at.m.y() += 0.1 * std::clamp((view.time_s - 3.05) / 0.5, 0.0, 1.0);
+    return aim;
+  };
+  double excess_J = 0.0, seen_J = 0.0, deepest_m = 0.0, last_m = 0.05, force_N = 0.0, law_N = 0.0;
+  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
+    const double device_m = act.sample.device[1];
+    excess_J += (force_N - law_N) * (device_m - last_m);
+    last_m = device_m;
+    force_N = control::is_inside(act.control.phase) ? act.force.N.y() : 0.0;
+    law_N = kSkin_N_per_m * std::max(0.0, skin_m(now_s) - device_m);
+    if (now_s < 3.0) deepest_m = std::max(deepest_m, -device_m);
+    if (control::is_inside(act.control.phase)) seen_J = act.control.hand_excess_J;
+  };
+  const Felt felt = feel(scene);
+  // The spring of the skin before it sank, minus that of the skin after: the hand had put it there.
+  const double above_m = std::max(0.0, deepest_m - 0.01);
+  const double stored_J = 0.5 * kSkin_N_per_m * (deepest_m * deepest_m - above_m * above_m);
+  return all_of({above("the hand had stored", stored_J, 0.001, 1e3, "mJ"),
+                 below("given to it beyond the true skin, of that", excess_J / stored_J, 1.05, 100.0, "%"),
+                 below_mJ("the station's ledger saw", std::abs(seen_J), 3.0), below_N("step", felt.worst_step_N, 0.1)});
+}
+
 /// A skin with a hinge at x = 0. It breathes by 10 mm at x = 40 mm, where the contact began, and the hand rubs 20 mm to
 /// either side in step with the breath.
 AssertionResult rubbed_in_step_with_the_breath() {
@@ -134,6 +166,8 @@ std::vector<HardCase> moving_skin_rows() {
   return {
       {"patient steps by 10 mm under a hand", "damping multiplies the step of speed",
        "0.1 N a tick, 0.6 s, at any rate", step_by_10_mm},
+      {"let go as the patient sinks", "the delayed display returns what is no longer stored",
+       "no more than the hand had stored", let_go_as_it_sinks},
       {"rubbed in step with the breath", "the skin's speed differs from place to place",
        "the anchor stays at its skin point", rubbed_in_step_with_the_breath},
       {"default skin rubbed off a rim", "the anchor is far from the rim", "fades with the known surface", off_the_rim},

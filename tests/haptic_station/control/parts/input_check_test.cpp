@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 
 namespace telepalp::control {
@@ -22,6 +23,34 @@ TEST(InputCheck, UnusedNumbersAreNotChecked) {
   in.hand.m.x() = in.contact.proxy.m.x() = kNaN;
   EXPECT_FALSE(is_finite(in));
   in.hand_valid = in.contact.valid = false;
+  EXPECT_TRUE(is_finite(in));
+}
+
+TEST(InputCheck, EveryNumberOfAContactAndOfTheObjectsInTheBodyIsChecked) {
+  const std::function<void(ControlInput&)> spoilers[] = {
+      [](ControlInput& in) { in.contact.normal.v.z() = kNaN; },
+      [](ControlInput& in) { in.contact.distance_m = kNaN; },
+      [](ControlInput& in) { in.contact.support = kNaN; },
+      [](ControlInput& in) { in.contact.surface_speed_m_per_s = kNaN; },
+      [](ControlInput& in) { in.contact.measured_above_m = kNaN; },
+      [](ControlInput& in) { in.contact.measured_speed_m_per_s = kNaN; },
+      [](ControlInput& in) { in.contact.anchor_velocity.v.x() = kNaN; },
+      [](ControlInput& in) { in.placements.back().moved.v.y() = kNaN; },
+      [](ControlInput& in) { in.placements.front().velocity.v.z() = kNaN; },
+  };
+  int number = 0;
+  for (const auto& spoil : spoilers) {
+    ControlInput in = good();
+    in.contact.anchor_seen = true;
+    ASSERT_TRUE(is_finite(in));
+    spoil(in);
+    EXPECT_FALSE(is_finite(in)) << "number " << number++;
+  }
+}
+
+TEST(InputCheck, AnAnchorThatIsNotSeenHasNoVelocityToCheck) {
+  ControlInput in = good();
+  in.contact.anchor_velocity.v.x() = kNaN;
   EXPECT_TRUE(is_finite(in));
 }
 

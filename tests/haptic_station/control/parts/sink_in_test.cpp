@@ -19,13 +19,13 @@ TEST(SinkIn, ShowsTheSkinAtTheDeviceFirstAndWhereItIsLater) {
   SinkIn sink_in;
   sink_in.begin(0.02);
   sink_in.step(kTick_s);
-  EXPECT_NEAR(sink_in.shown(at_depth(0.02)).distance_m, 0.0, 2e-5);
+  EXPECT_NEAR(sink_in.shown(at_depth(0.02)).distance_m, 0.0, 3e-5);
   double fastest = 0.0;
   for (int tick = 0; tick < 4000; ++tick) {
     sink_in.step(kTick_s);
     fastest = std::max(fastest, sink_in.shown(at_depth(0.02)).surface_speed_m_per_s);
   }
-  EXPECT_DOUBLE_EQ(fastest, 0.03) << "it rises, and slowly";
+  EXPECT_DOUBLE_EQ(fastest, 0.05) << "it rises, and slowly";
   EXPECT_EQ(sink_in.shown(at_depth(0.02)).distance_m, -0.02);
   EXPECT_EQ(sink_in.shown(at_depth(0.02)).surface_speed_m_per_s, 0.0);
 }

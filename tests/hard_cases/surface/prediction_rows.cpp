@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <numbers>
+#include <random>
+
+#include "tests/hard_cases/surface/driven.h"
+
+namespace telepalp::surface {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 30.0;
+constexpr double kDelay_s = 0.1;
+constexpr double kNoise_m = 0.001;
+
+/// The height of a flat patient over time [m].
+using Lift = std::function<double(double)>;
+
+/// ±20 % of the period and ±30 % of the amplitude.
+double irregular_breath_m(double t) {
+  const double phase = 2.0 * std::numbers::pi * (0.25 * t + 0.25 * std::sin(0.7 * t));
+  return 0.0025 * (1.0 + 0.3 * std::sin(1.1 * t)) * (1.0 - std::cos(phase));
+}
+
+/// Two coughs a second on a slow breath, 5 mm each, over within 0.3 s.
+double coughs_m(double t) {
+  const double since_s = std::fmod(t, 0.5);
+  return 0.001 * (1.0 - std::cos(1.2 * t)) +
+         (t < 8.0 ? 0.0 : 0.005 * std::exp(-std::pow((since_s - 0.15) / 0.05, 2.0)));
+}
+
+struct Window {
+  double from_s;
+  double until_s;
+};
+
+/// RMS distance between the surface predicted to now and the true skin, over images of a camera that is kDelay_s away.
+double rms_off_m(const Lift& lift, const SurfaceSettings& settings, const Window& judged) {
+  const Intrinsics camera = small_camera();
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> noise(0.0, kNoise_m);
+  SurfaceBuilder builder{settings};
+  double square = 0.0;
+  int count = 0;
+  for (double t = 0.0; t < judged.until_s; t += kFrame_s) {
+    DepthImage image{.width = camera.width, .height = camera.height, .unit_m = 2e-5, .samples = {}};
+    for (int i = 0; i < camera.width * camera.height; ++i)
+      image.samples.push_back(static_cast<std::uint16_t>(std::lround((0.8 - lift(t) + noise(random)) / image.unit_m)));
+    const Snapshot snapshot = builder.add(image, camera, at_s(1.0 + t), Reach{{Vector3d(0, 0, 0.8)}, 0.03});
+    if (t < judged.from_s) continue;
+    const Vector3d skin(0.0, 0.0, 0.8 - lift(t + kDelay_s));
+    const FieldSample seen = snapshot->evaluate(skin, Vector3d::Zero(), motion_basis(snapshot->motion, kDelay_s));
+    square += seen.valid ? seen.f_m * seen.f_m : 1.0;  // a place without a surface is a failure
+    ++count;
+  }
+  return std::sqrt(square / count);
+}
+
+/// The error of the shipped prediction, relative to the better of holding the last surface and of each place's
+/// velocity.
+double to_the_better(const Lift& lift, const Window& judged) {
+  SurfaceSettings hold;
+  hold.predict = hold.breathing = hold.shared = false;
+  SurfaceSettings velocity;
+  velocity.breathing = velocity.shared = false;
+  return rms_off_m(lift, SurfaceSettings{}, judged) /
+         std::min(rms_off_m(lift, hold, judged), rms_off_m(lift, velocity, judged));
+}
+
+AssertionResult breathes_irregularly() {
+  return all_of({below("error to the better of both", to_the_better(irregular_breath_m, {6.0, 14.0}), 1.05, 1.0, "")});
+}
+
+AssertionResult holds_the_breath() {
+  const Lift held = [](double t) { return irregular_breath_m(std::min(t, 9.3)); };
+  return all_of({below("error to the better of both, as it stops", to_the_better(held, {8.8, 11.0}), 1.05, 1.0, "")});
+}
+
+AssertionResult coughs() {
+  return all_of({below("error to the better of both", to_the_better(coughs_m, {8.0, 14.0}), 1.05, 1.0, "")});
+}
+
+}  // namespace
+}  // namespace telepalp::surface
+
+namespace telepalp::hard_cases {
+
+std::vector<HardCase> prediction_rows() {
+  using namespace surface;
+  return {
+      {"patient breathes irregularly", "no breath is like the one before", "never worse than holding or velocity",
+       breathes_irregularly},
+      {"patient holds the breath", "a known breath ends at once", "never worse than holding or velocity",
+       holds_the_breath},
+      {"patient coughs", "jerks that end as suddenly as they begin", "never worse than holding or velocity", coughs}};
+}
+
+}  // namespace telepalp::hard_cases
