@@ -151,6 +151,7 @@ void Station::stop(const std::string& reason) {
   faults_.look(true);
   publish_totals();
   say("ending: " + reason);
+  if (const std::string ages = ages_.in_words(); !ages.empty()) say(ages);
   if (!costs_.empty())
     say("effects in contact: " + line_of(costs_, std::chrono::duration<double, std::micro>(kTickPeriod).count()));
   fast_timer_.cancel();
@@ -182,6 +183,7 @@ void Station::on_link(wire::LinkState state, const std::string& detail) {
   if (state == wire::LinkState::Refused && !options_.model)  // a model is touched without a server
     return give_up(link_.refusal());
   note_refusal(state, detail);
+  look_at_clock();
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
     telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
@@ -241,7 +243,10 @@ void Station::on_viewer_hand(const wire::Message& message) {
 }
 
 void Station::on_surface(const msg::SurfaceReport& report) {
-  publish(wire::make_message(wire::kStationSurface, now(), report));
+  msg::SurfaceReport bounded = report;
+  bounded.set_clock_error_s(clock_error_s_);
+  ages_.add(bounded);
+  publish(wire::make_message(wire::kStationSurface, now(), bounded));
   say_depth(report);
   if (!haptic_) start_haptic_thread();
 }
@@ -287,9 +292,11 @@ void Station::start_haptic_thread() {
 void Station::every_10_ms() {
   telemetry_.drain(now());
   faults_.look(false);
-  if (haptic_ && haptic_->compensation().take())
-    publish(
-        wire::make_message(wire::kStationCompensation, now(), compensation_message(haptic_->compensation().current())));
+  if (haptic_ && haptic_->compensation().take()) {
+    msg::StationCompensation compensation = compensation_message(haptic_->compensation().current());
+    compensation.set_clock_error_s(clock_error_s_);
+    publish(wire::make_message(wire::kStationCompensation, now(), compensation));
+  }
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   const bool time_is_up = haptic_ && options_.seconds > 0.0 &&
                           std::chrono::steady_clock::now() - ticking_since_ >= from_seconds(options_.seconds);
@@ -302,7 +309,14 @@ void Station::every_10_ms() {
   });
 }
 
+/// A model is captured by this computer's own clock.
+void Station::look_at_clock() {
+  const Nanoseconds bound = options_.model ? Nanoseconds{0} : link_.clock_uncertainty();
+  clock_error_s_ = bound == Nanoseconds::max() ? std::numeric_limits<double>::infinity() : to_seconds(bound);
+}
+
 void Station::every_second() {
+  look_at_clock();
   if (haptic_)
     publish_totals();
   else if (const auto waited = std::chrono::steady_clock::now() - started_; waited % kSayStillWaiting < kTotalsPeriod)
@@ -316,7 +330,7 @@ void Station::every_second() {
 void Station::publish_totals() {
   if (!haptic_) return;
   if (haptic_->bill().take()) costs_ = costs_of(haptic_->bill().current(), cycles_per_us());
-  telemetry_.publish_totals(now(), haptic_->counts(), worker_->dropped(), realtime_granted_, costs_);
+  telemetry_.publish_totals(now(), clock_error_s_, haptic_->counts(), worker_->dropped(), realtime_granted_, costs_);
 }
 
 }  // namespace telepalp::station

@@ -4,6 +4,7 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@
 #include "haptic_station/station/faults/fault_monitor.h"
 #include "haptic_station/station/rigs/rig_choice.h"
 #include "haptic_station/station/rigs/static_patient.h"
+#include "haptic_station/station/telemetry/image_ages.h"
 #include "haptic_station/station/telemetry/telemetry_publisher.h"
 #include "haptic_station/station/threads/collision_thread.h"
 #include "haptic_station/station/threads/haptic_thread.h"
@@ -71,6 +73,7 @@ class Station {
   void end_threads();
   void every_10_ms();
   void every_second();
+  void look_at_clock();
   void publish_totals();
   void stop(const std::string& reason);
   void give_up(const Error& error);
@@ -93,7 +96,9 @@ class Station {
   std::optional<Error> failure_;
   std::set<std::string> said_of_trying_;
   std::string not_connected_because_;
-  std::string depth_;  // depth mode that was logged last
+  std::string depth_;                                               // depth mode that was logged last
+  double clock_error_s_ = std::numeric_limits<double>::infinity();  // bound on the error of the session clock
+  ImageAges ages_;
 
   const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread
   LatestValue<loop::TouchableSurface> slow_surfaces_;             // surface thread to collision thread, if it exists

@@ -152,6 +152,10 @@ SessionClock ClientLink::clock() const noexcept {
   return SessionClock{offset.at(std::chrono::steady_clock::now().time_since_epoch())};
 }
 
+Nanoseconds ClientLink::clock_uncertainty() const noexcept {
+  return clock_sync_.uncertainty(std::chrono::steady_clock::now().time_since_epoch());
+}
+
 std::map<std::string_view, ReceivedCount> ClientLink::received() const {
   std::map<std::string_view, ReceivedCount> sum = received_before_;
   if (connection_) add(sum, connection_->received());

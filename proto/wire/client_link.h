@@ -100,8 +100,9 @@ class ClientLink : private ConnectionOwner {
   /// The current estimate of the session clock; before the first connection, this machine's wall clock. Any thread.
   /// Call clock() for each reading, because the offset is slewed.
   [[nodiscard]] SessionClock clock() const noexcept;
-  /// Bound on the error of clock().
-  [[nodiscard]] Nanoseconds clock_uncertainty() const noexcept { return clock_sync_.uncertainty(); }
+  /// Bound on the error of clock() now; Nanoseconds::max() before the first connection and during a new one's first
+  /// round trip.
+  [[nodiscard]] Nanoseconds clock_uncertainty() const noexcept;
 
   [[nodiscard]] LinkState state() const noexcept { return state_; }
   /// In LinkState::Refused: the reason, the place and the fix.

@@ -81,12 +81,11 @@ double drift_of(const Samples& window) noexcept {
 
 }  // namespace
 
-Nanoseconds ClockSync::uncertainty() const noexcept {
+Nanoseconds ClockSync::uncertainty(Nanoseconds local_now) const noexcept {
   if (window_.empty()) return Nanoseconds::max();
-  const Nanoseconds now = window_.back().heard;
-  const Bounds certain = bounds(window_.begin(), window_.end(), now, 0.0, kDrift);
-  const Nanoseconds estimate = bounds(window_.begin(), window_.end(), now, drift_of(window_), 0.0).middle();
-  return std::max({certain.above - estimate, estimate - certain.below, kSlack});
+  const Bounds certain = bounds(window_.begin(), window_.end(), local_now, 0.0, kDrift);
+  const Nanoseconds given = given_->at(local_now);
+  return std::max({certain.above - given, given - certain.below, kSlack});
 }
 
 bool ClockSync::add(const ClockSample& sample) {

@@ -23,20 +23,20 @@ Nanoseconds given(const ClockSync& sync) { return sync.offset()->target; }
 
 TEST(ClockSync, KnowsNothingBeforeTheFirstProbe) {
   EXPECT_FALSE(ClockSync().offset().has_value());
-  EXPECT_EQ(ClockSync().uncertainty(), Nanoseconds::max());
+  EXPECT_EQ(ClockSync().uncertainty(1s), Nanoseconds::max());
 }
 
 TEST(ClockSync, ASymmetricPathGivesTheExactOffset) {
   ClockSync sync;
   ASSERT_TRUE(sync.add(probe(1s, 3600s, 20ms, 20ms)));
   EXPECT_EQ(given(sync), 3600s);
-  EXPECT_EQ(sync.uncertainty(), 20ms);
+  EXPECT_EQ(sync.uncertainty(1s + 40ms + 50us), 20ms) << "half a round trip";
 }
 
 TEST(ClockSync, TheErrorOfAnAsymmetricPathIsWithinTheStatedUncertainty) {
   ClockSync sync;
   ASSERT_TRUE(sync.add(probe(1s, -5s, 1ms, 39ms)));
-  EXPECT_LE(std::chrono::abs(given(sync) - -5s), sync.uncertainty());
+  EXPECT_LE(std::chrono::abs(given(sync) - -5s), sync.uncertainty(1s + 40ms + 50us));
 }
 
 TEST(ClockSync, TheQuickestProbeIsBelievedThroughOneSidedQueueing) {
@@ -113,6 +113,22 @@ TEST(ClockSync, ACorrectionDownwardsIsSlewedInTwiceItsOwnTime) {
   EXPECT_EQ(sync.offset()->at(heard + 10s), 100s);
 }
 
+TEST(ClockSync, TheStatedUncertaintyCoversWhatIsNotYetSlewed) {
+  ClockSync sync;
+  ASSERT_TRUE(sync.add(probe(1s, 100s, 61ms, 1ms)));
+  ASSERT_TRUE(sync.add(probe(2s, 100s, 1ms, 1ms)));
+  const Nanoseconds heard = 2s + 1ms + 50us + 1ms;
+  EXPECT_GE(sync.uncertainty(heard), 30ms) << "the clock is still 30 ms ahead";
+  EXPECT_LE(sync.uncertainty(heard + 60ms), 2ms) << "all of it is slewed";
+}
+
+TEST(ClockSync, TheStatedUncertaintyGrowsWhileTheServerIsAway) {
+  ClockSync sync;
+  ASSERT_TRUE(sync.add(probe(1s, 100s, 1ms, 1ms)));
+  EXPECT_LE(sync.uncertainty(2s), 2ms);
+  EXPECT_GE(sync.uncertainty(1s + 1h), 500ms) << "crystals may drift apart by 200 ppm";
+}
+
 /// The error after ten seconds of probes as ClientLink sends them, over a symmetric path with 20 ms of jitter.
 Nanoseconds error_after_ten_seconds(std::uint64_t seed, double drift) {
   std::mt19937_64 random(seed);
@@ -128,7 +144,7 @@ Nanoseconds error_after_ten_seconds(std::uint64_t seed, double drift) {
     EXPECT_TRUE(sample.heard < last_heard || shown >= last) << "time ran backwards";
     last_heard = sample.heard;
     last = shown;
-    EXPECT_LE(std::chrono::abs(given(sync) - truth), sync.uncertainty());
+    EXPECT_LE(std::chrono::abs(sync.offset()->at(sample.heard) - truth), sync.uncertainty(sample.heard));
   }
   return std::chrono::abs(given(sync) - 100s - Nanoseconds{static_cast<std::int64_t>(drift * 10e9)});
 }
@@ -162,9 +178,11 @@ TEST(ClockSync, ADriftingClockIsFollowedWithinTheStatedUncertainty) {
     const Nanoseconds truth = 100s + Nanoseconds{100'000} * i;
     const Nanoseconds noise_up{random() % 4 == 0 ? 0 : random() % 30'000'000};
     const Nanoseconds noise_down{random() % 4 == 0 ? 0 : random() % 30'000'000};
-    ASSERT_TRUE(sync.add(probe(1s * i, truth, 2ms + noise_up, 2ms + noise_down)));
+    const ClockSample sample = probe(1s * i, truth, 2ms + noise_up, 2ms + noise_down);
+    ASSERT_TRUE(sync.add(sample));
     if (i > 40) {
-      EXPECT_LE(std::chrono::abs(given(sync) - truth), sync.uncertainty()) << "at " << i << " s";
+      EXPECT_LE(std::chrono::abs(sync.offset()->at(sample.heard) - truth), sync.uncertainty(sample.heard))
+          << "at " << i << " s";
       EXPECT_LT(std::chrono::abs(given(sync) - truth), 6ms) << "at " << i << " s";
     }
   }

@@ -63,7 +63,9 @@ std::vector<Chart> compensation(const Session& session) {
   std::vector<Chart> charts{
       chart_of("Age of the data behind the force", "age [ms]",
                {over_time(session, "surface", plot::kBlue, [](Sample t) { return t.surface_age_s() * 1e3; }),
-                over_time(session, "hand", plot::kVermilion, [](Sample t) { return t.hand_age_s() * 1e3; })}),
+                over_time(session, "hand", plot::kVermilion, [](Sample t) { return t.hand_age_s() * 1e3; }),
+                over_time(session, "error bound of the surface's age, from the session clock", plot::kGrey,
+                          [](Sample t) { return t.clock_error_s() * 1e3; })}),
       chart_of(
           "The surface, carried forward along its normal", "distance [mm]",
           {over_time(session, "carried forward", plot::kBlue, [](Sample t) { return t.surface_carried_m() * 1e3; }),

@@ -28,6 +28,7 @@ void add_latencies(Json& json, const Summary& summary) {
   add_quantiles(json, "capture_to_touchable", summary.capture_to_touchable_ms, false);
   json.end_object();
   add_quantiles(json, "surface_age_ms", summary.surface_age_ms, false);
+  add_quantiles(json, "clock_error_ms", summary.clock_error_ms, false);
   add_quantiles(json, "surface_carried_mm", summary.surface_carried_mm, false);
   add_quantiles(json, "hand_carried_mm", summary.hand_carried_mm, false);
   json.add("object_unseen_share", summary.object_unseen_share);

@@ -47,6 +47,8 @@ void add_latencies(Summary& summary, const Session& session) {
       over(all, [](const Surface& s) { return ms_between(s.decoded_ns(), s.touchable_ns()); });
   summary.capture_to_touchable_ms =
       over(all, [](const Surface& s) { return ms_between(s.captured_ns(), s.touchable_ns()); });
+  summary.clock_error_ms =
+      over(all, [](const Surface& s) { return s.clock_error_s() > 0.0 ? 1e3 * s.clock_error_s() : kUnknown; });
   std::vector<double> ages;
   for (const msg::StationState& state : session.states)
     ages.push_back(ms_between(state.surface_captured_ns(), state.stamp_ns()));

@@ -62,6 +62,8 @@ struct Summary {
   /// The loosest bound of the depth that the station touched; without a station, that of the recorded images.
   wire::DepthFidelity depth;
   Quantiles surface_age_ms;  ///< age of the surface from which the force was computed
+  /// Bound on the error of every latency and age that compares the server's clock with the station's.
+  Quantiles clock_error_ms;
 
   std::vector<Dwell> dwells;  ///< in the order of ar::kPhases
   std::uint64_t touches = 0;  ///< number of contacts

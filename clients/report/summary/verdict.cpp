@@ -104,7 +104,9 @@ std::string account_of(const Summary& s) {
                                                     : ".");
   }
   if (std::isfinite(s.surface_age_ms.p50))
-    text += " The surface under the hand was typically " + readable(s.surface_age_ms.p50) + " ms old.";
+    text += " The surface under the hand was typically " + readable(s.surface_age_ms.p50) + " ms old" +
+            (std::isfinite(s.clock_error_ms.p50) ? ", known within " + readable(s.clock_error_ms.p50) + " ms" : "") +
+            ".";
   if (s.deadlines_missed)
     text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) + " came too late" +
             (s.idle_timer && *s.deadlines_missed > 0 ? ", " + timers_part(s) : "") + ".";

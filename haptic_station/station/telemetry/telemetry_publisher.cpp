@@ -59,13 +59,15 @@ void TelemetryPublisher::publish_event(SessionTime now, msg::EventKind kind, con
   publish_(wire::make_message(wire::kStationEvents, now, event));
 }
 
-void TelemetryPublisher::publish_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped,
-                                        bool realtime, const std::vector<msg::EffectCost>& bill) {
+void TelemetryPublisher::publish_totals(SessionTime now, double clock_error_s, const HapticCounts& counts,
+                                        std::uint64_t frames_dropped, bool realtime,
+                                        const std::vector<msg::EffectCost>& bill) {
   totals_.set_missed(counts.deadlines_missed.load(std::memory_order_relaxed));
   totals_.set_frames_dropped(frames_dropped);
   totals_.set_telemetry_dropped(counts.ticks_dropped.load(std::memory_order_relaxed));
   msg::StationStats stats = totals_.message();
   stats.set_stamp_ns(stamp(now));
+  stats.set_clock_error_s(clock_error_s);
   stats.set_realtime(realtime);
   if (idle_timer_) *stats.mutable_idle_timer() = *idle_timer_;
   for (const msg::EffectCost& cost : bill) *stats.add_bill() = cost;

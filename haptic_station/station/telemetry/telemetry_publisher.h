@@ -22,9 +22,9 @@ class TelemetryPublisher {
   /// Publishes all ticks that wait in the ring. Call it about 100 times a second.
   void drain(SessionTime now);
 
-  /// Publishes the totals so far.
-  void publish_totals(SessionTime now, const HapticCounts& counts, std::uint64_t frames_dropped, bool realtime,
-                      const std::vector<msg::EffectCost>& bill);
+  /// Publishes the totals so far. `clock_error_s`: bound on the error of `now`.
+  void publish_totals(SessionTime now, double clock_error_s, const HapticCounts& counts, std::uint64_t frames_dropped,
+                      bool realtime, const std::vector<msg::EffectCost>& bill);
 
   /// Adds to the totals how late this computer wakes a thread that only waits; see watch_idle_timer().
   void set_idle_timer(const msg::TimerCheck& check) { idle_timer_ = check; }

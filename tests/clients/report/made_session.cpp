@@ -184,6 +184,7 @@ void add_station(std::vector<wire::Message>& out, const MadeSession& made) {
     msg::StationCompensation message;
     message.set_stamp_ns(stamp(i * 0.01));
     message.set_surface_age_s(0.03);
+    message.set_clock_error_s(0.004);
     message.set_surface_carried_m(i % 2 == 0 ? 0.0002 : -0.0002);
     message.set_hand_carried_m(0.001);
     out.push_back(wire::make_message(wire::kStationCompensation, time_of(i * 0.01), message));
@@ -198,6 +199,7 @@ void add_station(std::vector<wire::Message>& out, const MadeSession& made) {
     surface.set_received_ns(stamp(at + 0.0045 + 0.0001 * (frame % 11)));
     surface.set_decoded_ns(stamp(at + 0.0075));
     surface.set_touchable_ns(stamp(at + 0.019 + 0.0005 * (frame % 9)));
+    surface.set_clock_error_s(0.004);
     out.push_back(wire::make_message(wire::kStationSurface, time_of(at + 0.02), surface));
   }
   msg::StationStats stats;

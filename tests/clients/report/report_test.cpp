@@ -245,6 +245,8 @@ TEST(Summary, LatencyStagesAddUpToTheWhole) {
   EXPECT_NEAR(s.received_to_decoded_ms.p50 + s.encoded_to_received_ms.p50, 4.5, 0.2);
   EXPECT_GE(s.capture_to_touchable_ms.p50, 19.0);
   EXPECT_LE(s.capture_to_touchable_ms.p99, 23.1);
+  EXPECT_NEAR(s.clock_error_ms.p50, 4.0, 1e-9);
+  EXPECT_NE(judge(s).account.find(" ms old, known within 4"), std::string::npos) << judge(s).account;
 }
 
 TEST(Summary, GivesHowFarPredictionCarriedHandAndSurfaceWithoutTheirSign) {

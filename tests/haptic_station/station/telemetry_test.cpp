@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "haptic_station/station/telemetry/image_ages.h"
 #include "haptic_station/station/threads/tick_timer.h"
 
 namespace telepalp::station {
@@ -19,6 +20,32 @@ loop::TickSample sample(std::uint64_t tick, msg::Phase phase, float force_N) {
   out.work_us = 10.0F;
   out.force = {0.0F, force_N, 0.0F};
   return out;
+}
+
+msg::SurfaceReport touchable_after(std::chrono::milliseconds age, double clock_error_s) {
+  msg::SurfaceReport report;
+  report.set_captured_ns(1'000'000'000);
+  report.set_touchable_ns(1'000'000'000 + static_cast<std::uint64_t>(std::chrono::nanoseconds(age).count()));
+  report.set_clock_error_s(clock_error_s);
+  return report;
+}
+
+TEST(ImageAges, AreToldWithTheLargestErrorBoundOfTheSessionClock) {
+  ImageAges ages;
+  EXPECT_EQ(ages.in_words(), "") << "no image";
+  for (int i = 0; i < 98; ++i) ages.add(touchable_after(60ms, 0.003));
+  ages.add(touchable_after(120ms, 0.0032));
+  ages.add(touchable_after(120ms, 0.001));
+  EXPECT_EQ(ages.in_words(),
+            "100 images touchable 61 ms (p50) and 122 ms (p99) after capture, each known within 3.2 ms");
+}
+
+TEST(ImageAges, AnUnknownClockIsToldAndAnAgeBelowZeroCountsAsZero) {
+  ImageAges ages;
+  ages.add(touchable_after(-2ms, std::numeric_limits<double>::infinity()));
+  EXPECT_EQ(
+      ages.in_words(),
+      "1 images touchable 0.0 ms (p50) and 0.0 ms (p99) after capture, by a session clock whose error is not known");
 }
 
 TEST(DurationHistogram, EveryQuantileIsWithinThreePercentOfTheSortedValues) {

@@ -31,7 +31,7 @@ class ReplayedStation::Telemetry {
     loop::Compensation compensation = loop.compensation();
     compensation.stamp_ns = sample.stamp_ns;
     publish_(wire::make_message(wire::kStationCompensation, now, station::compensation_message(compensation)));
-    if (ticked_ % kTicksPerTotals == 0) publisher_.publish_totals(now, {}, received_ - touched_, false, {});
+    if (ticked_ % kTicksPerTotals == 0) publisher_.publish_totals(now, 0.0, {}, received_ - touched_, false, {});
   }
   void received() {
     ++received_;
