@@ -224,6 +224,34 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
   }
 });
 
+/** Topics on which nothing comes while nothing happens: a viewer's hand and its holder, an event of the station. */
+const ON_OCCASION = ['/viewer/hand', '/viewer/hand_holder', '/station/events'];
+
+test('each advertised topic is received by a page of an allowed origin, and decoded by the schema that comes along', async () => {
+  const workplace = new Workplace('foxglove_topics');
+  try {
+    const origin = 'https://studio.example';
+    const {port, http_port} = await workplace.server(server, ['--source', 'synthetic', '--viewer', viewer, '--allow-origin', origin]);
+    workplace.start(station, ['--connect', `127.0.0.1:${port}`]);
+    const page = connect(http_port, origin);
+    await until('the topics are advertised', () => page.heard.channels.length > 0);
+    const topics = page.heard.channels.map(({topic}) => topic);
+    const seen = follow(page, topics);
+    const missing = () => topics.filter((topic) => !ON_OCCASION.includes(topic) && seen.newest[topic] === undefined);
+    await until('each topic comes', () => missing().length === 0, 120_000)
+        .catch((problem) => { throw new Error(`${problem.message}: ${missing().join(', ')}`); });
+    for (const [topic, message] of Object.entries(seen.newest)) {
+      const type = typeOf(page.heard.channels.find((one) => one.topic === topic));
+      assert.equal(type.verify(message), null, topic);
+      assert.ok(Object.keys(type.toObject(message)).length > 0, `${topic} is empty`);
+    }
+    assert.deepEqual(page.heard.problems, []);
+    page.client.close();
+  } finally {
+    await workplace.end();
+  }
+});
+
 test('at a server with keys, Foxglove\'s client comes over TLS from an allowed origin, with its token in the address', async () => {
   const workplace = new Workplace('foxglove_keys');
   try {

@@ -1,7 +1,7 @@
 // A hand held in a browser, through the real server, moves the real station: node viewer_hand_test.mjs SERVER STATION
 // VIEWER_DIR
 import assert from 'node:assert/strict';
-import {writeFileSync} from 'node:fs';
+import {readFileSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {dirname, join} from 'node:path';
 import test from 'node:test';
@@ -119,6 +119,37 @@ test('keys and a gamepad steer the hand as a mouse does, and the gamepad shakes 
     await press(0, 1);
     await untilStatus(page, 'A ends it', (now) => !now.holdsHand && now.phase === 'Released');
     assert.deepEqual(problems, []);
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
+test('a controller in a headset is the hand: over the skin it is followed, below it presses', async () => {
+  const workplace = new Workplace('viewer_hand_headset');
+  let browser;
+  try {
+    const {http_port} = await start(workplace, 'browser');
+    browser = await openBrowser(workplace.folder, {width: 390, height: 420});
+    const {page} = browser;
+    const iwer = readFileSync(join(borrowed.resolve('iwer'), '../../build/iwer.min.js'), 'utf8');
+    await page.addInitScript(`${iwer}; window.headsetDevice = new IWER.XRDevice(IWER.metaQuest3); ` +
+        'headsetDevice.installRuntime({forceInstall: true}); ' +
+        'window.controllerAt = (x, y, z) => headsetDevice.controllers.right.position.set(x, y, z);');
+    await page.goto(`http://127.0.0.1:${http_port}/`);
+    await untilStatus(page, 'without a hand it has let go', (now) => now.connected && now.meshVertices > 200 && now.phase === 'Released');
+    await page.waitForSelector('#headset', {state: 'visible'});
+    // The patient's middle lies 0.95 m above the floor and 0.55 m before the viewer.
+    await page.evaluate(() => window.controllerAt(0, 1.02, -0.55));
+    await page.evaluate(() => document.getElementById('headset').click());
+    await page.waitForSelector('#headset[aria-pressed="true"]', {state: 'attached'});
+    await page.evaluate(() => document.getElementById('hold-hand').click());
+    await untilStatus(page, 'the controller is followed', (now) => now.holdsHand && now.phase === 'Out body');
+    await page.evaluate(() => window.controllerAt(0, 0.925, -0.55));
+    await untilStatus(page, 'it presses the skin', (now) => now.phase === 'In body' && now.force_N > 0.5);
+    await page.evaluate(() => document.getElementById('headset').click());
+    await page.waitForSelector('#headset[aria-pressed="false"]', {state: 'attached'});
+    await untilStatus(page, 'without the headset there is no hand', (now) => now.phase === 'Released');
   } finally {
     await browser?.context.close();
     await workplace.end();

@@ -37,6 +37,7 @@ if (new URLSearchParams(location.search).get('mesh') === 'off') view.surface.hid
 const viewerHand = new ViewerHandInput(view, canvas, (hand) => link.publishHand(hand));
 const steering = new HandSteering(canvas, () => viewerHand.held, () => document.getElementById('hold-hand')?.click());
 viewerHand.steering = steering;
+view.headset.onHand = (at) => (viewerHand.tracked = at);
 
 function openView(): SceneView {
   try {

@@ -39,7 +39,7 @@ class HolderNotice {
 }
 
 /**
- * A hand that follows the pointer, keys or a gamepad. It hovers over the skin, and it presses slowly in while the first button or a finger
+ * A hand that follows the pointer, keys, a gamepad, or the hand that a headset tracks. It hovers over the skin, and it presses slowly in while the first button or a finger
  * is down. Its position is sent about 100 times a second. When the pointer leaves the picture or the browser is busy,
  * nothing is sent: the station releases, but this viewer still holds the hand. The button, a hidden page or the end of
  * the connection gives up the hand, and *Hand over* passes it to a viewer that asks; until then, other viewers can only
@@ -54,6 +54,8 @@ export class ViewerHandInput {
   private stepped_ms = 0;
   private holder: HandHolder = {viewer: 0n, asking: []};
   private mine = false;  // true: this viewer holds the hand
+  /** Where a headset tracks the user's hand, in the scene's frame; undefined: nowhere. It comes before the pointer. */
+  tracked: Vector3 | undefined;
   /** Keys and gamepad that steer the hand; set once, after construction. */
   steering: HandSteering | undefined;
   private readonly notice = new HolderNotice(() => this.handOver());
@@ -95,6 +97,7 @@ export class ViewerHandInput {
     const now_ms = performance.now();
     const step_s = Math.min(LONGEST_STEP_S, (now_ms - this.stepped_ms) / 1000);
     this.stepped_ms = now_ms;
+    if (this.tracked !== undefined) return this.send(this.movedTowards(this.tracked.clone(), step_s), now_ms);
     this.pointer = this.steering?.move(step_s) ?? this.pointer;
     if (this.pointer === undefined) return this.rest();
     this.skin = this.view.surfaceUnder(this.pointer.x, this.pointer.y) ?? this.skin;
@@ -103,7 +106,10 @@ export class ViewerHandInput {
     const way_m = (press > 0 ? -SINKS_M_PER_S * press : RISES_M_PER_S) * step_s;
     this.height_m = Math.min(HOVER_M, Math.max(PRESSED_M, this.height_m + way_m));
     const towardsCamera = this.skin.clone().multiplyScalar(-1).normalize();
-    const at = this.movedTowards(this.skin.clone().addScaledVector(towardsCamera, this.height_m), step_s);
+    this.send(this.movedTowards(this.skin.clone().addScaledVector(towardsCamera, this.height_m), step_s), now_ms);
+  }
+
+  private send(at: Vector3, now_ms: number): void {
     this.publish({sampledUs: BigInt(Math.round(1000 * now_ms)), handCamera: toCamera(at)});
   }
 

@@ -24,6 +24,8 @@ export async function headsetIsThere(): Promise<boolean> {
  * camera's axis points down, so that the patient's front is up.
  */
 export class Headset {
+  /** The user's hand or controller in the scene's frame [m], at each frame; undefined: none is tracked. */
+  onHand: (at: Vector3 | undefined) => void = () => undefined;
   private session: XRSession | undefined;
 
   /** `world`: all that the patient's site shows. `draw`: draws one frame. `onEnd`: the headset shows nothing more. */
@@ -40,7 +42,7 @@ export class Headset {
 
   /** `middle`: the patient's middle in the scene. Throws when the headset or the user refuses. */
   async begin(middle: Vector3): Promise<void> {
-    const session = await xrOf()!.requestSession('immersive-vr', {optionalFeatures: ['local-floor']});
+    const session = await xrOf()!.requestSession('immersive-vr', {optionalFeatures: ['local-floor', 'hand-tracking']});
     this.session = session;
     session.addEventListener('end', () => this.ended());
     this.renderer.xr.enabled = true;
@@ -48,7 +50,25 @@ export class Headset {
     await this.renderer.xr.setSession(session);
     this.world.rotation.set(-Math.PI / 2, 0, 0);
     this.world.position.copy(PATIENT_AT).sub(middle.clone().applyEuler(this.world.rotation));
-    this.renderer.setAnimationLoop(this.draw);
+    this.renderer.setAnimationLoop((_time, frame?: XRFrame) => {
+      if (frame === undefined) return;  // three.js's loop of the window, which goes on beside that of the headset
+      this.onHand(this.handIn(frame, session));
+      this.draw();
+    });
+  }
+
+  /** The tip of the index finger, or the grip of a controller; of the right hand if it is tracked. */
+  private handIn(frame: XRFrame, session: XRSession): Vector3 | undefined {
+    const space = this.renderer.xr.getReferenceSpace();
+    if (space === null) return undefined;
+    const places = Array.from(session.inputSources, (source) => {
+      const tip = source.hand?.get('index-finger-tip');
+      const pose = tip !== undefined ? frame.getJointPose?.(tip, space) : source.gripSpace && frame.getPose(source.gripSpace, space);
+      return {right: source.handedness === 'right', at: pose?.transform.position};
+    }).filter(({at}) => at !== undefined);
+    const at = (places.find(({right}) => right) ?? places[0])?.at;
+    this.world.updateMatrixWorld();
+    return at && this.world.worldToLocal(new Vector3(at.x, at.y, at.z));
   }
 
   async end(): Promise<void> {
@@ -57,6 +77,7 @@ export class Headset {
 
   private ended(): void {
     this.session = undefined;
+    this.onHand(undefined);
     this.renderer.setAnimationLoop(null);
     this.renderer.xr.enabled = false;
     this.world.rotation.set(0, 0, 0);
