@@ -34,29 +34,33 @@ struct SolidAt {
 };
 
 /// A node that can be evaluated. Its placement maps its own frame to the frame of the operator that contains it:
-/// p_above = scale turn p + shift.
-struct TreeNode {
+/// p_above = scale turn p + shift. A small shape that is not turned is evaluated from two cache lines.
+struct alignas(64) TreeNode {
   Op op = Op::Sphere;
   std::uint8_t axis = 0;
   Exactness exactness = Exactness::Everywhere;
-  bool placed = false;                       ///< false: the placement is the identity
-  std::uint32_t first = 0;                   ///< an operand; of a union, its first unbounded member in `loose`
-  std::uint32_t second = 0;                  ///< an operand; of a union, one past its last unbounded member
-  std::uint32_t hierarchy = 0;               ///< of a union: root of its bounded members in `boxes`; kNothing: none
+  bool placed = false;          ///< false: the placement is the identity
+  bool turned = false;          ///< false: `turn` is the identity
+  std::uint32_t first = 0;      ///< an operand; of a union, its first unbounded member in `loose`
+  std::uint32_t second = 0;     ///< an operand; of a union, one past its last unbounded member
+  std::uint32_t hierarchy = 0;  ///< of a union: root of its bounded members in `boxes`; kNothing: none
+  double scale = 1.0;
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   std::array<double, 8> numbers{};           ///< of a shape, a clip or a blend
   const DistanceLattice* lattice = nullptr;  ///< of a mesh; borrowed from the tree's `lattices`
-  double scale = 1.0;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   Box box;  ///< contains the solid, in the frame of the operator above
 };
 inline constexpr std::uint32_t kNothing = 0xffffffff;
 
-/// A node of the hierarchy of boxes over the members of a union.
-struct BoxNode {
-  Box box;
-  std::uint32_t left = kNothing;  ///< kNothing: `right` is a member
-  std::uint32_t right = kNothing;
+/// A node of the hierarchy of boxes over the members of a union: up to four boxes, tested together.
+struct alignas(64) BoxNode {  // two cache lines
+  static constexpr std::size_t kWidth = 4;
+  static constexpr std::uint32_t kMember = 0x80000000;  ///< flag of a child that is a member, not a BoxNode
+
+  std::array<std::array<float, kWidth>, 3> low{};   ///< per axis, then per child; rounded outwards
+  std::array<std::array<float, kWidth>, 3> high{};  ///< infinitely far from each point where there is no child
+  std::array<std::uint32_t, kWidth> child{kNothing, kNothing, kNothing, kNothing};
 };
 
 /// A solid in the form that is evaluated: flat arrays, made by build_tree().

@@ -86,6 +86,7 @@ class TreeBuilder {
     node.numbers = numbers_of(given);
     node.scale = placing.scale;
     node.turn = placing.turn;
+    node.turned = !placing.turn.isIdentity(0.0);
     node.shift = placing.shift;
     if (given.kind().operands == 0)
       add_shape(given, node);

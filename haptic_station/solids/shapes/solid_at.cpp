@@ -54,26 +54,45 @@ struct Waiting {
   std::uint32_t node;
   double squared_m2;
 };
-constexpr std::size_t kMostWaiting = 64;  // the hierarchy halves its members, so it is at most 32 deep
+constexpr std::size_t kMostWaiting = 64;  // the hierarchy quarters its members: 16 levels leave 3 each, and 4 at the end
 
-/// The nearer box first, so that its value rules out the other.
+using Lanes = std::array<double, BoxNode::kWidth>;
+
+/// Squared distances of the children's boxes [m^2]. The compiler computes the lanes together.
+Lanes squared_distances(const BoxNode& node, const Vector3d& p) noexcept {
+  Lanes sum{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double at = p[static_cast<Eigen::Index>(axis)];
+    for (std::size_t i = 0; i < BoxNode::kWidth; ++i) {
+      const double gap = std::max(std::max(double{node.low[axis][i]} - at, at - double{node.high[axis][i]}), 0.0);
+      sum[i] += gap * gap;
+    }
+  }
+  return sum;
+}
+
+/// The nearest box first, so that its value rules out the others.
 void evaluate_bounded(const SolidTree& tree, std::uint32_t hierarchy, const Vector3d& p, Least& least) noexcept {
   std::array<Waiting, kMostWaiting> waiting;
   std::size_t count = 0;
-  waiting[count++] = {hierarchy, tree.boxes[hierarchy].box.squared_distance_m2(p)};
+  waiting[count++] = {hierarchy, 0.0};
   while (count > 0) {
     const Waiting next = waiting[--count];
     if (least.beats(next.squared_m2)) continue;
-    const BoxNode& box = tree.boxes[next.node];
-    if (box.left == kNothing) {
-      least.take(evaluate(tree, box.right, p));
+    if ((next.node & BoxNode::kMember) != 0) {
+      least.take(evaluate(tree, next.node & ~BoxNode::kMember, p));
       continue;
     }
-    Waiting near{box.left, tree.boxes[box.left].box.squared_distance_m2(p)};
-    Waiting far{box.right, tree.boxes[box.right].box.squared_distance_m2(p)};
-    if (far.squared_m2 < near.squared_m2) std::swap(near, far);
-    if (!least.beats(far.squared_m2)) waiting[count++] = far;
-    waiting[count++] = near;
+    const BoxNode& node = tree.boxes[next.node];
+    const Lanes squared_m2 = squared_distances(node, p);
+    const std::size_t first = count;
+    for (std::size_t i = 0; i < BoxNode::kWidth; ++i) {
+      if (node.child[i] == kNothing || least.beats(squared_m2[i])) continue;
+      std::size_t place = count++;
+      for (; place > first && waiting[place - 1].squared_m2 < squared_m2[i]; --place)
+        waiting[place] = waiting[place - 1];
+      waiting[place] = {node.child[i], squared_m2[i]};
+    }
   }
 }
 
@@ -167,9 +186,10 @@ SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Vector3d& p) 
   const TreeNode& node = tree.nodes[index];
   SolidAt at;
   if (node.placed) {
-    at = in_own_frame(tree, index, node.turn.transpose() * (p - node.shift) / node.scale);
+    const Vector3d moved = (p - node.shift) / node.scale;
+    at = in_own_frame(tree, index, node.turned ? Vector3d(node.turn.transpose() * moved) : moved);
     at.m *= node.scale;
-    at.gradient = node.turn * at.gradient;
+    if (node.turned) at.gradient = node.turn * at.gradient;
   } else {
     at = in_own_frame(tree, index, p);
   }
