@@ -25,16 +25,22 @@ Vector<HapticBase> Solid::wall_velocity(double dt_s) const noexcept {
   return {(swell_m(next) - swell_m(phase_)) / dt_s * felt_.outwards};
 }
 
+void Solid::begin(const EffectInput& in) noexcept {
+  proxy_.forget();
+  tip_center_m_ = settings_.tip_radius_m * in.contact.normal.v;
+}
+
 Force<HapticBase> Solid::step(const EffectInput& in, double dt_s) noexcept {
   energy_J_ = 0.0;
   touch_ = ObjectTouch::None;
   if (!settings_.layer) return {};
   const solids::SolidTree& tree = *settings_.layer->tree;
   phase_ = std::fmod(phase_ + settings_.pulses_per_s * dt_s, 1.0);
-  felt_ = proxy_.step(tree, in.device.m, swell_m(phase_));
+  const Eigen::Vector3d tip = in.device.m + tip_center_m_;
+  felt_ = proxy_.step(tree, tip, settings_.tip_radius_m + swell_m(phase_));
   if (felt_.depth_m <= 0.0) {
-    if (tree.box().squared_distance_m2(in.device.m) <= settings_.around_m * settings_.around_m &&
-        solids::solid_at(tree, in.device.m).m <= settings_.around_m)
+    const double near_m = settings_.tip_radius_m + settings_.around_m;
+    if (tree.box().squared_distance_m2(tip) <= near_m * near_m && solids::solid_at(tree, tip).m <= near_m)
       touch_ = ObjectTouch::Near;
     return {};
   }

@@ -70,6 +70,8 @@ effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, co
   if (message.has_stiffness_n_per_m())
     check.number("solid.stiffness_N_per_m", message.stiffness_n_per_m(), {0, 5000, "N/m"}, settings.stiffness_N_per_m);
   if (message.has_around_m()) check.number("solid.around_m", message.around_m(), {0, 0.1, "m"}, settings.around_m);
+  if (message.has_tip_radius_m())
+    check.number("solid.tip_radius_m", message.tip_radius_m(), {0, 0.02, "m"}, settings.tip_radius_m);
   if (message.has_pulse()) {
     double beats_per_min = 72.0;
     settings.pulse_m = 0.001;

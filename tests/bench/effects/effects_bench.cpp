@@ -52,45 +52,84 @@ void measure_proxy(const SolidTree& ribs, Report& report) {
   report.rows.push_back(at_most("24 ribs, proxy step, p99.9", us.p999(), "us", 20.0));
 }
 
-/// Mean processor time of an evaluation near the surface of `count` separated spheres [us].
-double evaluation_us(int count) {
-  const int side = static_cast<int>(std::lround(std::cbrt(count)));
+/// `count` balls of 0.2 m radius, 1 m apart, in a cube.
+std::shared_ptr<const SolidTree> balls(int count, int side) {
   std::string text;
-  int made = 0;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; ++i)
     text += std::string(i + 1 < count ? "+ " : "") + "tr " + std::to_string(i % side) + " " +
             std::to_string(i / side % side) + " " + std::to_string(i / side / side) + " sphere 0.2 ";
-    ++made;
-  }
-  const auto tree = tree_of(text);
-  std::mt19937_64 random(7);
-  std::vector<Vector3d> places;
-  for (int i = 0; i < 1000; ++i) {
-    const int k = std::uniform_int_distribution(0, made - 1)(random);
-    std::uniform_real_distribution off(-0.25, 0.25);
-    places.emplace_back(k % side + off(random), k / side % side + off(random), k / side / side + off(random));
-  }
+  return tree_of(text);
+}
+
+/// Mean processor time of an evaluation at these places [us], the median over rounds.
+double evaluation_us(const SolidTree& tree, const std::vector<Vector3d>& places) {
   Distribution us;
   double sum = 0.0;
-  for (int round = 0; round < 21; ++round) {
+  for (int round = 0; round < 15; ++round) {
     const double before = thread_us();
-    for (const Vector3d& place : places) sum += solids::solid_at(*tree, place).m;
+    for (const Vector3d& place : places) sum += solids::solid_at(tree, place).m;
     us.add((thread_us() - before) / static_cast<double>(places.size()));
   }
   return std::isfinite(sum) ? us.p50() : HUGE_VAL;
 }
 
+/// A finger that moves 0.1 mm from one evaluation to the next, past two balls.
+std::vector<Vector3d> finger_path(int side) {
+  std::vector<Vector3d> places;
+  for (int i = 0; i < 20'000; ++i) places.emplace_back(1e-4 * i, side / 2 + 0.1, side / 2 + 0.05);
+  return places;
+}
+
+/// Places near the surfaces of balls that are chosen at random.
+std::vector<Vector3d> scattered(int count, int side) {
+  std::mt19937_64 random(7);
+  std::vector<Vector3d> places;
+  for (int i = 0; i < 1000; ++i) {
+    const int k = std::uniform_int_distribution(0, count - 1)(random);
+    std::uniform_real_distribution off(-0.25, 0.25);
+    places.emplace_back(k % side + off(random), k / side % side + off(random), k / side / side + off(random));
+  }
+  return places;
+}
+
 /// A cost that grows with the logarithm has a constant difference per factor of ten.
 void measure_growth(Report& report) {
-  const double one = evaluation_us(10);
-  const double hundred = evaluation_us(100);
-  const double thousand = evaluation_us(1000);
-  const double ten_thousand = evaluation_us(10'000);
-  report.rows.push_back(measured("evaluation, 10 solids", 1e3 * one, "ns"));
-  report.rows.push_back(measured("evaluation, 100 solids", 1e3 * hundred, "ns"));
-  report.rows.push_back(measured("evaluation, 1000 solids", 1e3 * thousand, "ns"));
-  report.rows.push_back(measured("evaluation, 10000 solids", 1e3 * ten_thousand, "ns"));
-  report.rows.push_back(at_most("10000 against 10 solids, log grows by 4", ten_thousand / one, "", 4.0));
+  double least = HUGE_VAL;
+  double most = 0.0;
+  for (const int count : {10, 100, 1000, 10'000}) {
+    const int side = static_cast<int>(std::lround(std::cbrt(count)));
+    const auto tree = balls(count, side);
+    const double finger_us = evaluation_us(*tree, finger_path(side));
+    least = std::min(least, finger_us);
+    most = std::max(most, finger_us);
+    const std::string solids = std::to_string(count) + " solids";
+    report.rows.push_back(measured("evaluation by a finger, " + solids, 1e3 * finger_us, "ns"));
+    report.rows.push_back(
+        measured("evaluation at scattered places, " + solids, 1e3 * evaluation_us(*tree, scattered(count, side)), "ns"));
+  }
+  report.rows.push_back(at_most("finger, dearest against cheapest, log grows by 4", most / least, "", 4.0));
+}
+
+/// Difference between the gradient and central differences, the smallest over four step sizes. A wrong gradient is
+/// wrong at each of them. Wide steps may straddle a place where the gradient has a kink, narrow ones suffer from
+/// rounding. Infinite at a tie, where the steps reach another part.
+double gradient_error(const SolidTree& tree, const Vector3d& p) {
+  const solids::SolidAt at = solids::solid_at(tree, p);
+  double least = HUGE_VAL;
+  for (const double h : {1e-5, 3e-6, 1e-6, 3e-7}) {
+    bool tie = false;
+    Vector3d slope;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto value = [&](double step) {
+        const solids::SolidAt there = solids::solid_at(tree, p + step * Vector3d::Unit(axis));
+        tie = tie || there.part != at.part || (there.gradient - at.gradient).norm() > 0.02;
+        return there.m;
+      };
+      slope[axis] = (value(h) - value(-h)) / (2.0 * h);
+    }
+    if (!tie) least = std::min(least, (slope - at.gradient).norm());
+  }
+  return least;
 }
 
 void measure_gradient(const SolidTree& tree, Report& report) {
@@ -101,21 +140,10 @@ void measure_gradient(const SolidTree& tree, Report& report) {
   int compared = 0;
   for (int i = 0; i < 20'000; ++i) {
     const Vector3d p(xz(random), y(random), xz(random));
-    const solids::SolidAt at = solids::solid_at(tree, p);
-    bool tie = false;
-    Vector3d slope;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto value = [&](double h) {
-        const solids::SolidAt there = solids::solid_at(tree, p + h * Vector3d::Unit(axis));
-        tie = tie || there.part != at.part || (there.gradient - at.gradient).norm() > 0.02;
-        return there.m;
-      };
-      const double wide = (value(1e-5) - value(-1e-5)) / 2e-5;
-      slope[axis] = (4.0 * (value(5e-6) - value(-5e-6)) / 1e-5 - wide) / 3.0;
-    }
-    if (tie) continue;
+    const double error = gradient_error(tree, p);
+    if (!std::isfinite(error)) continue;
     ++compared;
-    worst = std::max(worst, (slope - at.gradient).norm());
+    worst = std::max(worst, error);
   }
   report.rows.push_back(at_least("gradient: places away from ties", compared, "", 10'000.0));
   report.rows.push_back(at_most("gradient against differences, worst", worst, "", 1e-6));
@@ -134,21 +162,30 @@ void measure_ribs(const scenes::Scene& scene, Report& report) {
   report.rows.push_back(at_most("finger along the ribs, force change a tick", worst_N, "N", 0.05));
 }
 
+double found_percent(const std::optional<Mass>& mass, int seeds, double& hand_s) {
+  int found = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const MassSearch search = search_mass(mass, static_cast<std::uint64_t>(seed));
+    if (mass ? search.right : search.named) ++found;
+    hand_s = search.hand_s;
+  }
+  return 100.0 * found / seeds;
+}
+
 void measure_masses(Report& report) {
+  double hand_s = 0.0;
   for (const double size_mm : {10.0, 20.0, 30.0})
     for (const double depth_mm : {10.0, 20.0, 30.0})
       for (const double stiffness : {300.0, 900.0}) {
-        int found = 0;
-        constexpr int kSeeds = 20;
-        for (int seed = 1; seed <= kSeeds; ++seed)
-          if (finds_mass({1e-3 * size_mm, 1e-3 * depth_mm, stiffness}, static_cast<std::uint64_t>(seed))) ++found;
+        const bool asked = size_mm == 20.0 && depth_mm == 20.0 && stiffness == 900.0;
+        const double share = found_percent(Mass{1e-3 * size_mm, 1e-3 * depth_mm, stiffness}, asked ? 40 : 10, hand_s);
         char name[96];
         std::snprintf(name, sizeof name, "mass of %.0f mm, %.0f mm deep, %.0f N/m: found", size_mm, depth_mm,
                       stiffness);
-        const double share = 100.0 * found / kSeeds;
-        const bool asked = size_mm == 20.0 && depth_mm == 20.0 && stiffness == 900.0;
         report.rows.push_back(asked ? at_least(name, share, "%", 95.0) : measured(name, share, "%"));
+        if (asked) report.rows.push_back(measured("search for it, time of the hand", hand_s, "s"));
       }
+  report.rows.push_back(at_most("no mass: a place named nevertheless", found_percent({}, 40, hand_s), "%", 0.0));
 }
 
 /// A scene is billed for the effects that it names.

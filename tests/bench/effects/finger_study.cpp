@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -76,29 +77,88 @@ int entries_of(const solids::SolidTree& tree, const std::vector<Vector3d>& path)
 
 }  // namespace
 
+namespace {
+
+/// Presses down at rest, slides along z at one depth, and lifts at rest.
+class ChestPath {
+ public:
+  ChestPath(const solids::SolidTree& ribs, std::mt19937_64& random) {
+    const auto uniform = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
+    const double side = uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0;
+    x_m_ = side * uniform(0.025, 0.045);
+    depth_m_ = 0.0155 + 0.5 * x_m_ * x_m_ / 0.13 + uniform(0.0, 0.002);  // a third of a rib's width deep in it
+    speed_m_per_s_ = uniform(0.02, 0.04);
+    from_m_ = gap_after(ribs, uniform(-0.2, -0.1));
+    to_m_ = gap_after(ribs, uniform(0.0, 0.1));
+  }
+  [[nodiscard]] double length_s() const { return 2.0 * kPress_s + (to_m_ - from_m_) / speed_m_per_s_; }
+  [[nodiscard]] Vector3d at(double time_s) const {
+    const double slid_m = speed_m_per_s_ * (std::min(time_s, length_s() - kPress_s) - kPress_s);
+    const double pressed = std::min({1.0, time_s / kPress_s, (length_s() - time_s) / kPress_s});
+    return {x_m_, -pressed * depth_m_, from_m_ + std::max(0.0, slid_m)};
+  }
+
+ private:
+  static constexpr double kPress_s = 0.5;
+
+  /// The next place between two ribs, where an examiner sets a finger.
+  [[nodiscard]] double gap_after(const solids::SolidTree& ribs, double z_m) const {
+    while (solids::solid_at(ribs, {x_m_, -depth_m_, z_m}).m < 0.005) z_m += 0.001;
+    return z_m;
+  }
+
+  double x_m_, depth_m_, speed_m_per_s_, from_m_ = 0.0, to_m_ = 0.0;
+};
+
+/// Depth at which the effects push back with `force_N` at (x, z), at most 60 mm.
+double depth_at_force(effects::EffectBank bank, double x, double z, double force_N, const Tremor& tremor,
+                      std::mt19937_64& random) {
+  std::normal_distribution<double> noise(0.0, kNoise_N);
+  double depth_m = 0.0;
+  double felt_N = 0.0;
+  for (int i = 0; i < 4000 && felt_N < force_N && depth_m < 0.06; ++i) {
+    const double t = i * kTick_s;
+    depth_m = std::max(0.0, 0.03 * t + tremor.at_m(t, 1));
+    const effects::EffectInput in = under_skin({x + tremor.at_m(t, 0), -depth_m, z + tremor.at_m(t, 2)});
+    if (i == 0) bank.begin(in);
+    felt_N = bank.step(in, kTick_s).N.norm() + noise(random);
+  }
+  return depth_m;
+}
+
+effects::EffectBank belly_with(const std::optional<Mass>& mass, const Vector3d& at) {
+  effects::EffectBank bank;
+  (void)bank.add(effects::Skin({.law = effects::find_tissue("relaxed_belly")->law}));
+  if (!mass) return bank;
+  const std::string text = "tr " + std::to_string(at.x()) + " " + std::to_string(at.y()) + " " +
+                           std::to_string(at.z()) + " sphere " + std::to_string(0.5 * mass->size_m);
+  const auto tree = *solids::build_tree(*solids::parse_polish(text, "mass"));
+  (void)bank.add(
+      effects::Solid({.layer = std::make_shared<const effects::SolidLayer>(effects::SolidLayer{"mass", tree, {}}),
+                      .stiffness_N_per_m = mass->stiffness_N_per_m,
+                      .tip_radius_m = 0.008}));
+  return bank;
+}
+
+}  // namespace
+
 RibCount count_ribs(const scenes::Scene& scene, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const auto uniform = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
-  const double side = uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0;
-  const double x = side * uniform(0.025, 0.045);
-  const double depth_m = 0.0155 + 0.5 * x * x / 0.13 + uniform(0.0, 0.002);  // a third of a rib's width deep in it
-  const double speed = uniform(0.02, 0.04);
+  const solids::SolidTree& ribs = *scene.layers.front()->tree;
+  const ChestPath finger(ribs, random);
   const Tremor tremor(random);
   std::normal_distribution<double> noise(0.0, kNoise_N);
   effects::EffectBank bank = scene.effects;
   std::vector<Vector3d> path;
   std::vector<double> trace_N;
   RibCount count;
-  constexpr double kWay_m = 0.2;
   Vector3d last_N = Vector3d::Zero();
   double smooth_N = 0.0;
-  const int ticks = static_cast<int>(kWay_m / speed / kTick_s);
+  const int ticks = static_cast<int>(finger.length_s() / kTick_s);
   for (int i = 0; i < ticks; ++i) {
     const double t = i * kTick_s;
-    const double pressed_m = depth_m * std::min({1.0, t / 0.5, (ticks - i) * kTick_s / 0.5});
-    path.emplace_back(x + tremor.at_m(t, 0), -pressed_m + tremor.at_m(t, 1),
-                      -0.5 * kWay_m + speed * t + tremor.at_m(t, 2));
-    effects::EffectInput in = under_skin(path.back());
+    path.push_back(finger.at(t) + Vector3d(tremor.at_m(t, 0), tremor.at_m(t, 1), tremor.at_m(t, 2)));
+    const effects::EffectInput in = under_skin(path.back());
     if (i == 0) bank.begin(in);
     const Vector3d now_N = bank.step(in, kTick_s).N;
     if (i > 0) count.worst_step_N = std::max(count.worst_step_N, (now_N - last_N).norm());
@@ -106,47 +166,36 @@ RibCount count_ribs(const scenes::Scene& scene, std::uint64_t seed) {
     smooth_N += 0.01 * (now_N.y() + noise(random) - smooth_N);
     trace_N.push_back(smooth_N);
   }
-  count.crossed = entries_of(*scene.layers.front()->tree, path);
+  count.crossed = entries_of(ribs, path);
   count.counted = peaks_of(trace_N, 0.5);
   return count;
 }
 
-bool finds_mass(const Mass& mass, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const auto uniform = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
-  const Vector3d at(uniform(-0.035, 0.035), -mass.depth_m - 0.5 * mass.size_m, uniform(-0.035, 0.035));
-  const Tremor tremor(random);
-  const std::string text = "tr " + std::to_string(at.x()) + " " + std::to_string(at.y()) + " " +
-                           std::to_string(at.z()) + " sphere " + std::to_string(0.5 * mass.size_m);
-  const auto tree = *solids::build_tree(*solids::parse_polish(text, "mass"));
-  effects::EffectBank bank;
-  (void)bank.add(effects::Skin({.law = effects::find_tissue("relaxed_belly")->law}));
-  (void)bank.add(
-      effects::Solid({.layer = std::make_shared<const effects::SolidLayer>(effects::SolidLayer{"mass", tree, {}}),
-                      .stiffness_N_per_m = mass.stiffness_N_per_m}));
+MassSearch search_mass(const std::optional<Mass>& mass, std::uint64_t seed) {
   constexpr double kPress_N = 8.0;
-  std::normal_distribution<double> noise(0.0, kNoise_N);
+  constexpr double kGrid_m = 0.01;
+  constexpr double kShallower_m = 0.001;  // ten times the scatter of the depths
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> place(-0.035, 0.035);
+  Vector3d at(place(random), 0.0, place(random));
+  if (mass) at.y() = -mass->depth_m - 0.5 * mass->size_m;
+  const Tremor tremor(random);
+  const effects::EffectBank bank = belly_with(mass, at);
+  MassSearch search;
   std::vector<std::pair<double, Vector3d>> reached;  // depth, place
-  for (double x = -0.045; x <= 0.0451; x += 0.015)
-    for (double z = -0.045; z <= 0.0451; z += 0.015) {
-      double depth_m = 0.0;
-      double felt_N = 0.0;
-      for (int i = 0; i < 4000 && felt_N < kPress_N && depth_m < 0.06; ++i) {
-        const double t = i * kTick_s;
-        depth_m = 0.03 * t;
-        effects::EffectInput in = under_skin({x + tremor.at_m(t, 0), -depth_m, z + tremor.at_m(t, 2)});
-        if (i == 0) bank.begin(in);
-        felt_N = bank.step(in, kTick_s).N.norm() + noise(random);
-      }
-      reached.emplace_back(depth_m, Vector3d(x, 0.0, z));
+  for (double x = -0.045; x <= 0.0451; x += kGrid_m)
+    for (double z = -0.045; z <= 0.0451; z += kGrid_m) {
+      reached.emplace_back(depth_at_force(bank, x, z, kPress_N, tremor, random), Vector3d(x, 0.0, z));
+      search.hand_s += reached.back().first / 0.03 + 0.3;  // and 0.3 s to the next place
     }
   std::vector<double> depths;
-  for (const auto& [depth_m, place] : reached) depths.push_back(depth_m);
+  for (const auto& [depth_m, where] : reached) depths.push_back(depth_m);
   std::nth_element(depths.begin(), depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2), depths.end());
   const double usual_m = depths[depths.size() / 2];
-  const auto& [least_m, place] = *std::ranges::min_element(reached, {}, [](const auto& one) { return one.first; });
-  const double off_m = std::hypot(place.x() - at.x(), place.z() - at.z());
-  return least_m < usual_m - 0.0015 && off_m < 0.015;
+  const auto& [least_m, where] = *std::ranges::min_element(reached, {}, [](const auto& one) { return one.first; });
+  search.named = least_m < usual_m - kShallower_m;
+  search.right = search.named && mass && std::hypot(where.x() - at.x(), where.z() - at.z()) < 0.015;
+  return search;
 }
 
 }  // namespace telepalp::bench

@@ -39,6 +39,37 @@ TEST(Solid, EachLayerPushesWithItsOwnStiffness) {
   EXPECT_NEAR(bank.energy_J(), 0.5 * 300.0 * 0.015 * 0.015 + 0.5 * 900.0 * 0.005 * 0.005, 1e-4);
 }
 
+/// A finger slides across a rib of 8 mm radius, 5 mm deep in it.
+struct Slide {
+  double most_N = 0.0;
+  double worst_step_N = 0.0;
+};
+Slide across_a_rib(double tip_radius_m) {
+  const auto tree = *solids::build_tree(*solids::parse_polish("capsule -0.1 -0.02 0 0.1 -0.02 0 0.008", "test"));
+  Solid rib({.layer = std::make_shared<const SolidLayer>(SolidLayer{"rib", tree, {}}),
+             .stiffness_N_per_m = 1000.0,
+             .tip_radius_m = tip_radius_m});
+  Slide slide;
+  Vector3d last_N = Vector3d::Zero();
+  rib.begin(at({0.0, 0.0, -0.03}));
+  for (int i = 0; i < 6000; ++i) {
+    const Vector3d now_N = rib.step(at({0.0, -0.017, -0.03 + 1e-5 * i}), kTick_s).N;
+    slide.most_N = std::max(slide.most_N, now_N.norm());
+    slide.worst_step_N = std::max(slide.worst_step_N, (now_N - last_N).norm());
+    last_N = now_N;
+  }
+  return slide;
+}
+
+TEST(Solid, ARoundFingertipFeelsTheTopAtTheSameDepthAndTheSidesLessSteeply) {
+  const Slide point = across_a_rib(0.0);
+  const Slide finger = across_a_rib(0.006);
+  EXPECT_NEAR(point.most_N, 1000.0 * 0.005, 0.02);
+  EXPECT_NEAR(finger.most_N, 1000.0 * 0.005, 0.02);
+  EXPECT_NEAR(point.worst_step_N, 1000.0 * 1e-5 * 5.0 / 3.0, 1e-3) << "k d / (r - d) for each metre of the slide";
+  EXPECT_LE(finger.worst_step_N, 1000.0 * 1e-5 * 1.01) << "no more than the spring's own stiffness";
+}
+
 TEST(Solid, MovesWithTheBody) {
   EffectBank bank;
   ASSERT_TRUE(bank.add(layer("tr 0 -0.03 0 sphere 0.02", 500.0)));
