@@ -56,7 +56,7 @@ class ScanLine {
     sent_dB_ -= 2.0 * 100.0 * step_m * (tissue.attenuation_dB_per_cm - settings_.tissue.attenuation_dB_per_cm);
     const double grain_dB =
         tissue.scatter > 0.0 ? kSpeckle_dB + 20.0 * std::log10(tissue.scatter) + speckle_dB(p) : -1e3;
-    return sent_dB_ + std::max(echo_dB, grain_dB);
+    return std::max(echo_dB, sent_dB_ + grain_dB);
   }
 
  private:
@@ -79,6 +79,7 @@ class ScanLine {
     return fills;
   }
 
+  /// Brightness of the boundary between the last layer and this one.
   [[nodiscard]] double boundary_dB(std::size_t now, const Vector3d& along) {
     const double z1 = of(last_).impedance_MRayl;
     const double z2 = of(now).impedance_MRayl;
@@ -86,9 +87,9 @@ class ScanLine {
     const Vector3d& normal = crossings_[now != kTissue ? now : last_].gradient;
     const double cosine = std::min(1.0, std::abs(normal.dot(along)));
     const double echo_dB = 10.0 * std::log10(reflected * std::pow(cosine, settings_.specular_power) + 1e-12);
-    const double before_dB = sent_dB_;
+    const double before_dB = sent_dB_;                      // the boundary's own echo does not pass it
     sent_dB_ += 20.0 * std::log10(1.0 - reflected + 1e-6);  // both ways through the boundary
-    return echo_dB + before_dB - sent_dB_;                  // the boundary's own echo did not pass it
+    return before_dB + echo_dB;
   }
 
   std::span<const std::shared_ptr<const effects::SolidLayer>> layers_;

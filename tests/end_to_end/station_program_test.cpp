@@ -78,6 +78,27 @@ TEST_F(StationProgram, GoesOnTouchingWhenTheServerComesBack) {
   EXPECT_EQ(station.wait(10s), 0) << text_of(log());
 }
 
+TEST_F(StationProgram, KeepsItsSceneWhileANewOneIsRefused) {
+  const fs::path scene = folder_.path() / "mass.scene.textproto";
+  fs::copy_file(TELEPALP_SOURCE_DIR "/haptic_station/scenes/mass-search.scene.textproto", scene);
+  const std::string port = start_server("0");
+  ASSERT_FALSE(port.empty());
+  ChildProcess station(kPrograms / "telepalp-station", {"--connect", "127.0.0.1:" + port, "--scene", scene.string()},
+                       log());
+  ASSERT_TRUE(hears(log(), "ticking at 2 kHz")) << text_of(log());
+  std::ofstream(scene) << "haptic_from_camera { } effects { solid { name: \"a\" polish: \"sphere -1\" } }";
+  ChildProcess refused(kPrograms / "telepalp-station", {"scene", "check", scene.string()}, folder_.path() / "check.log");
+  EXPECT_EQ(refused.wait(10s), 1);
+  EXPECT_NE(text_of(folder_.path() / "check.log").find("radius_m of sphere is -1"), std::string::npos);
+  server_->signal(SIGKILL);  // what the station holds does not depend on its files, even over a new connection
+  ASSERT_TRUE(hears(log(), "link lost")) << text_of(log());
+  ASSERT_EQ(start_server(port), port);
+  ASSERT_TRUE(hears(log(), "link connected", 2)) << text_of(log());
+  station.signal(SIGINT);
+  EXPECT_EQ(station.wait(10s), 0) << text_of(log());
+  EXPECT_EQ(times(text_of(log()), "error:"), 0u) << text_of(log());
+}
+
 TEST_F(StationProgram, WaitsForAServerThatComesLaterAndSaysSoOnce) {
   const std::string port = start_server("0");
   server_.reset();

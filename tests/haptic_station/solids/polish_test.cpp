@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <fstream>
+#include <locale>
 #include <numbers>
 
 #include "haptic_station/solids/solid_tree.h"
@@ -93,6 +94,21 @@ TEST(Polish, SaysWhereAndWhatItExpected) {
     EXPECT_NE(solid.error().what.find(refusal.what), std::string::npos) << refusal.name << ": " << solid.error().what;
     EXPECT_FALSE(solid.error().fix.empty()) << refusal.name;
   }
+}
+
+/// The punctuation of a locale that writes 0,5.
+struct DecimalComma : std::numpunct<char> {
+  [[nodiscard]] char do_decimal_point() const override { return ','; }
+};
+
+TEST(Polish, ReadsAndWritesADecimalPointInEveryLocale) {
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
+  const auto solid = parse_polish("tr 0.5 -0.25 0 sphere 0.125", "f");
+  const std::string text = solid ? to_polish(*solid) : "";
+  std::locale::global(before);
+  ASSERT_TRUE(solid.ok()) << to_string(solid.error());
+  EXPECT_EQ((*solid)[0].numbers[0], 0.5);
+  EXPECT_EQ(text, "tr 0.5 -0.25 0 sphere 0.125");
 }
 
 TEST(Polish, RefusesAHugeFileBeforeReadingIt) {

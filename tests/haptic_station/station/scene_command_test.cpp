@@ -1,0 +1,121 @@
+#include "haptic_station/station/commands/scene_command.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "support/images/image_file.h"
+#include "tests/support/child_process.h"
+
+namespace telepalp::station {
+namespace {
+
+const std::string kScenes = TELEPALP_SOURCE_DIR "/haptic_station/scenes/";
+const std::string kCamera = "haptic_from_camera { translation_m { y: 0.8 } } ";
+const std::string kMass = kScenes + "mass-search.scene.textproto";
+
+struct Run {
+  int code;
+  std::string out;
+  std::string err;
+};
+Run run(std::vector<std::string> words) {
+  std::vector<const char*> argv{"scene"};
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int code = scene_command(static_cast<int>(argv.size()), argv.data());
+  std::fflush(stdout);
+  return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+std::string written(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+class SceneCommand : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string file(const char* name) const { return (folder_.path() / name).string(); }
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(SceneCommand, CheckNamesTheEffects) {
+  const Run done = run({"check", kMass});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(done.out, "mass-search: search a hidden mass by palpation; effects: skin mass\n");
+}
+
+TEST_F(SceneCommand, BillPricesEachEffectOfEachShippedScene) {
+  const Run done = run({"bill", kMass});
+  EXPECT_EQ(done.code, 0) << done.err;
+  for (const char* line : {"effect ", "\nskin ", "\nmass ", "\ntotal "})
+    EXPECT_NE(done.out.find(line), std::string::npos) << line << " in\n" << done.out;
+  EXPECT_EQ(done.out.find("liver"), std::string::npos) << "an effect that the scene does not name is not priced";
+}
+
+TEST_F(SceneCommand, ShowAndImageWritePicturesThatAreNotEmpty) {
+  for (const char* task : {"show", "image"}) {
+    const Run done = run({task, kMass, "--out", file("picture.png")});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const auto image = images::read_color_image(file("picture.png"));
+    ASSERT_TRUE(image.ok()) << to_string(image.error());
+    EXPECT_GE(image->width, 256);
+    EXPECT_NE(std::ranges::min(image->rgb), std::ranges::max(image->rgb)) << task;
+  }
+}
+
+TEST_F(SceneCommand, ShowTakesEachSide) {
+  for (const char* side : {"above", "feet", "side"})
+    EXPECT_EQ(run({"show", kMass, "--from", side, "--out", file("picture.png")}).code, 0) << side;
+}
+
+TEST_F(SceneCommand, MeshIsWatertightInBothFormats) {
+  for (const char* name : {"mass.ply", "mass.obj"}) {
+    const Run done = run({"mesh", kMass, "--layer", "mass", "--out", file(name)});
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_NE(done.out.find(" 0 open edges"), std::string::npos) << done.out;
+    EXPECT_GT(std::filesystem::file_size(file(name)), 1000U);
+  }
+}
+
+struct Wrong {
+  std::vector<std::string> words;
+  int code;
+  std::string what;
+};
+
+TEST_F(SceneCommand, SaysWhatIsWrongAndWritesNothing) {
+  const std::string out = file("x.png");
+  const std::string torn = written(file("torn.textproto"), "name: \"torn\" effects { solid { name: \"a\" polish: ");
+  const std::string unknown =
+      written(file("unknown.textproto"), kCamera + "name: \"u\" effects { solid { name: \"a\" polish: \"orb 1\" } }");
+  const std::string itself = written(
+      file("itself.textproto"), kCamera + "name: \"i\" effects { solid { name: \"a\" polish_file: \"itself.textproto\" } }");
+  const Wrong kWrongs[] = {
+      {{"check", file("none.textproto")}, 1, "none.textproto"},
+      {{"check", torn}, 1, "torn.textproto"},
+      {{"show", unknown, "--out", out}, 1, "1:1: expected a solid, found 'orb'"},
+      {{"show", itself, "--out", out}, 1, "found 'name:'"},
+      {{"show", kMass}, 1, "--out"},
+      {{"show", kMass, "--from", "below", "--out", out}, 1, "'below' is none of above, feet and side"},
+      {{"show", kScenes + "skin.scene.textproto", "--out", out}, 1, "no solid to draw"},
+      {{"image", kMass, "--at", "1;2", "--out", out}, 1, "--at"},
+      {{"mesh", kMass, "--layer", "spleen", "--out", file("x.ply")}, 1, "no layer 'spleen'"},
+      {{"mesh", kMass, "--out", file("x.stl")}, 1, "neither .ply nor .obj"},
+      {{"mesh", kMass, "--out", file("none/x.ply")}, 1, "cannot be written"},
+      {{"paint", kMass}, 2, ""},
+      {{"check"}, 2, "one scene file"},
+  };
+  for (const Wrong& wrong : kWrongs) {
+    const Run done = run(wrong.words);
+    EXPECT_EQ(done.code, wrong.code) << done.err;
+    EXPECT_NE(done.err.find(wrong.what), std::string::npos) << wrong.what << " in: " << done.err;
+    EXPECT_NE(done.err.find("fix:"), std::string::npos) << done.err;
+    EXPECT_FALSE(std::filesystem::exists(out)) << done.err;
+  }
+}
+
+}  // namespace
+}  // namespace telepalp::station
