@@ -57,10 +57,11 @@ void EncounteredController::enter_phase(Event event, const ControlInput& in) noe
   if (phases_.phase() == Phase::OutBody) position_control_.begin(in, plane_.target_height_m());
 }
 
-/// True when the skin gives force: inside the body, and in Body to plane while the hand is still inside.
+/// True when the skin gives force: inside the body, and in Body to plane while the hand is still inside; never while
+/// workspace indexing moves the body past the device.
 bool EncounteredController::feels_skin(const ControlInput& in) const noexcept {
   const bool may_feel = is_inside(phases_.phase()) || phases_.phase() == Phase::BodyToPlane;
-  return may_feel && in.contact.valid && in.contact.in_body;
+  return may_feel && in.interacts && in.contact.valid && in.contact.in_body;
 }
 
 /// The skin's force depends only on the device and the surface. Therefore a lost hand does not end the contact at once:
@@ -70,8 +71,8 @@ bool EncounteredController::inputs_are_stale(const ControlInput& in) const noexc
   return surface_is_stale(in, settings_.ages) || (!holds && hand_is_lost(in, settings_.ages.tracker_s));
 }
 
-/// The force of the phase: force control, the lift or position control. Inside the skin there is no lift, because the
-/// skin pushes outwards.
+/// The force of the phase: force control, the lift or position control, and the recall of workspace indexing. Inside
+/// the skin there is no lift, because the skin pushes outwards.
 HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s) noexcept {
   target_ = in.device;
   HeldForce force;
@@ -83,6 +84,7 @@ HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s
     force.drive = position_control_.step(in, plane_.target_height_m(), dt_s);
     target_ = position_control_.target();
   }
+  if (!has_let_go(phases_.phase())) force.drive += in.recall.N;
   return force;
 }
 

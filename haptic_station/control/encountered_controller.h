@@ -38,6 +38,7 @@ class EncounteredController {
   [[nodiscard]] const PassivityController& passivity() const noexcept { return force_control_.passivity(); }
   [[nodiscard]] const VirtualCoupling& coupling() const noexcept { return force_control_.coupling(); }
   [[nodiscard]] Phase phase() const noexcept { return phases_.phase(); }
+  [[nodiscard]] const ControlSettings& settings() const noexcept { return settings_; }
 
  private:
   [[nodiscard]] Seen seen_of(const ControlInput& in, FaultCause stands) const noexcept;

@@ -39,9 +39,9 @@ struct SolidSettings {
 /// device to the solid's proxy. Each layer of a scene has its own proxy, and the forces of all layers and of the skin
 /// are summed (S2 III.A). The force is minus the gradient of 1/2 k depth^2, with the depth the distance from device to
 /// proxy. The surface of an artery moves out by up to `pulse_m` and back at each pulse. EffectBank counts the hand's
-/// work relative to this moving wall. A fingertip of radius R is a ball: its center follows a solid that is larger by R.
-/// Sliding across a rib of radius r at a depth d, the force then turns as if its stiffness were k d / (r + R - d); for a
-/// point it is k d / (r - d), which is without bound near the middle of the rib.
+/// work relative to this moving wall. A fingertip of radius R is a ball: its center follows a solid that is larger by
+/// R. Sliding across a rib of radius r at a depth d, the force then turns as if its stiffness were k d / (r + R - d);
+/// for a point it is k d / (r - d), which is without bound near the middle of the rib.
 class Solid {
  public:
   static constexpr const char* kName = "solid";

@@ -45,7 +45,7 @@ ports::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) 
           .support = touch.support,
           .measured_above_m = touch.newest_above_m,
           .measured_speed_m_per_s = touch.newest_velocity_m_per_s,
-          .anchor_seen = touch.in_body,
+          .anchor_seen = touch.in_body && !anchor_lost_,
           .anchor_velocity = haptic_from_camera_ * Vector<DepthCamera>{touch.anchor_velocity_m_per_s},
           .age_s = has_surface_ ? touch.age_s : std::numeric_limits<double>::infinity()};
 }
@@ -71,9 +71,13 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
   ticked_ = true;
   // Sense.
   const GatedReading gated = device_gate_.step(device, dt_s);
-  const surface::TouchSample touch = touch_.step(camera_from_haptic_ * gated.at, now, dt_s);
-  const tracking::HandPrediction hand = hand_.predict(now);
-  const control::ControlInput in{.device = gated.at,
+  const Indexed indexed = indexing_.step(gated.at, dt_s);
+  const Point<HapticBase> device_at = in_patient_frame(gated.at);
+  const surface::TouchSample touch = touch_.step(camera_from_haptic_ * device_at, now, dt_s);
+  anchor_lost_ = touch.in_body && (anchor_lost_ || !indexed.interacts);
+  tracking::HandPrediction hand = hand_.predict(now);
+  hand.at = in_patient_frame(hand.at);
+  const control::ControlInput in{.device = device_at,
                                  .device_velocity = gated.velocity,
                                  .device_age_s = device.age_s,
                                  .device_implausible_s = gated.implausible_s,
@@ -84,6 +88,9 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
                                  .hand_implausible_s = hand.implausible_s,
                                  .contact = contact_of(touch),
                                  .placements = body_.step(touch, dt_s),
+                                 .interacts = indexed.interacts,
+                                 .recall = indexed.recall,
+                                 .reindexed = indexed.moved,
                                  .rearm = rearm_};
   rearm_ = false;
   last_touch_ = touch;
@@ -96,7 +103,8 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
 }
 
 Compensation HapticLoop::compensation() const noexcept {
-  Compensation compensation = compensation_of(last_hand_, newest_hand_, last_touch_, touch_.displaced(), last_out_);
+  Compensation compensation =
+      compensation_of(last_hand_, in_patient_frame(newest_hand_), last_touch_, touch_.displaced(), last_out_);
   compensation.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
   compensation.device_jumps = device_gate_.jumps();
   compensation.hand_jumps = hand_.refused();
@@ -114,6 +122,8 @@ TickSample HapticLoop::sample_of(const control::ControlInput& in, const control:
   sample.limited = out.limited;
   sample.object_unseen = body_.unseen();
   sample.object_slide_unseen = body_.slide_unseen();
+  sample.indexing = !in.interacts;
+  sample.workspace_shift = packed(indexing_.now().shift.v);
   sample.hand = packed(in.hand.m);
   sample.device = packed(in.device.m);
   sample.proxy = packed(in.contact.proxy.m);

@@ -7,6 +7,7 @@
 #include "haptic_station/loop/compensation.h"
 #include "haptic_station/loop/device_gate.h"
 #include "haptic_station/loop/tick_sample.h"
+#include "haptic_station/loop/workspace_indexing.h"
 #include "haptic_station/ports/rig.h"
 #include "haptic_station/surface/touch/touch.h"
 #include "haptic_station/tracking/attitude_estimate.h"
@@ -33,14 +34,18 @@ class HapticLoop {
   };
 
   HapticLoop(const Settings& settings, const control::EncounteredController& controller) noexcept
-      : touch_(settings.touch), body_(settings.touch.follow), hand_(settings.hand), controller_(controller) {}
+      : touch_(settings.touch),
+        body_(settings.touch.follow),
+        hand_(settings.hand),
+        controller_(controller),
+        indexing_(controller.settings().indexing) {}
 
   /// Uses a newer surface from the next tick on. Its snapshot must stay alive until the next adopt().
   void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
 
-  /// Takes a sample of the hand tracker, stamped with the time of the measurement. A sample stamped more than 50 ms
-  /// after the last tick is dropped. `attitude`: rotation from the hand's axes to H, the haptic base's frame; nullopt:
-  /// the tracker does not measure it.
+  /// Takes a sample of the hand tracker, in the device's own frame, stamped with the time of the measurement. A sample
+  /// stamped more than 50 ms after the last tick is dropped. `attitude`: rotation from the hand's axes to H, the haptic
+  /// base's frame; nullopt: the tracker does not measure it.
   void hand_sampled(SessionTime at, const Point<HapticBase>& hand,
                     const std::optional<Eigen::Quaterniond>& attitude = std::nullopt) noexcept;
 
@@ -57,7 +62,8 @@ class HapticLoop {
   };
   /// Runs one tick. `now` may stand still or go back by up to 50 ms. A larger step back means that another session has
   /// begun: surface and hand samples are then discarded, and the controller gives no force (phase Released) until new
-  /// ones come.
+  /// ones come. `device`: in the device's own frame. The Act is in H, which workspace indexing shifts against that
+  /// frame.
   [[nodiscard]] Act tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept;
 
   /// The delay compensation of the last tick. The caller sets its time stamp.
@@ -65,6 +71,16 @@ class HapticLoop {
 
   /// Where the objects inside the body are displayed, and how well that is known.
   [[nodiscard]] ObjectPlacements objects() const noexcept;
+
+  /// A position of the device's own frame in H, as of the last tick. Without workspace indexing they are the same.
+  [[nodiscard]] Point<HapticBase> in_patient_frame(const Point<HapticBase>& at) const noexcept {
+    return {at.m + indexing_.now().shift.v};
+  }
+  /// The contact as devices and simulated persons see it, in the device's own frame.
+  [[nodiscard]] ports::SurfaceContact in_device_frame(ports::SurfaceContact contact) const noexcept {
+    contact.proxy.m -= indexing_.now().shift.v;
+    return contact;
+  }
 
   [[nodiscard]] const control::EncounteredController& controller() const noexcept { return controller_; }
   [[nodiscard]] control::EncounteredController& controller() noexcept { return controller_; }
@@ -80,6 +96,8 @@ class HapticLoop {
   tracking::HandEstimate hand_;
   tracking::AttitudeEstimate attitude_;
   control::EncounteredController controller_;
+  WorkspaceIndexing indexing_;
+  bool anchor_lost_ = false;  ///< the body was shifted under this contact: the place where it began does not count
   Transform<HapticBase, DepthCamera> haptic_from_camera_;
   Transform<DepthCamera, HapticBase> camera_from_haptic_;
   Eigen::Quaterniond camera_turn_ = Eigen::Quaterniond::Identity();  ///< rotation of `camera_from_haptic_`

@@ -22,6 +22,8 @@ struct TickSample {
   bool limited = false;              ///< the limiter changed the force
   bool object_unseen = false;        ///< an object inside the body stays where it is: the skin above it is not seen
   bool object_slide_unseen = false;  ///< the skin's tangential motion (slide) above an object cannot be measured
+  bool indexing = false;             ///< workspace indexing moves the body past the device, which gives no force
+  std::array<float, 3> workspace_shift{};  ///< position in H minus position in the device's own frame
   std::array<float, 3> hand{};
   std::array<float, 3> device{};
   std::array<float, 3> proxy{};

@@ -227,6 +227,19 @@ void read_limits(FieldCheck& check, const msg::Scene& message, control::ControlS
     check.complain("limits.continuous_N is above limits.peak_N", "give a peak at least as large");
 }
 
+void read_workspace(FieldCheck& check, const msg::Scene& message, control::IndexingSettings& indexing) {
+  indexing.on = message.has_workspace();
+  const msg::Workspace& workspace = message.workspace();
+  TELEPALP_READ(check, "workspace.", workspace, touch_radius_m, indexing.touch_radius_m, {0.01, 1, "m"});
+  TELEPALP_READ(check, "workspace.", workspace, center_x_m, indexing.center_x_m, {-1, 1, "m"});
+  TELEPALP_READ(check, "workspace.", workspace, center_z_m, indexing.center_z_m, {-1, 1, "m"});
+  TELEPALP_READ(check, "workspace.", workspace, recall_n_per_m, indexing.recall_N_per_m, {1, 1000, "N/m"});
+  TELEPALP_READ(check, "workspace.", workspace, recall_most_n, indexing.recall_most_N, {0.1, 5, "N"});
+  TELEPALP_READ(check, "workspace.", workspace, shift_m_per_s_per_n, indexing.shift_m_per_s_per_N, {0, 0.5, "m/s/N"});
+  TELEPALP_READ(check, "workspace.", workspace, most_shift_x_m, indexing.most_shift_x_m, {0, 1, "m"});
+  TELEPALP_READ(check, "workspace.", workspace, most_shift_z_m, indexing.most_shift_z_m, {0, 1, "m"});
+}
+
 void read_simulation(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene) {
   const msg::SimulatedDevice& device = message.simulated_device();
   TELEPALP_READ(check, "simulated_device.", device, mass_kg, scene.simulated_device.mass_kg, {0.01, 10, "kg"});
@@ -270,6 +283,7 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
   read_plane_and_transitions(check, message, scene.control);
   read_position_control(check, message.position_control(), scene.control.position);
   read_limits(check, message, scene.control);
+  read_workspace(check, message, scene.control.indexing);
   read_simulation(check, message, name.parent_path(), scene);
   if (check.error()) return *check.error();
   return scene;

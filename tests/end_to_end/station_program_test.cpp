@@ -87,7 +87,8 @@ TEST_F(StationProgram, KeepsItsSceneWhileANewOneIsRefused) {
                        log());
   ASSERT_TRUE(hears(log(), "ticking at 2 kHz")) << text_of(log());
   std::ofstream(scene) << "haptic_from_camera { } effects { solid { name: \"a\" polish: \"sphere -1\" } }";
-  ChildProcess refused(kPrograms / "telepalp-station", {"scene", "check", scene.string()}, folder_.path() / "check.log");
+  ChildProcess refused(kPrograms / "telepalp-station", {"scene", "check", scene.string()},
+                       folder_.path() / "check.log");
   EXPECT_EQ(refused.wait(10s), 1);
   EXPECT_NE(text_of(folder_.path() / "check.log").find("radius_m of sphere is -1"), std::string::npos);
   server_->signal(SIGKILL);  // what the station holds does not depend on its files, even over a new connection

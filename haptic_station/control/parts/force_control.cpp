@@ -12,7 +12,7 @@ Vector3d ForceControl::step(const ControlInput& in, bool touching, double bound_
   contact_changed_ = touching != touching_;
   touching_ = touching;
   shown_ = in.contact;
-  moved_m_ = in.device.m - last_device_.m;
+  moved_m_ = in.device.m - last_device_.m - in.reindexed.v;
   last_device_ = in.device;
   if (!touching) {
     ledger_.book(held_, measured_skin_N(Vector3d::Zero(), bound_N), moved_m_);

@@ -42,6 +42,20 @@ struct AgeLimits {
   double hand_implausible_s = 0.08;  ///< the same for the tracker's samples while out of contact
 };
 
+/// Workspace indexing: see loop::WorkspaceIndexing. The defaults are for the device of paper S2 (docs/sources.md),
+/// which reaches 0.13 m about its axis, and a body of 1.8 m.
+struct IndexingSettings {
+  bool on = false;
+  double touch_radius_m = 0.1;  ///< of the cylinder inside which the hand touches the body
+  double center_x_m = 0.0;      ///< the cylinder's axis, in the device's own frame
+  double center_z_m = 0.0;
+  double recall_N_per_m = 150.0;  ///< force for each metre beyond the cylinder
+  double recall_most_N = 3.0;
+  double shift_m_per_s_per_N = 0.05;  ///< speed of the patient for each newton of that force
+  double most_shift_x_m = 0.3;
+  double most_shift_z_m = 0.9;
+};
+
 struct ControlSettings {
   PlaneSettings plane;
   TransitionSettings transitions;
@@ -49,6 +63,7 @@ struct ControlSettings {
   AgeLimits ages;
   ForceLimits limits;
   CouplingSettings coupling;
+  IndexingSettings indexing;
 };
 
 }  // namespace telepalp::control

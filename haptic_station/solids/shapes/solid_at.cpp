@@ -54,7 +54,8 @@ struct Waiting {
   std::uint32_t node;
   double squared_m2;
 };
-constexpr std::size_t kMostWaiting = 64;  // the hierarchy quarters its members: 16 levels leave 3 each, and 4 at the end
+constexpr std::size_t kMostWaiting =
+    64;  // the hierarchy quarters its members: 16 levels leave 3 each, and 4 at the end
 
 using Lanes = std::array<double, BoxNode::kWidth>;
 

@@ -67,6 +67,8 @@ msg::StationState state_message(const loop::TickSample& sample) {
   state.set_yields_in_s(sample.yields_in_s);
   state.set_object_unseen(sample.object_unseen);
   state.set_object_slide_unseen(sample.object_slide_unseen);
+  if (sample.workspace_shift != Triple{}) wire::set_vector(*state.mutable_workspace_shift(), sample.workspace_shift);
+  state.set_indexing(sample.indexing);
   return state;
 }
 

@@ -71,11 +71,11 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
     loop_.hand_sampled(sample->at, sample->hand, sample->attitude);
   if (rearm_.load(std::memory_order_relaxed) && rearm_.exchange(false, std::memory_order_relaxed)) loop_.rearm();
   const ports::DeviceReading reading = rig_.read();
-  device_.put(reading.at);
-  device_to_surface_.put(reading.at);
+  device_.put(loop_.in_patient_frame(reading.at));
+  device_to_surface_.put(loop_.in_patient_frame(reading.at));
   loop::HapticLoop::Act act = loop_.tick(reading, now, dt_s);
   const Clock::time_point decided = Clock::now();
-  rig_.apply(act.force, act.contact, dt_s);
+  rig_.apply(act.force, loop_.in_device_frame(act.contact), dt_s);
 
   act.sample.tick = tick_++;
   act.sample.stamp_ns = to_nanoseconds(now);

@@ -104,8 +104,8 @@ void measure_growth(Report& report) {
     most = std::max(most, finger_us);
     const std::string solids = std::to_string(count) + " solids";
     report.rows.push_back(measured("evaluation by a finger, " + solids, 1e3 * finger_us, "ns"));
-    report.rows.push_back(
-        measured("evaluation at scattered places, " + solids, 1e3 * evaluation_us(*tree, scattered(count, side)), "ns"));
+    report.rows.push_back(measured("evaluation at scattered places, " + solids,
+                                   1e3 * evaluation_us(*tree, scattered(count, side)), "ns"));
   }
   report.rows.push_back(at_most("finger, dearest against cheapest, log grows by 4", most / least, "", 4.0));
 }

@@ -7,6 +7,7 @@
 
 #include "support/images/image_file.h"
 #include "tests/support/child_process.h"
+#include "where.h"
 
 namespace telepalp::station {
 namespace {
@@ -15,12 +16,12 @@ const std::string kScenes = TELEPALP_SOURCE_DIR "/haptic_station/scenes/";
 const std::string kCamera = "haptic_from_camera { translation_m { y: 0.8 } } ";
 const std::string kMass = kScenes + "mass-search.scene.textproto";
 
-struct Run {
+struct Outcome {
   int code;
   std::string out;
   std::string err;
 };
-Run run(std::vector<std::string> words) {
+Outcome run(std::vector<std::string> words) {
   std::vector<const char*> argv{"scene"};
   for (const std::string& word : words) argv.push_back(word.c_str());
   testing::internal::CaptureStdout();
@@ -42,13 +43,13 @@ class SceneCommand : public ::testing::Test {
 };
 
 TEST_F(SceneCommand, CheckNamesTheEffects) {
-  const Run done = run({"check", kMass});
+  const Outcome done = run({"check", kMass});
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_EQ(done.out, "mass-search: search a hidden mass by palpation; effects: skin mass\n");
 }
 
-TEST_F(SceneCommand, BillPricesEachEffectOfEachShippedScene) {
-  const Run done = run({"bill", kMass});
+TEST_F(SceneCommand, BillPricesTheEffectsThatTheSceneNames) {
+  const Outcome done = run({"bill", kMass});
   EXPECT_EQ(done.code, 0) << done.err;
   for (const char* line : {"effect ", "\nskin ", "\nmass ", "\ntotal "})
     EXPECT_NE(done.out.find(line), std::string::npos) << line << " in\n" << done.out;
@@ -57,7 +58,7 @@ TEST_F(SceneCommand, BillPricesEachEffectOfEachShippedScene) {
 
 TEST_F(SceneCommand, ShowAndImageWritePicturesThatAreNotEmpty) {
   for (const char* task : {"show", "image"}) {
-    const Run done = run({task, kMass, "--out", file("picture.png")});
+    const Outcome done = run({task, kMass, "--out", file("picture.png")});
     ASSERT_EQ(done.code, 0) << done.err;
     const auto image = images::read_color_image(file("picture.png"));
     ASSERT_TRUE(image.ok()) << to_string(image.error());
@@ -73,7 +74,7 @@ TEST_F(SceneCommand, ShowTakesEachSide) {
 
 TEST_F(SceneCommand, MeshIsWatertightInBothFormats) {
   for (const char* name : {"mass.ply", "mass.obj"}) {
-    const Run done = run({"mesh", kMass, "--layer", "mass", "--out", file(name)});
+    const Outcome done = run({"mesh", kMass, "--layer", "mass", "--out", file(name)});
     EXPECT_EQ(done.code, 0) << done.err;
     EXPECT_NE(done.out.find(" 0 open edges"), std::string::npos) << done.out;
     EXPECT_GT(std::filesystem::file_size(file(name)), 1000U);
@@ -91,13 +92,14 @@ TEST_F(SceneCommand, SaysWhatIsWrongAndWritesNothing) {
   const std::string torn = written(file("torn.textproto"), "name: \"torn\" effects { solid { name: \"a\" polish: ");
   const std::string unknown =
       written(file("unknown.textproto"), kCamera + "name: \"u\" effects { solid { name: \"a\" polish: \"orb 1\" } }");
-  const std::string itself = written(
-      file("itself.textproto"), kCamera + "name: \"i\" effects { solid { name: \"a\" polish_file: \"itself.textproto\" } }");
+  const std::string itself =
+      written(file("itself.textproto"),
+              kCamera + "name: \"i\" effects { solid { name: \"a\" polish_file: \"itself.textproto\" } }");
   const Wrong kWrongs[] = {
       {{"check", file("none.textproto")}, 1, "none.textproto"},
       {{"check", torn}, 1, "torn.textproto"},
       {{"show", unknown, "--out", out}, 1, "1:1: expected a solid, found 'orb'"},
-      {{"show", itself, "--out", out}, 1, "found 'name:'"},
+      {{"show", itself, "--out", out}, 1, "found 'haptic_from_camera'"},
       {{"show", kMass}, 1, "--out"},
       {{"show", kMass, "--from", "below", "--out", out}, 1, "'below' is none of above, feet and side"},
       {{"show", kScenes + "skin.scene.textproto", "--out", out}, 1, "no solid to draw"},
@@ -109,7 +111,7 @@ TEST_F(SceneCommand, SaysWhatIsWrongAndWritesNothing) {
       {{"check"}, 2, "one scene file"},
   };
   for (const Wrong& wrong : kWrongs) {
-    const Run done = run(wrong.words);
+    const Outcome done = run(wrong.words);
     EXPECT_EQ(done.code, wrong.code) << done.err;
     EXPECT_NE(done.err.find(wrong.what), std::string::npos) << wrong.what << " in: " << done.err;
     EXPECT_NE(done.err.find("fix:"), std::string::npos) << done.err;

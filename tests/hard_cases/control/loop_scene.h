@@ -39,6 +39,7 @@ struct LoopScene {
 
   double seconds = 5.0;
   effects::EffectBank effects = the_skin();
+  control::ControlSettings control{};
   Person person = presses_to(0.03);
   /// The output of camera and tracker at tick `tick`, at the time `now_s`.
   std::function<std::optional<SeenPlane>(int tick, double now_s)> camera = [](int tick, double now_s) {
@@ -59,7 +60,7 @@ struct LoopScene {
 inline SessionTime at_s(double seconds) { return session_time(4'000'000'000'000) + from_seconds(seconds); }
 
 inline Felt feel(const LoopScene& scene) {
-  loop::HapticLoop loop({}, control::EncounteredController({}, scene.effects));
+  loop::HapticLoop loop({}, control::EncounteredController(scene.control, scene.effects));
   device::SimulatedPair pair({}, {});
   pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
   std::shared_ptr<loop::PlaneSnapshot> shown;

@@ -106,9 +106,9 @@ TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {
     const auto sample = rig_->hand(now);
     if (sample && !out.tracker_lost) loop_.hand_sampled(sample->at, sample->hand, sample->attitude);
     const ports::DeviceReading reading = rig_->read();
-    device_ = out.device = reading.at;
+    device_ = out.device = loop_.in_patient_frame(reading.at);
     out.act = loop_.tick(spoiled(reading, since), now, to_seconds(kTick));
-    rig_->apply(out.act.force, out.act.contact, to_seconds(kTick));
+    rig_->apply(out.act.force, loop_.in_device_frame(out.act.contact), to_seconds(kTick));
   });
   if (telemetry_) watch.time(Part::Record, [&] { telemetry_->add(out.act.sample, true_now, loop_); });
   return out;

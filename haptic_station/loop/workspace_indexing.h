@@ -1,0 +1,39 @@
+#pragma once
+
+#include "haptic_station/control/values/encountered_settings.h"
+#include "proto/words/frames.h"
+
+namespace telepalp::loop {
+
+/// The result of workspace indexing at one tick.
+struct Indexed {
+  Vector<HapticBase> shift;  ///< adds to a position in the device's own frame; the sum is in H, the patient's frame [m]
+  Vector<HapticBase> moved;  ///< change of `shift` in this tick [m]
+  Force<HapticBase> recall;  ///< force towards the touch cylinder; zero inside it
+  bool interacts = true;     ///< false: the patient moves past the device, so the body must give no force
+};
+
+/// Workspace indexing (paper S2 III.B, docs/sources.md): a small device explores a large body. Inside an upright
+/// cylinder about the device's middle the hand touches the body. Beyond it the hand feels a force back to the cylinder,
+/// proportional to the distance from it and bounded. Meanwhile the patient is shifted in the horizontal plane against
+/// this force, at a speed proportional to it. The paper states neither a bound nor a hysteresis; here the interaction
+/// resumes 2 mm inside the cylinder, so that a hand at its border does not switch at each tremor. Owner: haptic thread.
+/// Nothing here allocates, locks or throws.
+class WorkspaceIndexing {
+ public:
+  explicit WorkspaceIndexing(const control::IndexingSettings& settings = {}) noexcept : settings_(settings) {}
+
+  /// One tick. `device`: position in the device's own frame. A position that is not finite leaves all as it is and
+  /// gives no force. `dt_s` is limited to [0, 0.01] s.
+  const Indexed& step(const Point<HapticBase>& device, double dt_s) noexcept;
+
+  [[nodiscard]] const Indexed& now() const noexcept { return now_; }
+
+ private:
+  static constexpr double kReEntry_m = 0.002;
+
+  control::IndexingSettings settings_;
+  Indexed now_;
+};
+
+}  // namespace telepalp::loop
