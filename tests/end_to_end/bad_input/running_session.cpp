@@ -105,9 +105,9 @@ class RunningSession::Listener {
       if (at >= from && !images.insert(captured_ns).second) ++twice;
     return twice;
   }
-  [[nodiscard]] bool hears_surfaces() {
+  [[nodiscard]] bool has_heard(std::size_t surfaces) {
     const std::lock_guard guard(mutex_);
-    return surfaces_.size() > 30;
+    return surfaces_.size() >= surfaces;
   }
 
  private:
@@ -165,8 +165,15 @@ RunningSession::RunningSession(const std::function<std::uint16_t(std::uint16_t)>
         {"--connect", "127.0.0.1:" + std::to_string(way ? way(port_) : port_), "--key", anna.string(), "--control",
          file("control").string(), "--state-dir", file("state").string()});
   listener_ = std::make_unique<Listener>(port_, ring_.key("quentin", keys::Role::Qa));
-  for (int tenth = 0; tenth < 200 && !listener_->hears_surfaces(); ++tenth) std::this_thread::sleep_for(100ms);
-  EXPECT_TRUE(listener_->hears_surfaces()) << text_of(file("station.log"));
+  const auto hears = [this](std::size_t surfaces) {
+    for (int tenth = 0; tenth < 300 && !listener_->has_heard(surfaces); ++tenth) std::this_thread::sleep_for(100ms);
+    return listener_->has_heard(surfaces);
+  };
+  EXPECT_TRUE(hears(5)) << text_of(file("station.log"));
+  const auto from = SteadyClock::now();
+  std::this_thread::sleep_for(1s);
+  EXPECT_TRUE(hears(30)) << text_of(file("station.log"));
+  usual_ = listener_->since(from);
 }
 
 RunningSession::~RunningSession() = default;
@@ -186,10 +193,13 @@ Felt RunningSession::during(const std::function<void()>& attack) {
 
 void RunningSession::expect_undisturbed_by(const std::function<void()>& attack) {
   const Felt felt = during(attack);
-  EXPECT_GT(static_cast<double>(felt.states), 50.0 * felt.seconds) << "the station ticks and publishes at 100 Hz";
-  EXPECT_GT(static_cast<double>(felt.surfaces), 10.0 * felt.seconds) << "images still become touchable";
-  EXPECT_LT(felt.longest_without_state_s, 1.0);
-  EXPECT_LT(felt.longest_without_surface_s, 1.0);
+  const double usually =
+      felt.seconds / usual_.seconds / 3.0;  // a busy machine has fewer of both, also without an attack
+  EXPECT_GT(static_cast<double>(felt.states), usually * static_cast<double>(usual_.states)) << "the station ticks";
+  EXPECT_GT(static_cast<double>(felt.surfaces), usually * static_cast<double>(usual_.surfaces))
+      << "images still become touchable";
+  EXPECT_LT(felt.longest_without_state_s, 2.0);
+  EXPECT_LT(felt.longest_without_surface_s, 2.0);
   EXPECT_EQ(felt.faults, 0u);
   EXPECT_LT(most_resident_MiB(server_->pid()), kMostServer_MiB);
   EXPECT_LT(most_resident_MiB(station_->pid()), kMostStation_MiB);

@@ -60,7 +60,8 @@ class RunningSession {
 
   /// The station's messages during `attack`, which runs on this thread, and for a second after it.
   [[nodiscard]] Felt during(const std::function<void()>& attack);
-  /// Runs `attack` like during(), and expects no gap of 1 s in states and surfaces, and bounded memory.
+  /// Runs `attack` like during(), and expects at least a third of the states and surfaces that come without an attack
+  /// on this machine, no gap of 2 s, and bounded memory.
   void expect_undisturbed_by(const std::function<void()>& attack);
 
  private:
@@ -70,6 +71,7 @@ class RunningSession {
   std::optional<support::ChildProcess> server_;
   std::optional<support::ChildProcess> station_;
   std::unique_ptr<Listener> listener_;
+  Felt usual_;  // without an attack
 };
 
 /// One T for all tests of a program: it is made when the first test asks for it, and ends after the last test.
