@@ -12,11 +12,13 @@ namespace {
 constexpr Spot kSpots[] = {{"belly", -40.0, 20.0}, {"flank", -30.0, 48.0}, {"chest", 75.0, -10.0}};
 
 /// Aborts if the torso is missing, because it is part of the source tree.
-std::shared_ptr<const capture::SyntheticPatient> make(Sensor sensor, capture::Motion motion, std::uint64_t seed) {
+std::shared_ptr<const capture::SyntheticPatient> make(Sensor sensor, capture::Motion motion, std::uint64_t seed,
+                                                      double camera_above_m) {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
   const Result<capture::TriangleMesh> mesh = capture::read_mesh(file.value());
   capture::SyntheticSettings settings;
   settings.camera = {.width = 320, .height = 240, .fx = 525.0, .fy = 525.0, .cx = 159.5, .cy = 119.5};
+  settings.camera_above_body_m = camera_above_m;
   settings.motion = motion;
   settings.seed = seed;
   if (sensor == Sensor::KinectSmooth) {
@@ -28,14 +30,20 @@ std::shared_ptr<const capture::SyntheticPatient> make(Sensor sensor, capture::Mo
 
 }  // namespace
 
-std::shared_ptr<const capture::SyntheticPatient> torso(Sensor sensor, capture::Motion motion, std::uint64_t seed) {
+std::shared_ptr<const capture::SyntheticPatient> torso(Sensor sensor, capture::Motion motion, std::uint64_t seed,
+                                                       double camera_above_m) {
   static std::mutex mutex;
-  static std::map<std::tuple<Sensor, capture::Motion, std::uint64_t>, std::shared_ptr<const capture::SyntheticPatient>>
+  static std::map<std::tuple<Sensor, capture::Motion, std::uint64_t, double>,
+                  std::shared_ptr<const capture::SyntheticPatient>>
       made;
   const std::lock_guard lock(mutex);
-  auto& patient = made[{sensor, motion, seed}];
-  if (!patient) patient = make(sensor, motion, seed);
+  auto& patient = made[{sensor, motion, seed, camera_above_m}];
+  if (!patient) patient = make(sensor, motion, seed, camera_above_m);
   return patient;
+}
+
+std::shared_ptr<const capture::SyntheticPatient> torso(Sensor sensor, capture::Motion motion, std::uint64_t seed) {
+  return torso(sensor, motion, seed, kCameraAbove_m);
 }
 
 std::span<const Spot> spots() noexcept { return kSpots; }

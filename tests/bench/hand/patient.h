@@ -14,14 +14,19 @@ enum class Sensor {
   KinectSmooth,  ///< the same noise, without disparity steps, in samples of 0.1 mm
 };
 
-/// The torso of the repository, 0.8 m below a camera. The camera has the middle 320 by 240 pixels of a full image,
-/// which costs a quarter of the time. `motion`: the torso's motion; scripted poses ignore it. Each torso is made once
-/// and shared.
+inline constexpr double kCameraAbove_m = 0.8;
+
+/// The torso of the repository, `camera_above_m` below a camera. The camera has the middle 320 by 240 pixels of a full
+/// image, which costs a quarter of the time. `motion`: the torso's motion; scripted poses ignore it. Each torso is made
+/// once and shared.
+[[nodiscard]] std::shared_ptr<const capture::SyntheticPatient> torso(Sensor sensor, capture::Motion motion,
+                                                                     std::uint64_t seed, double camera_above_m);
+/// The torso kCameraAbove_m below the camera.
 [[nodiscard]] std::shared_ptr<const capture::SyntheticPatient> torso(Sensor sensor = Sensor::Kinect,
                                                                      capture::Motion motion = capture::Motion::Regular,
                                                                      std::uint64_t seed = 1);
 
-/// A place on the skin to touch.
+/// A place on the skin to touch, as seen from kCameraAbove_m.
 struct Spot {
   const char* name;
   double u;  ///< pixels from the image's middle

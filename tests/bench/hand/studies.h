@@ -24,6 +24,7 @@ struct Study {
 [[nodiscard]] std::vector<Study> inner_objects();
 [[nodiscard]] std::vector<Study> device_faults();
 [[nodiscard]] std::vector<Study> hand_prediction();
+[[nodiscard]] std::vector<Study> paper_trials();
 [[nodiscard]] std::vector<Study> cost();
 
 /// All of them, in the order of the report.
