@@ -97,7 +97,8 @@ TEST_F(Recorder, SurvivesAServerThatReturnsAndReportsTheGap) {
     }
 }
 
-TEST_F(Recorder, KilledWhileRecordingLosesNothingThatWasFlushedAndTheRepairFindsIt) {
+class BadInput31 : public Recorder {};
+TEST_F(BadInput31, KilledWhileRecordingLosesNothingThatWasFlushedAndTheRepairFindsIt) {
   Server server;
   const auto recorder = start(server);
   const auto messages = states(0.5);

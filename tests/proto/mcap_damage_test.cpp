@@ -215,7 +215,7 @@ mcap::ChunkIndex index_of(std::uint64_t offset, std::uint64_t length) {
           .uncompressed_size = 0};
 }
 
-TEST(McapDamage, AChunkIndexThatPointsOutsideOfTheFileIsRefused) {
+TEST(BadInput32, AChunkIndexThatPointsOutsideOfTheFileIsRefused) {
   for (const std::uint64_t offset : {std::uint64_t{0}, std::uint64_t{1} << 20, UINT64_MAX - 4, UINT64_MAX}) {
     for (const std::uint64_t length : {std::uint64_t{9}, UINT64_MAX}) {
       const Outcome outcome = indexed(file_with(schema_and_channel(), [&](std::string& out, std::uint64_t) {
@@ -227,7 +227,7 @@ TEST(McapDamage, AChunkIndexThatPointsOutsideOfTheFileIsRefused) {
   }
 }
 
-TEST(McapDamage, AChunkIndexThatDoesNotPointAtAChunkIsAnErrorAndSkipped) {
+TEST(BadInput32, AChunkIndexThatDoesNotPointAtAChunkIsAnErrorAndSkipped) {
   const std::string chunk = chunk_of(one_message(), one_message().size());
   const Outcome outcome = indexed(file_with(schema_and_channel() + chunk, [&](std::string& out, std::uint64_t start) {
     out += schema_and_channel();
