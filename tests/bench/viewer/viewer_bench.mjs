@@ -2,6 +2,7 @@
 // Server, station and Chromium without a graphics card run side by side, once with the mesh and once without it, as the
 // bound. Prints rows {name, value, unit, reach, holds} like telepalp-bench. Give it a machine that does nothing else.
 import {readdirSync, readFileSync, statSync} from 'node:fs';
+import {loadavg} from 'node:os';
 import {join} from 'node:path';
 import {gzipSync} from 'node:zlib';
 
@@ -80,6 +81,8 @@ const apart = meshed.apart_ms.filter((ms) => ms > TOGETHER_MS).length;
 const rows = [
   row('pictures', meshed.pictures_per_s, '1/s', 15, meshed.pictures_per_s >= 15),
   row('pictures without the mesh', bound.pictures_per_s, '1/s', null, true),
+  row('pictures, share of those without the mesh', meshed.pictures_per_s / bound.pictures_per_s, '', null, true),
+  row('load of the machine, mean of a minute', loadavg()[0], 'processes', null, true),
   most('decode p50', quantile(meshed.decodes_ms, 0.5), 'ms', 12),
   most('main thread blocked, longest', Math.max(0, ...meshed.longTasks), 'ms', 50),
   most('page over the wire', weight() / 1000, 'kB', 250),
