@@ -1,6 +1,8 @@
 #include "haptic_station/station/commands/scene_bill.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/station/threads/bill.h"
@@ -10,22 +12,42 @@ namespace {
 
 constexpr double kTick_s = 0.0005;
 constexpr int kTicks = 20'000;
+constexpr int kTicksPerPart = 1000;
 
-/// A path over the whole workspace that presses and lets go four times a second.
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// A path over the whole workspace that presses and lets go every 0.8 s.
 Point<HapticBase> pressed_at(double time_s) {
   const double depth_m = 0.04 * std::pow(std::sin(4.0 * time_s), 2.0);
   return {{0.12 * std::sin(0.7 * time_s), -depth_m, 0.12 * std::sin(1.1 * time_s + 0.4)}};
 }
 
-}  // namespace
+/// Mean costs of an effect in parts of the path, and its dearest tick.
+struct Cost {
+  effects::EffectBill so_far;
+  std::vector<double> parts_us{};
+};
 
-std::vector<EffectPrice> price_of(const scenes::Scene& scene) {
-  effects::EffectBank bank = scene.effects;
+void end_part(std::span<const effects::EffectBill> bill, std::vector<Cost>& costs) {
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const auto cycles = static_cast<double>(bill[i].cost - costs[i].so_far.cost);
+    costs[i].parts_us.push_back(cycles / kTicksPerPart / cycles_per_us());
+    costs[i].so_far = bill[i];
+  }
+}
+
+std::vector<Cost> costs_on_the_path(effects::EffectBank& bank) {
   const device::BreathingPlane skin;
   effects::EffectInput in;
   in.device = pressed_at(0.0);
   in.contact = skin(in.device, 0.0);
   bank.begin(in);
+  std::vector<Cost> costs;
+  for (const effects::EffectBill& line : bank.bill()) costs.push_back({line});
   for (int i = 1; i <= kTicks; ++i) {
     const Point<HapticBase> next = pressed_at(i * kTick_s);
     in.moved = next - in.device;
@@ -33,13 +55,21 @@ std::vector<EffectPrice> price_of(const scenes::Scene& scene) {
     in.device = next;
     in.contact = skin(next, 0.0);
     (void)bank.step(in, kTick_s, &cycles_now);
+    if (i % kTicksPerPart == 0) end_part(bank.bill(), costs);
   }
+  return costs;
+}
+
+}  // namespace
+
+std::vector<EffectPrice> price_of(const scenes::Scene& scene) {
+  effects::EffectBank bank = scene.effects;
   std::vector<EffectPrice> prices;
-  for (const effects::EffectBill& line : bank.bill()) {
+  for (Cost& cost : costs_on_the_path(bank)) {
     EffectPrice& price = prices.emplace_back();
-    price.name = line.name;
-    price.mean_us = static_cast<double>(line.cost) / static_cast<double>(line.steps) / cycles_per_us();
-    price.largest_us = static_cast<double>(line.largest) / cycles_per_us();
+    price.name = cost.so_far.name;
+    price.mean_us = median(std::move(cost.parts_us));
+    price.largest_us = static_cast<double>(cost.so_far.largest) / cycles_per_us();
     for (const auto& layer : scene.layers) {
       if (layer->name != price.name) continue;
       price.shapes = layer->tree->shapes;
