@@ -51,6 +51,19 @@ TEST(Scene, APeakAboveTheDevicesIsRefused) {
 
 TEST(Scene, NotANumberIsRefused) { EXPECT_NE(complaint("plane { height_m: nan }"), ""); }
 
+TEST(Scene, AWorkspaceIsIndexedOnlyIfTheSceneNamesIt) {
+  const Result<Scene> plain = parse_scene(kLeast, "plain.scene.textproto");
+  ASSERT_TRUE(plain.ok());
+  EXPECT_FALSE(plain->control.indexing.on);
+  const Result<Scene> indexed = parse_scene(std::string(kLeast) + "workspace { touch_radius_m: 0.08 }", "indexed");
+  ASSERT_TRUE(indexed.ok()) << to_string(indexed.error());
+  EXPECT_TRUE(indexed->control.indexing.on);
+  EXPECT_EQ(indexed->control.indexing.touch_radius_m, 0.08);
+  EXPECT_EQ(indexed->control.indexing.most_shift_z_m, 0.9) << "the default";
+  EXPECT_NE(complaint("workspace { touch_radius_m: 80 }").find("workspace.touch_radius_m is 80 m"), std::string::npos);
+  EXPECT_NE(complaint("workspace { most_shift_z_m: nan }"), "");
+}
+
 TEST(Scene, ASceneWithoutAnEffectIsRefused) {
   EXPECT_FALSE(parse_scene("haptic_from_camera {}", "empty.scene.textproto").ok());
 }

@@ -102,6 +102,16 @@ TEST(RunTotals, PhasesAreEnteredOnceAndDweltInByTheTick) {
   EXPECT_NEAR(stats.tick_us_p50(), 10.0, 0.4);
 }
 
+TEST(StateMessage, TellsTheWorkspacesShiftAndWhetherTheBodyMovesPastTheDevice) {
+  loop::TickSample tick = sample(1, msg::PHASE_IN_BODY, 1.0F);
+  EXPECT_FALSE(state_message(tick).has_workspace_shift()) << "no workspace is indexed";
+  EXPECT_FALSE(state_message(tick).indexing());
+  tick.indexing = true;
+  tick.workspace_shift = {0.0F, 0.0F, 0.25F};
+  EXPECT_EQ(state_message(tick).workspace_shift().z(), 0.25);
+  EXPECT_TRUE(state_message(tick).indexing());
+}
+
 TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
   const std::vector<loop::TickSample> samples{sample(7, msg::PHASE_IN_BODY, 1), sample(8, msg::PHASE_IN_BODY, 2)};
   const msg::StationTicks ticks = ticks_message(samples, 500'000);
