@@ -14,6 +14,14 @@ namespace telepalp::capture {
 /// State of a capture source, as shown to the technician. Equals msg.CaptureState.
 enum class CaptureState { Waiting, Live, Lost, Ended };
 
+/// The images of a frame as a session holds them.
+struct CompressedFrame {
+  std::string depth;         ///< a packet of the depth codec
+  std::string depth_format;  ///< name of its codec mode
+  std::string color;         ///< empty: no colour was recorded with this frame
+  std::string color_format;  ///< "jpeg"
+};
+
 /// A source of RGB-D frames: a camera, a recording or a simulation. Owner: the capture thread.
 class CaptureSource {
  public:
@@ -30,13 +38,17 @@ class CaptureSource {
 
   /// Text for the technician: the unreadable parts of a recording so far; empty when all parts were readable.
   [[nodiscard]] virtual std::string complaint() const { return {}; }
+
+  /// The compressed images of the frame that next() returned last; nullptr: the source has none.
+  [[nodiscard]] virtual const CompressedFrame* compressed() const { return nullptr; }
 };
 
 /// Options of every source.
 struct SourceOptions {
   wire::SessionClock clock{Nanoseconds{0}};
-  bool loop = true;   ///< a recording restarts at its end
-  bool paced = true;  ///< a recording plays in real time; false: as fast as next() is called
+  bool loop = true;              ///< a recording restarts at its end
+  bool paced = true;             ///< a recording plays in real time; false: as fast as next() is called
+  bool keep_compressed = false;  ///< a session also gives its compressed images, and does not decode colour
 };
 
 /// Opens `spec`: openni2[:URI], oni:FILE, images:DIR, pcd:FILE, synthetic[:MODEL], session:FILE.mcap.

@@ -59,11 +59,15 @@ msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encode
 }
 
 foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality) {
+  return color_message(frame, "jpeg", codec::encode_color(frame.color, jpeg_quality));
+}
+
+foxglove::CompressedImage color_message(const RgbdFrame& frame, const std::string& format, std::string compressed) {
   foxglove::CompressedImage image;
   wire::set_stamp(*image.mutable_timestamp(), frame.captured);
   image.set_frame_id(std::string(color_frame_id(frame)));
-  image.set_format("jpeg");
-  image.set_data(codec::encode_color(frame.color, jpeg_quality));
+  image.set_format(format);
+  image.set_data(std::move(compressed));
   return image;
 }
 

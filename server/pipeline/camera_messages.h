@@ -16,6 +16,10 @@ namespace telepalp::pipeline {
 /// The colour message of `frame`, as JPEG. `frame` is well formed and has colour.
 [[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality);
 
+/// The same for an image that is compressed already.
+[[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, const std::string& format,
+                                                      std::string compressed);
+
 /// The depth camera's model: an undistorted pinhole.
 [[nodiscard]] foxglove::CameraCalibration calibration_message(const RgbdFrame& frame);
 

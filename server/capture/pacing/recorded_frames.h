@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "proto/words/rgbd_frame.h"
+#include "server/capture/capture_source.h"
 
 namespace telepalp::capture {
 
@@ -17,6 +17,9 @@ class RecordedFrames {
 
   /// Decodes the next frame; nullopt when it is damaged. Call peek() first.
   [[nodiscard]] virtual std::optional<RgbdFrame> take() = 0;
+
+  /// The compressed images of the frame that take() returned last; nullptr: the recording has none.
+  [[nodiscard]] virtual const CompressedFrame* compressed() const { return nullptr; }
 
   /// Skips the frame that peek() announced.
   virtual void skip() = 0;

@@ -43,6 +43,7 @@ class RecordedSource final : public CaptureSource {
     return description_ + (complaint.empty() ? "" : "; " + complaint);
   }
   std::string complaint() const override { return frames_->complaint(); }
+  const CompressedFrame* compressed() const override { return frames_->compressed(); }
 
  private:
   /// True at the end of a recording that is not repeated.

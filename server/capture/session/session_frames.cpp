@@ -18,10 +18,10 @@ std::span<const std::byte> bytes_of(const std::string& data) { return std::as_by
 
 }  // namespace
 
-Result<SessionFrames> SessionFrames::open(const std::filesystem::path& file) {
+Result<SessionFrames> SessionFrames::open(const std::filesystem::path& file, bool keep_compressed) {
   Result<wire::McapReader> reader = wire::McapReader::open(file);
   if (!reader) return reader.error();
-  SessionFrames frames{std::move(*reader)};
+  SessionFrames frames{std::move(*reader), keep_compressed};
   if (frames.peek()) return frames;
   return Error{.what = "holds no depth images with a camera model",
                .where = file.string(),
@@ -94,8 +94,20 @@ void SessionFrames::skip() {
   depth_.skip(std::move(*passed.depth.mutable_data()));
 }
 
+void SessionFrames::take_color(foxglove::CompressedImage color, RgbdFrame& frame) {
+  frame.camera.color_registered = color.frame_id() == wire::kDepthFrameId;
+  if (compressed_) {
+    compressed_->color = std::move(*color.mutable_data());
+    compressed_->color_format = color.format();
+    return;
+  }
+  Result<ColorImage> image = codec::decode_color(bytes_of(color.data()));
+  if (image) frame.color = std::move(*image);
+  if (!image) ++damaged_;
+}
+
 std::optional<RgbdFrame> SessionFrames::take() {
-  const Encoded encoded = std::move(*std::exchange(next_, std::nullopt));
+  Encoded encoded = std::move(*std::exchange(next_, std::nullopt));
   Result<codec::DecodedDepth> depth = depth_.read(bytes_of(encoded.depth.data()));
   if (!depth) {
     ++damaged_;
@@ -106,12 +118,12 @@ std::optional<RgbdFrame> SessionFrames::take() {
   frame.camera = {.depth = encoded.pinhole, .color = encoded.pinhole, .color_registered = true};
   frame.depth = std::move(depth->image);
   frame.loss = wire::loss_of(wire::depth_fidelity(encoded.depth));
-  if (encoded.color) {
-    frame.camera.color_registered = encoded.color->frame_id() == wire::kDepthFrameId;
-    Result<ColorImage> color = codec::decode_color(bytes_of(encoded.color->data()));
-    if (color) frame.color = std::move(*color);
-    if (!color) ++damaged_;
-  }
+  if (keep_compressed_)
+    compressed_ = CompressedFrame{.depth = std::move(*encoded.depth.mutable_data()),
+                                  .depth_format = encoded.depth.format(),
+                                  .color = {},
+                                  .color_format = {}};
+  if (encoded.color) take_color(std::move(*encoded.color), frame);
   if (is_well_formed(frame)) return frame;
   ++damaged_;
   return std::nullopt;

@@ -15,11 +15,13 @@ namespace telepalp::capture {
 /// model before it.
 class SessionFrames final : public RecordedFrames {
  public:
-  /// Error: not a session file, no depth, or no camera model.
-  [[nodiscard]] static Result<SessionFrames> open(const std::filesystem::path& file);
+  /// `keep_compressed`: compressed() gives the images as recorded, and colour is not decoded. Error: not a session
+  /// file, no depth, or no camera model.
+  [[nodiscard]] static Result<SessionFrames> open(const std::filesystem::path& file, bool keep_compressed = false);
 
   std::optional<SessionTime> peek() override;
   std::optional<RgbdFrame> take() override;
+  [[nodiscard]] const CompressedFrame* compressed() const override { return compressed_ ? &*compressed_ : nullptr; }
   /// Skips a frame. Its depth is decoded only if a frame that is taken later is predicted from it.
   void skip() override;
   void rewind() override;
@@ -27,7 +29,10 @@ class SessionFrames final : public RecordedFrames {
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
 
  private:
-  explicit SessionFrames(wire::McapReader reader) : reader_(std::move(reader)) { rewind(); }
+  SessionFrames(wire::McapReader reader, bool keep_compressed)
+      : reader_(std::move(reader)), keep_compressed_(keep_compressed) {
+    rewind();
+  }
   void read_on();
   void note(const wire::Message& message);
 
@@ -36,7 +41,11 @@ class SessionFrames final : public RecordedFrames {
     std::optional<foxglove::CompressedImage> color;
     Intrinsics pinhole;
   };
+  void take_color(foxglove::CompressedImage color, RgbdFrame& frame);
+
   wire::McapReader reader_;
+  bool keep_compressed_;
+  std::optional<CompressedFrame> compressed_;  // of the frame that was taken last
   std::optional<Intrinsics> pinhole_;
   std::optional<foxglove::CompressedImage> color_;  // last colour message
   std::optional<Encoded> gathering_;                // depth image whose colour may follow

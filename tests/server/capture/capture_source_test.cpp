@@ -149,6 +149,19 @@ TEST(SyntheticSource, TakesItsSettingsFromTheCommandLine) {
   EXPECT_EQ(valid_share(exact.last->depth), 1.0);
 }
 
+TEST(SyntheticSource, ACameraWithFewerPixelsSeesTheSameAngles) {
+  const Played whole = play_some("synthetic:torso", 1);
+  const Played half = play_some("synthetic:torso,width=320", 1);
+  ASSERT_TRUE(half.last) << half.detail;
+  const Intrinsics& camera = half.last->camera.depth;
+  EXPECT_EQ(camera.width, 320);
+  EXPECT_EQ(camera.height, 240);
+  EXPECT_EQ(half.last->depth.samples.size(), 320U * 240U);
+  const Intrinsics& full = whole.last->camera.depth;
+  EXPECT_DOUBLE_EQ((camera.cx + 0.5) / camera.fx, (full.cx + 0.5) / full.fx);     // the slant of the left edge
+  EXPECT_NEAR(half.last->depth.at(160, 120), whole.last->depth.at(320, 240), 8);  // two disparity steps [mm]
+}
+
 /// A folder for each test, removed at the end.
 class SourceFolder : public ::testing::Test {
  protected:

@@ -53,6 +53,11 @@ struct Tape::State {
   }
   Result<std::shared_ptr<const TapeFrame>> taped(RgbdFrame frame);
   Result<void> encode(const RgbdFrame& frame, TapeFrame& taped);
+  void keep(const RgbdFrame& frame, codec::EncodedDepth encoded, TapeFrame& taped) const;
+  void take_color(const RgbdFrame& frame, TapeFrame& taped);
+  [[nodiscard]] const capture::CompressedFrame* recorded() const {
+    return recording ? recording->compressed() : nullptr;
+  }
 
   TapeSettings settings;
   std::shared_ptr<const capture::SyntheticPatient> patient;  // shared with truth_at
@@ -78,10 +83,25 @@ Result<void> Tape::State::encode(const RgbdFrame& frame, TapeFrame& taped) {
     return Error{.what = "depth differs after encoding and decoding, although the mode is lossless",
                  .where = "frame " + std::to_string(taped.number),
                  .fix = "report this: it is a defect of telepalp"};
+  keep(frame, std::move(encoded), taped);
+  return {};
+}
+
+/// Keeps the depth as a message of the replay's session time.
+void Tape::State::keep(const RgbdFrame& frame, codec::EncodedDepth encoded, TapeFrame& taped) const {
   msg::DepthImage message = pipeline::depth_message(frame, std::move(encoded));
   message.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(frame.captured + settings.encode_time)));
   taped.depth = message.SerializeAsString();
-  return {};
+}
+
+/// A session's colour crosses the network as it was recorded.
+void Tape::State::take_color(const RgbdFrame& frame, TapeFrame& taped) {
+  if (!settings.color) return;
+  if (const capture::CompressedFrame* as_recorded = recorded(); as_recorded != nullptr && !as_recorded->color.empty())
+    taped.color = pipeline::color_message(frame, as_recorded->color_format, as_recorded->color).SerializeAsString();
+  else if (!frame.color.rgb.empty())
+    taped.color = watch.time(Part::Encode,
+                             [&] { return pipeline::color_message(frame, settings.jpeg_quality).SerializeAsString(); });
 }
 
 Result<std::shared_ptr<const TapeFrame>> Tape::State::taped(RgbdFrame frame) {
@@ -90,11 +110,16 @@ Result<std::shared_ptr<const TapeFrame>> Tape::State::taped(RgbdFrame frame) {
   frame.sequence = taped->number;
   const bool predicted =
       settings.depth.mode == codec::DepthMode::Temporal || settings.depth.mode == codec::DepthMode::Bounded;
-  if (!predicted)
+  const capture::CompressedFrame* as_recorded = recorded();
+  if (!predicted && as_recorded != nullptr && as_recorded->depth_format == codec::name(settings.depth.mode)) {
+    codec::EncodedDepth encoded;
+    encoded.bytes = as_recorded->depth;
+    encoded.mode = settings.depth.mode;
+    keep(frame, std::move(encoded), *taped);
+  } else if (!predicted) {
     if (const Result<void> encoded = encode(frame, *taped); !encoded) return encoded.error();
-  if (settings.color && !frame.color.rgb.empty())
-    taped->color = watch.time(
-        Part::Encode, [&] { return pipeline::color_message(frame, settings.jpeg_quality).SerializeAsString(); });
+  }
+  take_color(frame, *taped);
   frame.color = {};
   taped->frame = std::move(frame);
   return std::shared_ptr<const TapeFrame>(std::move(taped));
@@ -116,8 +141,11 @@ Result<Tape> Tape::open(const std::string& source, const TapeSettings& settings)
     state->patient = patient;
     state->truth_at = [patient](SessionTime at) { return patient->true_surface(at); };
   } else {
-    Result<std::unique_ptr<capture::CaptureSource>> recording = capture::open_recording(
-        spec, {.clock = wire::SessionClock(Nanoseconds{0}), .loop = settings.repeat, .paced = false});
+    Result<std::unique_ptr<capture::CaptureSource>> recording =
+        capture::open_recording(spec, {.clock = wire::SessionClock(Nanoseconds{0}),
+                                       .loop = settings.repeat,
+                                       .paced = false,
+                                       .keep_compressed = true});
     if (!recording) return recording.error();
     state->recording = std::move(*recording);
   }
