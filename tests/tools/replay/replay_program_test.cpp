@@ -94,6 +94,21 @@ TEST_F(ReplayProgram, SaysWhatIsMisspeltBeforeItRuns) {
   }
 }
 
+TEST_F(ReplayProgram, ASweepWhoseAssertIsMisspeltSaysSoBeforeItRuns) {
+  const auto [code, said] = replay(
+      {"--sweep", "delay=0,100", "--assert", "force_rsme_N<1", "--out", in("sweep"), "--junit", in("junit.xml")});
+  EXPECT_EQ(code, 2) << said;
+  EXPECT_NE(said.find("'force_rsme_N' is not a metric; the nearest is force_rmse_N"), std::string::npos) << said;
+  EXPECT_FALSE(fs::exists(in("sweep")));
+  EXPECT_FALSE(fs::exists(in("junit.xml")));
+}
+
+TEST_F(ReplayProgram, AStormRefusesWhatItWouldIgnore) {
+  const auto [code, said] = run("telepalp-replay", {"--storm", "1", "--assert", "frames>10"});
+  EXPECT_EQ(code, 2) << said;
+  EXPECT_NE(said.find("--assert"), std::string::npos) << said;
+}
+
 TEST_F(ReplayProgram, SweepsAGridIntoOneTable) {
   const auto [code, said] = replay({"--sweep", "delay=0,100", "loss=0,10%", "--out", in("sweep")});
   ASSERT_EQ(code, 0) << said;

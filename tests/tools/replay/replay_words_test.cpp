@@ -55,6 +55,12 @@ TEST(ReplayWords, GlitchesAndClockStepsHaveAValue) {
   EXPECT_FALSE(parse_clock_steps("1s+2s:fast", "clock-step").ok());
 }
 
+TEST(ReplayWords, AHandIsPrintedAsItIsRead) {
+  for (const HandScript script : {HandScript::Examine, HandScript::Tap, HandScript::Search})
+    EXPECT_EQ(hand_script(name(script)), script);
+  EXPECT_EQ(hand_script("recorded"), std::nullopt);
+}
+
 TEST(ReplayWords, ASweepHasRangesAndLists) {
   const auto axes = parse_axes({"delay=0:50:300", "loss=0,1,5,10%"}).value();
   ASSERT_EQ(axes.size(), 2U);

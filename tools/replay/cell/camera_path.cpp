@@ -21,8 +21,7 @@ Nanoseconds since_begin(SessionTime now) noexcept { return now - kBegin; }
 
 }  // namespace
 
-CameraPath::CameraPath(const Scenario& scenario)
-    : scenario_(scenario), down_(scenario.down, 2 * scenario.seed), up_(scenario.up, 2 * scenario.seed + 1) {
+CameraPath::CameraPath(const Scenario& scenario, Wires wires) : scenario_(scenario), wires_(std::move(wires)) {
   begin_link_session();
 }
 
@@ -41,27 +40,26 @@ bool CameraPath::offer(link::Frame frame) { return ends_->server.offer(std::move
 void CameraPath::exchange(SessionTime now) {
   const bool away = server_is_away(now);
   if (std::exchange(was_away_, away) && !away) begin_link_session();
-  deliver(up_, ends_->server, now);
-  deliver(down_, ends_->station, now);
-  if (!away) counts_.sent_B += transmit(ends_->server, down_, now);
-  counts_.answered_B += transmit(ends_->station, up_, now);
-  const impaired::LinkStatistics& down = down_.statistics();
-  counts_.lost = down.lost + down.dropped;
+  deliver(*wires_.up, ends_->server, now);
+  deliver(*wires_.down, ends_->station, now);
+  if (!away) counts_.sent_B += transmit(ends_->server, *wires_.down, now);
+  counts_.answered_B += transmit(ends_->station, *wires_.up, now);
+  counts_.lost = wires_.down->lost();
 }
 
 /// Delivers the packets that have arrived over `from` to `to`. After a restart, datagrams of the session before still
 /// arrive; `to` refuses them, because they were sealed with another key.
-void CameraPath::deliver(impaired::ImpairedLink& from, link::DatagramLink& to, SessionTime now) {
-  while (const auto packet = from.receive(since_begin(now))) (void)to.received(packet->bytes, now);
+void CameraPath::deliver(Wire& from, link::DatagramLink& to, SessionTime now) {
+  while (const auto packet = from.receive(since_begin(now))) (void)to.received(*packet, now);
 }
 
-std::uint64_t CameraPath::transmit(link::DatagramLink& from, impaired::ImpairedLink& to, SessionTime now) {
+std::uint64_t CameraPath::transmit(link::DatagramLink& from, Wire& to, SessionTime now) {
   const bool cut = any_contains(scenario_.faults.outages, since_begin(now));
   std::uint64_t bytes = 0;
   while (const std::optional<link::Datagram> datagram = from.next(now)) {
     const auto span = datagram->bytes();
     bytes += span.size();
-    if (!cut) to.send(since_begin(now), {.bytes = {span.begin(), span.end()}});
+    if (!cut) to.send(since_begin(now), span);
   }
   return bytes;
 }

@@ -4,9 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "proto/impaired/impaired_link.h"
 #include "proto/link/datagram_link.h"
-#include "tools/replay/scenario/scenario.h"
+#include "tools/replay/cell/wire.h"
 
 namespace telepalp::replay {
 
@@ -19,11 +18,11 @@ struct PathCounts {
   std::uint64_t lost = 0;        ///< datagrams from the server that did not arrive
 };
 
-/// Both ends of the datagram link and the impaired network between them. Times are session times from kBegin on.
+/// Both ends of the datagram link and the network between them. Times are session times from kBegin on.
 /// Owner: one run.
 class CameraPath {
  public:
-  explicit CameraPath(const Scenario& scenario);
+  CameraPath(const Scenario& scenario, Wires wires);
 
   /// Queues a frame at the server. True: it replaced a frame that was not sent.
   bool offer(link::Frame frame);
@@ -43,12 +42,11 @@ class CameraPath {
     link::DatagramLink station;
   };
   void begin_link_session();
-  void deliver(impaired::ImpairedLink& from, link::DatagramLink& to, SessionTime now);
-  std::uint64_t transmit(link::DatagramLink& from, impaired::ImpairedLink& to, SessionTime now);
+  void deliver(Wire& from, link::DatagramLink& to, SessionTime now);
+  std::uint64_t transmit(link::DatagramLink& from, Wire& to, SessionTime now);
 
   const Scenario scenario_;
-  impaired::ImpairedLink down_;
-  impaired::ImpairedLink up_;
+  Wires wires_;
   std::unique_ptr<Ends> ends_;
   std::uint32_t link_sessions_ = 0;
   bool was_away_ = false;

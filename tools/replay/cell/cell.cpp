@@ -15,13 +15,13 @@ const effects::SkinLaw* law_of(const scenes::Scene& scene) {
 }  // namespace
 
 Cell::Cell(const StationSetup& setup, const Scenario& scenario, const TapeSettings& tape, TruthAt truth,
-           Publish publish)
+           Publish publish, Wires wires)
     : setup_(setup),
       scenario_(scenario),
       truth_(std::move(truth)),
       watch_(tape.clock),
       sender_(scenario, tape),
-      path_(scenario),
+      path_(scenario, std::move(wires)),
       station_(setup, scenario, std::move(publish)) {}
 
 FrameCounts Cell::frames() const noexcept {
@@ -52,14 +52,14 @@ void Cell::receive(const link::Frame& frame, SessionTime now) {
 
 TickRecord Cell::tick() {
   sender_.step(now_, path_, watch_);
-  watch_.time(Part::Link, [&] { path_.exchange(now_); });
+  watch_.sample(Part::Link, [&] { path_.exchange(now_); });
   while (const auto frame = path_.take(now_)) receive(*frame, now_);
   const TickOutcome outcome = station_.tick(now_, watch_);
   if (auto times = station_.touchable()) {
     touched_.push_back(session_time(times->captured_ns));
     touchable_.push_back(*times);
   }
-  return watch_.time(Part::Judge, [&] {
+  return watch_.sample(Part::Judge, [&] {
     return judged(outcome, setup_.haptic_from_camera, truth_ ? std::optional(truth_(now_)) : std::nullopt,
                   law_of(setup_.scene), setup_.scene.control.limits.peak_N);
   });

@@ -22,8 +22,9 @@ struct FrameCounts {
 /// share no state that one of them writes, so that they may run on different threads. Pure, except for `publish`.
 class Cell {
  public:
-  /// `truth`: empty for a recording.
-  Cell(const StationSetup& setup, const Scenario& scenario, const TapeSettings& tape, TruthAt truth, Publish publish);
+  /// `truth`: empty for a recording. `wires`: the network that `scenario` describes.
+  Cell(const StationSetup& setup, const Scenario& scenario, const TapeSettings& tape, TruthAt truth, Publish publish,
+       Wires wires);
 
   /// Runs all ticks before `until`. `frames`: those captured in this window. Appends a record of each tick to `ticks`.
   void run_until(SessionTime until, const TapeFrames& frames, std::vector<TickRecord>& ticks);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "haptic_station/loop/simulated_rig.h"
 #include "tools/replay/scenario/scenario.h"
@@ -24,6 +25,46 @@ constexpr auto kExamination = std::to_array<device::Waypoint>({
     {1.0, 0.0, 0.07, 0.0},
     {1.0, 0.0, 0.07, 0.0},
 });
+
+/// Short contacts: the controller begins and ends each of them.
+constexpr auto kTaps = std::to_array<device::Waypoint>({
+    {1.0, 0.0, 0.07, 0.0},
+    {0.6, 0.0, 0.02, 0.0},
+    {0.2, 0.0, -0.03, 0.0},
+    {0.2, 0.0, 0.02, 0.0},
+    {0.3, 0.02, 0.02, 0.01},
+    {0.15, 0.02, -0.04, 0.01},
+    {0.15, 0.02, 0.02, 0.01},
+    {0.3, -0.03, 0.02, 0.0},
+    {0.4, -0.03, -0.035, 0.0},
+    {0.1, -0.03, 0.02, 0.0},
+    {0.7, 0.0, 0.07, 0.0},
+});
+
+constexpr auto kSearch = std::to_array<device::Waypoint>({
+    {1.0, 0.0, 0.07, 0.0},
+    {0.6, 0.0, 0.02, 0.0},
+    {0.6, 0.0, -0.02, 0.0},
+    {1.2, 0.03, -0.03, 0.02},
+    {1.2, -0.03, -0.02, 0.03},
+    {1.2, -0.03, -0.045, -0.03},
+    {1.2, 0.03, -0.025, -0.02},
+    {1.2, 0.0, -0.04, 0.03},
+    {0.6, 0.0, -0.01, 0.0},
+    {1.0, 0.0, 0.07, 0.0},
+});
+
+std::span<const device::Waypoint> waypoints(HandScript script) noexcept {
+  switch (script) {
+    case HandScript::Tap:
+      return kTaps;
+    case HandScript::Search:
+      return kSearch;
+    case HandScript::Examine:
+      return kExamination;
+  }
+  return kExamination;
+}
 
 constexpr Nanoseconds kHandPeriod{10'000'000};  // a tracker's samples come at 100 Hz
 
@@ -64,13 +105,13 @@ class RecordedRig final : public ports::Rig {
 
 }  // namespace
 
-std::unique_ptr<ports::Rig> examining_hand(const scenes::Scene& scene, std::uint64_t seed) {
+std::unique_ptr<ports::Rig> scripted_hand(const scenes::Scene& scene, HandScript script, std::uint64_t seed) {
   return std::make_unique<loop::SimulatedRig>(loop::SimulatedRig::Settings{.device = scene.simulated_device,
                                                                            .hand = scene.simulated_hand,
                                                                            .tracker = {},
                                                                            .rest = {{0.0, kRestHeight_m, 0.0}},
                                                                            .seed = seed},
-                                              device::ScriptedIntention(kExamination, Point<HapticBase>{}));
+                                              device::ScriptedIntention(waypoints(script), Point<HapticBase>{}));
 }
 
 std::unique_ptr<ports::Rig> recorded_hand(const RecordedHand& recorded) {

@@ -4,13 +4,14 @@
 
 #include "haptic_station/ports/rig.h"
 #include "haptic_station/scenes/scene.h"
+#include "tools/replay/scenario/scenario.h"
 #include "tools/replay/source/recorded_hand.h"
 
 namespace telepalp::replay {
 
-/// A simulated person at the scene's simulated device who examines the skin again and again: approaches, presses,
-/// holds, rubs to both sides, leaves. One round takes 10 s.
-[[nodiscard]] std::unique_ptr<ports::Rig> examining_hand(const scenes::Scene& scene, std::uint64_t seed);
+/// A simulated person at the scene's simulated device who repeats `script`. `seed`: of the tracker's noise.
+[[nodiscard]] std::unique_ptr<ports::Rig> scripted_hand(const scenes::Scene& scene, HandScript script,
+                                                        std::uint64_t seed);
 
 /// A device and a hand that repeat a recorded motion; the force does not move them. Before and after the recording they
 /// rest at its first and last position. `recorded` is not empty and outlives the rig.

@@ -8,8 +8,9 @@ namespace {
 constexpr std::uint64_t kTicksPerState = 20;  // 100 Hz
 constexpr std::uint64_t kTicksPerTotals = 2000;
 
-std::unique_ptr<ports::Rig> rig_of(const StationSetup& setup, std::uint64_t seed) {
-  return setup.recorded != nullptr ? recorded_hand(*setup.recorded) : examining_hand(setup.scene, seed);
+std::unique_ptr<ports::Rig> rig_of(const StationSetup& setup, const Scenario& scenario) {
+  return setup.recorded != nullptr ? recorded_hand(*setup.recorded)
+                                   : scripted_hand(setup.scene, scenario.hand, scenario.seed);
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ class ReplayedStation::Telemetry {
 
 ReplayedStation::ReplayedStation(const StationSetup& setup, const Scenario& scenario, Publish publish)
     : scenario_(scenario),
-      rig_(rig_of(setup, scenario.seed)),
+      rig_(rig_of(setup, scenario)),
       loop_({}, {setup.scene.control, setup.scene.effects}),
       surfaces_(scenario.stages, setup.surface, setup.haptic_from_camera, setup.scene.effects),
       telemetry_(publish ? std::make_unique<Telemetry>(setup.scene.name, std::move(publish)) : nullptr) {}
@@ -102,7 +103,7 @@ TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {
   touchable_.reset();
   if (auto built = surfaces_.step(true_now, device_, watch)) adopt(std::move(*built), now, true_now);
   TickOutcome out{.at = true_now, .tracker_lost = any_contains(scenario_.faults.tracker_lost, since)};
-  watch.time(Part::Loop, [&] {
+  watch.sample(Part::Loop, [&] {
     const auto sample = rig_->hand(now);
     if (sample && !out.tracker_lost) loop_.hand_sampled(sample->at, sample->hand, sample->attitude);
     const ports::DeviceReading reading = rig_->read();
@@ -110,7 +111,7 @@ TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {
     out.act = loop_.tick(spoiled(reading, since), now, to_seconds(kTick));
     rig_->apply(out.act.force, loop_.in_device_frame(out.act.contact), to_seconds(kTick));
   });
-  if (telemetry_) watch.time(Part::Record, [&] { telemetry_->add(out.act.sample, true_now, loop_); });
+  if (telemetry_) watch.sample(Part::Record, [&] { telemetry_->add(out.act.sample, true_now, loop_); });
   return out;
 }
 

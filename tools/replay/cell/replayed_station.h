@@ -16,7 +16,7 @@ struct StationSetup {
   const scenes::Scene& scene;
   surface::SurfaceSettings surface;
   Transform<HapticBase, DepthCamera> haptic_from_camera;
-  const RecordedHand* recorded = nullptr;  ///< nullptr: examining_hand()
+  const RecordedHand* recorded = nullptr;  ///< nullptr: the scenario's script
 };
 
 /// The outcome of one tick.

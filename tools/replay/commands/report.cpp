@@ -28,6 +28,15 @@ std::string assertions_text(const std::vector<Judgement>& judgements) {
 void add_figures(program::Json& json, std::string_view key, const Figures& figures) {
   json.begin_object(key);
   for (const Metric& metric : metrics()) json.add(metric.name, figures.*metric.value);
+  json.begin_object("latency_s");
+  for (std::size_t stage = 0; stage < kStageCount; ++stage) {
+    json.begin_object(kLatencyStages[stage]);
+    json.add("p50", figures.latency[stage].p50_s);
+    json.add("p99", figures.latency[stage].p99_s);
+    json.add("max", figures.latency[stage].max_s);
+    json.end_object();
+  }
+  json.end_object();
   json.end_object();
 }
 
@@ -56,11 +65,12 @@ std::string in_words(const Scenario& scenario) {
 }
 
 std::string report_text(const Request& request, const RunResults& results, const std::vector<Judgement>& judgements) {
-  return "source:  " + request.source + "\nscene:   " + request.scene->name +
-         "\nhand:    " + (request.recorded.empty() ? "scripted: press, hold, rub, leave" : "as recorded") +
+  return "source:  " + request.source + "\nscene:   " + request.scene->name + "\nhand:    " +
+         (request.recorded.empty() ? "scripted: " + std::string(name(request.scenario.hand)) : "as recorded") +
          "\nnetwork: " + in_words(request.scenario) + "\nlength:  " + number(results.seconds) + " s\n\n" +
-         text_table(results.runs.front().figures, results.runs.back().figures) + (judgements.empty() ? "" : "\n") +
-         assertions_text(judgements);
+         text_table(results.runs.front().figures, results.runs.back().figures) + "\n" +
+         latency_table(results.runs.front().figures.latency, results.runs.back().figures.latency) +
+         (judgements.empty() ? "" : "\n") + assertions_text(judgements);
 }
 
 std::string report_json(const Request& request, const Scenario& scenario, const RunResults& results,
@@ -71,7 +81,7 @@ std::string report_json(const Request& request, const Scenario& scenario, const 
   json.add("version", program::version());
   json.add("source", request.source);
   json.add("scene", request.scene->name);
-  json.add("hand", request.recorded.empty() ? "examine" : "recorded");
+  json.add("hand", request.recorded.empty() ? name(request.scenario.hand) : "recorded");
   json.add("network", in_words(scenario));
   json.add("seed", scenario.seed);
   json.add("seconds", results.seconds);

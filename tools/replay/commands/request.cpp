@@ -6,6 +6,7 @@
 #include "tools/replay/source/session_hand.h"
 #include "tools/replay/words/network_options.h"
 #include "tools/replay/words/shipped_scene.h"
+#include "tools/replay/words/words.h"
 
 namespace telepalp::replay {
 namespace {
@@ -52,10 +53,11 @@ Result<void> read_depth_mode(const program::Arguments& arguments, Request& reque
 /// The recorded hand of a session that has one, unless another is asked for.
 Result<void> read_hand(const program::Arguments& arguments, Request& request) {
   const std::string asked = arguments.text("hand");
-  if (!asked.empty() && asked != "recorded" && asked != "examine")
-    return Error{.what = "'" + asked + "' is no hand", .where = "--hand", .fix = "say recorded or examine"};
+  if (!asked.empty() && asked != "recorded" && !hand_script(asked))
+    return Error{
+        .what = "'" + asked + "' is no hand", .where = "--hand", .fix = "say recorded, examine, tap or search"};
   const std::string session = session_file_of(request.source);
-  if (asked == "examine" || (session.empty() && asked.empty())) return {};
+  if (hand_script(asked) || (session.empty() && asked.empty())) return {};
   if (session.empty())
     return Error{
         .what = "a hand is recorded only in a session", .where = "--hand recorded", .fix = "say --hand examine"};
@@ -110,9 +112,17 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
 Result<void> read_storm(const program::Arguments& arguments, Request& request) {
   request.check = arguments.has("check");
   if (!arguments.has("storm")) return {};
+  for (const char* other : {"assert", "check", "junit", "out", "sweep"})
+    if (arguments.has(other))
+      return Error{.what = "a storm draws its own cases and judges its own invariants",
+                   .where = std::string("--") + other,
+                   .fix = "leave it out, or give a source instead of --storm"};
   const Result<std::int64_t> seeds = arguments.whole("storm", 1, kMostSeeds);
   if (!seeds) return seeds.error();
   request.storm_seeds = static_cast<int>(*seeds);
+  const Result<std::int64_t> first = arguments.whole("seed", 0, std::int64_t{1} << 53);
+  if (!first) return first.error();
+  request.scenario.seed = static_cast<std::uint64_t>(*first);
   return {};
 }
 
@@ -139,18 +149,17 @@ program::Usage usage() {
       .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
   for (const program::Option& option : network_options()) usage.options.push_back(option);
-  usage.options.insert(usage.options.end(),
-                       {{"hand", "recorded|examine", "default: recorded, if the session has a hand"},
-                        {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
-                        {"seconds", "S", "0: the whole recording, or 20 s of a patient", "0"},
-                        {"threads", "N", "0: all cores; changes no result", "0"},
-                        {"sweep", "AXIS=… AXIS=…", "a grid: delay=0:50:300 loss=0,1,5,10%"},
-                        {"storm", "SEEDS", "check the invariants in this many random cases"},
-                        {"check", "", "check the invariants of --storm at each tick"},
-                        {"out", "DIR", "for sessions, reports, tables and heat maps"},
-                        {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one does not hold"},
-                        {"junit", "FILE", "the assertions as a JUnit report"},
-                        {"json", "", "print report.json instead of the table"}});
+  usage.options.insert(usage.options.end(), {{"hand", "HAND", "recorded, or the script examine, tap or search"},
+                                             {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
+                                             {"seconds", "S", "0: the whole recording, or 20 s of a patient", "0"},
+                                             {"threads", "N", "0: all cores; changes no result", "0"},
+                                             {"sweep", "AXIS=… AXIS=…", "a grid: delay=0:50:300 loss=0,1,5,10%"},
+                                             {"storm", "SEEDS", "check the invariants in this many random cases"},
+                                             {"check", "", "check the invariants of --storm at each tick"},
+                                             {"out", "DIR", "for sessions, reports, tables and heat maps"},
+                                             {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one does not hold"},
+                                             {"junit", "FILE", "the assertions as a JUnit report"},
+                                             {"json", "", "print report.json instead of the table"}});
   return usage;
 }
 
@@ -166,6 +175,7 @@ Result<Request> read_request(const program::Arguments& arguments) {
   const Result<Scenario> scenario = read_scenario(arguments);
   if (!scenario) return scenario.error();
   request.scenario = *scenario;
+  request.scenario.hand = hand_script(arguments.text("hand")).value_or(HandScript::Examine);
   if (const Result<void> read = read_sweep(arguments, request); !read) return read.error();
   if (const Result<void> read = read_depth_mode(arguments, request); !read) return read.error();
   if (const Result<void> read = read_length(arguments, request); !read) return read.error();

@@ -68,7 +68,7 @@ Result<bool> run_storm(const Request& request) {
   const std::int64_t began_ns = steady_ns();
   Findings findings(seeds);
   program::for_each_parallel(seeds, request.threads, [&](int i) {
-    const auto seed = static_cast<std::uint64_t>(i) + 1;
+    const std::uint64_t seed = request.scenario.seed + static_cast<std::uint64_t>(i);
     findings.add(seed, run_case(draw_case(seed)));
   });
   if (findings.error()) return *findings.error();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/replay/figures/quantile.h"
+
 namespace telepalp::replay {
 namespace {
 
@@ -13,15 +15,6 @@ double rms(const std::vector<float>& values) {
   double square = 0.0;
   for (const float value : values) square += double{value} * double{value};
   return values.empty() ? kNaN : std::sqrt(square / static_cast<double>(values.size()));
-}
-
-/// The quantile of the values' magnitudes.
-double quantile(std::vector<float> values, double share) {
-  if (values.empty()) return kNaN;
-  for (float& value : values) value = std::abs(value);
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return double{values[static_cast<std::size_t>(place)]};
 }
 
 double percent(std::uint64_t part, std::uint64_t of) {
@@ -71,15 +64,17 @@ void FigureSum::add(std::span<const TickRecord> ticks, std::span<const TickRecor
 
 void FigureSum::add(const std::vector<FrameTimes>& touchable) {
   for (const FrameTimes& times : touchable) {
-    network_s_.push_back(seconds(times.encoded_ns, times.received_ns));
+    latency_.add(times);
     station_s_.push_back(seconds(times.received_ns, times.touchable_ns));
-    total_s_.push_back(seconds(times.captured_ns, times.touchable_ns));
   }
 }
 
 Figures FigureSum::figures(const Cell& cell) const {
   const FrameCounts frames = cell.frames();
   const PathCounts& path = cell.path();
+  const LatencyBreakdown latency = latency_.breakdown();
+  const StageLatency& network = latency[kNetworkStage];
+  const StageLatency& total = latency[kTotalStage];
   return {.seconds = static_cast<double>(ticks_) * to_seconds(kTick),
           .force_rmse_N = rms(force_off_N_),
           .force_p99_N = quantile(force_off_N_, 0.99),
@@ -100,15 +95,16 @@ Figures FigureSum::figures(const Cell& cell) const {
           .frames = static_cast<double>(frames.offered),
           .frames_in_time_pct = percent(frames.in_time, frames.offered),
           .frames_touched_pct = percent(frames.touched, frames.offered),
-          .network_p50_s = quantile(network_s_, 0.5),
-          .network_p99_s = quantile(network_s_, 0.99),
+          .network_p50_s = network.p50_s,
+          .network_p99_s = network.p99_s,
           .station_p50_s = quantile(station_s_, 0.5),
-          .total_p50_s = quantile(total_s_, 0.5),
-          .total_p99_s = quantile(total_s_, 0.99),
+          .total_p50_s = total.p50_s,
+          .total_p99_s = total.p99_s,
           .content_B = static_cast<double>(frames.offered_B),
           .sent_B = static_cast<double>(path.sent_B),
           .answered_B = static_cast<double>(path.answered_B),
-          .datagrams_lost = static_cast<double>(path.lost)};
+          .datagrams_lost = static_cast<double>(path.lost),
+          .latency = latency};
 }
 
 }  // namespace telepalp::replay

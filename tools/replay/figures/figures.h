@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/replay/cell/cell.h"
+#include "tools/replay/figures/latency.h"
 
 namespace telepalp::replay {
 
@@ -42,6 +43,7 @@ struct Figures {
   double sent_B = 0.0;      ///< sent by the server, with FEC repair packets
   double answered_B = 0.0;  ///< sent by the station
   double datagrams_lost = 0.0;
+  LatencyBreakdown latency{};  ///< of the touched frames
 };
 
 /// Accumulates the figures of a run, window by window.
@@ -73,9 +75,8 @@ class FigureSum {
   std::vector<float> off_truth_N_;
   std::vector<float> surface_off_m_;
   std::vector<float> surface_age_s_;
-  std::vector<float> network_s_;
   std::vector<float> station_s_;
-  std::vector<float> total_s_;
+  LatencySum latency_;
 };
 
 }  // namespace telepalp::replay

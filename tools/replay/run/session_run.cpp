@@ -18,7 +18,8 @@ constexpr double kLongestStart_s = 10.0;  // of frames in which the scene cannot
 /// One run with its cell, its figures and its recent ticks.
 struct Running {
   Running(const StationSetup& setup, RunOrder& order, const Tape& tape)
-      : cell(setup, order.scenario, tape.settings(), tape.truth(), std::move(order.publish)),
+      : cell(setup, order.scenario, tape.settings(), tape.truth(), std::move(order.publish),
+             simulated_wires(order.scenario)),
         on_ticks(std::move(order.on_ticks)) {}
 
   void run_until(SessionTime until, const TapeFrames& frames) {
@@ -97,17 +98,13 @@ Result<void> Pipeline::read_window() {
 Result<void> Pipeline::start() {
   while (!tape_.ended() && to_seconds(read_until_ - kBegin) < kLongestStart_s && read_until_ < end()) {
     if (const Result<void> read = read_window(); !read) return read.error();
-    for (const auto& taped : next_.back().frames) {
-      const auto placed = station::placed(settings_.scene, taped->frame.depth, taped->frame.camera.depth);
-      if (!placed) continue;
-      const StationSetup setup{settings_.scene, settings_.surface, *placed, settings_.recorded};
-      for (RunOrder& order : orders_) runs_.emplace_back(setup, order, tape_);
-      return {};
-    }
+    const auto placed = first_placement(settings_.scene, next_.back().frames);
+    if (!placed) continue;
+    const StationSetup setup{settings_.scene, settings_.surface, *placed, settings_.recorded};
+    for (RunOrder& order : orders_) runs_.emplace_back(setup, order, tape_);
+    return {};
   }
-  return Error{.what = "nothing is measured around the image's centre, where the patient should be",
-               .where = "the source's first 10 s",
-               .fix = "give a source whose camera is aimed at the patient"};
+  return nowhere_to_place();
 }
 
 void Pipeline::step() {
@@ -143,6 +140,19 @@ RunResults Pipeline::results() const {
 }
 
 }  // namespace
+
+std::optional<Transform<HapticBase, DepthCamera>> first_placement(const scenes::Scene& scene,
+                                                                  const TapeFrames& frames) {
+  for (const auto& taped : frames)
+    if (auto placed = station::placed(scene, taped->frame.depth, taped->frame.camera.depth)) return placed;
+  return std::nullopt;
+}
+
+Error nowhere_to_place() {
+  return {.what = "nothing is measured around the image's centre, where the patient should be",
+          .where = "the source's first 10 s",
+          .fix = "give a source whose camera is aimed at the patient"};
+}
 
 Result<RunResults> run_session(Tape& tape, const RunSettings& settings, std::vector<RunOrder> orders,
                                const std::function<void(double seconds)>& progress) {

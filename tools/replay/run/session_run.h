@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "tools/replay/figures/figures.h"
@@ -11,7 +12,7 @@ namespace telepalp::replay {
 struct RunSettings {
   const scenes::Scene& scene;
   surface::SurfaceSettings surface;
-  const RecordedHand* recorded = nullptr;  ///< nullptr: examining_hand()
+  const RecordedHand* recorded = nullptr;  ///< nullptr: the scenario's script
   double seconds = 0.0;                    ///< 0: to the end of the source
   int threads = 1;                         ///< has no influence on any result
 };
@@ -34,6 +35,11 @@ struct RunResults {
   Stopwatch tape_costs;
   double seconds = 0.0;  ///< of session time
 };
+
+/// The scene's place in the first of `frames` that shows the patient; nullopt: none does.
+[[nodiscard]] std::optional<Transform<HapticBase, DepthCamera>> first_placement(const scenes::Scene& scene,
+                                                                                const TapeFrames& frames);
+[[nodiscard]] Error nowhere_to_place();
 
 /// Runs the tape over the networks of `orders`, side by side, window by window: the tape is read once, and memory holds
 /// a few windows at any length. The other runs are compared with that of the first order. `progress`: called after each

@@ -47,6 +47,13 @@ struct StageTimes {
   Nanoseconds build = std::chrono::milliseconds(5);
 };
 
+/// What a simulated person does at the device, round after round.
+enum class HandScript : std::uint8_t {
+  Examine,  ///< approaches, presses, holds, rubs to both sides, leaves
+  Tap,      ///< taps the skin quickly at several places
+  Search    ///< stays in the skin and searches along it, shallow and deep
+};
+
 /// The network and the faults of one run. Two runs with equal scenarios and equal sources are equal.
 struct Scenario {
   impaired::Impairment down{};  ///< from the server to the station
@@ -54,12 +61,13 @@ struct Scenario {
   Faults faults{};
   StageTimes stages{};
   Nanoseconds deadline = std::chrono::milliseconds(100);  ///< of a frame, from its capture
+  HandScript hand = HandScript::Examine;                  ///< if no hand is recorded
   std::uint64_t seed = 1;                                 ///< of the network and the simulated tracker
 };
 
-/// The same stages and seed over a network without delay, loss and faults.
+/// The same stages, hand and seed over a network without delay, loss and faults.
 [[nodiscard]] inline Scenario unimpaired(const Scenario& scenario) {
-  return {.stages = scenario.stages, .deadline = scenario.deadline, .seed = scenario.seed};
+  return {.stages = scenario.stages, .deadline = scenario.deadline, .hand = scenario.hand, .seed = scenario.seed};
 }
 
 /// The session time at which each replay begins. Not 0, which messages use for "none yet".

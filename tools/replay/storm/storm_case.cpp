@@ -17,6 +17,9 @@ constexpr auto kMotions =
     std::to_array<std::string_view>({"regular", "irregular", "cough", "hold", "speech", "shift", "drift", "sit-up"});
 constexpr auto kScenes = std::to_array<std::string_view>({"skin", "palpation", "skin_sliding", "sphere", "friction"});
 
+/// Every fourth case taps. No case searches: see docs/replay.md, "Open findings".
+constexpr std::array kHands{HandScript::Examine, HandScript::Examine, HandScript::Tap, HandScript::Examine};
+
 /// Draws from std::mt19937_64, whose numbers the standard defines; its distributions are not.
 class Draw {
  public:
@@ -116,17 +119,20 @@ StormCase draw_case(std::uint64_t seed) {
   storm.scenario.down = storm.scenario.up = draw_network(draw);
   storm.scenario.deadline = usual_deadline(storm.scenario.down);
   storm.scenario.faults = draw_faults(draw, storm.seconds);
+  if (draw.happens(0.1)) storm.width_px = 640;
+  storm.scenario.hand = draw.one_of(kHands);
   return storm;
 }
 
 std::string source_of(const StormCase& storm) {
-  return "synthetic:torso,motion=" + storm.motion + ",seed=" + std::to_string(storm.patient_seed);
+  return "synthetic:torso,motion=" + storm.motion + ",seed=" + std::to_string(storm.patient_seed) +
+         ",width=" + std::to_string(storm.width_px);
 }
 
 std::string command_line(const StormCase& storm) {
-  return source_of(storm) + " --scene " + storm.scene + " --seconds " + number(storm.seconds) +
-         network_words(storm.scenario.down) + fault_words(storm.scenario.faults) + " --seed " +
-         std::to_string(storm.scenario.seed) + " --check";
+  return source_of(storm) + " --scene " + storm.scene + " --hand " + std::string(name(storm.scenario.hand)) +
+         " --seconds " + number(storm.seconds) + network_words(storm.scenario.down) +
+         fault_words(storm.scenario.faults) + " --seed " + std::to_string(storm.scenario.seed) + " --check";
 }
 
 std::span<const Simplification> simplifications() noexcept {
@@ -143,6 +149,7 @@ std::span<const Simplification> simplifications() noexcept {
       [](StormCase& one) { set_network(one, [](impaired::Impairment& i) { i.jitter = 0ns; }); },
       [](StormCase& one) { set_network(one, [](impaired::Impairment& i) { i.delay = 0ns; }); },
       [](StormCase& one) { one.motion = "regular"; },
+      [](StormCase& one) { one.scenario.hand = HandScript::Examine; },
       [](StormCase& one) { one.patient_seed = 1; },
       [](StormCase& one) { one.scene = "skin"; },
   });

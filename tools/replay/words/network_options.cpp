@@ -99,7 +99,7 @@ std::vector<program::Option> network_options() {
                                  {"glitch", "10s+4ms:MM", "the device's encoder is off by MM"},
                                  {"clock-step", "10s+2s:60ms", "the station's clock is wrong"},
                                  {"deadline-ms", "MS", "deadline of a frame; default: 100 + delay"},
-                                 {"seed", "N", "seed of network and tracker", "1"}});
+                                 {"seed", "N", "seed of network and tracker; first seed of a storm", "1"}});
   return options;
 }
 

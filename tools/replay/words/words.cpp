@@ -1,11 +1,15 @@
 #include "tools/replay/words/words.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
 namespace telepalp::replay {
 namespace {
+
+constexpr std::array<std::string_view, 3> kHandScripts{"examine", "tap", "search"};  // in the order of HandScript
 
 constexpr std::size_t kMostWindows = 64;
 constexpr double kLongest_s = 86400.0;
@@ -130,6 +134,14 @@ std::string span_in_words(Nanoseconds span) {
 
 std::string window_in_words(const Window& window) {
   return span_in_words(window.from) + "+" + span_in_words(window.length);
+}
+
+std::string_view name(HandScript script) noexcept { return kHandScripts[static_cast<std::size_t>(script)]; }
+
+std::optional<HandScript> hand_script(std::string_view name) noexcept {
+  const auto found = std::find(kHandScripts.begin(), kHandScripts.end(), name);
+  if (found == kHandScripts.end()) return std::nullopt;
+  return static_cast<HandScript>(found - kHandScripts.begin());
 }
 
 }  // namespace telepalp::replay

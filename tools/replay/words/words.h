@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,5 +36,10 @@ namespace telepalp::replay {
 /// The inverse of parse_span() and of one window of parse_windows(), for a command line that repeats a run.
 [[nodiscard]] std::string span_in_words(Nanoseconds span);
 [[nodiscard]] std::string window_in_words(const Window& window);
+
+/// "examine", "tap" or "search".
+[[nodiscard]] std::string_view name(HandScript script) noexcept;
+/// nullopt: no script has this name.
+[[nodiscard]] std::optional<HandScript> hand_script(std::string_view name) noexcept;
 
 }  // namespace telepalp::replay

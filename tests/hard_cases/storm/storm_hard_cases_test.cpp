@@ -1,0 +1,56 @@
+#include "tests/hard_cases/hard_case.h"
+#include "tools/replay/storm/storm.h"
+
+namespace telepalp::hard_cases {
+namespace {
+
+using namespace std::chrono_literals;
+using replay::StormCase;
+
+/// The arm presses from 3.2 s on, and leaves after 8 s.
+StormCase over(Nanoseconds delay, double loss, replay::Faults faults) {
+  StormCase storm{.motion = "irregular", .patient_seed = 1, .scene = "palpation", .scenario = {}, .seconds = 8.0};
+  storm.scenario.down = storm.scenario.up = {.delay = delay, .loss = loss, .burst_packets = loss > 0.0 ? 12.0 : 1.0};
+  storm.scenario.deadline = 100ms + delay;
+  storm.scenario.faults = std::move(faults);
+  return storm;
+}
+
+::testing::AssertionResult invariants_hold(const StormCase& storm) {
+  const auto outcome = replay::run_case(storm);
+  if (!outcome) return ::testing::AssertionFailure() << to_string(outcome.error());
+  if (outcome->violation)
+    return ::testing::AssertionFailure() << replay::in_words(*outcome->violation) << ": telepalp-replay "
+                                         << replay::command_line(storm);
+  return ::testing::AssertionSuccess() << "every invariant at each tick of " << storm.seconds << " s";
+}
+
+const HardCase kRows[] = {
+    {"the clock steps while nothing arrives", "the newest surface has two ages", "let go, and feel again",
+     [] {
+       return invariants_hold(over(60ms, 0.0, {.outages = {{3500ms, 1500ms}}, .clock_steps = {{{4s, 400ms}, -300ms}}}));
+     }},
+    {"the server restarts within an outage", "two ends begin a session apart", "feel again",
+     [] {
+       return invariants_hold(over(40ms, 0.0, {.outages = {{3s, 1s}}, .restarts = {{2500ms, 1s}}}));
+     }},
+    {"an encoder glitch in deep contact", "the force of a jump is above the peak", "bounded force and slew",
+     [] {
+       return invariants_hold(over(20ms, 0.0, {.glitches = {{{4s, 4ms}, -0.06}, {{4100ms, 1ms}, 0.06}}}));
+     }},
+    {"the tracker is lost while surfaces age", "hand and surface are both predicted", "no energy from either",
+     [] {
+       return invariants_hold(over(300ms, 0.2, {.tracker_lost = {{3s, 2s}}}));
+     }},
+    {"bursts of twelve over 300 ms", "repairs arrive after the deadline", "felt on surfaces of any age",
+     [] { return invariants_hold(over(300ms, 0.2, {})); }},
+};
+
+class StormHardCase : public HardCaseTable {};
+
+TEST_P(StormHardCase, Holds) { judge(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(Table, StormHardCase, ::testing::ValuesIn(kRows), name_of);
+
+}  // namespace
+}  // namespace telepalp::hard_cases
