@@ -5,8 +5,12 @@
 #include <cmath>
 #include <ctime>
 
+#include "proto/wire/mcap/writer.h"
+#include "server/pipeline/camera_messages.h"
 #include "support/program/files/shipped.h"
 #include "support/program/parallel.h"
+#include "tests/bench/replay_live.h"
+#include "tests/support/child_process.h"
 #include "tools/replay/run/session_run.h"
 
 namespace telepalp::bench {
@@ -53,12 +57,37 @@ struct Measured {
   std::uint64_t digest = 14695981039346656037ULL;  ///< FNV-1a of all that the last run published
 };
 
-/// Runs the synthetic patient over `networks`; the unimpaired network comes first if `compared`.
-Result<Measured> measure(const std::vector<Scenario>& networks, bool compared, double seconds, int threads) {
-  const auto file = program::shipped_file("haptic_station/scenes/palpation.scene.textproto");
-  const Result<scenes::Scene> scene = scenes::read_scene(file.value());
+Result<scenes::Scene> palpation() {
+  return scenes::read_scene(*program::shipped_file("haptic_station/scenes/palpation.scene.textproto"));
+}
+
+/// Records the camera of `source`, as a recorder at the server would.
+Result<void> record(const std::string& source, const std::filesystem::path& file, double seconds) {
+  Result<wire::McapWriter> writer = wire::McapWriter::open(file, {});
+  if (!writer) return writer.error();
+  Result<replay::Tape> tape = replay::Tape::open(source, {});
+  if (!tape) return tape.error();
+  const Result<replay::TapeFrames> frames = tape->read_until(replay::kBegin + from_seconds(seconds));
+  if (!frames) return frames.error();
+  for (const auto& taped : *frames) {
+    const SessionTime captured = taped->frame.captured;
+    std::vector<wire::Message> messages{
+        wire::make_message(wire::kCameraInfo, captured, pipeline::calibration_message(taped->frame)),
+        {wire::kCameraDepth, captured, std::make_shared<const std::string>(taped->depth)}};
+    if (!taped->color.empty())
+      messages.push_back({wire::kCameraColor, captured, std::make_shared<const std::string>(taped->color)});
+    for (const wire::Message& message : messages)
+      if (const Result<void> written = writer->write(message); !written) return written;
+  }
+  return writer->close();
+}
+
+/// Runs `source` over `networks`; the unimpaired network comes first if `compared`.
+Result<Measured> measure(const std::string& source, const std::vector<Scenario>& networks, bool compared,
+                         double seconds, int threads) {
+  const Result<scenes::Scene> scene = palpation();
   if (!scene) return scene.error();
-  Result<replay::Tape> tape = replay::Tape::open(kSource, {.clock = thread_ns});
+  Result<replay::Tape> tape = replay::Tape::open(source, {.clock = thread_ns});
   if (!tape) return tape.error();
   Measured outcome;
   std::vector<RunOrder> orders;
@@ -80,14 +109,66 @@ Result<Measured> measure(const std::vector<Scenario>& networks, bool compared, d
   return outcome;
 }
 
-void add_parts(const Measured& one, Report& report) {
+void add_parts(const std::string& whose, const Measured& one, Report& report) {
   replay::Stopwatch total = one.results.tape_costs;
   for (const replay::RunResult& run : one.results.runs) total.add(run.costs);
   for (std::size_t i = 0; i < replay::kPartCount; ++i)
     report.rows.push_back(
-        measured(std::string("of these: ") + replay::kPartNames[i],
+        measured(whose + ": " + replay::kPartNames[i],
                  1e-6 * static_cast<double>(total.cost_ns(static_cast<replay::Part>(i))) / one.results.seconds,
                  "ms of processor a second"));
+}
+
+/// The speed of one run of each kind of source.
+Result<void> add_sources(const Scenario& scenario, double seconds, Report& report) {
+  const auto oni = program::shipped_file("deploy/demo_data/oni/3dj_test.oni");
+  if (!oni)
+    return Error{.what = "the recording deploy/demo_data/oni/3dj_test.oni is missing",
+                 .where = "telepalp-bench replay",
+                 .fix = "run it in a checkout or an installation"};
+  const std::string kinect = "oni:" + oni->string();
+  const support::TemporaryFolder folder;
+  const std::string patients = (folder.path() / "patient.mcap").string();
+  const std::string kinects = (folder.path() / "kinect.mcap").string();
+  for (const auto& [source, file] : {std::pair{std::string(kSource), patients}, std::pair{kinect, kinects}})
+    if (const Result<void> recorded = record(source, file, seconds); !recorded) return recorded;
+  struct Source {
+    const char* name;
+    std::string source;
+    bool is_session;
+  };
+  for (const Source& row :
+       {Source{"session of a Kinect", kinects, true}, Source{"session of the simulated patient", patients, true},
+        Source{".oni, encoded meanwhile", kinect, false},
+        Source{"simulated patient, rendered and encoded meanwhile", kSource, false}}) {
+    const Result<Measured> one = measure(row.source, {scenario}, false, seconds, 1);
+    if (!one) return one.error();
+    const std::string name = "one run, one core, decoding included: " + std::string(row.name);
+    const double speed = one->results.seconds / one->processor_s;
+    report.rows.push_back(row.is_session ? at_least(name, speed, "times real time", 5.0)
+                                         : measured(name, speed, "times real time"));
+    add_parts(row.name, *one, report);
+  }
+  return {};
+}
+
+/// How closely the same replay between real sockets agrees. At least ten seconds, so that a frame is less than a point.
+Result<void> add_live(const Scenario& scenario, double seconds, Report& report) {
+  const Result<scenes::Scene> scene = palpation();
+  if (!scene) return scene.error();
+  const auto both = compare_live(kSource, *scene, scenario, std::max(seconds, 10.0));
+  if (!both) return both.error();
+  const replay::Figures& there = both->in_virtual_time;
+  const replay::Figures& live = both->live;
+  report.rows.push_back(at_most("between real sockets: frames by deadline, difference to virtual time",
+                                std::abs(live.frames_in_time_pct - there.frames_in_time_pct), "points", 1.0));
+  report.rows.push_back(at_most("between real sockets: force RMSE, difference to virtual time",
+                                100.0 * std::abs(live.force_rmse_N / there.force_rmse_N - 1.0), "%", 10.0));
+  report.rows.push_back(measured("frames by deadline in virtual time", there.frames_in_time_pct, "%"));
+  report.rows.push_back(measured("force RMSE in virtual time", 1e3 * there.force_rmse_N, "mN"));
+  report.rows.push_back(
+      measured("latest tick of the live run (late: the machine is too slow to compare)", 1e3 * both->latest_s, "ms"));
+  return {};
 }
 
 }  // namespace
@@ -96,19 +177,15 @@ Result<Report> run_replay(const program::Arguments& arguments) {
   const Result<double> seconds = arguments.number("seconds", 1.0, 600.0);
   if (!seconds) return seconds.error();
   const Scenario bad = network(80ms, 0.05);
-  const Result<Measured> alone = measure({bad}, false, *seconds, 1);
-  if (!alone) return alone.error();
-  const Result<Measured> pair = measure({bad}, true, *seconds, 1);
-  if (!pair) return pair.error();
-  const Result<Measured> threads = measure({bad}, true, *seconds, 4);
-  if (!threads) return threads.error();
-  const Result<Measured> sweep = measure(grid(), true, *seconds, program::processors());
-  if (!sweep) return sweep.error();
   Report report{.bench = "replay", .rows = {}, .notes = {}};
-  report.rows.push_back(at_least("one run of 640x480 at 30 Hz, 2 kHz, one core, decoding included",
-                                 alone->results.seconds / alone->processor_s, "times real time", 5.0));
-  add_parts(*alone, report);
-  report.rows.push_back(measured("the same with the unimpaired run to compare with, one core",
+  if (const Result<void> added = add_sources(bad, *seconds, report); !added) return added.error();
+  const Result<Measured> pair = measure(kSource, {bad}, true, *seconds, 1);
+  if (!pair) return pair.error();
+  const Result<Measured> threads = measure(kSource, {bad}, true, *seconds, 4);
+  if (!threads) return threads.error();
+  const Result<Measured> sweep = measure(kSource, grid(), true, *seconds, program::processors());
+  if (!sweep) return sweep.error();
+  report.rows.push_back(measured("the simulated patient with the unimpaired run to compare with, one core",
                                  pair->results.seconds / pair->processor_s, "times real time"));
   report.rows.push_back(
       at_most("a sweep of 28 cells, all cores, to one replay on one core", sweep->wall_s / pair->wall_s, "", 8.0));
@@ -116,6 +193,7 @@ Result<Report> run_replay(const program::Arguments& arguments) {
       measured("processor time of the sweep to that of one replay", sweep->processor_s / pair->processor_s, ""));
   report.rows.push_back(at_most("runs whose bytes differ on one and on four threads",
                                 pair->digest == threads->digest ? 0.0 : 1.0, "", 0.0));
+  if (const Result<void> added = add_live(bad, *seconds, report); !added) return added.error();
   report.notes.push_back(std::string(kSource) + ", scene palpation, 80 ms one way, 5 % lost in bursts of four");
   return report;
 }

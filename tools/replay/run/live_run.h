@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+
+#include "tools/replay/run/session_run.h"
+
+namespace telepalp::replay {
+
+/// A network of the caller's, and the time in which it lives.
+struct LiveNetwork {
+  Wires wires;
+  std::function<void(Nanoseconds)> await;  ///< returns when this time since the session's start has come
+};
+
+/// Runs the tape once over `network`, at the pace of `network.await`: the same run as run_session() makes of
+/// `scenario`, with a real network in place of the simulated one. The tape is read before the run begins.
+/// `settings.seconds` is above 0. `unimpaired`: the ticks to compare with, at least as many. Error: as for
+/// run_session().
+[[nodiscard]] Result<RunResult> run_live(Tape& tape, const RunSettings& settings, const Scenario& scenario,
+                                         LiveNetwork network, const std::vector<TickRecord>& unimpaired);
+
+}  // namespace telepalp::replay
