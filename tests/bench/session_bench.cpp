@@ -9,10 +9,7 @@
 #include <boost/asio/io_context.hpp>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <random>
-#include <sstream>
-#include <thread>
 
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
@@ -21,6 +18,7 @@
 #include "proto/wire/mcap/reader.h"
 #include "server/playback/session_player.h"
 #include "tests/bench/distribution.h"
+#include "tests/bench/session/recording_cost.h"
 #include "tests/support/child_process.h"
 
 namespace telepalp::bench {
@@ -129,43 +127,6 @@ Opening open_in_child(const fs::path& file, double from_s) {
   return opening;
 }
 
-/// Processor time of `process` so far [s].
-double cpu_s(pid_t process) {
-  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
-  std::string line;
-  std::getline(stat, line);
-  std::istringstream after_name(line.substr(line.rfind(')') + 2));
-  std::string skipped;
-  for (int field = 0; field < 11; ++field) after_name >> skipped;
-  double user = 0.0, system = 0.0;
-  after_name >> user >> system;
-  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
-
-Error not_started(const char* program) {
-  return {.what = std::string(program) + " did not start",
-          .where = "telepalp-bench session",
-          .fix = "build all programs: ninja telepalp_programs"};
-}
-
-/// Share of a core that the recorder needs for a synthetic patient's depth and colour at 30 Hz.
-Result<double> recording_share(const fs::path& folder, double seconds) {
-  const fs::path programs = fs::read_symlink("/proc/self/exe").parent_path();
-  support::ChildProcess server(programs / "telepalp-server",
-                               {"--port", "0", "--ready-file", (folder / "server").string()});
-  const std::optional<std::string> port = support::await_ready(folder / "server", "port");
-  if (!port) return not_started("telepalp-server");
-  support::ChildProcess recorder(programs / "telepalp-record",
-                                 {"--connect", "127.0.0.1:" + *port, "--out", (folder / "recorded.mcap").string(),
-                                  "--ready-file", (folder / "recorder").string()});
-  if (!support::await_ready(folder / "recorder", "recording")) return not_started("telepalp-record");
-  const double before_s = cpu_s(recorder.pid());
-  const auto began = std::chrono::steady_clock::now();
-  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-  const double used_s = cpu_s(recorder.pid()) - before_s;
-  return used_s / std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-}
-
 }  // namespace
 
 Result<Report> run_session(const program::Arguments& arguments) {
@@ -189,17 +150,23 @@ Result<Report> run_session(const program::Arguments& arguments) {
     warm_ms.add(warm.ms);
     peak_MB.add(std::max(cold.peak_MB, warm.peak_MB));
   }
-  const Result<double> share = recording_share(folder.path(), *seconds);
-  if (!share) return share.error();
+  const Result<RecordingCost> cost = recording_cost(folder.path(), *seconds);
+  if (!cost) return cost.error();
   return Report{.bench = "session",
                 .rows = {measured("size", static_cast<double>(fs::file_size(file)) / 1e9, "GB"),
                          at_most("open and seek to the middle, first image, cold, max", cold_ms.max(), "ms", 100.0),
                          measured("open and seek to the middle, first image, cold, p50", cold_ms.p50(), "ms"),
                          at_most("open and seek to the middle, first image, cached, max", warm_ms.max(), "ms", 100.0),
                          at_most("memory of the process, max", peak_MB.max(), "MB", 100.0),
-                         at_most("recording depth and colour at 30 Hz, share of a core", *share, "", 0.05)},
+                         at_most("recorder at 30 Hz, share of a core", cost->recorder_share, "", 0.05),
+                         at_most("server for its recorder, share of a core", cost->server_share, "", 0.05),
+                         measured("tick work without a recorder, p99.9", cost->alone_us, "us"),
+                         at_most("tick work with a recorder, p99.9 by that without", cost->recorded_us / cost->alone_us,
+                                 "", 1.1)},
                 .notes = {std::to_string(kOpenings) + " openings, each in a process of its own",
-                          "cold: the file was removed from the system's cache before"}};
+                          "cold: the file was removed from the system's cache before",
+                          "ticks: medians of " + std::to_string(kRecordingTurns) +
+                              " turns with a recorder and as many without, one after the other"}};
 }
 
 }  // namespace telepalp::bench
