@@ -7,7 +7,9 @@
 
 #include "server/gateway/gateway.h"
 #include "server/pipeline/depth_options.h"
+#include "server/playback/session_events.h"
 #include "server/playback/session_player.h"
+#include "server/recording/session_recorder.h"
 #include "server/server.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
@@ -43,6 +45,8 @@ program::Usage usage() {
                        .help = "page that may open the stream, by its origin: https://app.foxglove.dev",
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: those built beside this program"},
+                      {"record-dir", "DIR", "where recordings from the web page go; default: none"},
+                      {"record-key", "FILE", "key file of that recorder, needed with --key"},
                       {"ready-file", "FILE", "file to write the ports to once it listens"},
                       {"depth-mode", "MODE",
                        "fast, intra, temporal (lossless) or bounded (near-lossless, for display only)", "fast"},
@@ -61,7 +65,8 @@ struct Asked {
   std::filesystem::path ready_file;
   std::optional<access::Access::Options> keys;  // nullopt: no TLS, and peers of this machine only
   server::Server::Options server;
-  std::optional<gateway::GatewayOptions> gateway;  // nullopt: browsers are not served
+  std::optional<gateway::GatewayOptions> gateway;               // nullopt: browsers are not served
+  std::optional<recording::SessionRecorder::Options> recorder;  // nullopt: the web viewer records nothing
 };
 
 Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view option) {
@@ -109,6 +114,34 @@ Result<std::optional<access::Access::Options>> key_options(const program::Argume
   return std::optional<access::Access::Options>{};
 }
 
+/// telepalp-record lies beside this program, in a build tree as in an installation.
+std::filesystem::path program_beside_this(std::string_view name) {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / name;
+}
+
+Result<std::optional<recording::SessionRecorder::Options>> recorder_options(const program::Arguments& arguments) {
+  std::optional<recording::SessionRecorder::Options> none;
+  const auto wrong = [](const char* what, const char* where, const char* fix) {
+    return Error{.what = what, .where = where, .fix = fix};
+  };
+  if (!arguments.has("record-dir")) {
+    if (!arguments.has("record-key")) return none;
+    return wrong("this option has no effect without --record-dir", "--record-key",
+                 "add --record-dir DIR, or leave it out");
+  }
+  if (!arguments.has("http-port"))
+    return wrong("only the web viewer begins such recordings", "--record-dir",
+                 "add --http-port PORT, or run telepalp-record");
+  if (arguments.has("key") && !arguments.has("record-key"))
+    return wrong("a server with keys admits no recorder without one", "--record-dir",
+                 "add --record-key FILE, made by telepalp-keys client --role technician");
+  return std::optional(recording::SessionRecorder::Options{.folder = arguments.text("record-dir"),
+                                                           .program = program_beside_this("telepalp-record"),
+                                                           .key = arguments.text("record-key"),
+                                                           .server = {}});
+}
+
 Result<Asked> read_asked(const program::Arguments& arguments) {
   const Result<bool> loop = yes_or_no(arguments, "loop");
   if (!loop) return loop.error();
@@ -127,6 +160,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!gateway) return gateway.error();
   const Result<std::optional<access::Access::Options>> keys = key_options(arguments);
   if (!keys) return keys.error();
+  const Result<std::optional<recording::SessionRecorder::Options>> recorder = recorder_options(arguments);
+  if (!recorder) return recorder.error();
   const auto say = [](const std::string& text) { program::log(kProgram, text); };
   return Asked{.source = arguments.text("source"),
                .loop = *loop,
@@ -138,7 +173,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .port = static_cast<std::uint16_t>(*port),
                           .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
                           .log = say},
-               .gateway = *gateway};
+               .gateway = *gateway,
+               .recorder = *recorder};
 }
 
 std::string ports_text(std::uint16_t port, const gateway::Gateway* gateway) {
@@ -172,13 +208,33 @@ Result<Opened> open(const Asked& asked, const wire::SessionClock& clock) {
 }
 
 /// Lets the gateway's visitors see and move the session.
-void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& player) {
+void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& player,
+                    const playback::SessionEvents& events) {
+  options.session_events = [&events] { return playback::to_json(events.events()); };
   options.playback_state = [&player] { return playback::to_json(player.state()); };
   options.playback_command = [&player](const std::string& json) -> Result<std::string> {
     const Result<msg::PlaybackCommand> command = playback::read_command(json);
     if (!command) return command.error();
     if (const Result<void> applied = player.apply(*command); !applied) return applied.error();
     return playback::to_json(player.state());
+  };
+}
+
+/// Where a recorder of this machine reaches the server: at its address, or on loopback when it listens everywhere.
+std::string own_address(const std::string& bind, std::uint16_t port) {
+  const bool everywhere = bind == "0.0.0.0" || bind == "::";
+  return (everywhere ? "127.0.0.1" : bind) + ":" + std::to_string(port);
+}
+
+/// Lets the gateway's visitors begin and end recordings.
+void offer_recording(gateway::GatewayOptions& options, recording::SessionRecorder& recorder) {
+  options.recording_state = [&recorder] { return recording::to_json(recorder.state()); };
+  options.recording_command = [&recorder](const std::string& json) -> Result<std::string> {
+    const Result<msg::RecordingCommand> command = recording::read_command(json);
+    if (!command) return command.error();
+    if (const Result<void> applied = recorder.apply(*command, std::chrono::system_clock::now()); !applied)
+      return applied.error();
+    return recording::to_json(recorder.state());
   };
 }
 
@@ -194,12 +250,25 @@ int run(Asked asked) {
   server::Server& server = **listening;
   Result<Opened> opened = open(asked, server.clock());
   if (!opened) return program::fail(opened.error());
+  std::unique_ptr<recording::SessionRecorder> recorder;
+  if (asked.recorder) {
+    asked.recorder->server = own_address(asked.server.bind, server.port());
+    auto opens = recording::SessionRecorder::open(*asked.recorder);
+    if (!opens) return program::fail(opens.error());
+    recorder = std::move(opens).value();
+  }
+  std::unique_ptr<playback::SessionEvents> events;  // of the session that is played
   std::unique_ptr<gateway::Gateway> gateway;
   if (asked.gateway) {
     asked.gateway->access = asked.server.access;
     asked.gateway->problem = [&server] { return server.problem(); };
     asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
-    if (opened->player) offer_playback(*asked.gateway, *opened->player);
+    if (opened->player) {
+      const std::string file = opened->player->state().file();
+      events = std::make_unique<playback::SessionEvents>(file, opened->player->begin());
+      offer_playback(*asked.gateway, *opened->player, *events);
+    }
+    if (recorder) offer_recording(*asked.gateway, *recorder);
     auto listens = gateway::Gateway::open(
         io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
     if (!listens) return program::fail(listens.error());
@@ -216,6 +285,7 @@ int run(Asked asked) {
     program::end_within(program::kTimeToEnd, "telepalp-server: the camera did not stop in time");
     time_is_up.cancel();
     gateway.reset();
+    recorder.reset();  // while the server still answers, so that the file ends in order
     server.stop(reason);
   };
   signals.async_wait([&](const boost::system::error_code& cancelled, int) {

@@ -37,6 +37,10 @@ struct GatewayOptions {
   std::function<std::string()> playback_state{};     ///< JSON of msg::PlaybackState; unset: nothing is played
   /// Carries out the JSON of a msg::PlaybackCommand and returns the new state; set when playback_state is.
   std::function<Result<std::string>(const std::string& json)> playback_command{};
+  std::function<std::string()> session_events{};  ///< JSON of msg::SessionEvents; set when playback_state is
+  std::function<std::string()> recording_state{};  ///< JSON of msg::RecordingState; unset: nothing can be recorded here
+  /// Carries out the JSON of a msg::RecordingCommand and returns the new state; set when recording_state is.
+  std::function<Result<std::string>(const std::string& json)> recording_command{};
   std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
   std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request's headers

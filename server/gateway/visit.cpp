@@ -61,6 +61,8 @@ std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
   const bool has_keys = context_.options.access->has_keys();
   if (target == kMetricsTarget) return metrics(request);
   if (target == kPlaybackTarget) return playback(request);
+  if (target == kEventsTarget) return session_events(request);
+  if (target == kRecordingTarget) return recording(request);
   if (!has_keys) return std::nullopt;
   if (target == kSignInTarget && request.method() == http::verb::post) return sign_in(request);
   if (!may(keys::Operation::Watch)) {
@@ -128,6 +130,60 @@ HttpReply Visit::playback(const HttpRequest& request) const {
     return refuse(request, http::status::method_not_allowed, "GET the state, or POST a command");
   const Result<std::string> state =
       moves ? options.playback_command(request.body()) : Result<std::string>(options.playback_state());
+  if (!state) return refuse(request, http::status::bad_request, to_string(state.error()));
+  HttpReply reply = refuse(request, http::status::ok, *state);
+  reply.set(http::field::content_type, "application/json");
+  return reply;
+}
+
+HttpReply Visit::session_events(const HttpRequest& request) const {
+  const GatewayOptions& options = context_.options;
+  if (!host_is_ours(options.policy, view(request[http::field::host])))
+    return refuse(request, http::status::misdirected_request, "this server is not known by that name");
+  if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
+  if (request.method() != http::verb::get)
+    return refuse(request, http::status::method_not_allowed, "only GET is answered here");
+  if (!options.session_events)
+    return refuse(request, http::status::not_found,
+                  "no session is played here. fix: telepalp-server --source session:FILE.mcap");
+  HttpReply reply = refuse(request, http::status::ok, options.session_events());
+  reply.set(http::field::content_type, "application/json");
+  return reply;
+}
+
+/// Everyone who may watch may know whether the patient is recorded. Only those who may record begin and end it, from
+/// pages of this server or by programs.
+std::optional<HttpReply> Visit::refusal_to_record(const HttpRequest& request) const {
+  const GatewayOptions& options = context_.options;
+  const std::string_view host = view(request[http::field::host]);
+  const bool commands = request.method() == http::verb::post;
+  if (!host_is_ours(options.policy, host))
+    return refuse(request, http::status::misdirected_request, "this server is not known by that name");
+  if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
+  if (commands && !may(keys::Operation::Record))
+    return refuse(request, http::status::forbidden, "recording is for doctors, technicians and QA");
+  const std::string_view origin = view(request[http::field::origin]);
+  if (commands && !origin_is_allowed(options.policy, origin, host, is_from_trusted_program()))
+    return refuse(request, http::status::forbidden, "pages from that origin may not record");
+  // A browser logs each 404 as an error of the page, so a page that only asks gets an empty state.
+  if (!options.recording_state)
+    return commands ? refuse(request, http::status::not_found,
+                             "this server records nothing by itself. fix: telepalp-server --record-dir DIR")
+                    : refuse(request, http::status::ok, "{}");
+  if (!commands && request.method() != http::verb::get)
+    return refuse(request, http::status::method_not_allowed, "GET the state, or POST a command");
+  return std::nullopt;
+}
+
+HttpReply Visit::recording(const HttpRequest& request) const {
+  if (std::optional<HttpReply> refusal = refusal_to_record(request)) return std::move(*refusal);
+  const GatewayOptions& options = context_.options;
+  const bool commands = request.method() == http::verb::post;
+  if (commands)
+    note(access::AuditEvent::Records,
+         "who=" + describe(visitor_->who) + " asked=" + access::audit_text(request.body()));
+  const Result<std::string> state =
+      commands ? options.recording_command(request.body()) : Result<std::string>(options.recording_state());
   if (!state) return refuse(request, http::status::bad_request, to_string(state.error()));
   HttpReply reply = refuse(request, http::status::ok, *state);
   reply.set(http::field::content_type, "application/json");

@@ -12,6 +12,12 @@ namespace telepalp::gateway {
 /// Path of session playback: GET returns its state; POST carries out a command, such as a seek or a pause.
 inline constexpr std::string_view kPlaybackTarget = "/playback";
 
+/// Path of the played session's events, of all its length: GET alone.
+inline constexpr std::string_view kEventsTarget = "/playback/events";
+
+/// Path of the recording at the server's machine: GET returns its state; POST begins or ends it.
+inline constexpr std::string_view kRecordingTarget = "/recording";
+
 /// A person who is signed in at the web port.
 struct Visitor {
   keys::Identity who;
@@ -39,6 +45,9 @@ class Visit {
   [[nodiscard]] HttpReply sign_out(const HttpRequest& request);
   [[nodiscard]] HttpReply metrics(const HttpRequest& request) const;
   [[nodiscard]] HttpReply playback(const HttpRequest& request) const;
+  [[nodiscard]] HttpReply session_events(const HttpRequest& request) const;
+  [[nodiscard]] HttpReply recording(const HttpRequest& request) const;
+  [[nodiscard]] std::optional<HttpReply> refusal_to_record(const HttpRequest& request) const;
   void note(access::AuditEvent event, const std::string& text) const;
 
   GatewayContext& context_;

@@ -38,6 +38,7 @@ Result<std::unique_ptr<SessionPlayer>> SessionPlayer::open(const PlaybackSpec& s
 SessionPlayer::SessionPlayer(Timeline timeline, const PlaybackSpec& spec, bool loop, wire::SessionClock clock)
     : timeline_(std::move(timeline)),
       file_(spec.file),
+      begin_(timeline_.begin()),
       clock_(clock),
       playing_(!spec.paused),
       loop_(loop),

@@ -41,6 +41,8 @@ class SessionPlayer {
   /// Carries the command out as soon as possible. Error: a position beyond the session's end. Any thread.
   [[nodiscard]] Result<void> apply(const msg::PlaybackCommand& command);
   [[nodiscard]] msg::PlaybackState state() const;                                      ///< any thread
+  /// The first instant of the session file.
+  [[nodiscard]] SessionTime begin() const noexcept { return begin_; }
   [[nodiscard]] std::uint64_t depth_images() const noexcept { return depth_images_; }  ///< published; any thread
 
  private:
@@ -60,6 +62,7 @@ class SessionPlayer {
 
   Timeline timeline_;  // the player's thread, like all members up to `mutex_`
   const std::string file_;
+  const SessionTime begin_;
   const wire::SessionClock clock_;
   TimeMap map_;
   std::optional<wire::Message> next_;

@@ -114,6 +114,15 @@ foxglove::FrameTransforms transforms_view(const std::optional<msg::StationState>
   return all;
 }
 
+std::optional<foxglove::PoseInFrame> hand_view(const msg::StationState& station) {
+  if (!station.has_displayed_hand_camera()) return std::nullopt;
+  foxglove::PoseInFrame hand;
+  wire::set_stamp(*hand.mutable_timestamp(), stamp_of(station));
+  hand.set_frame_id(wire::kDepthFrameId);
+  set(*hand.mutable_pose(), wire::vector_of(station.displayed_hand_camera()), attitude(station));
+  return hand;
+}
+
 foxglove::SceneUpdate scene_view(const msg::StationState& station) {
   foxglove::SceneUpdate scene;
   add_ball(scene, station, "hand", station.has_displayed_hand_camera(), station.displayed_hand_camera(),

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "foxglove/FrameTransforms.pb.h"
+#include "foxglove/PoseInFrame.pb.h"
 #include "foxglove/SceneUpdate.pb.h"
 #include "messages/station.pb.h"
 #include "proto/words/time.h"
@@ -17,5 +18,8 @@ namespace telepalp::views {
 /// Hand, device and proxy, and the force as an arrow of 2 cm per newton, in the depth camera's frame. Parts without a
 /// value in `station` are deleted; all parts disappear 1 s after the station's last message.
 [[nodiscard]] foxglove::SceneUpdate scene_view(const msg::StationState& station);
+
+/// The displayed hand with its attitude, in the depth camera's frame; nullopt while the station has no hand.
+[[nodiscard]] std::optional<foxglove::PoseInFrame> hand_view(const msg::StationState& station);
 
 }  // namespace telepalp::views

@@ -39,6 +39,7 @@ std::vector<std::string> ViewMaker::topics_needed() const {
   need(kCloudView, {wire::kCameraDepth, wire::kCameraInfo});
   need(kTransformsView, {wire::kStationState, wire::kCameraInfo});
   need(kSceneView, {wire::kStationState});
+  need(kHandView, {wire::kStationState});
   return {needed.begin(), needed.end()};
 }
 
@@ -79,6 +80,8 @@ void ViewMaker::take_station(const wire::Message& message) {
     views_.publish(wire::make_message(kSceneView, message.published, scene_view(state)));
   if (views_.is_wanted(kTransformsView.name))
     views_.publish(wire::make_message(kTransformsView, message.published, transforms_view(state, message.published)));
+  const std::optional<foxglove::PoseInFrame> hand = views_.is_wanted(kHandView.name) ? hand_view(state) : std::nullopt;
+  if (hand) views_.publish(wire::make_message(kHandView, message.published, *hand));
 }
 
 void ViewMaker::decode(const wire::Message& message) {

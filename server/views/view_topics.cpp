@@ -2,6 +2,7 @@
 
 #include "foxglove/FrameTransforms.pb.h"
 #include "foxglove/PointCloud.pb.h"
+#include "foxglove/PoseInFrame.pb.h"
 #include "foxglove/RawImage.pb.h"
 #include "foxglove/SceneUpdate.pb.h"
 #include "proto/words/demand.h"
@@ -11,7 +12,7 @@ namespace telepalp::views {
 const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic) {
   for (const google::protobuf::Descriptor* type :
        {foxglove::RawImage::descriptor(), foxglove::PointCloud::descriptor(), foxglove::FrameTransforms::descriptor(),
-        foxglove::SceneUpdate::descriptor()})
+        foxglove::SceneUpdate::descriptor(), foxglove::PoseInFrame::descriptor()})
     if (type->full_name() == topic.schema) return type;
   demand(false, "each of kViewTopics has a type here");
   return nullptr;

@@ -15,8 +15,9 @@ inline constexpr wire::Topic kDepthView{"/camera/depth/image", "foxglove.RawImag
 inline constexpr wire::Topic kCloudView{"/camera/points", "foxglove.PointCloud"};
 inline constexpr wire::Topic kTransformsView{"/transforms", "foxglove.FrameTransforms"};
 inline constexpr wire::Topic kSceneView{"/station/scene", "foxglove.SceneUpdate"};
+inline constexpr wire::Topic kHandView{"/station/hand", "foxglove.PoseInFrame"};
 
-inline constexpr std::array kViewTopics{kDepthView, kCloudView, kTransformsView, kSceneView};
+inline constexpr std::array kViewTopics{kDepthView, kCloudView, kTransformsView, kSceneView, kHandView};
 
 /// The Protobuf type of one of kViewTopics.
 [[nodiscard]] const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic);

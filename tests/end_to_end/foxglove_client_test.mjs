@@ -169,7 +169,7 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
     const types = {
       '/camera/color': 'CompressedImage', '/camera/depth/image': 'RawImage', '/camera/points': 'PointCloud',
       '/transforms': 'FrameTransforms', '/station/scene': 'SceneUpdate', '/camera/info': 'CameraCalibration',
-      '/camera/color/info': 'CameraCalibration',
+      '/camera/color/info': 'CameraCalibration', '/station/hand': 'PoseInFrame',
     };
     for (const [topic, type] of Object.entries(types))
       assert.equal(page.heard.channels.find((one) => one.topic === topic)?.schemaName, `foxglove.${type}`, topic);
@@ -210,6 +210,11 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
     assert.ok(entities.every(({frame_id}) => frame_id === cloud.frame_id));
     const hand = entities.find(({id}) => id === 'hand').spheres[0].pose.position;
     assert.ok(hand.z > 0.2 && hand.z < 3, 'the hand is before the camera');
+    const {frame_id, pose} = newest['/station/hand'];
+    assert.equal(frame_id, cloud.frame_id);
+    assert.ok(Math.hypot(pose.position.x - hand.x, pose.position.y - hand.y, pose.position.z - hand.z) < 0.1, 'one hand');
+    const {x, y, z, w} = pose.orientation;
+    assert.ok(Math.abs(Math.hypot(x, y, z, w) - 1) < 1e-6);
     await until('the force is an arrow', () =>
       newest['/station/scene'].entities.some(({id, arrows}) => id === 'force' && arrows[0].shaft_length > 0));
 

@@ -95,9 +95,19 @@ test('QA shares a moment, and the address brings another visitor to it', async (
   await page.keyboard.press('3');
   assert.deepEqual(await cardTitles(), ['Moment', 'Events']);
   await until('events of the session come', async () => (await page.locator('#events li').count()) > 0);
+  await until('the whole session has its phases in a band', async () => (await page.locator('#overview i').count()) > 2);
+  const {events, complete} = await (await fetch(`${address}playback/events`)).json();
+  assert.ok(complete);
+  await until('and its events in the list', async () => (await page.locator('#events li').count()) === events.length);
   await keepPicture('qa');
   await page.keyboard.press('Space');
   await until('it stands still', async () => !(await playback()).playing);
+  const band = await page.locator('#overview').boundingBox();
+  await page.mouse.click(band.x + 0.25 * band.width, band.y + 0.5 * band.height);
+  await until('a click into the band seeks', async () => {
+    const {position_s, duration_s} = await playback();
+    return Math.abs(position_s - 0.25 * duration_s) < 0.2;
+  });
   await page.locator('#timeline-slider').fill('4');
   await until('4 s are reached', async () => (await playback()).position_s === 4);
   await until('the page knows', async () => (await text('moment')).startsWith('0:04.0'));

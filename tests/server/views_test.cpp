@@ -78,6 +78,22 @@ TEST(TransformsView, TheHandHasItsAttitudeUnlessItIsNoRotation) {
   EXPECT_EQ(hand_turn().w(), 1.0) << "a peer's numbers are not trusted";
 }
 
+TEST(HandView, IsTheDisplayedHandWithItsAttitudeAndNothingWithoutAHand) {
+  msg::StationState state = touching();
+  state.set_stamp_ns(3'000'000'007);
+  state.mutable_displayed_hand_camera()->set_z(0.7);
+  state.mutable_hand_attitude_camera()->set_x(0.6);
+  state.mutable_hand_attitude_camera()->set_w(0.8);
+  const std::optional<foxglove::PoseInFrame> hand = views::hand_view(state);
+  ASSERT_TRUE(hand);
+  EXPECT_EQ(hand->timestamp().seconds(), 3);
+  EXPECT_EQ(hand->timestamp().nanos(), 7);
+  EXPECT_NEAR(hand->pose().position().z(), 0.7, 1e-12);
+  EXPECT_NEAR(hand->pose().orientation().x(), 0.6, 1e-9);
+  state.clear_displayed_hand_camera();
+  EXPECT_FALSE(views::hand_view(state)) << "no hand is never a hand at the origin";
+}
+
 TEST(SceneView, TheArrowPointsAlongTheForceAndIsAsLongAsItIsStrong) {
   const foxglove::SceneUpdate scene = views::scene_view(touching());
   for (const foxglove::SceneEntity& entity : scene.entities())

@@ -10,6 +10,7 @@ import {QaPanel} from './panel/qa/qa_panel';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
 import {askServer, PlaybackLink} from './playback/playback_link';
+import {OverviewBand} from './playback/overview_band';
 import {TimelineBar} from './playback/timeline_bar';
 import type {Instant} from './present/instant';
 import {showInstant} from './scene/show_instant';
@@ -100,7 +101,7 @@ const status = publishStatus(() => ({
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   doctor: [new DoctorPanel()],
   technician: [new TechnicianPanel(view, canvas)],
-  qa: [new QaPanel(playback, view)],
+  qa: [new QaPanel(playback, new OverviewBand(playback), view)],
 };
 const views = new ViewSwitch((chosen) => link.setExtra(EXTRA[chosen]));
 wireControls(view, viewerHand, views, new ThemeSwitch(view));

@@ -11,6 +11,7 @@
 #include "foxglove/CameraCalibration.pb.h"
 #include "messages/camera.pb.h"
 #include "server/playback/retimed.h"
+#include "server/playback/session_events.h"
 #include "server/playback/session_player.h"
 #include "tests/proto/mcap_samples.h"
 
@@ -232,6 +233,39 @@ TEST(SessionPlayer, ADamagedChunkIsSkippedAndCounted) {
   EXPECT_LT(stage.shown().size(), 40u);
   EXPECT_GT(stage.shown().size(), 10u);
   EXPECT_GE(stage.player->state().damaged(), 1u);
+}
+
+TEST(SessionEvents, TellsTheWholeSessionBeforeItIsPlayed) {
+  const auto file = wire::samples::fresh_file("events" + std::to_string(::getpid()) + ".mcap");
+  std::vector<wire::Message> messages;
+  for (int ms = 0; ms < 3000; ms += 30) {
+    msg::StationState state;
+    messages.push_back(wire::make_message(wire::kStationState, at_ms(ms), state));
+    if (ms % 1500 != 0) continue;
+    msg::StationEvent event;
+    event.set_text("event at " + std::to_string(ms));
+    event.set_to(msg::PHASE_OUT_BODY);
+    messages.push_back(wire::make_message(wire::kStationEvents, at_ms(ms), event));
+  }
+  ASSERT_TRUE(wire::samples::write_file(file, messages, {.bytes = 3000}));
+  const SessionEvents reading(file, at_ms(0));
+  msg::SessionEvents told = reading.events();
+  for (int look = 0; look < 3000 && !told.complete(); ++look) {
+    std::this_thread::sleep_for(10ms);
+    told = reading.events();
+  }
+  ASSERT_EQ(told.events_size(), 2);
+  EXPECT_DOUBLE_EQ(told.events(0).at_s(), 0.0);
+  EXPECT_DOUBLE_EQ(told.events(1).at_s(), 1.5);
+  EXPECT_EQ(told.events(1).text(), "event at 1500");
+  EXPECT_EQ(told.events(1).to(), msg::PHASE_OUT_BODY);
+  EXPECT_NE(to_json(told).find("\"complete\":true"), std::string::npos);
+  std::filesystem::remove(file);
+}
+
+TEST(SessionEvents, AFileThatCannotBeReadHasNoneAndIsNeverComplete) {
+  const SessionEvents reading("/nonexistent.mcap", at_ms(0));
+  EXPECT_FALSE(reading.events().complete());
 }
 
 TEST(PlaybackCommand, WrongJsonAndValuesOutOfRangeAreNamed) {

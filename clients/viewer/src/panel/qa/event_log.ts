@@ -1,4 +1,5 @@
 import {EventKind, type StationEvent} from '../../link/messages';
+import type {SessionEvent} from '../../playback/session_overview';
 
 const MOST_KEPT = 500;
 
@@ -21,11 +22,12 @@ export interface PlayedNow {
 export class EventLog {
   events: LoggedEvent[] = [];
   private newest_ns = 0n;
+  private whole: readonly SessionEvent[] | undefined;
 
   /** `heard`: the latest events of the link, oldest first. `played`: undefined for a live patient. */
   add(heard: readonly StationEvent[], played: PlayedNow | undefined): void {
     for (const {stampNs, kind, text} of heard) {
-      if (stampNs <= this.newest_ns) continue;
+      if (this.whole !== undefined || stampNs <= this.newest_ns) continue;
       this.newest_ns = stampNs;
       const position_s = played && positionOf(stampNs, played);
       if (position_s !== undefined && this.events.some((known) => isSame(known, text, position_s))) continue;
@@ -34,10 +36,18 @@ export class EventLog {
     if (this.events.length > MOST_KEPT) this.events.length = MOST_KEPT;
   }
 
+  /** The events of the whole session are known: they take the place of those that were heard. */
+  know(whole: readonly SessionEvent[]): void {
+    if (whole.length === 0 || whole === this.whole) return;
+    this.whole = whole;
+    this.events = whole.slice(0, MOST_KEPT).map(({at_s, kind, text}) => ({stampNs: 0n, kind, text, position_s: at_s})).reverse();
+  }
+
   /** A new connection may be to another server, whose clock is another one. */
   forget(): void {
     this.events = [];
     this.newest_ns = 0n;
+    this.whole = undefined;
   }
 }
 

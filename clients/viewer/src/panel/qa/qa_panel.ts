@@ -1,5 +1,6 @@
 import {element, made, setText} from '../../page';
 import {addressOfMoment, momentInAddress} from '../../playback/moment';
+import type {OverviewBand} from '../../playback/overview_band';
 import type {PlaybackLink} from '../../playback/playback_link';
 import {seekTo} from '../../playback/playback_state';
 import {clock} from '../../playback/timeline_words';
@@ -7,17 +8,18 @@ import type {SceneView} from '../../scene/scene_view';
 import type {Reading} from '../../viewer_state';
 import {EventLog, type LoggedEvent, toneOf} from './event_log';
 
-const MOST_LINES = 60;
+const MOST_LINES = 400;
 
 /** QA's cards: the moment, to be shared or kept as a picture, and the events of the session. */
 export class QaPanel {
   private readonly log = new EventLog();
   private readonly list = element('events');
   private readonly said = element('moment-said');
-  private shownUntil: bigint | undefined;
+  private shown = '';
   private asked_s = momentInAddress(location.search);  // to be shown once the session can be moved
 
-  constructor(private readonly playback: PlaybackLink, private readonly view: SceneView) {
+  constructor(
+      private readonly playback: PlaybackLink, private readonly whole: OverviewBand, private readonly view: SceneView) {
     element('share').addEventListener('click', () => void this.share());
     element('snapshot').addEventListener('click', () => void this.snapshot());
   }
@@ -31,6 +33,7 @@ export class QaPanel {
     const played = state && sessionNow_ns !== undefined
         ? {at_ns: sessionNow_ns, position_s: state.position_s, speed: state.speed} : undefined;
     this.log.add(events, played);
+    if (this.whole.overview !== undefined && state !== undefined) this.log.know(this.whole.overview.events);
     this.showEvents();
   }
 
@@ -42,9 +45,9 @@ export class QaPanel {
   }
 
   private showEvents(): void {
-    const newest = this.log.events[0]?.stampNs;
-    if (newest === this.shownUntil) return;
-    this.shownUntil = newest;
+    const newest = `${this.log.events[0]?.stampNs} ${this.log.events.length}`;
+    if (newest === this.shown) return;
+    this.shown = newest;
     this.list.replaceChildren(...this.log.events.slice(0, MOST_LINES).map((event) => this.line(event)));
     element('no-events').hidden = this.log.events.length > 0;
   }

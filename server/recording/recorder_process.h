@@ -1,0 +1,33 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proto/words/result.h"
+
+namespace telepalp::recording {
+
+/// A child process that ends with this one: the kernel sends it SIGTERM when the thread that started it ends.
+class RecorderProcess {
+ public:
+  /// Starts `program`; its stderr goes to the file `log`. Error: the program is no executable file, or the system has
+  /// no room for a process.
+  [[nodiscard]] static Result<RecorderProcess> start(const std::filesystem::path& program,
+                                                     const std::vector<std::string>& arguments,
+                                                     const std::filesystem::path& log);
+  /// Sends SIGTERM: telepalp-record then completes its file and exits.
+  void ask_to_end() const noexcept;
+  /// The exit code, 128 + N after signal N; nullopt while the process runs. Never blocks.
+  [[nodiscard]] std::optional<int> exit_code() noexcept;
+
+ private:
+  explicit RecorderProcess(pid_t pid) noexcept : pid_(pid) {}
+  pid_t pid_;
+  std::optional<int> exit_code_;
+};
+
+}  // namespace telepalp::recording

@@ -1,0 +1,46 @@
+#include "server/recording/recording_command.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace telepalp::recording {
+namespace {
+
+constexpr std::size_t kLongestConsent = 200;  // bytes
+
+Error wrong(std::string what) {
+  return {.what = std::move(what),
+          .where = "POST /recording",
+          .fix = "send {\"record\":true,\"consent\":\"study 17, signed\"} to begin, {\"record\":false} to end"};
+}
+
+/// True for bytes that do not belong into one line of text.
+bool is_control(char letter) { return std::iscntrl(static_cast<unsigned char>(letter)) != 0; }
+
+}  // namespace
+
+Result<msg::RecordingCommand> read_command(const std::string& json) {
+  msg::RecordingCommand command;
+  const auto parsed = google::protobuf::util::JsonStringToMessage(json, &command);
+  if (!parsed.ok()) return wrong("the command cannot be read: " + std::string(parsed.message()));
+  if (!command.has_record()) return wrong("the command neither begins nor ends a recording");
+  const std::string& consent = command.consent();
+  if (command.record() && std::all_of(consent.begin(), consent.end(), [](char letter) { return letter == ' '; }))
+    return wrong("nobody is recorded without consent, and the command states none");
+  if (consent.size() > kLongestConsent || std::any_of(consent.begin(), consent.end(), is_control))
+    return wrong("the consent is not one line of at most 200 bytes");
+  return command;
+}
+
+std::string to_json(const msg::RecordingState& state) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.always_print_primitive_fields = true;
+  options.preserve_proto_field_names = true;
+  std::string json;
+  (void)google::protobuf::util::MessageToJsonString(state, &json, options);  // fails for invalid UTF-8 alone
+  return json + "\n";
+}
+
+}  // namespace telepalp::recording

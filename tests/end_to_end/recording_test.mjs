@@ -1,0 +1,86 @@
+// node recording_test.mjs BIN_DIR VIEWER_FILES: the technician records from the page, at the server's machine: not without
+// the tick for consent, and the file is complete, names the consent, and plays.
+import assert from 'node:assert/strict';
+import {execFile} from 'node:child_process';
+import {mkdirSync, readdirSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {promisify} from 'node:util';
+
+import {openBrowser, untilStatus} from './browser.mjs';
+import {until, Workplace} from './running_program.mjs';
+
+const [binDir, viewer] = process.argv.slice(2);
+const run = promisify(execFile);
+const place = new Workplace('recording');
+const folder = join(place.folder, 'recordings');
+let browser, page, address;
+
+before(async () => {
+  mkdirSync(folder);
+  const {http_port} = await place.server(
+      join(binDir, 'telepalp-server'), ['--source', 'synthetic', '--viewer', viewer, '--record-dir', folder]);
+  address = `http://127.0.0.1:${http_port}/`;
+  browser = await openBrowser(place.folder);
+  page = browser.page;
+  await page.goto(`${address}?view=technician`);
+  await untilStatus(page, 'a picture is drawn', (now) => now.connected && now.frames > 0);
+});
+after(async () => {
+  await browser?.context.close();
+  await place.end();
+});
+
+const ask = async (command) => {
+  const reply = await fetch(`${address}recording`, command && {method: 'POST', body: JSON.stringify(command)});
+  return {status: reply.status, text: await reply.text()};
+};
+const state = async () => JSON.parse((await ask()).text);
+
+test('nobody is recorded without consent, nor by a page of another origin', async () => {
+  const refused = await ask({record: true});
+  assert.equal(refused.status, 400);
+  assert.match(refused.text, /consent/);
+  const foreign = await fetch(`${address}recording`, {
+    method: 'POST', headers: {Origin: 'https://elsewhere.example'}, body: '{"record":true,"consent":"x"}',
+  });
+  assert.equal(foreign.status, 403);
+  assert.deepEqual(readdirSync(folder), []);
+});
+
+test('the technician ticks the consent, records, and ends it; the file is whole', async () => {
+  if (!(await page.isVisible('#side'))) await page.keyboard.press('d');
+  await page.waitForSelector('#recording', {state: 'visible'});
+  assert.equal(await page.isDisabled('#record'), true, 'without the tick there is nothing to press');
+  await page.fill('#consent-note', 'study 17, signed');
+  await page.check('#consent-given');
+  await page.click('#record');
+  await until('it records', async () => (await state()).phase === 'PHASE_RECORDING' && Number((await state()).bytes) > 100_000);
+  await until('the page says so', async () => (await page.textContent('#recording-rows')).includes('Nowrecorded'));
+  const second = await ask({record: true, consent: 'x'});
+  assert.match(second.text, /a recording is under way/);
+  await page.focus('#record');
+  await page.keyboard.press('Enter');
+  const over = await until('it has ended', async () => {
+    const now = await state();
+    return now.phase === 'PHASE_IDLE' ? now : undefined;
+  });
+  assert.equal(over.problem, '');
+  assert.deepEqual(readdirSync(folder), [over.file]);
+  const file = join(folder, over.file);
+  await run(join(binDir, 'telepalp-record'), ['verify', file]);
+  const {stdout} = await run(join(binDir, 'telepalp-record'), ['info', file]);
+  assert.match(stdout, /ticked in the web viewer by local: study 17, signed/);
+  await until('the next recording needs a new tick', async () => (await page.isDisabled('#record')) && !(await page.isChecked('#consent-given')));
+  assert.deepEqual(browser.problems, []);
+});
+
+test('a server that ends completes the recording', async () => {
+  const begun = await ask({record: true, consent: 'study 18, signed'});
+  const {file} = JSON.parse(begun.text);
+  await until('bytes come', async () => Number((await state()).bytes) > 100_000);
+  const server = place.programs[0];
+  server.kill('SIGTERM');
+  await server.over;
+  await run(join(binDir, 'telepalp-record'), ['verify', join(folder, file)]);
+});
