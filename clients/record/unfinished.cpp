@@ -23,7 +23,7 @@ fs::path finished_name(const fs::path& partial) {
 }
 
 Error cannot_be_finished(const fs::path& file, const std::string& why) {
-  return {.what = "cannot be finished: " + why, .where = file.string(), .fix = "check the folder and its rights"};
+  return {.what = "cannot be finished: " + why, .where = file.string(), .fix = "check the folder and your permissions"};
 }
 
 /// Holds the lock that a recorder holds on its file while it writes.

@@ -61,9 +61,9 @@ Result<Asked> asked_of(const program::Arguments& arguments) {
   const Result<program::Patience> patience = program::patience_of(arguments);
   if (!patience) return patience.error();
   if (arguments.has("snapshot") == arguments.has("stats"))
-    return Error{.what = "names neither a picture nor figures, or both",
+    return Error{.what = "neither --snapshot nor --stats is given, or both are",
                  .where = kProgram,
-                 .fix = "give either --snapshot FILE.png or --stats"};
+                 .fix = "give --snapshot FILE.png for a picture, or --stats for figures"};
   return Asked{.server = *server,
                .key = std::move(key).value(),
                .snapshot = arguments.text("snapshot"),

@@ -35,7 +35,9 @@ bool is_side(int side) noexcept { return side > 0 && side <= kMaxImageSide; }
 }  // namespace
 
 Error damaged(std::string what) {
-  return {.what = std::move(what), .where = "decode_depth", .fix = "send the frame again; check that both ends match"};
+  return {.what = std::move(what),
+          .where = "decode_depth",
+          .fix = "send the frame again; install the same telepalp at both ends"};
 }
 
 std::uint32_t frame_crc(const PacketHeader& header, std::span<const std::uint16_t> samples) {
@@ -56,7 +58,7 @@ WrittenPacket write_packet(PacketHeader header, std::span<const std::uint16_t> s
 Result<Packet> read_packet(std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (bytes.size() < kHeaderBytes || !text.starts_with(kMagic))
-    return damaged("packet of " + std::to_string(bytes.size()) + " B is no depth image");
+    return damaged("packet of " + std::to_string(bytes.size()) + " B is not a depth image");
   if (text[kMagic.size()] != kVersion)
     return damaged("packet of version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
                    ", this decoder reads version " + std::to_string(kDepthPacketVersion));

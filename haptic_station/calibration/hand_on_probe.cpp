@@ -22,7 +22,7 @@ std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name
                    "leave out poses that the tracker or the device has lost");
   const Matrix3d r = pose.linear();
   if ((r * r.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() > kRotationError)
-    return refusal(name + " is no rotation: its axes are not perpendicular, or not of length one",
+    return refusal(name + " is not a rotation: its axes are not perpendicular, or not of length one",
                    "give a rotation matrix");
   if (r.determinant() < 0.0)
     return refusal(name + " is mirrored (determinant -1)", "check the sign of each axis: frames are right-handed");
@@ -43,7 +43,7 @@ std::optional<Matrix3d> mean_rotation(const Matrix3d& sum) {
 
 Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> poses, const Isometry3d& probe_from_hand,
                                                  const ProbeSettings& settings) {
-  if (poses.empty()) return refusal("no pose", "lay the hand on the probe, and take at least one");
+  if (poses.empty()) return refusal("no pose is given", "lay the hand on the probe, and measure at least one pose");
   if (const auto error = refuse_pose(probe_from_hand, "probe_from_hand")) return *error;
   const double n = static_cast<double>(poses.size());
   Matrix3d sum = Matrix3d::Zero();
@@ -59,7 +59,9 @@ Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> po
     from_mean += poses[i].tracker_from_hand.translation() / n;
   }
   const std::optional<Matrix3d> rotation = mean_rotation(sum);
-  if (!rotation) return refusal("the poses' rotations cancel", "align the hand with the probe, the same way each time");
+  if (!rotation)
+    return refusal("the rotations of the poses point in opposite directions, so they have no mean",
+                   "align the hand with the probe, the same way each time");
   ProbeCalibration fit;
   fit.haptic_from_tracker.linear() = *rotation;
   fit.haptic_from_tracker.translation() = to_mean - *rotation * from_mean;

@@ -19,14 +19,15 @@ bool usable(const Vector3d& p) { return p.allFinite() && p.cwiseAbs().maxCoeff()
 
 Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const OffsetSettings& settings) {
   if (touches.empty() || touches.size() < settings.least_touches)
-    return refusal(std::to_string(touches.size()) + " touches",
-                   "hold the hand on the end-effector until " + std::to_string(settings.least_touches) + " are taken");
+    return refusal("only " + std::to_string(touches.size()) + " of " + std::to_string(settings.least_touches) +
+                       " pairs of hand and end-effector were measured",
+                   "keep the hand on the end-effector, in the tracker's view, until the measurement ends");
   Vector3d hand = Vector3d::Zero();
   Vector3d end_effector = Vector3d::Zero();
   for (const Touch& touch : touches) {
     if (!usable(touch.hand.m) || !usable(touch.end_effector.m))
-      return refusal("a touch is not finite, or further than 10 m",
-                     "leave out touches that the tracker or the device has lost");
+      return refusal("a position of hand or end-effector is not finite, or further than 10 m away",
+                     "leave out measurements in which the tracker or the device lost its position");
     hand += touch.hand.m / static_cast<double>(touches.size());
     end_effector += touch.end_effector.m / static_cast<double>(touches.size());
   }
@@ -36,7 +37,7 @@ Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const
   for (const Touch& touch : touches)
     fit.residuals.each_m.push_back((fit.haptic_from_tracker * touch.hand - touch.end_effector).v.norm());
   if (fit.residuals.largest_m() > settings.most_moved_m)
-    return refusal("hand and end-effector moved against each other by up to " +
+    return refusal("the hand moved on the end-effector by up to " +
                        std::to_string(std::lround(fit.residuals.largest_m() * 1e3)) + " mm",
                    "rest the hand on the end-effector, in the tracker's view, and repeat");
   return fit;

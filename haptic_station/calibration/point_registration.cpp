@@ -89,17 +89,18 @@ std::string widths_text(const Vector3d& w) {
 
 std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3d& to, const Vector3d& from, int rank) {
   if (places.size() < 3)
-    return refusal(std::to_string(places.size()) + " different places (rank " + std::to_string(rank) +
-                       "); a rotation needs three that are not on a line",
+    return refusal("only " + std::to_string(places.size()) + " different places (rank " + std::to_string(rank) +
+                       "); a rotation needs three places that are not on a line",
                    "measure at least four places, spread over the workspace");
   if (rank < 2)
-    return refusal("the places span rank " + std::to_string(rank) + " of the 2 that a rotation needs (spread " +
-                       widths_text(from) + ")",
+    return refusal("the places lie " + std::string(rank == 0 ? "at one point" : "on a line") + " (rank " +
+                       std::to_string(rank) + "; a rotation needs rank 2); they spread " + widths_text(from),
                    rank == 0 ? "spread the places over the workspace" : "add places beside the line they lie on");
   const double scale = to[0] / from[0];
   if (scale > kLargestScale || scale < 1.0 / kLargestScale)
-    return refusal("one set spreads over " + millimetres(to[0]) + ", the other over " + millimetres(from[0]),
-                   "give both in metres, and each place by one row");
+    return refusal("the places spread over " + millimetres(to[0]) + " as the device measured them, but over " +
+                       millimetres(from[0]) + " as the other instrument did",
+                   "give all positions in metres, and both positions of a place in one row");
   return std::nullopt;
 }
 
@@ -140,7 +141,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   const int rank = std::min(rank_of(to_widths, settings), rank_of(from_widths, settings));
   if (const auto error = refuse_sets(places, to_widths, from_widths, rank)) return *error;
   if (rank == 3 && c.cross.determinant() < 0.0)
-    return refusal("one set is the mirror image of the other (rank 3, determinant negative)",
+    return refusal("the two sets of positions are mirror images (rank 3, determinant negative)",
                    "check the sign of each axis: both frames must be right-handed");
   if (settings.rotation_by == RotationBy::AffinePolar && rank < 3)
     return refusal("the places lie in a plane (rank 2); an affine fit needs rank 3", "choose RotationBy::Covariance");
@@ -151,10 +152,10 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   fit.to_from_from.translation() = c.to_mean - fit.to_from_from.linear() * c.from_mean;
   fit.residuals = residuals_of(pairs, fit.to_from_from);
   if (fit.residuals.rms_m() > settings.largest_rms_share * from_widths[0])
-    return refusal("the pairs do not match: rms residual " + millimetres(fit.residuals.rms_m()) +
-                       " over places that spread " + millimetres(from_widths[0]) + "; worst is pair " +
+    return refusal("the pairs do not match: the RMS residual is " + millimetres(fit.residuals.rms_m()) +
+                       " for places that spread over " + millimetres(from_widths[0]) + "; the worst is pair " +
                        std::to_string(fit.residuals.worst() + 1),
-                   "measure the worst pair again, and check that both columns name the same places");
+                   "measure the worst pair again, and check that both positions of each row belong to one place");
   return fit;
 }
 

@@ -44,9 +44,9 @@ std::vector<CompressionSample> under_hand(std::span<const CompressionSample> tes
 
 Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
   if (samples.size() < 4 || samples.size() > kMostSamples)
-    return Error{.what = std::to_string(samples.size()) + " samples",
-                 .where = "fit_tissue",
-                 .fix = "give between 4 and a million"};
+    return Error{.what = "the test has " + std::to_string(samples.size()) + " samples",
+                 .where = "compression test",
+                 .fix = "give 4 to 1000000 samples"};
   const auto rows = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd basis(rows, 3);
   Eigen::VectorXd load(rows);
@@ -55,15 +55,17 @@ Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
     load[i] = samples[static_cast<std::size_t>(i)].load_N;
   }
   if (!basis.allFinite() || !load.allFinite() || load.maxCoeff() <= 0.0)
-    return Error{.what = "no load, or a number that is not finite",
-                 .where = "fit_tissue",
-                 .fix = "give compression in metres and load in newtons, both growing"};
+    return Error{.what = "no load is above zero, or a number is not finite",
+                 .where = "compression test",
+                 .fix = "give compression in millimetres and load in newtons, both growing"};
   std::optional<Eigen::Vector3d> best;
   for (unsigned chosen = 1; chosen < 8; ++chosen)  // with three columns, the best of all subsets is the exact solution
     if (const auto c = solve_over(basis, load, chosen); c && (!best || rms(basis, load, *c) < rms(basis, load, *best)))
       best = c;
   if (!best)
-    return Error{.what = "the load falls with depth", .where = "fit_tissue", .fix = "check the signs of the samples"};
+    return Error{.what = "the load falls as the compression grows",
+                 .where = "compression test",
+                 .fix = "check the signs of compression and load"};
   TissueFit fit;
   fit.law = {.constant_N_per_m = (*best)[0], .slope_N_per_m2 = (*best)[1], .curve_N_per_m3 = (*best)[2]};
   fit.rms_error_N = rms(basis, load, *best);
@@ -85,7 +87,7 @@ Result<std::vector<CompressionSample>> read_compression_test(const std::filesyst
     const auto first = std::from_chars(line.data(), end, mm);
     const bool comma = first.ec == std::errc{} && first.ptr != end && *first.ptr == ',';
     if (!comma || std::from_chars(first.ptr + 1, end, load_N).ec != std::errc{})
-      return Error{.what = "not two numbers",
+      return Error{.what = "the row is not two numbers",
                    .where = file.string() + ":" + std::to_string(number),
                    .fix = "give rows compression_mm,load_N with a decimal point"};
     samples.push_back({mm * 1e-3, load_N});

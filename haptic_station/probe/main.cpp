@@ -122,8 +122,9 @@ void say_summary(const std::vector<probe::Felt>& felt) {
   }
   const auto middle = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);
   std::nth_element(step_us.begin(), middle, step_us.end());
-  std::fprintf(stderr, "%zu waypoints, %zu in contact, force at most %.3g N, step %.3g us at the median\n", felt.size(),
-               in_body, most_N, *middle);
+  std::fprintf(stderr,
+               "%zu waypoints, %zu in contact; largest force %.3g N; median computing time %.3g us a waypoint\n",
+               felt.size(), in_body, most_N, *middle);
 }
 
 int touch(const program::Arguments& arguments) {
@@ -137,7 +138,8 @@ int touch(const program::Arguments& arguments) {
   if (!trajectory) return program::fail(trajectory.error());
   const Result<probe::ProbedSurface> surface = open_surface(arguments);
   if (!surface) return program::fail(surface.error());
-  std::fprintf(stderr, "touching %u points through the %s\n", surface->snapshot->points, surface->snapshot->index_name);
+  std::fprintf(stderr, "touching %u points; neighbours are found by the %s\n", surface->snapshot->points,
+               surface->snapshot->index_name);
   const std::vector<probe::Felt> felt = probe::touch_along(*surface->snapshot, *trajectory, *stiffness);
   if (const auto done = probe::write_felt(arguments.text("out"), felt); !done) return program::fail(done.error());
   say_summary(felt);

@@ -196,7 +196,7 @@ Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudO
           positions(surface::poisson_disk_samples(model, options.samples > 0 ? options.samples : kPaperSamples, 1));
     auto paper = std::make_shared<surface::PaperSurface>(surface::IndexedPoints{model.points, model.width}, settings);
     paper->motion.ages = false;
-    return ProbedSurface{std::move(paper), "normals are oriented towards the origin, the paper's camera position",
+    return ProbedSurface{std::move(paper), "all normals are turned towards the origin, where paper S1 has its camera",
                          some_of(model.points)};
   }
   surface::StaticModelSettings how{.samples = options.samples,

@@ -109,9 +109,9 @@ Result<std::optional<tracking::HandTrace>> trace_of(const scenes::Scene& scene) 
 Result<std::filesystem::path> scene_of(const program::Arguments& arguments) {
   if (arguments.has("scene")) return std::filesystem::path(arguments.text("scene"));
   if (const auto file = program::shipped_file("haptic_station/scenes/palpation.scene.textproto")) return *file;
-  return Error{.what = "the scene that ships is not found",
+  return Error{.what = "the installed scene palpation.scene.textproto is not found",
                .where = "telepalp-station",
-               .fix = "name one by --scene, or set TELEPALP_HOME"};
+               .fix = "give --scene FILE, or set TELEPALP_HOME to the folder of the installation"};
 }
 
 /// The scene with the transforms of this site's calibration.
@@ -150,11 +150,11 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
               touched.c_str(), effects.c_str());
   for (const msg::Effect& effect : scene->message.effects())
     if (const effects::TissuePreset* tissue = effects::find_tissue(effect.skin().tissue()))
-      std::printf("skin as %s: %s's compression test, fitted to %.1f %% of its largest load\n", tissue->name.data(),
-                  tissue->material.data(), 100.0 * tissue->rms_error_share);
+      std::printf("skin as %s: fitted to the compression test of %s; RMS error %.1f %% of the largest load\n",
+                  tissue->name.data(), tissue->material.data(), 100.0 * tissue->rms_error_share);
   const double effects_N_per_m = scene->effects.stiffest_N_per_m(scene->control.limits.peak_N);
   if (const control::VirtualCoupling coupling(scene->control.coupling, effects_N_per_m); coupling.engaged())
-    std::printf("the effects reach %.0f N/m: felt through a coupling of %.0f N/m, as stiff as the device can show\n",
+    std::printf("the effects add up to %.0f N/m; the hand feels at most %.0f N/m, the most that the device can show\n",
                 effects_N_per_m, coupling.stiffness_N_per_m());
   return program::kDone;
 }

@@ -127,7 +127,8 @@ Result<void> Station::run() {
   });
   if (const Result<void> listening = faults_.listen(); !listening) {
     if (options_.control_is_asked_for) return listening.error();
-    say("no control socket, and so no telepalp-station rearm: " + to_string(listening.error()));
+    say("this station has no control socket, so telepalp-station rearm cannot end a fault: " +
+        to_string(listening.error()));
   }
   const msg::TimerCheck idle_timer = watch_idle_timer(kTimerWatched);
   say(in_words(idle_timer));
@@ -153,7 +154,8 @@ void Station::stop(const std::string& reason) {
   say("ending: " + reason);
   if (const std::string ages = ages_.in_words(); !ages.empty()) say(ages);
   if (!costs_.empty())
-    say("effects in contact: " + line_of(costs_, std::chrono::duration<double, std::micro>(kTickPeriod).count()));
+    say("computing time of the effects in contact: " +
+        line_of(costs_, std::chrono::duration<double, std::micro>(kTickPeriod).count()));
   fast_timer_.cancel();
   slow_timer_.cancel();
   signals_.cancel();
@@ -170,7 +172,7 @@ void Station::give_up(const Error& error) {
 void Station::lose_patience() {
   const bool answered = link_.state() == wire::LinkState::Connected;
   const std::string silent = not_connected_because_.empty() ? "does not answer" : not_connected_because_;
-  give_up({.what = answered ? "the server answers but sends no depth image that can be touched" : silent,
+  give_up({.what = answered ? "the server answers but sends no usable depth image" : silent,
            .where = options_.host + ":" + std::to_string(options_.port),
            .fix = answered ? "look at the server's source, or wait longer by --patience S"
                            : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
@@ -258,7 +260,8 @@ void Station::say_depth(const msg::SurfaceReport& report) {
   if (std::exchange(depth_, words) == words) return;
   if (!fidelity.moved) return say("depth is lossless (" + fidelity.mode + ")");
   const std::string warning =
-      "the touched depth is not as the camera measured it: " + words + "; it is for display, not for touch. fix: " +
+      "the touched depth is not as the camera measured it: " + words +
+      "; such depth is for display, not for touch. fix: " +
       (fidelity.mode == codec::name(codec::DepthMode::Bounded) ? "telepalp-server --depth-mode fast, intra or temporal"
                                                                : "give the server a source whose depth is as measured");
   say(warning);
@@ -285,7 +288,7 @@ void Station::start_haptic_thread() {
   realtime_granted_ = *granted;
   ticking_since_ = std::chrono::steady_clock::now();
   const std::string realtime = realtime_granted_ ? "with real-time priority" : "without real-time priority";
-  say("touchable; ticking at 2 kHz " + realtime);
+  say("the surface can be touched; ticking at 2 kHz " + realtime);
   telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, "scene " + scene_.name + ", " + realtime);
 }
 

@@ -72,8 +72,9 @@ Result<Profile> profile_named(std::string_view name) {
     if (profile.name == name) return profile;
     names += (names.empty() ? "" : ", ") + std::string(profile.name);
   }
-  return Error{
-      .what = "'" + std::string(name) + "' is not a profile", .where = "--profile", .fix = "use one of: " + names};
+  return Error{.what = "'" + std::string(name) + "' is not a network profile",
+               .where = "--profile",
+               .fix = "use one of: " + names};
 }
 
 }  // namespace telepalp::impaired

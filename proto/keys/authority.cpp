@@ -142,7 +142,7 @@ Result<std::string> Authority::server_key(const Issue& asked, const std::vector<
 Result<std::string> Authority::client_key(const Issue& asked) const {
   if (const Result<void> fine = check_name(asked.name); !fine) return fine.error();
   if (asked.role == Role::Local)
-    return Error{.what = "no key carries this role", .where = "--role", .fix = "see --help"};
+    return Error{.what = "there is no key for this role", .where = "--role", .fix = "see --help"};
   return issue({.name = asked.name,
                 .alt_names = "URI:" + std::string(kRoleUri) + std::string(keys::name(asked.role)),
                 .usage = "clientAuth",

@@ -22,13 +22,15 @@ constexpr auto kLinger = 500ms;
 constexpr std::uint64_t kLatestStamp = std::uint64_t{1} << 61;  // beyond it, sums of stamps could overflow
 
 Error bad_peer(std::string what) {
-  return {.what = std::move(what), .where = "peer", .fix = "both ends must speak WIRE.md's version 1"};
+  return {.what = std::move(what),
+          .where = "peer",
+          .fix = "install the same telepalp at both ends; other programs must follow proto/WIRE.md"};
 }
 
 Error other_version(const std::string& detail) {
   return {.what = "the server is of another version: " + detail,
           .where = {},
-          .fix = "install the same telepalp at both ends; --version tells which one a program is"};
+          .fix = "install the same telepalp at both ends; --version prints the version of a program"};
 }
 
 /// The peer's reason is one line of `what. fix: fix`, as to_string() writes it.
@@ -220,7 +222,7 @@ void Connection::on_bytes(std::span<const std::byte> bytes) {
 
 Result<void> Connection::on_frame(Frame frame) {
   const bool is_control = frame.header.kind == FrameKind::Control;
-  if (!is_control && phase_ == Phase::Greeting) return bad_peer("sends data before its Hello");
+  if (!is_control && phase_ == Phase::Greeting) return bad_peer("sends data before its Hello message");
   if (phase_ == Phase::Open) watch(kSilenceDeadline, "nothing heard for 5 s");
   return is_control ? on_control(frame) : on_data(std::move(frame));
 }
@@ -229,7 +231,7 @@ Result<void> Connection::on_control(const Frame& frame) {
   msg::Control control;
   if (!control.ParseFromString(frame.payload)) return bad_peer("sends a damaged control message");
   if (phase_ == Phase::Greeting && !control.has_hello() && !control.has_goodbye())
-    return bad_peer("does not begin with Hello");
+    return bad_peer("does not begin with a Hello message");
   switch (control.kind_case()) {
     case msg::Control::kHello:
       return on_hello(control.hello());
@@ -266,10 +268,10 @@ Result<void> Connection::on_control(const Frame& frame) {
 }
 
 Result<void> Connection::on_hello(const msg::Hello& peer) {
-  if (phase_ != Phase::Greeting) return bad_peer("says Hello twice");
+  if (phase_ != Phase::Greeting) return bad_peer("sends a second Hello message");
   if (peer.protocol() != kProtocolVersion) {
-    const Error error = bad_peer("speaks protocol " + std::to_string(peer.protocol()) + ", this end speaks " +
-                                 std::to_string(kProtocolVersion));
+    const Error error = bad_peer("speaks version " + std::to_string(peer.protocol()) +
+                                 " of the wire protocol, this end speaks version " + std::to_string(kProtocolVersion));
     refusal_ = other_version(error.what);
     return error;
   }
@@ -291,7 +293,7 @@ Result<void> Connection::on_advertise(const msg::Advertise& advertise) {
     if (topic && !owner_->accepts(*topic)) return bad_peer("may not publish " + std::string(topic->name));
     if (channels_.size() >= kMaxChannels) return bad_peer("advertises more than 256 channels");
     if (entry.channel() == 0 || !channels_.try_emplace(entry.channel(), Incoming{topic, 0}).second)
-      return bad_peer("advertises channel " + std::to_string(entry.channel()) + " twice, or 0");
+      return bad_peer("advertises channel " + std::to_string(entry.channel()) + ", which is 0 or advertised already");
   }
   return {};
 }

@@ -32,7 +32,7 @@ T get(const HeaderBytes& bytes, std::size_t at) noexcept {
 }
 
 Error refused(std::string what) {
-  return {.what = std::move(what), .where = "frame header", .fix = "both ends must speak the same protocol version"};
+  return {.what = std::move(what), .where = "frame header", .fix = "install the same telepalp at both ends"};
 }
 
 }  // namespace
@@ -51,11 +51,12 @@ HeaderBytes encode_header(const FrameHeader& header) noexcept {
 Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payload_bytes) {
   const auto version = get<std::uint8_t>(bytes, kVersionAt);
   if (version != kProtocolVersion)
-    return refused("version " + std::to_string(version) + " is not ours, " + std::to_string(kProtocolVersion));
+    return refused("it has version " + std::to_string(version) + " of the wire protocol instead of " +
+                   std::to_string(kProtocolVersion));
   const auto kind = get<std::uint8_t>(bytes, kKindAt);
   if (kind != static_cast<std::uint8_t>(FrameKind::Control) && kind != static_cast<std::uint8_t>(FrameKind::Data))
-    return refused("kind " + std::to_string(kind) + " is unknown");
-  if (get<std::uint16_t>(bytes, kFlagsAt) != 0) return refused("flags are set that version 1 does not have");
+    return refused("its kind " + std::to_string(kind) + " is unknown");
+  if (get<std::uint16_t>(bytes, kFlagsAt) != 0) return refused("it sets flags that version 1 does not have");
   const FrameHeader header{.payload_bytes = get<std::uint32_t>(bytes, kLengthAt),
                            .kind = static_cast<FrameKind>(kind),
                            .sequence = get<std::uint64_t>(bytes, kSequenceAt),
@@ -64,11 +65,11 @@ Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payl
   const std::size_t most =
       header.kind == FrameKind::Control ? std::min(kMaxControlBytes, max_payload_bytes) : max_payload_bytes;
   if (header.payload_bytes > most)
-    return refused("declares " + std::to_string(header.payload_bytes) + " B, at most " + std::to_string(most) +
+    return refused("it declares " + std::to_string(header.payload_bytes) + " B, but at most " + std::to_string(most) +
                    " B are accepted");
   if ((header.kind == FrameKind::Control) != (header.channel == 0))
     return refused("channel " + std::to_string(header.channel) +
-                   " does not fit the kind: only control frames have channel 0");
+                   " does not fit its kind: control frames have channel 0, data frames another one");
   return header;
 }
 

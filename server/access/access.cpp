@@ -74,11 +74,12 @@ Result<keys::Identity> Access::who(bool is_sealed, const std::optional<keys::Ide
                                    std::string_view token, const std::string& address) {
   if (!has_keys()) return local();
   if (!is_sealed)
-    return refused("this server speaks TLS with keys alone",
+    return refused("this server accepts only TLS connections with a key",
                    "give --key FILE; the technician of the server makes it: telepalp-keys client");
   if (certificate) return *certificate;
   if (token.empty())
-    return refused("no key was shown", "give --key FILE; the technician of the server makes it: telepalp-keys client");
+    return refused("the client sent no key",
+                   "give --key FILE; the technician of the server makes it: telepalp-keys client");
   return bearer(token, address);
 }
 
@@ -131,8 +132,9 @@ void Access::look_at_revocations() {
   const auto changed = fs::last_write_time(revoked_file_, failed);
   if (failed || changed == revoked_read_) return;
   const Result<void> read = read_revocations();
-  say_(read ? "the revocation list is read anew: it names " + std::to_string(revocations_.all().size())
-            : to_string(read.error()) + "; the list as it was before still holds");
+  say_(read ? "the revocation list was read again: it revokes " + std::to_string(revocations_.all().size()) +
+                  " keys and tokens"
+            : to_string(read.error()) + "; the previous list stays in force");
 }
 
 void Access::note(AuditEvent event, const std::string& text) {

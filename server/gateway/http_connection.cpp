@@ -112,10 +112,13 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     if (!host_is_ours(policy, host))
       return write(refuse(request, http::status::misdirected_request, "the Host header is not a name of this server"));
     if (!origin_is_allowed(policy, view(request[http::field::origin]), host, visit_->is_from_trusted_program()))
-      return write(refuse(request, http::status::forbidden, "pages from that origin may not open the stream"));
+      return write(
+          refuse(request, http::status::forbidden,
+                 "web pages from that origin may not open the stream: the server's option --allow-origin permits it"));
     const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));
     if (!subprotocol)
-      return write(refuse(request, http::status::bad_request, "offer the subprotocol foxglove.websocket.v1"));
+      return write(refuse(request, http::status::bad_request,
+                          "the request offers no known subprotocol: offer foxglove.websocket.v1"));
     if (!visit_->may(keys::Operation::Watch))
       return write(refuse(request, http::status::unauthorized,
                           "sign in first, at https://" + std::string(host) + "/, or open wss://" + std::string(host) +

@@ -21,7 +21,8 @@ Result<void> ViewerCommands::advertise(const foxglove::Request::Channel& channel
     return refused("viewers may not publish '" + channel.topic.substr(0, 64) + "'");
   if (channel.encoding != "protobuf")
     return refused("encoding '" + channel.encoding.substr(0, 64) + "' is not supported");
-  if (channels_.size() >= kMaxChannels && !channels_.contains(channel.id)) return refused("too many channels");
+  if (channels_.size() >= kMaxChannels && !channels_.contains(channel.id))
+    return refused("more than 8 channels are advertised");
   channels_.insert(channel.id);
   return {};
 }
@@ -49,11 +50,11 @@ std::optional<std::uint64_t> ViewerCommands::hands_over_to(std::string_view byte
 Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes, std::uint64_t viewer,
                                                           SessionTime now) {
   const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
-  if (!data) return refused("no data of the Foxglove protocol");
+  if (!data) return refused("the binary message is not of the Foxglove protocol");
   if (!channels_.contains(data->channel))
     return refused("channel " + std::to_string(data->channel) + " was not advertised");
   std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(data->payload);
-  if (!hand) return refused("no hand within 10 m of the camera");
+  if (!hand) return refused("the message has no hand within 10 m of the camera");
   if (last_ && now >= *last_ && now - *last_ < kShortestPeriod) return std::optional<wire::Message>();
   last_ = now;
   hand->set_viewer(viewer);

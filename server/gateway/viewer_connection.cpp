@@ -190,7 +190,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   void subscribe(const foxglove::Request::Subscription& wanted) {
     const std::optional<wire::Topic> topic = foxglove::topic_of_channel(wanted.channel);
     if (!topic) return warn("there is no channel " + std::to_string(wanted.channel));
-    if (subscriptions_.size() >= kMaxSubscriptions) return warn("too many subscriptions");
+    if (subscriptions_.size() >= kMaxSubscriptions) return warn("the viewer has too many subscriptions");
     if (!subscriptions_.emplace(wanted.id, topic->name).second)
       warn("subscription " + std::to_string(wanted.id) + " is in use: choose another id");
   }

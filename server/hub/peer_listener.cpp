@@ -159,8 +159,8 @@ void PeerListener::let_a_stranger_go() {
   const auto oldest =
       std::find_if(peers_.begin(), peers_.end(), [](const auto& peer) { return !peer.second->place(); });
   if (oldest == peers_.end()) return;
-  note_refusal("a connection is closed: " + std::to_string(options_.places.strangers) +
-               " too many connections wait that have sent no Hello");
+  note_refusal("a connection is closed: more than " + std::to_string(options_.places.strangers) +
+               " connections have not sent their Hello message yet");
   peers_.erase(oldest);
 }
 
@@ -172,7 +172,7 @@ void PeerListener::let_idle_go_every_second() {
     peer->check_key();
     if (!peer->is_idle(now)) continue;
     ++counts_.let_go_idle;
-    peer->close("it asked for no topic and published nothing, and others may need its place");
+    peer->close("it subscribed to no topic and published nothing, so its place is freed for others");
   }
   second_.expires_after(std::chrono::seconds(1));
   second_.async_wait([this](const error_code& stopped) {
@@ -189,10 +189,10 @@ void PeerListener::audit_refused_datagrams(std::chrono::steady_clock::time_point
   if (forged + strange == 0 || now - datagrams_audited_ < kQuiet) return;
   datagrams_audited_ = now;
   audited_ = counts;
-  options_.access->note(
-      access::AuditEvent::Refused,
-      "who=stranger why=" + access::audit_text("datagrams were refused: " + std::to_string(strange) +
-                                               " of no session, " + std::to_string(forged) + " forged"));
+  options_.access->note(access::AuditEvent::Refused,
+                        "who=stranger why=" + access::audit_text("datagrams were refused: " + std::to_string(strange) +
+                                                                 " of an unknown session, " + std::to_string(forged) +
+                                                                 " malformed or forged"));
 }
 
 /// Logs the first refusal at once and then at most one line in five seconds, so that many refusals do not fill the log.
@@ -204,7 +204,7 @@ void PeerListener::note_refusal(const std::string& text) {
   refusal_noted_ = now;
   const std::uint64_t unsaid = counts_.refused - refused_when_noted_ - 1;
   refused_when_noted_ = counts_.refused;
-  note(text + (unsaid == 0 ? "" : " (and " + std::to_string(unsaid) + " others since the last such line)"));
+  note(text + (unsaid == 0 ? "" : " (and " + std::to_string(unsaid) + " other refusals since the last such line)"));
 }
 
 void PeerListener::note(const std::string& text) const {

@@ -125,7 +125,8 @@ Result<void> read_vertices(const Element& element, Numbers& numbers, PointModel&
   const bool with_normals = present[3] && present[4] && present[5];
   for (std::size_t i = 0; i < element.count; ++i) {
     for (const Property& property : element.properties) {
-      if (property.count_bytes != 0) return bad_mesh(name, "has a list in its vertices, which is not read");
+      if (property.count_bytes != 0)
+        return bad_mesh(name, "has a list among the properties of its vertices, which is not supported");
       const auto value = static_cast<float>(numbers.next(property.bytes, property.real));
       for (std::size_t k = 0; k < 6; ++k)
         if (property.name == wanted[k]) values[k] = value;

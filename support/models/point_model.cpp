@@ -19,7 +19,8 @@ Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (!in)
-    return Error{.what = "cannot be read to its end", .where = file.string(), .fix = "check the disk and the rights"};
+    return Error{
+        .what = "cannot be read to its end", .where = file.string(), .fix = "check the disk and your permissions"};
   return bytes;
 }
 

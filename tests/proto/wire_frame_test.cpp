@@ -172,18 +172,18 @@ TEST(FrameHeader, EachFieldThatVersionOneDoesNotKnowIsRefusedByName) {
     bytes[at] = static_cast<std::byte>(value);
     return refusal(bytes);
   };
-  EXPECT_EQ(with(4, 2), "version 2 is not ours, 1");
+  EXPECT_EQ(with(4, 2), "it has version 2 of the wire protocol instead of 1");
   EXPECT_EQ(with(5, 0), "kind 0 is unknown");
   EXPECT_EQ(with(5, 3), "kind 3 is unknown");
-  EXPECT_EQ(with(6, 1), "flags are set that version 1 does not have");
-  EXPECT_EQ(with(7, 128), "flags are set that version 1 does not have");
-  EXPECT_EQ(with(5, 1), "channel 3 does not fit the kind: only control frames have channel 0");
-  EXPECT_EQ(with(24, 0), "channel 0 does not fit the kind: only control frames have channel 0");
+  EXPECT_EQ(with(6, 1), "it sets flags that version 1 does not have");
+  EXPECT_EQ(with(7, 128), "it sets flags that version 1 does not have");
+  EXPECT_EQ(with(5, 1), "channel 3 does not fit its kind: control frames have channel 0, data frames another one");
+  EXPECT_EQ(with(24, 0), "channel 0 does not fit its kind: control frames have channel 0, data frames another one");
 }
 
 TEST(FrameHeader, ControlIsHeldToItsOwnSmallerLimit) {
   const HeaderBytes header = encode_header({.payload_bytes = kMaxControlBytes + 1, .kind = FrameKind::Control});
-  EXPECT_EQ(refusal(header), "declares 16385 B, at most 16384 B are accepted");
+  EXPECT_EQ(refusal(header), "it declares 16385 B, but at most 16384 B are accepted");
 }
 
 }  // namespace

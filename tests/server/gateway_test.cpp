@@ -277,9 +277,9 @@ TEST(Gateway, BeyondItsLimitNewConnectionsGetAReasonAndSubscribersAreKept) {
   one.subscribe(1, kClockChannel);
   two.subscribe(1, kClockChannel);
   EXPECT_EQ(upgrade_status(server.port()), 503);
-  EXPECT_NE(
-      answer_to(server.port(), "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n").find("the server is full: all 2 places"),
-      std::string::npos);
+  EXPECT_NE(answer_to(server.port(), "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+                .find("the server is full: all 2 places for browsers"),
+            std::string::npos);
   server.publish(wire::kClock, "kept");
   EXPECT_EQ(one.read().substr(13), "kept");
 }

@@ -106,7 +106,7 @@ TEST(HostilePeer, APayloadBeyondWhatAStationMaySendIsRefused) {
       answer_to(
           control_frame(hello()) +
           frame_bytes({.payload_bytes = hub::kMaxUpstreamBytes + 1, .kind = wire::FrameKind::Data, .channel = 1}, "")),
-      "declares 1048577 B, at most 1048576 B are accepted");
+      "it declares 1048577 B, but at most 1048576 B are accepted");
 }
 
 TEST(HostilePeer, GarbageIsRefused) {
@@ -127,7 +127,7 @@ TEST(HostilePeer, DamagedControlIsRefused) {
 TEST(HostilePeer, DataBeforeHelloIsRefused) { expect_says(answer_to(data_frame(1, "x")), "data before its Hello"); }
 
 TEST(HostilePeer, ASubscriptionBeforeHelloIsRefused) {
-  expect_says(answer_to(control_frame(subscription("*"))), "does not begin with Hello");
+  expect_says(answer_to(control_frame(subscription("*"))), "does not begin with a Hello message");
 }
 
 TEST(HostilePeer, AnotherProtocolVersionIsNamed) {

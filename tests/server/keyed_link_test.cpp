@@ -107,7 +107,7 @@ TEST(KeyedLink, AKeyThatExpiresMeanwhileEndsTheSessionAndFreesTheTouch) {
 TEST(KeyedLink, APlainClientIsToldToGiveAKey) {
   KeyedSite site;
   KeyedClient plain(site, nullptr, "doctor");
-  expect_refused(site, plain, "this server speaks TLS with keys alone", "give --key FILE");
+  expect_refused(site, plain, "this server accepts only TLS connections with a key", "give --key FILE");
 }
 
 TEST(KeyedLink, AKeyIsNotDroppedForAServerWithoutTls) {

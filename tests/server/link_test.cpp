@@ -191,7 +191,8 @@ TEST(Link, AFrameOfAnotherProtocolVersionEndsTheLinkToo) {
       accepted, [&](const boost::system::error_code&) { boost::asio::write(accepted, boost::asio::buffer(bytes)); });
   Client client(site, {}, "test", other.local_endpoint().port());
   EXPECT_TRUE(site.run_until([&] { return client.link.state() == wire::LinkState::Refused; }));
-  EXPECT_NE(client.details.back().find("version 2 is not ours, 1"), std::string::npos) << client.details.back();
+  EXPECT_NE(client.details.back().find("it has version 2 of the wire protocol instead of 1"), std::string::npos)
+      << client.details.back();
 }
 
 TEST(Link, ALinkThatIsDestroyedWhileItConnectsLeavesNothingBehind) {

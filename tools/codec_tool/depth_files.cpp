@@ -72,7 +72,7 @@ Result<void> visit_session(const fs::path& file, const Visit& visit, const PassO
     msg::DepthImage image;
     if (!image.ParseFromString(*(*message)->payload))
       return Error{
-          .what = "message " + std::to_string(number) + " is no DepthImage", .where = file.string(), .fix = ""};
+          .what = "message " + std::to_string(number) + " is not a depth image", .where = file.string(), .fix = ""};
     Result<DepthImage> depth = decoder.decode(std::as_bytes(std::span(image.data())));
     if (!depth) {
       if (!pass_over) return depth.error();

@@ -47,7 +47,7 @@ Result<Totals> for_each_packet(const std::filesystem::path& input, Visit visit) 
     if (!*message) break;
     msg::DepthImage image;
     if (!image.ParseFromString(*(*message)->payload))
-      return Error{.what = "message " + std::to_string(totals.frames) + " is no DepthImage",
+      return Error{.what = "message " + std::to_string(totals.frames) + " is not a depth image",
                    .where = input.string(),
                    .fix = "record it again"};
     const Result<codec::DepthPacketInfo> packet = codec::inspect_depth(std::as_bytes(std::span(image.data())));

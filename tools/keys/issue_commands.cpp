@@ -46,7 +46,9 @@ Result<std::string> issue(const Asked& asked, const keys::Authority::Issue& what
       return keep(folder, folder.authority().token(what), file, replace,
                   "paste the line after `token:` in the browser, or give --key " + file.string());
   }
-  return Error{.what = "no such kind of key", .where = asked.file, .fix = "see --help"};
+  return Error{.what = "the file holds neither a key nor a token",
+               .where = asked.file,
+               .fix = "give a file that telepalp-keys wrote"};
 }
 
 Result<std::string> make_for_a_person(const Asked& asked, KeyFile::Kind kind, days valid, const std::string& suffix) {

@@ -17,14 +17,16 @@ const std::vector<Figure>& figures() {
   using impaired::Impairment;
   static const std::vector<Figure> all{
       {{"delay-ms", "MS", "delay, one way"}, 60e3, [](Impairment& i, double v) { i.delay = from_seconds(v * 1e-3); }},
-      {{"jitter-ms", "MS", "plus or minus, uniform"},
+      {{"jitter-ms", "MS", "varies the delay by plus or minus this, uniformly"},
        60e3,
        [](Impairment& i, double v) { i.jitter = from_seconds(v * 1e-3); }},
       {{"loss-percent", "P", "packets lost"}, 100, [](Impairment& i, double v) { i.loss = v * 1e-2; }},
       {{"burst-packets", "N", "mean length of a loss burst"},
        1e4,
        [](Impairment& i, double v) { i.burst_packets = v; }},
-      {{"reorder-percent", "P", "packets overtaken"}, 100, [](Impairment& i, double v) { i.reorder = v * 1e-2; }},
+      {{"reorder-percent", "P", "packets delivered after later ones"},
+       100,
+       [](Impairment& i, double v) { i.reorder = v * 1e-2; }},
       {{"duplicate-percent", "P", "packets that arrive twice"},
        100,
        [](Impairment& i, double v) { i.duplicate = v * 1e-2; }},

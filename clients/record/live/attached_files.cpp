@@ -20,7 +20,8 @@ std::string media_type(const std::filesystem::path& file) {
 }  // namespace
 
 Result<wire::mcap::Attachment> attach(const std::filesystem::path& file) {
-  const Error unreadable{.what = "cannot be attached", .where = file.string(), .fix = "check the path and its rights"};
+  const Error unreadable{
+      .what = "cannot be attached", .where = file.string(), .fix = "check the path and your permissions"};
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code) return unreadable;

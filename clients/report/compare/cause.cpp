@@ -78,7 +78,7 @@ std::string forces_in_words(const Run& a, const Run& b, const Instant& instant) 
 std::string cause_in_words(const Run& a, const Run& b, const Instant& instant) {
   if (instant.hands_apart_m > kHandsApart_m)
     return "the doctor's hands are " + readable(1e3 * instant.hands_apart_m) +
-           " mm apart: from here on the two runs are not the same examination";
+           " mm apart: from here on the two hands examine different places";
   const bool a_let_go = has_let_go(a.session, instant.tick_a), b_let_go = has_let_go(b.session, instant.tick_b);
   const double age_a = surface_age_ms(a.session, instant.tick_a), age_b = surface_age_ms(b.session, instant.tick_b);
   const bool ages_differ = std::abs(age_a - age_b) > kAgesApart_ms;
@@ -88,7 +88,7 @@ std::string cause_in_words(const Run& a, const Run& b, const Instant& instant) {
   if (std::isfinite(age_a) != std::isfinite(age_b))
     return std::string(std::isfinite(age_a) ? "B" : "A") + " has no surface yet";
   if (ages_differ) return ages(age_a, age_b);
-  return "hand, state and age of the surface do not explain it; compare the settings above and the first differing "
+  return "not known: hand, state and age of the surface agree; compare the settings and the first differing "
          "message";
 }
 

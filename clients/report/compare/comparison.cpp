@@ -30,8 +30,8 @@ std::vector<std::string> differing(const std::vector<Setting>& settings) {
 
 std::string settings_sentence(const Comparison& comparison) {
   const std::vector<std::string> names = differing(comparison.settings);
-  if (names.empty()) return "No setting that the sessions state differs.";
-  return "What was set differs: " + joined(names) + ".";
+  if (names.empty()) return "All settings that the sessions state are equal.";
+  return "These settings differ: " + joined(names) + ".";
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Result<Comparison> compare(const std::filesystem::path& a, const std::filesystem
 std::string headline(const Comparison& comparison) {
   if (comparison.equal()) return "The two runs are equal, message by message.";
   const TickComparison& ticks = comparison.ticks;
-  if (ticks.common == 0) return "No tick of one run lies beside a tick of the other: only the figures are compared.";
+  if (ticks.common == 0) return "The two runs have no ticks at the same time, so only their figures are compared.";
   if (!ticks.first_felt)
     return "The hand feels the same in both runs: no force in contact differs by more than " + readable(kFelt_N) +
            " N.";

@@ -62,8 +62,9 @@ std::string settings_section(const Comparison& comparison) {
     content = "<table><thead><tr><th>setting</th><th class=\"a\">A</th><th class=\"b\">B</th></tr></thead><tbody>\n" +
               rows + "</tbody></table>\n";
   if (!same.empty()) content += "<p>The same in both: " + escaped(same) + "</p>\n";
-  return section("What was set",
-                 rows.empty() ? "Nothing that the sessions state differs." : "What differs, and then what does not.",
+  return section("Settings",
+                 rows.empty() ? "All settings that the sessions state are equal."
+                              : "First the settings that differ, then those that are equal.",
                  content);
 }
 
@@ -74,11 +75,11 @@ std::string why(const Comparison& comparison, const Instant& instant) {
 std::string first_difference_section(const Comparison& comparison) {
   std::string content;
   if (const auto& state = comparison.ticks.first_phase)
-    content += "<p>First in the state, at " + number(state->at_s, 4) +
+    content += "<p>The states first differ at " + number(state->at_s, 4) +
                " s: " + escaped(states_in_words(comparison.a, comparison.b, *state)) +
                ". Why: " + why(comparison, *state);
   if (const auto& felt = comparison.ticks.first_felt)
-    content += "<p>First in the force at the hand, at " + number(felt->at_s, 4) +
+    content += "<p>The forces at the hand first differ at " + number(felt->at_s, 4) +
                " s: " + escaped(forces_in_words(comparison.a, comparison.b, *felt)) +
                ". Why: " + why(comparison, *felt);
   const auto shown = comparison.ticks.first_felt ? comparison.ticks.first_felt : comparison.ticks.first_phase;
@@ -123,9 +124,9 @@ std::string metrics_sections(const Comparison& comparison) {
   std::string out;
   if (!comparison.replay_metrics.empty())
     out +=
-        section("What the network did",
+        section("Effect of the network",
                 "Metrics of telepalp-replay against the run over a network without faults, and against the true skin "
-                "where it is known. docs/replay.md says what each of them means.",
+                "where it is known. docs/replay.md defines each metric.",
                 metric_rows(comparison.replay_metrics));
   return out + section("Figures of the sessions", "Each figure in both runs. A row is marked where B is worse.",
                        metric_rows(comparison.metrics));
@@ -140,7 +141,7 @@ std::string overlay_sections(const Comparison& comparison) {
                    "released, F: faulted.",
                    stacked(charts));
   if (const auto charts = overlaid_ages(a, b); !charts.empty())
-    out += section("Age of the surface", "How old the surface was that made the force.", stacked(charts));
+    out += section("Age of the surface", "Age of the surface from which the force was computed.", stacked(charts));
   return out;
 }
 

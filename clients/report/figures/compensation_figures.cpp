@@ -43,16 +43,16 @@ void add_objects(const Session& session, std::vector<Chart>& charts) {
   using Object = const msg::ObjectPlacement&;
   const msg::StationCompensation& last = session.compensations.back();
   for (int at = 0; at < last.objects_size(); ++at)
-    charts.push_back(
-        chart_of("The " + last.objects(at).name() + " inside the body, following the skin", "distance [mm]",
-                 {over_object(session, at, "moved up", plot::kBlue, [](Object o) { return o.moved().y() * 1e3; }),
-                  over_object(session, at, "moved sideways", plot::kVermilion,
-                              [](Object o) { return std::hypot(o.moved().x(), o.moved().z()) * 1e3; }),
-                  over_object(session, at, "uncertainty along the skin, 1 sigma", plot::kGrey,
-                              [](Object o) { return o.sigma_slide_m() * 1e3; }),
-                  over_object(session, at, "-1: slide unseen, -2: unseen", plot::kBlack, [](Object o) {
-                    return o.unseen() ? -2.0 : o.slide_unseen() ? -1.0 : 0.0;
-                  })}));
+    charts.push_back(chart_of(
+        "The " + last.objects(at).name() + " inside the body, following the skin", "distance [mm]",
+        {over_object(session, at, "moved up", plot::kBlue, [](Object o) { return o.moved().y() * 1e3; }),
+         over_object(session, at, "moved sideways", plot::kVermilion,
+                     [](Object o) { return std::hypot(o.moved().x(), o.moved().z()) * 1e3; }),
+         over_object(session, at, "uncertainty along the skin, 1 sigma", plot::kGrey,
+                     [](Object o) { return o.sigma_slide_m() * 1e3; }),
+         over_object(session, at, "-1: motion along the skin unknown, -2: skin not seen", plot::kBlack, [](Object o) {
+           return o.unseen() ? -2.0 : o.slide_unseen() ? -1.0 : 0.0;
+         })}));
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ std::string energy_sections(const Session& session, const Summary& summary) {
                    "Two ledgers, counted from the beginning of each contact. The display's ledger is relative to the "
                    "displayed skin: below zero, the effects give energy. The hand's ledger is relative to the newest "
                    "measured skin: above zero, a display that moves or lags gave the hand more than that skin would "
-                   "have. docs/controller.md says what each of them cannot see.",
+                   "have. docs/controller.md names the motions that each ledger does not count.",
                    stacked(ledgers));
   if (const std::vector<plot::Chart> warm = heat(session); !warm.empty())
     out += section("Heat",
@@ -136,7 +136,7 @@ std::string timing_sections(const Session& session, const Summary& summary) {
   if (const std::vector<plot::Chart> done = compensation(session); !done.empty())
     out += section("Compensation of delay",
                    "Hand and surface are predicted to now by their own motion; a newer surface is displayed gradually. "
-                   "Where the uncertainty is larger than the predicted motion, the hand feels a guess.",
+                   "Where the uncertainty is larger than the predicted motion, the felt place is uncertain.",
                    stacked(done));
   out += energy_sections(session, summary);
   if (summary.bill.empty()) return out;

@@ -49,12 +49,12 @@ std::vector<Check> deadline_checks(const Summary& s) {
   if (!s.idle_timer) return {{"missed deadlines, of ticks", missed_percent(s), kBudget, "%", true, late}};
   const double timer = of_the_timer_percent(s);
   const std::string watched = std::to_string(s.idle_timer->missed) + " of " + std::to_string(s.idle_timer->wakeups);
-  return {{"missed deadlines beyond the idle timer's, of ticks", missed_percent(s) - timer, kBudget, "%", true,
-           late + " beyond what this computer's idle timer explains (" + watched + " wake-ups)"},
-          {"missed by this computer's timer, of ticks", timer, kBudget, "%", true,
-           "its timer is late by itself: " + watched + " wake-ups were missed while the station only waited; " +
-               what_to_do(s),
-           true}};
+  return {
+      {"missed deadlines beyond the idle timer's, of ticks", missed_percent(s) - timer, kBudget, "%", true,
+       late + ", beyond the wake-ups that this computer's timer misses without work (" + watched + ")"},
+      {"missed by this computer's timer, of ticks", timer, kBudget, "%", true,
+       "its timer misses wake-ups without any work: " + watched + " while the station only waited; " + what_to_do(s),
+       true}};
 }
 
 /// Budgets: the force limit and the rates are S1's (§II.A, §II.D). A frame must be touchable before the next one comes
@@ -85,7 +85,7 @@ std::vector<Check> checks_of(const Summary& s) {
 std::string timers_part(const Summary& s) {
   const auto part = std::lround(of_the_timer_percent(s) * 0.01 * static_cast<double>(s.ticks));
   return (part == 0 ? "none" : "about " + std::to_string(part)) +
-         " of them by this computer's own timer, which missed " + std::to_string(s.idle_timer->missed) + " of " +
+         " of them because of this computer's timer, which missed " + std::to_string(s.idle_timer->missed) + " of " +
          std::to_string(s.idle_timer->wakeups) + " wake-ups while the station only waited";
 }
 
@@ -134,7 +134,8 @@ std::string headline_of(const std::vector<Check>& checks, bool judged) {
     }
   if (misses > 0 && only_the_computer) return "Look at this computer, the run itself was good: " + missed + ".";
   if (misses > 0) return "Look at this run: " + missed + ".";
-  return judged ? "The run was good: every figure keeps its budget." : "Nothing to judge: no station in this session.";
+  return judged ? "The run was good: every figure keeps its budget."
+                : "Nothing to judge: no station took part in this session.";
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ HaplyDevice::HaplyDevice(WebSocketUrl url, const Point<haply::InverseBase>& orig
       inverse_from_haptic_(haptic_from_inverse_.inverse()),
       pace_(thread_.io()),
       line_(thread_.io(), std::move(url), {.most_text_bytes = haply::kMostTextBytes},
-            {.on_open = [this] { thread_.obstacle("the service names no Inverse3"); },
+            {.on_open = [this] { thread_.obstacle("the service lists no Inverse3"); },
              .on_text = [this](std::string_view text) { on_text(text); },
              .on_lost =
                  [this](const std::string& why) {

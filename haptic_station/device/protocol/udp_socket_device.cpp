@@ -33,7 +33,8 @@ Result<std::unique_ptr<UdpDevice>> UdpDevice::open(const program::Address& addre
   device->socket_.open(there.protocol(), error);
   if (!error) device->socket_.connect(there, error);
   if (!error) device->socket_.non_blocking(true, error);
-  if (error) return Error{.what = "no socket: " + error.message(), .where = name, .fix = "check the port"};
+  if (error)
+    return Error{.what = "cannot open a UDP socket: " + error.message(), .where = name, .fix = "check the port"};
   return device;
 }
 
@@ -45,9 +46,10 @@ Result<void> UdpDevice::start(std::chrono::milliseconds limit) {
     if (read().age_s < 1.0) return {};
   }
   const std::string why = faulted_       ? "reports that its motors are off"
-                          : refused_ > 0 ? "sends datagrams of another protocol"
+                          : refused_ > 0 ? "answers with datagrams that are not of the protocol in UDP_DEVICE.md"
                                          : "does not answer";
-  return Error{.what = why, .where = name_, .fix = "start the device's program (UDP_DEVICE.md), or --device simulated"};
+  return Error{
+      .what = why, .where = name_, .fix = "start the device's program (UDP_DEVICE.md), or give --device simulated"};
 }
 
 ports::DeviceReading UdpDevice::read() noexcept {

@@ -28,10 +28,11 @@ Result<WebSocketUrl> parse_websocket_url(std::string_view text, const WebSocketU
                  .fix = "give a URL like " + to_string(standard)};
   };
   constexpr std::string_view kScheme = "ws://";
-  if (!text.starts_with(kScheme) || text.size() > 512) return refused("is no ws:// URL");
+  if (!text.starts_with(kScheme) || text.size() > 512)
+    return refused("does not begin with ws://, or is longer than 512 characters");
   std::string_view rest = text.substr(kScheme.size());
   for (const char c : rest)
-    if (c <= ' ' || c > '~' || c == '@' || c == '#') return refused("has a character that is not allowed here");
+    if (c <= ' ' || c > '~' || c == '@' || c == '#') return refused("has a character that is not allowed in a URL");
   WebSocketUrl url = standard;
   if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
     if (slash + 1 < rest.size()) url.path = rest.substr(slash);
@@ -120,7 +121,7 @@ void WebSocketLine::Connection::start() {
   const std::string port = std::to_string(line_->url.port);
   resolver_.async_resolve(line_->url.host, port,
                           [self = shared_from_this()](beast::error_code error, const tcp::resolver::results_type& at) {
-                            if (error) return self->lost("name look-up: " + error.message());
+                            if (error) return self->lost("the host name cannot be resolved: " + error.message());
                             self->resolved(at);
                           });
 }
@@ -144,7 +145,7 @@ void WebSocketLine::Connection::connected() {
   stream_.read_message_max(line_->settings.most_text_bytes);
   const std::string host = line_->url.host + ":" + std::to_string(line_->url.port);
   stream_.async_handshake(host, line_->url.path, [self = shared_from_this()](beast::error_code error) {
-    if (error) return self->lost("WebSocket handshake: " + error.message());
+    if (error) return self->lost("the WebSocket handshake failed: " + error.message());
     self->open_ = true;
     self->line_->handlers.on_open();
     self->read();
@@ -155,7 +156,7 @@ void WebSocketLine::Connection::read() {
   if (dead_) return;
   beast::get_lowest_layer(stream_).expires_after(line_->settings.silence);
   stream_.async_read(incoming_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-    if (error == beast::error::timeout) return self->lost("no more messages came");
+    if (error == beast::error::timeout) return self->lost("it sends no more messages");
     if (error) return self->lost(error.message());
     const auto bytes = self->incoming_.data();
     self->line_->handlers.on_text({static_cast<const char*>(bytes.data()), bytes.size()});

@@ -37,12 +37,13 @@ Result<Measured> from_points(const program::Arguments& arguments) {
   if (from != "tracker" && from != "camera")
     return Error{.what = "'" + from + "' is neither tracker nor camera", .where = "--from", .fix = "give one of them"};
   if (!arguments.has("pairs"))
-    return Error{.what = "no pairs", .where = "calibrate points", .fix = "name a CSV file by --pairs"};
+    return Error{
+        .what = "no file of point pairs is named", .where = "calibrate points", .fix = "give --pairs FILE.csv"};
   const auto pairs = calibration::read_point_pairs(arguments.text("pairs"));
   if (!pairs) return pairs.error();
   const Result<calibration::Registration> fit = calibration::register_points(*pairs);
   if (!fit) return fit.error();
-  std::printf("worst is pair %zu\n", fit->residuals.worst() + 1);
+  std::printf("pair %zu has the largest residual\n", fit->residuals.worst() + 1);
   return Measured{
       calibration::measured(fit->to_from_from, fit->residuals, "points", std::chrono::system_clock::now(), fit->rank),
       from == "camera"};
@@ -55,7 +56,7 @@ Result<Measured> from_offset(const program::Arguments& arguments) {
   if (!choice) return choice.error();
   const auto* leap = std::get_if<Leap>(&choice->tracker);
   if (std::holds_alternative<Simulated>(choice->device) || leap == nullptr)
-    return Error{.what = "only a real device under a real tracker can be calibrated",
+    return Error{.what = "a simulated device or tracker cannot be calibrated",
                  .where = "calibrate offset",
                  .fix = "give --device haply or udp:HOST:PORT, and --tracker leap"};
   const Result<program::Patience> patience = program::patience_of(arguments);
@@ -65,7 +66,7 @@ Result<Measured> from_offset(const program::Arguments& arguments) {
   if (!device) return device.error();
   Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {}, within);
   if (!tracker) return tracker.error();
-  std::fprintf(stderr, "rest the hand on the end-effector, where the skin is to be met\n");
+  std::fprintf(stderr, "rest the hand on the end-effector, at the height of the skin to be palpated\n");
   const Result<calibration::OffsetCalibration> fit =
       calibration::calibrate_offset(take_touches(**device, **tracker, *seconds));
   if (!fit) return fit.error();
@@ -76,10 +77,10 @@ Result<Measured> from_offset(const program::Arguments& arguments) {
 
 Result<Measured> from_probe(const program::Arguments& arguments) {
   if (!arguments.has("poses"))
-    return Error{.what = "no poses", .where = "calibrate probe", .fix = "name a CSV file by --poses"};
+    return Error{.what = "no file of poses is named", .where = "calibrate probe", .fix = "give --poses FILE.csv"};
   const auto probe_from_hand = calibration::parse_pose(arguments.text("hand-at"));
   if (!probe_from_hand)
-    return Error{.what = "'" + arguments.text("hand-at") + "' is no pose",
+    return Error{.what = "'" + arguments.text("hand-at") + "' is not a pose",
                  .where = "--hand-at",
                  .fix = "give x,y,z,rx,ry,rz: metres, and a rotation vector in radians"};
   const auto poses = calibration::read_hand_on_probe(arguments.text("poses"));
@@ -87,7 +88,8 @@ Result<Measured> from_probe(const program::Arguments& arguments) {
   const auto fit = calibration::calibrate_hand_on_probe(*poses, *probe_from_hand);
   if (!fit) return fit.error();
   const double widest_rad = *std::max_element(fit->angles_rad.begin(), fit->angles_rad.end());
-  std::printf("the poses' rotations agree to %.2f degrees\n", widest_rad * 180.0 / std::numbers::pi);
+  std::printf("the rotations of the poses differ from their mean by at most %.2f degrees\n",
+              widest_rad * 180.0 / std::numbers::pi);
   return Measured{calibration::measured(fit->haptic_from_tracker, fit->residuals, "hand on probe",
                                         std::chrono::system_clock::now()),
                   false};

@@ -33,14 +33,16 @@ program::Usage usage() {
 Result<std::string> command_of(const program::Arguments& arguments) {
   const int asked = int{arguments.has("to")} + int{arguments.has("withdraw")} + int{arguments.has("accept")};
   if (asked != 1)
-    return Error{.what = "not one of --to, --withdraw and --accept is given",
+    return Error{.what = "none of --to, --withdraw and --accept is given, or more than one",
                  .where = "telepalp-station hand-over",
                  .fix = "give exactly one; telepalp-station hand-over --help"};
   if (arguments.has("withdraw")) return std::string("withdraw");
   if (arguments.has("accept")) return std::string("accept");
   const std::string to = arguments.text("to");
   if (to.empty() || to.size() > kLongestName || to.find_first_of("\n\r") != std::string::npos)
-    return Error{.what = "'" + to + "' is no name", .where = "--to", .fix = "give the name in the other doctor's key"};
+    return Error{.what = "'" + to + "' cannot be the name of a key",
+                 .where = "--to",
+                 .fix = "give the name in the other doctor's key"};
   return std::string(kOffer) + to;
 }
 
@@ -50,7 +52,8 @@ bool HandOver::on_command(const std::string& command, const ControlSocket::Reply
   if (command == "accept") {
     link_.accept_touch();
     const bool holds = link_.state() == wire::LinkState::Connected;
-    reply(holds ? "this station is connected already" : std::string(kDone) + "the touch is taken when it is offered");
+    reply(holds ? "nothing to accept: this station is connected already"
+                : std::string(kDone) + "this station takes the touch as soon as it is offered");
     return true;
   }
   if (command == "withdraw") {

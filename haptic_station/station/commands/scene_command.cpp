@@ -21,18 +21,18 @@ namespace {
 
 program::Usage usage() {
   return {.program = "telepalp-station scene",
-          .purpose = "checks a scene file, prices its effects, and draws what is under the skin",
+          .purpose = "checks a scene file, measures what its effects cost, and draws what is under the skin",
           .positional = "",
           .options = {{"out", "FILE", "show, image: a PNG; mesh: a .ply or .obj"},
-                      {"from", "above|feet|side", "show: where the eye is", "above"},
+                      {"from", "above|feet|side", "show: side from which the solids are seen", "above"},
                       {"width-m", "M", "show: width of the picture", "0.4"},
-                      {"at", "X,Z", "image: the probe on the skin, in metres", "0,0"},
+                      {"at", "X,Z", "image: place of the probe on the skin, in metres", "0,0"},
                       {"turn-deg", "DEG", "image: turn of the probe about the vertical", "0"},
                       {"layer", "NAME", "mesh: one layer; default: the first"},
                       {"cell-mm", "MM", "mesh: size of a cell", "2"}},
           .example = "telepalp-station scene show haptic_station/scenes/ribs-ultrasound.scene.textproto --out ribs.png",
           .commands = {{"check", "FILE", "read the scene and name its effects"},
-                       {"bill", "FILE", "time, memory and start-up of each effect"},
+                       {"bill", "FILE", "computing time and memory of each effect"},
                        {"show", "FILE", "a picture of the solids under the skin"},
                        {"image", "FILE", "the ultrasound image under a probe"},
                        {"mesh", "FILE", "a layer's surface, watertight"}},
@@ -43,14 +43,18 @@ Result<void> write(const std::string& bytes, const std::filesystem::path& file) 
   std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   std::error_code code;
   if (std::filesystem::file_size(file, code) != bytes.size() || code)
-    return Error{.what = "cannot be written", .where = file.string(), .fix = "check folder and space"};
+    return Error{.what = "cannot be written",
+                 .where = file.string(),
+                 .fix = "check that the folder exists and the disk has space"};
   std::printf("wrote %s\n", file.string().c_str());
   return {};
 }
 
 Result<std::string> out_of(const program::Arguments& arguments, const char* ending) {
   if (arguments.has("out")) return arguments.text("out");
-  return Error{.what = "no file to write to", .where = "--out", .fix = std::string("give one, as in --out x") + ending};
+  return Error{.what = "--out is missing",
+               .where = "telepalp-station scene",
+               .fix = std::string("give one, as in --out x") + ending};
 }
 
 Result<void> check(const scenes::Scene& scene, const program::Arguments&) {
@@ -90,7 +94,7 @@ Result<solids::PictureView> view_of(const program::Arguments& arguments) {
   view.center.y() = -0.25 * *width_m;
   if (from != "feet" && from != "side")
     return Error{
-        .what = "'" + from + "' is none of above, feet and side", .where = "--from", .fix = "give one of them"};
+        .what = "'" + from + "' is not one of above, feet and side", .where = "--from", .fix = "give one of them"};
   view.towards =
       from == "feet" ? Eigen::Vector3d(-Eigen::Vector3d::UnitZ()) : Eigen::Vector3d(-Eigen::Vector3d::UnitX());
   return view;

@@ -97,8 +97,9 @@ Result<fs::path> write_flight_record(const fs::path& folder, const std::vector<l
                                      const std::string& fault, const std::string& scene) {
   demand(!samples.empty(), "a flight recording holds at least one tick");
   if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made)
-    return Error{
-        .what = made.error().what, .where = made.error().where, .fix = "name one that can be written by --state-dir"};
+    return Error{.what = made.error().what,
+                 .where = made.error().where,
+                 .fix = "give --state-dir a folder that this user may write to"};
   Result<wire::McapWriter> file =
       wire::McapWriter::open(folder / name_of_now(), {"telepalp-station", program::version(), program::commit(),
                                                       "flight recorder: the last seconds before a fault", scene});

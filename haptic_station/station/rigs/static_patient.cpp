@@ -59,10 +59,9 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
   settings.flip_normals = asked.flip_normals();
   settings.anyway = anyway;
   if (!(settings.unit_m > 0.0) || (settings.samples > 0 && settings.samples < 100) || settings.samples > 1'000'000)
-    return Error{
-        .what = "patient_surface.static_model: unit_m is above 0, samples is 0 (as the shape needs) or 100 to 1000000",
-        .where = scene.name,
-        .fix = "correct the scene"};
+    return Error{.what = "patient_surface.static_model: unit_m or samples is out of range",
+                 .where = scene.name,
+                 .fix = "give unit_m above 0, and samples 0 (as many as the shape needs) or 100 to 1000000"};
   Result<surface::StaticModel> made = surface::make_static_model(*read, settings);
   if (!made) {
     Error error = made.error();
@@ -75,7 +74,7 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
   if (!patient.haptic_from_model.iso.matrix().allFinite())
     return Error{.what = "patient_surface.static_model.haptic_from_model is not finite",
                  .where = scene.name,
-                 .fix = "correct the scene"};
+                 .fix = "give translation_m and rotation_vector_rad finite numbers"};
   if (!scene.center_on_surface) return patient;
   std::vector<Vector3d> points;
   for (const surface::CloudPoint& point : made->snapshot->cloud())
@@ -111,7 +110,7 @@ Result<void> ask_for_surface(const std::string& word, scenes::Scene& scene) {
     else
       return Error{.what = "'" + std::string(part) + "' is not understood",
                    .where = "--surface",
-                   .fix = "model:FILE,unit_m=0.001,samples=16000"};
+                   .fix = "write it as model:FILE,unit_m=0.001,samples=16000"};
   }
   return {};
 }

@@ -57,7 +57,7 @@ void SurfaceWorker::work_off(const Work& work) {
   msg::DepthImage message;
   if (!message.ParseFromString(*work.depth.payload))
     return handlers_.on_bad_frame(
-        {.what = "not a DepthImage", .where = "/camera/depth", .fix = "check that both ends match"});
+        {.what = "the message is not a depth image", .where = "/camera/depth", .fix = "check that both ends match"});
   if (!is_newest) return reader_.skip(std::move(*message.mutable_data()));
   const Result<codec::DecodedDepth> depth = read(message);
   if (!depth) {

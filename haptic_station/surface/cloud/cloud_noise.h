@@ -30,7 +30,8 @@ inline constexpr double kWidestSupport_m = 0.02;  ///< a cloud that needs a wide
 /// Number of neighbours for the estimate of a normal: the points in a disc with the support's radius, 16 to 256.
 [[nodiscard]] int neighbors_in_support(const CloudNoise& noise);
 
-/// "22500 points 2.0 mm apart scatter by 2.0 mm: the support follows the noise and is 9.6 mm instead of 6.0 mm".
+/// "22500 points 2.0 mm apart scatter by 2.00 mm around their surface; because of this noise, each place is averaged
+/// over 9.6 mm instead of 6.0 mm".
 [[nodiscard]] std::string description_of(const CloudNoise& noise, std::size_t points);
 
 }  // namespace telepalp::surface

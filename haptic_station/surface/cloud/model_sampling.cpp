@@ -93,11 +93,13 @@ std::string description_of(const SampledMesh& sampled) {
     description += text;
   }
   if (sampled.fidelity.missing > 0.001) {
-    std::snprintf(text, sizeof text, "; in %.1f %% there is nothing to touch", 100.0 * sampled.fidelity.missing);
+    std::snprintf(text, sizeof text, "; in %.1f %% of the places there is nothing to touch",
+                  100.0 * sampled.fidelity.missing);
     description += text;
   }
   if (sampled.fidelity.in_air > 0.0) {
-    std::snprintf(text, sizeof text, "; in %.2f %% of the places 3 to 15 mm above it, contact is felt in free air%s",
+    std::snprintf(text, sizeof text,
+                  "; in %.2f %% of the places 3 to 15 mm above the mesh, contact is felt in free air%s",
                   100.0 * sampled.fidelity.in_air,
                   sampled.fidelity.in_air < kOverlap ? "" : ": parts of the mesh overlap or look inwards");
     description += text;

@@ -100,7 +100,7 @@ Error too_coarse(const SampledMesh& sampled) {
   char fix[200];
   const double by_error = std::sqrt(kFaithful_m / std::max(kFaithful_m, sampled.fidelity.error_m));
   const double faithful_m = sampled.spacing_m * std::min(by_error, sampled.fidelity.in_air > 0.0 ? 0.5 : 1.0);
-  std::snprintf(fix, sizeof fix, "sample it %.1f mm apart, leave samples and spacing out, or accept it by --anyway",
+  std::snprintf(fix, sizeof fix, "give points %.1f mm apart, leave out samples and spacing, or accept this by --anyway",
                 1e3 * faithful_m);
   return {.what = "is sampled too coarsely: " + description_of(sampled), .where = "model", .fix = fix};
 }
@@ -135,7 +135,7 @@ bool spans_a_surface(const models::PointModel& model) {
 Error no_surface() {
   return {.what = "has no surface: no finite points, or all in one place or on one line",
           .where = "model",
-          .fix = "give a cloud of a surface, three points or more apart from each other"};
+          .fix = "give a cloud of a surface: three points or more that are not on a line"};
 }
 
 Result<StaticModel> make_static_model(const models::PointModel& model, const StaticModelSettings& settings) {

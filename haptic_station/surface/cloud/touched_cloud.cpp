@@ -65,19 +65,20 @@ double misfit_deg(const std::vector<CloudPoint>& points, const NeighborIndex& in
 
 Error too_noisy(const CloudNoise& noise) {
   const std::string what =
-      noise.is_surface ? text(
-                             "is too noisy to be touched: its points are %.1f mm apart and scatter by %.1f mm around "
-                             "their surface, so that the support would be %.0f mm wide and hide smaller features",
-                             1e3 * noise.spacing_m, 1e3 * noise.noise_m, 1e3 * noise.support_m)
-                       : text("is not a surface: its points are %.1f mm apart and fill a volume at each scale",
-                              1e3 * noise.spacing_m);
+      noise.is_surface
+          ? text(
+                "is too noisy to be touched: its points are %.1f mm apart and scatter by %.1f mm around "
+                "their surface, so each place would be averaged over %.0f mm, which hides smaller features",
+                1e3 * noise.spacing_m, 1e3 * noise.noise_m, 1e3 * noise.support_m)
+          : text("is not a surface: its points are %.1f mm apart and fill a volume", 1e3 * noise.spacing_m);
   return {.what = what, .where = "model", .fix = "filter or average the points, give a mesh, or accept it by --anyway"};
 }
 
 Error no_side(const std::string& what) {
-  return {.what = what + "; the cloud is open, so that its outside is not known",
-          .where = "model",
-          .fix = "orient the normals; if a camera stood at the origin, leave the normals out or give --anyway"};
+  return {
+      .what = what + "; the cloud is open, so it is not known which side is outside",
+      .where = "model",
+      .fix = "make all normals point outwards; if a camera stood at the origin, remove the normals or give --anyway"};
 }
 
 /// A cloud while its normals are settled.
@@ -91,7 +92,8 @@ struct Settling {
 
 void estimate_normals(Settling& cloud) {
   const int neighbors = std::max(cloud.settings.normal_neighbors, neighbors_in_support(cloud.noise));
-  say(cloud.remarks, text("normals are estimated from %d neighbours and oriented towards the viewpoint", neighbors));
+  say(cloud.remarks,
+      text("normals are estimated from %d neighbours and turned towards the viewpoint of the camera", neighbors));
   cloud.points = with_normals(positions(cloud.points).at_m, neighbors, cloud.viewpoint);
 }
 

@@ -30,7 +30,7 @@ Result<void> LeapTracker::start(std::chrono::milliseconds limit) {
   if (thread_.wait_for_answer(limit)) return {};
   return Error{.what = "does not answer: " + thread_.obstacle(),
                .where = name_,
-               .fix = "start the Leap service with WebSockets allowed, or give --tracker simulated"};
+               .fix = "start the Leap service, allow WebSockets in its settings, or give --tracker simulated"};
 }
 
 void LeapTracker::refuse(const std::string& why) {

@@ -17,7 +17,7 @@ constexpr std::int64_t kLatest_us = std::int64_t{1} << 53;
 
 Error refused(std::string what) {
   return {.what = std::move(what),
-          .where = "Leap text",
+          .where = "message of the Leap service",
           .fix = "check that the service speaks v6.json, and that its numbers have decimal points"};
 }
 
@@ -49,16 +49,16 @@ std::optional<Hand> hand_of(const leap_v6::Text::Hand& hand_text) {
 }  // namespace
 
 Result<Text> parse_text(std::string_view text) {
-  if (text.size() > kMostTextBytes) return refused("over 256 KiB");
+  if (text.size() > kMostTextBytes) return refused("it is longer than 256 KiB");
   json::JsonParseOptions options;
   options.ignore_unknown_fields = true;
   leap_v6::Text message;
   if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &message, options); !read.ok())
-    return refused("no frame of protocol 6: " + read.ToString().substr(0, 200));
+    return refused("it is not a frame of protocol 6: " + read.ToString().substr(0, 200));
   if (message.has_version()) return Text{Hello{message.version(), message.serviceversion()}};
   if (!message.has_timestamp()) return Text{Other{}};
   if (message.timestamp() < 0 || message.timestamp() > kLatest_us) return refused("its timestamp is out of range");
-  if (static_cast<std::size_t>(message.hands_size()) > kMostHands) return refused("more than 16 hands");
+  if (static_cast<std::size_t>(message.hands_size()) > kMostHands) return refused("it lists more than 16 hands");
   Frame frame{.timestamp_us = message.timestamp(), .hands = {}, .refused = 0};
   for (const leap_v6::Text::Hand& one : message.hands()) {
     if (const auto hand = hand_of(one))

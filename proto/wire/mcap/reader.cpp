@@ -115,7 +115,7 @@ Result<void> McapReader::open_chunk(std::size_t chunk) {
   const auto record = mcap::parse<mcap::ChunkRecord>(content);
   if (!record) return in_chunk(chunk, "its header is damaged");
   if (open_bytes_ + record->uncompressed_size > kMaxOpenBytes)
-    return in_chunk(chunk, "overlaps in time with too many others to be put in order");
+    return in_chunk(chunk, "overlaps in time with too many other chunks to be sorted");
   Result<std::string> records = mcap::unpack(*record);
   if (!records) return in_chunk(chunk, records.error());
 
@@ -134,7 +134,7 @@ Result<void> McapReader::open_chunk(std::size_t chunk) {
     if (!message || summary_.channels.find(message->channel_id) == nullptr)
       return in_chunk(chunk, "a message is damaged, or its channel is not known");
     if (message->log_time < index.message_start_time || message->log_time > index.message_end_time)
-      return in_chunk(chunk, "a message lies outside of the time that the index gives");
+      return in_chunk(chunk, "a message lies outside the time span that the index states");
     if (channels_.contains(message->channel_id) && message->log_time >= from_ && message->log_time <= last_)
       opened->messages.push_back(*message);
   }

@@ -82,8 +82,8 @@ RecordedCamera assumed_camera(const std::filesystem::path& file, int width, int 
   camera.model.color = camera.model.depth;
   camera.ignore_above = kAssumedFurthest_mm;
   camera.warning = "WARNING: no " + file.filename().string() +
-                   ", so shape and size are guesses. fix: write the camera's own values to " + file.string() +
-                   "; assumed was: " + text_of(camera);
+                   ", so shape and size of the surface are guesses. fix: write the camera's own values to " +
+                   file.string() + "; assumed now: " + text_of(camera);
   return camera;
 }
 

@@ -25,7 +25,7 @@ std::string by_topic(const hub::Hub& hub, const std::string& name, const std::st
 
 std::string refused(const hub::DatagramCounts& datagrams) {
   const std::string name = "telepalp_datagrams_refused_total";
-  std::string text = described(name, "counter", "Datagrams that were refused, and not answered.");
+  std::string text = described(name, "counter", "UDP datagrams that were dropped without an answer, by reason.");
   for (const auto& [why, count] : {std::pair{"stranger", datagrams.strangers},
                                    {"malformed", datagrams.malformed},
                                    {"replayed", datagrams.replayed},
@@ -50,18 +50,20 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
                   &Count::dropped) +
          single("telepalp_subscribers", "gauge", "Stations, recorders and browsers that are connected.",
                 subscribers.size()) +
-         single("telepalp_datagram_subscribers", "gauge", "Of these, peers whose images go by sealed datagrams.",
+         single("telepalp_datagram_subscribers", "gauge",
+                "Connected stations and recorders whose images go by encrypted UDP datagrams.",
                 static_cast<std::uint64_t>(by_datagram)) +
-         single("telepalp_datagrams_taken_total", "counter", "Datagrams accepted from peers.", datagrams.taken) +
+         single("telepalp_datagrams_taken_total", "counter", "UDP datagrams that were accepted.", datagrams.taken) +
          refused(datagrams) +
          single("telepalp_browser_connections", "gauge", "Open connections of the web port.", browsers) +
-         single("telepalp_waiting_bytes", "gauge", "Bytes that wait for subscribers, without images.",
+         single("telepalp_waiting_bytes", "gauge", "Bytes that wait for subscribers; images are not counted.",
                 hub.waiting_bytes()) +
          single("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch.", touch_is_held ? 1 : 0) +
-         single("telepalp_joined_total", "counter", "Peers that were let in.", access.joined) +
+         single("telepalp_joined_total", "counter", "Connections that were let in since the start.", access.joined) +
          single("telepalp_refused_total", "counter", "Keys, tokens and operations that were refused.", access.refused) +
          single("telepalp_audit_lines", "gauge", "Lines of the audit log.", access.audit_lines) +
-         single("telepalp_audit_lines_not_written_total", "counter", "Lines lost to a full disk.",
+         single("telepalp_audit_lines_not_written_total", "counter",
+                "Lines of the audit log that could not be written, for example to a full disk.",
                 access.audit_not_written);
 }
 

@@ -163,7 +163,7 @@ TEST_F(Compare, SessionsOfDifferentDaysAreAlignedAtTheirFirstTicks) {
 TEST_F(Compare, ASessionWithoutAStationIsComparedByItsFiguresAlone) {
   const Comparison comparison = compared(made_messages({.seconds = 1.0, .with_station = false}));
   EXPECT_EQ(comparison.ticks.common, 0u);
-  EXPECT_NE(headline(comparison).find("only the figures"), std::string::npos);
+  EXPECT_NE(headline(comparison).find("only their figures"), std::string::npos);
   EXPECT_FALSE(comparison_html(comparison, {}).empty());
 }
 

@@ -221,20 +221,21 @@ Verdict with_late_ticks(std::uint64_t missed, std::uint64_t idle, bool realtime 
 TEST(IdleTimer, ExplainsLateTicksThatAreTheComputersAndSaysWhatToDo) {
   const Verdict verdict = with_late_ticks(18, 5);
   EXPECT_TRUE(
-      verdict.headline.starts_with("Look at this computer, the run itself was good: its timer is late by "
-                                   "itself: 5 of 2000 wake-ups"))
+      verdict.headline.starts_with("Look at this computer, the run itself was good: its timer misses "
+                                   "wake-ups without any work: 5 of 2000"))
       << verdict.headline;
   EXPECT_NE(verdict.headline.find("real-time priority"), std::string::npos);
-  EXPECT_NE(verdict.account.find("18 came too late, about 18 of them by this computer's own timer"), std::string::npos)
+  EXPECT_NE(verdict.account.find("18 came too late, about 18 of them because of this computer's timer"),
+            std::string::npos)
       << verdict.account;
   EXPECT_EQ(with_late_ticks(18, 5, true).headline.find("real-time priority"), std::string::npos);
 }
 
 TEST(IdleTimer, DoesNotExcuseTicksThatTheRunItselfMadeLate) {
   const Verdict verdict = with_late_ticks(80, 1);
-  EXPECT_TRUE(
-      verdict.headline.starts_with("Look at this run: the force was late more often than one tick in a "
-                                   "thousand beyond what this computer's idle timer explains (1 of 2000"))
+  EXPECT_TRUE(verdict.headline.starts_with(
+      "Look at this run: the force was late more often than one tick in a "
+      "thousand, beyond the wake-ups that this computer's timer misses without work (1 of 2000"))
       << verdict.headline;
   EXPECT_NE(verdict.account.find("about 4 of them"), std::string::npos) << verdict.account;
 }

@@ -200,7 +200,7 @@ TEST_F(SourceFolder, EachBadSourceIsNamedWithWhereAndFix) {
   write("field/camera.textproto", "depth {\n  focal: 3\n}\n");
   const std::pair<std::string, std::string> kBad[] = {
       {"webcam", "'webcam' is not a kind of source"},
-      {"oni:", "nothing follows the colon"},
+      {"oni:", "nothing is named after 'oni:'"},
       {"oni:" + file("no.oni"), "cannot be read"},
       {"oni:" + file("hello.txt"), "is not an .oni recording"},
       {"oni:" + file("cut.oni"), "cannot be played"},
@@ -218,9 +218,9 @@ TEST_F(SourceFolder, EachBadSourceIsNamedWithWhereAndFix) {
       {"synthetic:" + file("no.ply"), "cannot be read"},
       {"synthetic:" + file("hello.txt"), "is not a supported kind of file"},
       {"synthetic:torso,depth=3", "'depth' is not a setting"},
-      {"synthetic:torso,amplitude_mm=500", "amplitude_mm takes another value"},
-      {"synthetic:torso,noise=loud", "noise takes another value"},
-      {"synthetic:torso,seed", "seed takes another value"},
+      {"synthetic:torso,amplitude_mm=500", "the value of amplitude_mm is not allowed"},
+      {"synthetic:torso,noise=loud", "the value of noise is not allowed"},
+      {"synthetic:torso,seed", "the value of seed is not allowed"},
       {"session:" + file("no.mcap"), "no.mcap"},
       {"session:" + file("hello.txt"), "hello.txt"},
   };

@@ -23,7 +23,7 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
   Result<scenes::Scene> scene = scenes::read_scene(*file);
   if (!scene) return scene.error();
   if (scene->message.patient_surface().has_static_model())
-    return Error{.what = "the scene touches a static model, which no network reaches",
+    return Error{.what = "the scene touches a static model, to which the network makes no difference",
                  .where = file->string(),
                  .fix = "give a scene whose patient_surface is streamed"};
   const std::string& name = scene->message.surface().name();
@@ -31,9 +31,10 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
       name.empty() ? surface::SurfaceSettings{} : surface::surface_settings(name);
   if (!surface) return surface.error();
   if (!surface::runs_in_tick(*surface))
-    return Error{.what = "the surface setting " + name + " needs a collision thread, which has no virtual time",
-                 .where = file->string(),
-                 .fix = "give a scene with another surface setting"};
+    return Error{
+        .what = "the surface setting " + name + " needs a thread of its own, which does not run in virtual time",
+        .where = file->string(),
+        .fix = "give a scene with another surface setting"};
   request.surface = *surface;
   request.scene = std::make_unique<const scenes::Scene>(std::move(*scene));
   return {};
@@ -43,7 +44,7 @@ Result<void> read_depth_mode(const program::Arguments& arguments, Request& reque
   const std::string text = arguments.text("depth-mode");
   const std::optional<codec::DepthMode> mode = codec::depth_mode(text);
   if (!mode)
-    return Error{.what = "'" + text + "' is no depth mode",
+    return Error{.what = "'" + text + "' is not a depth mode",
                  .where = "--depth-mode",
                  .fix = "say fast, intra, temporal or bounded"};
   request.tape.depth.mode = *mode;
@@ -54,17 +55,19 @@ Result<void> read_depth_mode(const program::Arguments& arguments, Request& reque
 Result<void> read_hand(const program::Arguments& arguments, Request& request) {
   const std::string asked = arguments.text("hand");
   if (!asked.empty() && asked != "recorded" && !hand_script(asked))
-    return Error{
-        .what = "'" + asked + "' is no hand", .where = "--hand", .fix = "say recorded, examine, tap or search"};
+    return Error{.what = "'" + asked + "' is not a choice of hand",
+                 .where = "--hand",
+                 .fix = "say recorded, examine, tap or search"};
   const std::string session = session_file_of(request.source);
   if (hand_script(asked) || (session.empty() && asked.empty())) return {};
   if (session.empty())
-    return Error{
-        .what = "a hand is recorded only in a session", .where = "--hand recorded", .fix = "say --hand examine"};
+    return Error{.what = "the source has no recorded hand: only a session has one",
+                 .where = "--hand recorded",
+                 .fix = "say --hand examine"};
   Result<RecordedHand> hand = read_session_hand(session);
   if (!hand) return hand.error();
   if (hand->empty() && asked == "recorded")
-    return Error{.what = "holds no ticks of a station", .where = session, .fix = "say --hand examine"};
+    return Error{.what = "holds no recorded hand (/station/ticks)", .where = session, .fix = "say --hand examine"};
   request.recorded = std::move(*hand);
   return {};
 }

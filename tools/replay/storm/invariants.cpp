@@ -60,19 +60,20 @@ void Invariants::check_force(const TickRecord& tick) {
   if (!tick.force_N.allFinite()) return violated("the force is not finite");
   const double force_N = double{tick.force_N.norm()};
   if (force_N > kRounding * control_.limits.peak_N)
-    violated(with_number("the force is %.3f N, above the scene's peak", force_N));
+    violated(with_number("the force is %.3f N, above the scene's peak_N", force_N));
   const double step_N = double{(tick.force_N - last_force_N_).norm()};
   if (step_N > kRounding * control_.limits.slew_N_per_s * to_seconds(kTick) + 1e-6)
-    violated(with_number("the force changes by %.3f N in a tick, above the scene's slew", step_N));
+    violated(with_number("the force changes by %.3f N in a tick, faster than the scene's slew_N_per_s", step_N));
 }
 
 void Invariants::check_energy(const TickRecord& tick) {
   if (!(tick.passivity_J >= kLeastPassivity_J))
-    violated(with_number("the display's ledger is at %.5f J", double{tick.passivity_J}));
+    violated(with_number("the display has given the hand energy: its ledger is at %.5f J", double{tick.passivity_J}));
   if (tick.surface_age_s > kAged_s) excused_ = true;
   if (tick.hand_excess_J < kNoExcess_J) excused_ = false;
   if (!excused_ && !(tick.hand_excess_J <= kMostExcess_J))
-    violated(with_number("the hand's ledger is at %.4f J", double{tick.hand_excess_J}));
+    violated(with_number("the hand got energy that the measured skin would not have given: its ledger is at %.4f J",
+                         double{tick.hand_excess_J}));
 }
 
 void Invariants::check_release(const TickRecord& tick) {
@@ -86,7 +87,7 @@ void Invariants::check_felt(const TickRecord& tick) {
   const bool unfelt = now() > calm_from_ && tick.depth_m > kDeep_m && tick.surface_age_s < kYoung_s && !tick.felt;
   unfelt_ = unfelt ? unfelt_ + kTick : 0ns;
   if (unfelt_ > kFeltWithin)
-    violated(with_number("the device is %.1f mm deep in the skin and feels nothing", 1e3 * double{tick.depth_m}));
+    violated(with_number("the device is %.1f mm deep in the skin, but there is no force", 1e3 * double{tick.depth_m}));
 }
 
 void Invariants::add(const TickRecord& tick) {
@@ -100,12 +101,13 @@ void Invariants::add(const TickRecord& tick) {
 
 void Invariants::add(const wire::Message& message) {
   SessionTime& newest = published_[message.topic.name];
-  if (message.published < newest) violated(std::string(message.topic.name) + " goes back in time");
+  if (message.published < newest)
+    violated(std::string(message.topic.name) + " has a message that is older than the one before");
   newest = std::max(newest, message.published);
   if (message.topic.name != wire::kStationTicks.name) return;
   msg::StationTicks ticks;
   if (!ticks.ParseFromString(*message.payload)) return violated("/station/ticks cannot be read");
-  if (ticks.first_tick() != next_tick_) violated("/station/ticks has a gap");
+  if (ticks.first_tick() != next_tick_) violated("/station/ticks lacks ticks");
   next_tick_ = ticks.first_tick() + static_cast<std::uint64_t>(ticks.phase_size());
 }
 

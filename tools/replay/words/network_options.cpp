@@ -18,14 +18,16 @@ struct Figure {
 };
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> all{
-      {{"delay-ms", "MS", "one way"}, kLongest_ms, [](Impairment& i, double v) { i.delay = from_milliseconds(v); }},
-      {{"jitter-ms", "MS", "either way, uniform"},
+      {{"delay-ms", "MS", "delay, one way"},
+       kLongest_ms,
+       [](Impairment& i, double v) { i.delay = from_milliseconds(v); }},
+      {{"jitter-ms", "MS", "varies the delay by plus or minus this, uniformly"},
        kLongest_ms,
        [](Impairment& i, double v) { i.jitter = from_milliseconds(v); }},
       {{"burst", "N", "mean length of a loss burst, in packets"},
        1e4,
        [](Impairment& i, double v) { i.burst_packets = v; }},
-      {{"rate-kbps", "R", "of the bottleneck; 0: unlimited"},
+      {{"rate-kbps", "R", "rate of the bottleneck; 0: unlimited"},
        1e8,
        [](Impairment& i, double v) { i.rate_B_per_s = v * 125.0; }},
   };
@@ -38,7 +40,7 @@ struct Share {
 };
 const std::vector<Share>& shares() {
   static const std::vector<Share> all{{{"loss", "P", "packets lost: 5% or 0.05"}, &Impairment::loss},
-                                      {{"reorder", "P", "packets overtaken"}, &Impairment::reorder}};
+                                      {{"reorder", "P", "packets delivered after later ones"}, &Impairment::reorder}};
   return all;
 }
 
@@ -96,8 +98,8 @@ std::vector<program::Option> network_options() {
   options.insert(options.end(), {{"outage", "10s+500ms", "nothing crosses the network; several with commas"},
                                  {"restart", "10s+2s", "the server is away"},
                                  {"tracker-lost", "10s+2s", "the tracker gives no samples"},
-                                 {"glitch", "10s+4ms:MM", "the device's encoder is off by MM"},
-                                 {"clock-step", "10s+2s:60ms", "the station's clock is wrong"},
+                                 {"glitch", "10s+4ms:MM", "the device's encoder is wrong by MM mm"},
+                                 {"clock-step", "10s+2s:60ms", "the station's clock is wrong by this"},
                                  {"deadline-ms", "MS", "deadline of a frame; default: 100 + delay"},
                                  {"seed", "N", "seed of network and tracker; first seed of a storm", "1"}});
   return options;

@@ -88,7 +88,7 @@ std::optional<std::vector<double>> range(std::string_view text) {
 
 Result<SweepAxis> parse_axis(std::string_view word) {
   const std::size_t equals = word.find('=');
-  if (equals == std::string_view::npos) return refused(word, "is no axis");
+  if (equals == std::string_view::npos) return refused(word, "is not AXIS=VALUES");
   const std::string_view name = word.substr(0, equals);
   const auto axis = std::find_if(kAxes.begin(), kAxes.end(), [&](const Axis& one) { return one.name == name; });
   if (axis == kAxes.end()) return refused(word, "names an unknown axis");

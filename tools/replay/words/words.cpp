@@ -36,7 +36,7 @@ Result<Window> parse_window(std::string_view text, std::string_view option) {
   const Result<Nanoseconds> length = parse_span(text.substr(plus + 1), option);
   if (!length) return length.error();
   if (*from < Nanoseconds{0} || *length <= Nanoseconds{0})
-    return refused(text, option, "a begin from 0 on and a length above 0");
+    return refused(text, option, "a begin of 0 or more and a length above 0");
   return Window{*from, *length};
 }
 

@@ -102,11 +102,13 @@ Result<void> apply(std::string_view pair, SyntheticSettings& settings) {
   for (const Key& key : kKeys) {
     if (key.name != name) continue;
     if (equals != std::string_view::npos && key.set(pair.substr(equals + 1), settings)) return {};
-    return Error{.what = std::string(key.name) + " takes another value",
+    return Error{.what = "the value of " + std::string(key.name) + " is not allowed",
                  .where = where,
-                 .fix = "give " + std::string(key.name) + "=VALUE, " + std::string(key.values)};
+                 .fix = "give " + std::string(key.name) + "=VALUE with VALUE " + std::string(key.values)};
   }
-  return Error{.what = "'" + std::string(name) + "' is not a setting", .where = where, .fix = "give " + all_keys()};
+  return Error{.what = "'" + std::string(name) + "' is not a setting of the synthetic patient",
+               .where = where,
+               .fix = "give " + all_keys()};
 }
 
 }  // namespace
