@@ -25,9 +25,10 @@ Result<std::vector<PointPair>> parse_point_pairs(std::string_view text, std::str
     const auto row = numbers<7>(line);
     const bool good = row && std::abs((*row)[0]) < 1e6 && std::floor((*row)[0]) == (*row)[0];
     if (!good || pairs.size() == kMostRows)
-      return Error{.what = good ? "more than 100000 rows" : "not a whole place number and six finite numbers",
-                   .where = file + ":" + std::to_string(number),
-                   .fix = "give rows like 1,0.1,0.02,0,0.12,0,0.3 with decimal points"};
+      return Error{
+          .what = good ? "more than 100000 rows" : "the row is not a whole number of the place and six finite numbers",
+          .where = file + ":" + std::to_string(number),
+          .fix = "give rows like 1,0.1,0.02,0,0.12,0,0.3 with decimal points"};
     const auto& r = *row;
     pairs.push_back({.place = static_cast<int>(r[0]), .to = {r[1], r[2], r[3]}, .from = {r[4], r[5], r[6]}});
   }

@@ -38,7 +38,7 @@ program::Usage touch_usage() {
                        .commands = {{"path", "", "make a trajectory", path_command}}};
   usage.options.insert(usage.options.end(),
                        {{"trajectory", "FILE", "CSV with columns t_s,x,y,z: metres, in the cloud's frame"},
-                        {"k", "N/M", "stiffness of the coupling", "500"},
+                        {"k", "N/M", "stiffness of the spring from device to proxy", "500"},
                         {"out", "FILE", "CSV to write"},
                         {"plot", "FILE", "also an SVG of distance, force and time over time"}});
   return usage;

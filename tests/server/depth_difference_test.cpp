@@ -33,7 +33,7 @@ TEST(DepthDifference, NamesTheFirstPixelBeyondTheBound) {
   difference.add(original, other);
   difference.add(original, other);
   EXPECT_EQ(difference.beyond(), 2u);
-  EXPECT_EQ(difference.first_beyond(), "frame 1, pixel 1, 1 at 1000.000 mm: off by 5.000 mm of 3.000 mm");
+  EXPECT_EQ(difference.first_beyond(), "frame 1, pixel 1, 1 at 1000.000 mm: off by 5.000 mm, 3.000 mm allowed");
 }
 
 TEST(DepthDifference, APixelThatOnlyOneMeasuredIsBeyondAnyBound) {
@@ -41,7 +41,8 @@ TEST(DepthDifference, APixelThatOnlyOneMeasuredIsBeyondAnyBound) {
   difference.add(row({0, 700, 0}), row({700, 0, 0}));
   EXPECT_EQ(difference.flips(), 2u);
   EXPECT_EQ(difference.beyond(), 2u);
-  EXPECT_EQ(difference.first_beyond(), "frame 0, pixel 0, 0: not measured, and 700.000 mm now");
+  EXPECT_EQ(difference.first_beyond(),
+            "frame 0, pixel 0, 0: not measured in the first input, 700.000 mm in the second");
   EXPECT_EQ(difference.measured(), 0u);
   EXPECT_EQ(difference.rms_mm(), 0.0);
 }

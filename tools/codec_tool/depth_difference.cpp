@@ -20,11 +20,11 @@ std::string place(std::size_t frame, const DepthImage& depth, std::size_t pixel)
 std::string in_mm(double before, double after, double allowed) {
   char text[96];
   if (before == 0.0)
-    std::snprintf(text, sizeof text, ": not measured, and %.3f mm now", after);
+    std::snprintf(text, sizeof text, ": not measured in the first input, %.3f mm in the second", after);
   else if (after == 0.0)
-    std::snprintf(text, sizeof text, " at %.3f mm: not measured now", before);
+    std::snprintf(text, sizeof text, " at %.3f mm: not measured in the second input", before);
   else
-    std::snprintf(text, sizeof text, " at %.3f mm: off by %.3f mm of %.3f mm", before, std::abs(after - before),
+    std::snprintf(text, sizeof text, " at %.3f mm: off by %.3f mm, %.3f mm allowed", before, std::abs(after - before),
                   allowed);
   return text;
 }
