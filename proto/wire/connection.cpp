@@ -90,7 +90,7 @@ Connection::Connection(std::unique_ptr<ByteStream> stream, Options options, Conn
 void Connection::start() {
   send(hello(options_));
   send(advertise(options_.publishes));
-  watch(kHandshakeDeadline, "no Hello within 5 s");
+  watch(kHandshakeDeadline, "no Hello message arrived within 5 s");
   read();
 }
 
@@ -223,7 +223,7 @@ void Connection::on_bytes(std::span<const std::byte> bytes) {
 Result<void> Connection::on_frame(Frame frame) {
   const bool is_control = frame.header.kind == FrameKind::Control;
   if (!is_control && phase_ == Phase::Greeting) return bad_peer("sends data before its Hello message");
-  if (phase_ == Phase::Open) watch(kSilenceDeadline, "nothing heard for 5 s");
+  if (phase_ == Phase::Open) watch(kSilenceDeadline, "no message arrived for 5 s");
   return is_control ? on_control(frame) : on_data(std::move(frame));
 }
 
@@ -279,7 +279,7 @@ Result<void> Connection::on_hello(const msg::Hello& peer) {
     return bad_peer("has a name longer than 128 B, or a token longer than 512 B");
   phase_ = Phase::Open;
   parser_.set_max_payload_bytes(options_.max_payload_bytes);
-  watch(kSilenceDeadline, "nothing heard for 5 s");
+  watch(kSilenceDeadline, "no message arrived for 5 s");
   owner_->on_ready(peer);
   wake();
   return {};

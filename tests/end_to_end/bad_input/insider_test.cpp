@@ -65,7 +65,8 @@ TEST_F(BadInput13, APeerThatFallsSilentIsRemoved) {
     half_open.say(greeting("half-open") + subscription("/camera/status"));
     EXPECT_TRUE(half_open.is_ended_within(9s));
   });
-  EXPECT_TRUE(comes(session().file("server.log"), "nothing heard for 5 s")) << text_of(session().file("server.log"));
+  EXPECT_TRUE(comes(session().file("server.log"), "no message arrived for 5 s"))
+      << text_of(session().file("server.log"));
 }
 
 class BadInput14 : public InsiderTest {};

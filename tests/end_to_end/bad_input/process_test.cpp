@@ -33,7 +33,8 @@ TEST(BadInput36, AFrozenServerReleasesTheForceAndTheSessionComesBack) {
 TEST(BadInput36, AFrozenStationLosesItsPlaceAndAsksForItAgain) {
   RunningSession session;
   session.station().signal(SIGSTOP);
-  EXPECT_TRUE(comes(session.file("server.log"), "nothing heard for 5 s", 12s)) << text_of(session.file("server.log"));
+  EXPECT_TRUE(comes(session.file("server.log"), "no message arrived for 5 s", 12s))
+      << text_of(session.file("server.log"));
   EXPECT_TRUE(comes(session.file("audit.log"), "event=gave-touch who=doctor anna", 12s)) << session.audit();
   session.station().signal(SIGCONT);
   std::this_thread::sleep_for(5s);
