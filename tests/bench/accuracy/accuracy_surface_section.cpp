@@ -77,7 +77,7 @@ std::vector<plot::Tick> ticks(std::initializer_list<double> at) {
 }
 
 plot::Chart pareto_chart(const std::vector<Tried>& all, const std::vector<std::size_t>& front, std::size_t knee) {
-  plot::Chart chart{.title = "Error against cost, torso with 1 mm noise after one second",
+  plot::Chart chart{.title = "Position error against computing time, torso with 1 mm noise after one second",
                     .x = {.label = "share of one core for live touch [%]",
                           .include = plot::Range{3.0, 500.0},
                           .logarithmic = true,
