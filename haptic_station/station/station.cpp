@@ -288,7 +288,7 @@ void Station::start_haptic_thread() {
   realtime_granted_ = *granted;
   ticking_since_ = std::chrono::steady_clock::now();
   const std::string realtime = realtime_granted_ ? "with real-time priority" : "without real-time priority";
-  say("the surface can be touched; ticking at 2 kHz " + realtime);
+  say("the surface is touchable; ticking at 2 kHz " + realtime);
   telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, "scene " + scene_.name + ", " + realtime);
 }
 

@@ -136,7 +136,7 @@ class Viewer {
     send(R"({"op":"subscribe","subscriptions":[{"id":)" + std::to_string(id) + R"(,"channelId":)" +
          std::to_string(channel) + "}]}");
     send("?");  // the server answers with a warning, after all earlier messages
-    while (!failed_ && read().find("no JSON") == std::string::npos) {
+    while (!failed_ && read().find("is not JSON") == std::string::npos) {
     }
   }
   bool failed() const { return bool(failed_); }

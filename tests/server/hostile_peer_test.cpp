@@ -113,11 +113,11 @@ TEST(HostilePeer, GarbageIsRefused) {
   std::mt19937 random(5);
   std::string garbage(64 << 10, '\0');
   for (char& byte : garbage) byte = static_cast<char>(random());
-  expect_says(answer_to(garbage), "is not ours");
+  expect_says(answer_to(garbage), "of the wire protocol instead of 1");
 }
 
 TEST(HostilePeer, AnHttpRequestIsRefused) {
-  expect_says(answer_to("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), "is not ours");
+  expect_says(answer_to("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), "of the wire protocol instead of 1");
 }
 
 TEST(HostilePeer, DamagedControlIsRefused) {
@@ -133,7 +133,7 @@ TEST(HostilePeer, ASubscriptionBeforeHelloIsRefused) {
 TEST(HostilePeer, AnotherProtocolVersionIsNamed) {
   msg::Control control = hello();
   control.mutable_hello()->set_protocol(2);
-  expect_says(answer_to(control_frame(control)), "speaks protocol 2, this end speaks 1");
+  expect_says(answer_to(control_frame(control)), "speaks version 2 of the wire protocol, this end speaks version 1");
 }
 
 TEST(HostilePeer, AChannelThatWasNotAdvertisedIsRefused) {

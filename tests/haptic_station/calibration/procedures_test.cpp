@@ -121,7 +121,7 @@ TEST(HandOnProbe, RefusesMirrorsScalesNoPoseAndPosesThatDisagree) {
   ProbeScene opposed = probe_scene(1, 0.0, 0.0);
   opposed.poses.push_back(opposed.poses[0]);
   opposed.poses[1].tracker_from_hand.rotate(Eigen::AngleAxisd(3.14159265358979, Vector3d::UnitZ()));
-  EXPECT_NE(calibrate_hand_on_probe(opposed.poses, scene.probe_from_hand).error().what.find("cancel"),
+  EXPECT_NE(calibrate_hand_on_probe(opposed.poses, scene.probe_from_hand).error().what.find("opposite directions"),
             std::string::npos);
   ProbeScene lost = scene;
   lost.poses[0].tracker_from_hand.translation().x() = std::numeric_limits<double>::quiet_NaN();

@@ -256,7 +256,7 @@ TEST_F(CameraFile, IsReadWithItsDefaults) {
 
 TEST_F(CameraFile, WhatTheWarningSaysToWriteCanBeRead) {
   const RecordedCamera assumed = assumed_camera(folder_ / "camera.textproto", 640, 480);
-  const std::string marker = "assumed was: ";
+  const std::string marker = "assumed now: ";
   const std::size_t at = assumed.warning.find(marker);
   ASSERT_NE(at, std::string::npos) << assumed.warning;
   const auto camera = read(assumed.warning.substr(at + marker.size()));
