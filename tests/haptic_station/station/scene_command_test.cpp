@@ -101,7 +101,7 @@ TEST_F(SceneCommand, SaysWhatIsWrongAndWritesNothing) {
       {{"show", unknown, "--out", out}, 1, "1:1: expected a solid, found 'orb'"},
       {{"show", itself, "--out", out}, 1, "found 'haptic_from_camera'"},
       {{"show", kMass}, 1, "--out"},
-      {{"show", kMass, "--from", "below", "--out", out}, 1, "'below' is none of above, feet and side"},
+      {{"show", kMass, "--from", "below", "--out", out}, 1, "'below' is not one of above, feet and side"},
       {{"show", kScenes + "skin.scene.textproto", "--out", out}, 1, "no solid to draw"},
       {{"image", kMass, "--at", "1;2", "--out", out}, 1, "--at"},
       {{"mesh", kMass, "--layer", "spleen", "--out", file("x.ply")}, 1, "no layer 'spleen'"},
