@@ -12,7 +12,7 @@
 #include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
 #include "tests/bench/replay_bench.h"
-#include "tests/bench/session_bench.h"
+#include "tests/bench/session/session_bench.h"
 #include "tests/bench/station_bench.h"
 #include "tests/bench/surface_bench.h"
 #include "tests/bench/synthetic_bench.h"

@@ -9,7 +9,7 @@
 #include "server/pipeline/camera_messages.h"
 #include "support/program/files/shipped.h"
 #include "support/program/parallel.h"
-#include "tests/bench/replay_live.h"
+#include "tests/bench/session/replay_live.h"
 #include "tests/support/child_process.h"
 #include "tools/replay/run/session_run.h"
 

@@ -1,4 +1,4 @@
-#include "tests/bench/session_bench.h"
+#include "tests/bench/session/session_bench.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>

@@ -1,4 +1,4 @@
-#include "tests/bench/replay_live.h"
+#include "tests/bench/session/replay_live.h"
 
 #include <algorithm>
 #include <array>
