@@ -110,6 +110,7 @@ std::string Server::problem() const {
 void Server::publish_every_second() {
   publish_clock_and_stats();
   give_memory_back();
+  choose_prediction();
   second_.expires_after(1s);
   second_.async_wait([this](const boost::system::error_code& stopped) {
     if (!stopped && !stopped_) publish_every_second();
@@ -120,6 +121,17 @@ void Server::publish_clock_and_stats() {
   const SessionTime now = clock_.now();
   hub_.publish(wire::make_message(wire::kClock, now, clock_message(now)));
   hub_.publish(wire::make_message(wire::kServerStats, now, hub::server_stats(hub_, datagram_counts(), now)));
+}
+
+/// One encoding serves all subscribers, so the worst path decides.
+void Server::choose_prediction() {
+  const codec::DepthMode mode = options_.encode.depth.mode;
+  const bool in_groups = mode == codec::DepthMode::Temporal || mode == codec::DepthMode::Bounded;
+  const bool may = listener_->references_arrive();
+  if (!capture_ || !in_groups || std::exchange(predicts_, may) == may) return;
+  capture_->let_predict(may);
+  log(may ? "depth is predicted again: each path repairs lost images in time"
+          : "depth in key frames alone: a path cannot repair a lost image in time");
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.

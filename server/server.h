@@ -32,7 +32,7 @@ class Server {
     std::function<void(const std::string&)> log{};  ///< log lines about peers and the camera's state
   };
 
-  /// Opens the port. Messages are published only after start().
+  /// Opens the port. Messages are published only after start() or play().
   [[nodiscard]] static Result<std::unique_ptr<Server>> listen(boost::asio::io_context& io, Options options);
 
   /// Starts to capture from `source`. `source_name` appears in messages. `on_end` is called once when the source ends.
@@ -67,6 +67,7 @@ class Server {
   void publish_every_second();
   void publish_clock_and_stats();
   void give_memory_back();
+  void choose_prediction();
   void log_state_changes(const wire::Message& status);
   void log(const std::string& text) const;
 
@@ -79,6 +80,7 @@ class Server {
   bool stopped_ = false;  // checked by timer handlers: a timer that has expired cannot be cancelled
   std::chrono::steady_clock::time_point last_depth_{};
   std::string last_state_;              // last logged state
+  bool predicts_ = true;                // depth images may depend on each other
   std::size_t most_waiting_bytes_ = 0;  // peak of the hub's queues since memory was last released
   std::chrono::steady_clock::time_point started_{};
   std::unique_ptr<pipeline::CaptureThread> capture_;

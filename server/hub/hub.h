@@ -20,10 +20,10 @@ using SubscriberId = std::uint64_t;
 
 /// Distributes each published message to the subscribers of its topic. It does not encode or copy: all subscribers
 /// share one payload. A slow subscriber loses its own oldest messages, topic by topic; other subscribers are not
-/// affected. A new subscriber gets the last message of each latched topic (/camera/info, /camera/status). A predicted
-/// frame goes only to subscribers that have its reference frame. A subscriber that missed a frame gets no message of
-/// that topic until the next key frame, which the hub requests from the publisher. Owner: the server's network thread;
-/// no locks, no sockets, no clock.
+/// affected. A new subscriber gets the last message of each latched topic (camera models, camera status, holder of the
+/// viewer's hand). A predicted frame goes only to subscribers that have its reference frame. A subscriber that missed a
+/// frame gets no message of that topic until the next key frame, which the hub requests from the publisher. Owner: the
+/// server's network thread; no locks, no sockets, no clock.
 class Hub {
  public:
   /// Limit of the queued bytes of all topics outside /camera/..., over all subscribers. A payload that is queued for
@@ -52,7 +52,7 @@ class Hub {
     key_frame_requested_ = std::move(handler);
   }
 
-  /// Takes the oldest message from the subscriber's queue; nullopt when the queue is empty.
+  /// Takes the next message from the subscriber's queue, in the order of SendQueue::pop(); nullopt when it is empty.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
   /// While `on`, datagrams carry the deadline topics (camera images, station state, viewer's hand: a late message is of
@@ -75,7 +75,7 @@ class Hub {
 
   struct TopicCount {
     std::uint64_t published = 0;  ///< messages published; for one subscriber: messages offered to it
-    std::uint64_t sent = 0;       ///< taken with next(); published = sent + dropped + still queued
+    std::uint64_t sent = 0;       ///< taken from the queue; for one subscriber, published = sent + dropped + queued
     std::uint64_t dropped = 0;    ///< dropped from a queue, left in it by a leaving subscriber, or not decodable
     std::uint64_t bytes = 0;      ///< published bytes; for one subscriber: bytes sent to it
   };

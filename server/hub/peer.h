@@ -42,11 +42,12 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   }
 
   void close(const std::string& reason) { connection_->close(reason); }
-  /// Doctor `who` at another peer has accepted the touch that this peer offered.
+  /// Doctor `who` at another peer has accepted the touch (the right to publish as a station) that this peer offered.
   void give_touch_to(const keys::Identity& who) { connection_->close(touch_.lose_to(who)); }
   [[nodiscard]] std::uint32_t sender() const noexcept { return sender_; }
 
-  /// The kind of place that the peer occupies; nullopt: no Hello yet, or refused.
+  /// The kind of place (places.h: a connection that counts against a limit) that the peer occupies; nullopt: no Hello
+  /// yet, or refused.
   [[nodiscard]] std::optional<PlaceKind> place() const noexcept { return place_; }
 
   /// Ends the connection when its key has expired or been revoked meanwhile.
@@ -56,6 +57,8 @@ class PeerListener::Peer : public wire::ConnectionOwner {
           .where = {},
           .fix = "ask the technician for a new one: telepalp-keys renew"});
   }
+
+  [[nodiscard]] bool references_arrive() const noexcept { return !datagrams_ || datagrams_->references_arrive(); }
 
   [[nodiscard]] bool is_idle(Clock::time_point now) const noexcept {
     const IdleLimits& limits = listener_.options_.idle;
@@ -220,7 +223,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   bool audited_ = false;        // the audit log already has the reason for this peer's refusal
   bool advertised_ = false;     // the peer has advertised an allowed topic
   bool subscribed_ = false;     // the peer is subscribed to at least one topic
-  Clock::time_point useful_{};  // when it last published, subscribed or greeted
+  Clock::time_point useful_{};  // when it last published, subscribed or sent its Hello
   UpstreamRates rates_;
   bool over_rate_noted_ = false;
   std::uint32_t sender_ = 0;                      // 0: no Hello yet

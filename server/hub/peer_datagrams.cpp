@@ -59,6 +59,12 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
   return made;
 }
 
+/// TCP, which carries the images in the other phases, loses nothing.
+bool PeerDatagrams::references_arrive() const noexcept {
+  return end_->phase() != wire::DatagramPhase::Up ||
+         link::references_arrive(end_->link().path(), link::DatagramLinkSettings{}.deadline);
+}
+
 /// Only the newest authenticated datagram may change the address: a replayed one must not redirect the stream.
 void PeerDatagrams::received(std::span<const std::byte> datagram, const DatagramPort::Endpoint& from) {
   if (end_->received(datagram).value_or(false)) address_ = from;

@@ -95,6 +95,10 @@ error_code PeerListener::open(const tcp::endpoint& endpoint) {
 
 DatagramCounts PeerListener::datagram_counts() const noexcept { return datagrams_->counts(); }
 
+bool PeerListener::references_arrive() const noexcept {
+  return std::ranges::all_of(peers_, [](const auto& peer) { return peer.second->references_arrive(); });
+}
+
 void PeerListener::close(const std::string& reason) {
   error_code ignored;
   acceptor_.close(ignored);

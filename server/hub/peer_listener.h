@@ -43,7 +43,7 @@ class PeerListener {
   };
   struct Counts {
     std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;           ///< peers refused: key, permission, too many, or touch held by another
+    std::uint64_t refused = 0;           ///< peers refused: key, permission, too many, or another station active
     std::uint64_t let_go_idle = 0;       ///< connections closed because they neither received nor published
     std::uint64_t invalid_messages = 0;  ///< invalid messages of peers, dropped
     std::uint64_t over_rate = 0;         ///< messages dropped because the peer exceeded its rate
@@ -59,6 +59,8 @@ class PeerListener {
   /// Connected peers that may publish /station/...
   [[nodiscard]] std::size_t stations() const { return taken(PlaceKind::Station); }
   [[nodiscard]] DatagramCounts datagram_counts() const noexcept;
+  /// True if depth images may depend on each other: lost datagrams of every peer are repaired in time.
+  [[nodiscard]] bool references_arrive() const noexcept;
 
   /// Stops listening, and sends every peer its queued messages and a Goodbye. Within 1 s no work is left in the
   /// io_context.
@@ -76,7 +78,7 @@ class PeerListener {
   [[nodiscard]] std::uint32_t sender_number(std::uint64_t run) const;
   void note(const std::string& text) const;
   void note_refusal(const std::string& text);
-  [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: peers without a place
+  [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: without a place (places.h)
   void let_a_stranger_go();
   void let_idle_go_every_second();
   void audit_refused_datagrams(std::chrono::steady_clock::time_point now);

@@ -32,7 +32,8 @@ class PeerTouch {
   [[nodiscard]] Taken take(const keys::Identity& who, bool accepts);
   /// The peer has published. Returns false if it has lost the touch meanwhile.
   [[nodiscard]] bool renew();
-  /// The peer has accepted the touch; this one loses it. Returns the reason for its Goodbye.
+  /// Another peer, of doctor `who`, has accepted the touch, so this peer loses it. Returns the reason for this peer's
+  /// Goodbye.
   std::string lose_to(const keys::Identity& who);
   void leave(bool on_purpose);
 

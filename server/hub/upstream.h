@@ -10,7 +10,7 @@
 
 namespace telepalp::hub {
 
-/// Largest payload of a message from a peer: ten times the size of half a second of 2 kHz tick records.
+/// Largest payload of a message from a peer: ten times the size of half a second of ticks (records of the 2 kHz loop).
 inline constexpr std::size_t kMaxUpstreamBytes = std::size_t{1} << 20;
 
 /// Largest number of bytes that the server reads from a peer in a second: four times what a station sends.

@@ -45,7 +45,8 @@ void CameraPipeline::publish_frame(const RgbdFrame& frame) {
 
 void CameraPipeline::publish_depth(const RgbdFrame& frame) {
   if (handlers_.take_key_frame_request()) key_frame_pacing_.requested = true;
-  if (key_frame_is_due(key_frame_pacing_)) encoder_.request_key_frame();
+  const bool must_not_predict = handlers_.may_predict && !handlers_.may_predict();
+  if (must_not_predict || key_frame_is_due(key_frame_pacing_)) encoder_.request_key_frame();
   codec::EncodedDepth coded = encoder_.encode(frame.depth);
   const bool is_key = coded.key_frame;
   key_frame_pacing_ = after_encoding(key_frame_pacing_, is_key);

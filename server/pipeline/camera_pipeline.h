@@ -24,8 +24,11 @@ struct EncodeOptions {
 class CameraPipeline {
  public:
   struct Handlers {
-    std::function<bool(wire::Message)> publish;    ///< hands a message over; false: it was dropped
+    std::function<bool(wire::Message)> publish;    ///< passes a message on; false: it was dropped
     std::function<bool()> take_key_frame_request;  ///< true if a key frame was requested since the last call
+    /// False: a lost image cannot be repaired in time, so that each depth image must be a key frame. Empty: always
+    /// true.
+    std::function<bool()> may_predict{};
   };
   CameraPipeline(capture::CaptureSource& source, std::string source_name, EncodeOptions options,
                  wire::SessionClock clock, Handlers handlers);

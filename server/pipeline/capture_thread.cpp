@@ -30,7 +30,8 @@ void CaptureThread::stop() {
 void CaptureThread::run(const std::string& source_name, EncodeOptions options, wire::SessionClock clock) {
   CameraPipeline pipeline(*source_, source_name, options, clock,
                           {.publish = [this](wire::Message message) { return hand_over(std::move(message)); },
-                           .take_key_frame_request = [this] { return key_frame_requested_.exchange(false); }});
+                           .take_key_frame_request = [this] { return key_frame_requested_.exchange(false); },
+                           .may_predict = [this] { return may_predict_.load(); }});
   while (!stopping_) {
     const bool more = pipeline.step();
     frames_ = pipeline.frames();

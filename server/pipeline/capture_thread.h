@@ -29,6 +29,8 @@ class CaptureThread {
   void stop();
   /// Requests a key frame as soon as the pacing allows one. Any thread.
   void request_key_frame() noexcept { key_frame_requested_ = true; }
+  /// False: from the next image on, each depth image is a key frame. Any thread.
+  void let_predict(bool may) noexcept { may_predict_ = may; }
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
   /// Messages dropped because the network thread was too far behind.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
@@ -42,6 +44,7 @@ class CaptureThread {
   Handlers handlers_;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> key_frame_requested_{false};
+  std::atomic<bool> may_predict_{true};
   std::atomic<int> on_the_way_{0};  // messages posted and not yet handled
   std::atomic<std::uint64_t> frames_{0};
   std::atomic<std::uint64_t> dropped_{0};

@@ -16,7 +16,7 @@ struct DepthOptionNames {
 };
 
 /// Parses "LEAST_MM,PER_M2_MM": the error of depth z [m] is at most max(LEAST_MM, PER_M2_MM * z²) millimetres. Error:
-/// values above 100 and 20, which would destroy the image. `option`: the option's name, for errors.
+/// LEAST_MM is above 100 or PER_M2_MM above 20, which would destroy the image. `option`: the option's name, for errors.
 [[nodiscard]] Result<DepthErrorBound> read_depth_bound(const std::string& text, std::string_view option);
 
 /// Reads the settings of the depth encoder. Error: a bound together with a lossless mode, because the user then expects

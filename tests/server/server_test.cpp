@@ -139,7 +139,7 @@ struct Onlooker {
   wire::ClientLink link;
 
   Onlooker(boost::asio::io_context& io, std::uint16_t port)
-      : link(io, {.port = port, .name = "test", .subscribes = {"/camera/depth"}},
+      : link(io, {.port = port, .name = "test", .subscribes = {"/camera/depth"}, .datagrams = false},
              {.on_message = [this](const wire::Message& message) { on_depth(message); }, .on_state = {}}) {
     link.start();
   }
@@ -183,6 +183,32 @@ TEST(Server, TemporalDepthBeginsWithAKeyFrameForEveryoneAndNobodyCanMakeEachFram
   late.link.stop();
   (*server)->stop("end of the test");
   io.run_for(2s);
+}
+
+TEST(CameraPipeline, EachDepthImageIsAKeyFrameWhileALostOneCannotBeRepairedInTime) {
+  const wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
+  StillSource source(30, 0ms, clock);
+  std::vector<bool> is_key;
+  bool may_predict = true;
+  pipeline::CameraPipeline pipeline(source, "still", {.depth = {.mode = codec::DepthMode::Temporal, .key_every = 1000}},
+                                    clock,
+                                    {.publish =
+                                         [&](const wire::Message& message) {
+                                           if (message.topic.name == wire::kCameraDepth.name)
+                                             is_key.push_back(message.key_frame);
+                                           return true;
+                                         },
+                                     .take_key_frame_request = [] { return false; },
+                                     .may_predict = [&] { return may_predict; }});
+  for (const bool predicts : {true, false, true}) {
+    may_predict = predicts;
+    for (int image = 0; image < 10; ++image) (void)pipeline.step();
+  }
+  ASSERT_EQ(is_key.size(), 30u);
+  std::vector<bool> expected(30, false);
+  expected[0] = true;
+  std::fill(expected.begin() + 10, expected.begin() + 20, true);
+  EXPECT_EQ(is_key, expected);
 }
 
 }  // namespace

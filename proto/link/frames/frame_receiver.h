@@ -24,7 +24,7 @@ struct ReceiverStatistics {
 /// is delivered at once. After a repair it may come later than a newer frame of its channel; then Frame::newest is
 /// false, and it must not be shown. A dependent frame is delivered only after the frame before it, and never after a
 /// newer one. Memory for incomplete frames is bounded: at most `most_assembling_B` bytes, and kMostFrames frames of a
-/// channel. A larger frame is refused. Pure: time is an argument. Owner: one thread.
+/// channel. A frame larger than `most_assembling_B` is refused. Pure: time is an argument. Owner: one thread.
 class FrameReceiver {
  public:
   static constexpr std::size_t kMostAssembling_B = std::size_t{32} << 20U;

@@ -12,13 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t kMostKept = 32;         ///< started frames that can be repaired
-constexpr Nanoseconds kReceiverWaits = 15ms;  ///< from a loss to a request: kReordering and the report period
-
-/// A request and its answer fit before the deadline of a frame that is sent now.
-bool repairable(Nanoseconds left, const PathEstimate& path) {
-  return path.round_trip() > 0ns && left > path.round_trip() * 3 / 2 + kReceiverWaits;
-}
+constexpr std::size_t kMostKept = 32;  ///< started frames that can be repaired
 
 }  // namespace
 
@@ -68,7 +62,7 @@ void FrameSender::start(Frame frame, SessionTime now, const PathEstimate& path) 
                     .padded = frame_body(frame.captured, frame.bytes, layout),
                     .layout = layout,
                     .blocks = std::vector<Block>(layout.blocks)};
-  const bool can_ask = repairable(deadline_ - (now - frame.captured), path);
+  const bool can_ask = can_repair(deadline_ - (now - frame.captured), path);
   const std::size_t repairs = repair_shards(layout.data_in_block(0), path.loss(), path.burst_packets(), can_ask);
   outgoing.header.repair_shards = static_cast<std::uint8_t>(repairs);
   const std::uint64_t place = forgotten_ + sent_.size();

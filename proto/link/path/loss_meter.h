@@ -7,9 +7,9 @@
 
 namespace telepalp::link {
 
-/// Counts lost packets and loss bursts from the sequence numbers that arrive. A missing packet counts as lost when
-/// packet number + kPatience or a later one arrived kOvertaking ago, or when a packet with a number more than
-/// kMostWaiting higher has arrived. The caller passes each number once.
+/// Counts lost packets and loss bursts from the sequence numbers that arrive. Missing packet n counts as lost when
+/// packet n + kPatience or a later one arrived at least kOvertaking ago, or when a packet with a number of at least
+/// n + kMostWaiting has arrived. The caller passes each number once.
 class LossMeter {
  public:
   static constexpr std::uint64_t kPatience = 256;

@@ -24,6 +24,9 @@ constexpr double kLossMemory_packets = 30'000.0;  ///< about ten seconds of a ca
 constexpr double kPriorPackets = 200.0;           ///< weight of the first guess
 constexpr double kPriorLoss = 0.01;
 
+constexpr Nanoseconds kReceiverWaits = 15ms;  ///< from a loss to a request: kReordering and the report period
+constexpr double kHardlyAnyLoss = 0.001;      ///< a packet of an image of 91 kB is lost every 13th image
+
 /// As many packets in flight as a window of sequence numbers: a sender that is never acknowledged stays bounded.
 constexpr std::size_t kMostOnTheWay = 65'536;
 
@@ -129,6 +132,14 @@ bool PathEstimate::has_room(SessionTime now) noexcept {
     last_heard_ = now;
   }
   return !drains(now) && in_flight_B() + kDatagramBytes <= limit_B_;
+}
+
+bool can_repair(Nanoseconds left, const PathEstimate& path) noexcept {
+  return path.round_trip() > 0ns && left > path.round_trip() * 3 / 2 + kReceiverWaits;
+}
+
+bool references_arrive(const PathEstimate& path, Nanoseconds deadline) noexcept {
+  return path.round_trip() > 0ns && (path.loss() < kHardlyAnyLoss || can_repair(deadline, path));
 }
 
 std::size_t repair_shards(std::size_t data_shards, double loss, double burst_packets, bool repairable) noexcept {

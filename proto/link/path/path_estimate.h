@@ -85,6 +85,14 @@ class PathEstimate {
   std::uint64_t limit_B_ = std::uint64_t{1} << 20U;
 };
 
+/// True if a lost packet of a frame that must arrive within `left` can be requested and repaired in time.
+[[nodiscard]] bool can_repair(Nanoseconds left, const PathEstimate& path) noexcept;
+
+/// True if frames may depend on each other: hardly any packet is lost, or a loss can be repaired within `deadline`. A
+/// frame that is lost for good makes each frame unreadable that depends on it, until a key frame comes. False for a
+/// path that is not measured yet.
+[[nodiscard]] bool references_arrive(const PathEstimate& path, Nanoseconds deadline) noexcept;
+
 /// Number of repair shards to send at once with a block of `data_shards`. `loss`: share of packets. `repairable`: a
 /// request for more shards and the answer can arrive before the frame's deadline.
 [[nodiscard]] std::size_t repair_shards(std::size_t data_shards, double loss, double burst_packets,

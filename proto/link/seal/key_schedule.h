@@ -24,7 +24,7 @@ class Secret {
 
 /// Both ciphers have keys of 32, nonces of 12 and tags of 16 bytes.
 enum class Cipher { Aes256Gcm, ChaCha20Poly1305 };
-/// AES-256-GCM where the processor has AES instructions, else ChaCha20-Poly1305.
+/// AES-256-GCM on an x86-64 processor with AES instructions, else ChaCha20-Poly1305.
 [[nodiscard]] Cipher preferred_cipher() noexcept;
 
 enum class Direction { ClientToServer, ServerToClient };

@@ -146,6 +146,33 @@ TEST(PathEstimate, TellsJitterFromAQueue) {
   EXPECT_GE(longest_queue(40ms), 30ms);
 }
 
+/// A path that was measured for 10 s: `packets_lost` of each thousand packets, alone.
+PathEstimate measured(Nanoseconds round_trip, std::uint32_t packets_lost) {
+  PathEstimate path;
+  for (std::uint64_t i = 0; i < 10'000; ++i) {
+    const SessionTime sent{1s + i * 1ms};
+    path.sent(i, 1200, sent);
+    const auto settled = static_cast<std::uint32_t>(i + 1);
+    const std::uint32_t lost = settled * packets_lost / 1000;
+    path.on_feedback({.highest_sequence = i,
+                      .received_bytes = 1200 * (i + 1),
+                      .reported_ns = to_nanoseconds(sent + round_trip / 2),
+                      .settled = settled,
+                      .lost = lost,
+                      .bursts = lost},
+                     sent + round_trip);
+  }
+  return path;
+}
+
+TEST(PathEstimate, FramesMayDependOnEachOtherWhereALossIsRareOrIsRepairedInTime) {
+  EXPECT_FALSE(references_arrive(PathEstimate{}, 100ms)) << "a path that is not measured";
+  EXPECT_TRUE(references_arrive(measured(50ms, 50), 100ms)) << "a loss is repaired after 90 ms";
+  EXPECT_FALSE(references_arrive(measured(60ms, 50), 100ms)) << "a repair would take 105 ms";
+  EXPECT_FALSE(references_arrive(measured(200ms, 10), 100ms));
+  EXPECT_TRUE(references_arrive(measured(200ms, 0), 100ms)) << "nothing is lost";
+}
+
 TEST(PathEstimate, IgnoresFeedbackAboutWhatWasNotSent) {
   PathEstimate path;
   path.sent(0, 1200, SessionTime{1s});
