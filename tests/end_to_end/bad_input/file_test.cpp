@@ -1,0 +1,129 @@
+// Files that are not whole, beside a doctor's session: a recorder that is killed, and a session file with wrong
+// offsets.
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "tests/end_to_end/bad_input/running_session.h"
+#include "where.h"
+
+namespace telepalp::bad_input {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+const fs::path kPrograms = TELEPALP_BINARY_DIR "/bin";
+
+class FileTest : public ::testing::Test {
+ protected:
+  static RunningSession& session() { return SharedByTests<RunningSession>::get(); }
+  static fs::path key() {
+    static const fs::path file = session().ring().write(
+        "recorder.key",
+        session().ring().authority.client_key(
+            {.name = "quirin", .role = keys::Role::Qa, .now = session().ring().now, .valid = std::chrono::days(1)}));
+    return file;
+  }
+  /// Records the session to `file` until `enough`, and then sends `signal`. Returns the recorder's exit code.
+  static int record(const fs::path& file, int signal, const std::function<bool()>& enough) {
+    support::ChildProcess recorder(
+        kPrograms / "telepalp-record",
+        {"--connect", "127.0.0.1:" + std::to_string(session().port()), "--key", key().string(), "--out", file.string()},
+        session().file("record.log"));
+    for (int tenth = 0; tenth < 200 && !enough(); ++tenth) std::this_thread::sleep_for(100ms);
+    recorder.signal(signal);
+    return recorder.wait(20s).value_or(-1);
+  }
+  struct Ran {
+    int exit_code = -1;
+    std::string said;
+    double most_MiB = 0.0;
+  };
+  static Ran run(const char* program, const std::vector<std::string>& arguments) {
+    Ran ran;
+    const fs::path log = session().file("run.log");
+    support::ChildProcess child(kPrograms / program, arguments, log);
+    std::optional<int> ended;
+    for (int i = 0; i < 1200 && !ended; ++i) {
+      ended = child.wait(25ms);
+      ran.most_MiB = std::max(ran.most_MiB, most_resident_MiB(child.pid()));
+    }
+    ran.exit_code = ended.value_or(-1);
+    ran.said = text_of(log);
+    return ran;
+  }
+};
+
+std::uintmax_t bytes_in(const fs::path& file) {
+  std::error_code none;
+  const std::uintmax_t bytes = fs::file_size(file, none);
+  return none ? 0 : bytes;
+}
+
+class BadInput31 : public FileTest {};
+TEST_F(BadInput31, ARecorderThatIsKilledLeavesAFileThatTheRepairCompletes) {
+  const fs::path file = session().file("killed.mcap");
+  const fs::path partial = file.string() + ".partial";
+  session().expect_undisturbed_by(
+      [&] { EXPECT_EQ(record(file, SIGKILL, [&] { return bytes_in(partial) > 3'000'000; }), 128 + SIGKILL); });
+  const Ran repaired = run("telepalp-record", {"repair", partial.string()});
+  EXPECT_EQ(repaired.exit_code, 0) << repaired.said;
+  EXPECT_NE(repaired.said.find("was not finished by its recorder"), std::string::npos) << repaired.said;
+  EXPECT_LT(repaired.most_MiB, 300.0);
+  const Ran verified = run("telepalp-record", {"verify", file.string()});
+  EXPECT_EQ(verified.exit_code, 0) << verified.said;
+}
+
+/// Little-endian number of 8 bytes at `at`.
+std::uint64_t number_at(const std::string& bytes, std::size_t at) {
+  std::uint64_t number = 0;
+  for (std::size_t i = 8; i-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return number;
+}
+
+/// Each chunk index of a session file says that its chunk begins at `offset`. Returns the number of changed indexes.
+/// The layout is MCAP's: the footer is the last record, and opcode 0x08 is a chunk index.
+int lie_about_chunks(const fs::path& file, std::uint64_t offset) {
+  constexpr std::size_t kMagic = 8, kHeader = 9, kFooter = kHeader + 20;
+  std::string bytes = text_of(file);
+  const std::size_t footer = bytes.size() - kMagic - kFooter;
+  for (std::size_t i = 0; i < 4; ++i) bytes[footer + kHeader + 16 + i] = 0;  // no CRC of the summary
+  int changed = 0;
+  for (std::size_t at = number_at(bytes, footer + kHeader); at < footer; at += kHeader + number_at(bytes, at + 1)) {
+    if (bytes[at] != 0x08) continue;
+    for (std::size_t i = 0; i < 8; ++i) bytes[at + kHeader + 16 + i] = static_cast<char>(offset >> (8 * i));
+    ++changed;
+  }
+  std::ofstream(file, std::ios::binary) << bytes;
+  return changed;
+}
+
+class BadInput32 : public FileTest {};
+TEST_F(BadInput32, ASessionFileWithWrongOffsetsIsRefusedByEachProgramAndRepaired) {
+  const fs::path file = session().file("lying.mcap");
+  ASSERT_EQ(record(file, SIGINT, [&] { return bytes_in(file.string() + ".partial") > 3'000'000; }), 0)
+      << text_of(session().file("record.log"));
+  ASSERT_GT(lie_about_chunks(file, std::uint64_t{1} << 60), 0);
+  session().expect_undisturbed_by([&] {
+    const Ran served = run("telepalp-server", {"--source", "session:" + file.string(), "--port", "0"});
+    EXPECT_EQ(served.exit_code, 1) << served.said;
+    EXPECT_NE(served.said.find("lying.mcap"), std::string::npos) << served.said;
+    EXPECT_NE(served.said.find("fix: "), std::string::npos) << served.said;
+    EXPECT_LT(served.most_MiB, 200.0);
+    const Ran reported = run("telepalp-report", {file.string(), "--out", session().file("report").string()});
+    EXPECT_LT(reported.exit_code, 2) << reported.said;
+    EXPECT_LT(reported.most_MiB, 300.0);
+  });
+  EXPECT_EQ(run("telepalp-record", {"verify", file.string()}).exit_code, 1);
+  const fs::path whole = session().file("whole.mcap");
+  const Ran repaired = run("telepalp-record", {"repair", file.string(), "--out", whole.string()});
+  EXPECT_EQ(repaired.exit_code, 0) << repaired.said;
+  EXPECT_EQ(run("telepalp-record", {"verify", whole.string()}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace telepalp::bad_input
