@@ -24,10 +24,11 @@ struct BreathingPlane {
   ports::SurfaceContact operator()(const Point<HapticBase>& device, double time_s) const noexcept {
     const double skin_m = at_m(time_s);
     ports::SurfaceContact contact;
-    contact.proxy.m = {device.m.x(), skin_m, device.m.z()};
     contact.normal.v = Eigen::Vector3d::UnitY();
     contact.distance_m = device.m.y() - skin_m;
     contact.in_body = contact.distance_m < 0.0;
+    contact.proxy = device;
+    if (contact.in_body) contact.proxy.m.y() = skin_m;
     contact.valid = true;
     contact.surface_speed_m_per_s = speed_m_per_s(time_s);
     return contact;

@@ -24,17 +24,19 @@ struct Compensation {
   // The surface: predicted from its capture to now. Displacements are along its normal, positive out of the body.
   double surface_age_s = 0.0;
   double surface_carried_m = 0.0;
+  double unmodelled = 0.0;       ///< 1: the patient has just moved unlike before, and predictions are cut; 0: as before
   double surface_sigma_m = 0.0;  ///< standard deviation of its position, from noise, fit and prediction
   double slewed_m = 0.0;         ///< offset that hides the step from one snapshot to the next; decays to 0
-  double support = 0.0;          ///< displayed share of the contact; falls to 0 at rims and on a stale surface
+  double support = 0.0;          ///< displayed share of the contact force; 0 at rims and on a stale surface
 
   // The displayed hand, the energy at the hand and the passivity controller.
   double shown_offset_m = 0.0;  ///< from the tracked hand to the displayed hand (S1 II.E)
-  double hand_excess_J = 0.0;   ///< work on the hand in this contact minus the measured skin's on the same path
+  double hand_excess_J = 0.0;   ///< work on the hand in this contact, minus what the measured skin would do on its path
   double drive_J = 0.0;         ///< work on the hand by lift and position control since the contact began
   double damping_N = 0.0;       ///< magnitude of the passivity controller's damping force
 
-  // Numbers of impossibly fast measurements that were rejected since start.
+  // Numbers since start: bridged jumps of the device's readings; hand samples that were rejected because they were
+  // impossibly fast, out of order or not finite.
   std::uint64_t device_jumps = 0;
   std::uint64_t hand_jumps = 0;
 
@@ -57,6 +59,7 @@ static_assert(std::is_trivially_copyable_v<Compensation>);
   }
   compensation.surface_age_s = touch.age_s;
   compensation.surface_carried_m = displaced.carried_m;
+  compensation.unmodelled = touch.unmodelled;
   compensation.surface_sigma_m = touch.uncertainty_m;
   compensation.slewed_m = displaced.slewed_m;
   compensation.support = touch.support;

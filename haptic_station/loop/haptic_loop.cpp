@@ -140,6 +140,7 @@ TickSample HapticLoop::sample_of(const control::ControlInput& in, const control:
   sample.distance_m = static_cast<float>(in.contact.distance_m);
   sample.passivity_J = static_cast<float>(out.passivity_J);
   sample.hand_excess_J = static_cast<float>(out.hand_excess_J);
+  sample.unmodelled = static_cast<float>(last_touch_.unmodelled);
   sample.yields_in_s = static_cast<float>(out.yields_in_s);
   sample.device_age_s = static_cast<float>(in.device_age_s);
   sample.hand_age_s = static_cast<float>(in.hand_age_s);

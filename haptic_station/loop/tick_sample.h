@@ -13,8 +13,8 @@ struct TickSample {
   std::uint64_t tick = 0;         ///< number since start
   std::int64_t stamp_ns = 0;      ///< session time of the tick's deadline
   std::uint32_t late_ns = 0;      ///< delay from the deadline to the wake-up
-  float work_us = 0.0F;           ///< time spent in the tick
-  std::uint8_t phase = 0;         ///< msg.Phase
+  float work_us = 0.0F;           ///< time spent in the tick, without the sending of the force
+  std::uint8_t phase = 0;         ///< control::Phase, as in msg.Phase
   std::uint8_t fault = 0;         ///< control::FaultCause that led to the phase Faulted
   std::uint8_t fault_stands = 0;  ///< control::FaultCause that persists and blocks re-arming
   bool in_body = false;
@@ -35,10 +35,11 @@ struct TickSample {
   std::array<float, 3> normal_camera{};
   std::array<float, 3> device_camera{};
   std::array<float, 3> force_camera{};
-  float indentation_m = 0.0F;  ///< |d| of paper S1 eq. (8), depth in the skin; 0 out of contact
+  float indentation_m = 0.0F;  ///< |d| of paper S1 eq. (8) (docs/sources.md), depth in the skin; 0 out of contact
   float distance_m = 0.0F;     ///< signed distance of the device point from the skin; negative inside
   float passivity_J = 0.0F;    ///< PassivityController::balance_J(); negative: the display is active
   float hand_excess_J = 0.0F;  ///< work on the hand in this contact minus the measured skin's on the same path
+  float unmodelled = 0.0F;     ///< 1: the patient has just moved unlike before, and predictions are cut; 0: as before
   float yields_in_s = 0.0F;    ///< time until the motors' heat lowers the contact force; infinite: never
   float device_age_s = 0.0F;   ///< this and the next two: ages of the inputs that the controller used
   float hand_age_s = 0.0F;

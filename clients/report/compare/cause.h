@@ -13,9 +13,10 @@ namespace telepalp::report {
 /// "the force is 1.2 N in A and 0.4 N in B, 0.8 N apart as vectors"
 [[nodiscard]] std::string forces_in_words(const Run& a, const Run& b, const Instant& instant);
 
-/// The likely cause of a difference at `instant`, from what both stations published until then: the first that holds of
-/// hands at different places, one station that has let go (released or faulted) while both or neither have a surface,
-/// a surface that one run lacks, surfaces of different ages. If none holds, the text says so.
+/// The likely cause of a difference at `instant`, from what both stations published until then. It is the first of
+/// these that is true: the hands are at different places; one station alone has let go (released or faulted), while
+/// both or neither have a surface; only one run has a surface; the surfaces differ in age. If none is true, the text
+/// says so.
 [[nodiscard]] std::string cause_in_words(const Run& a, const Run& b, const Instant& instant);
 
 /// Age [ms] of the surface from which the force at `tick` was computed; kUnknown if no state message lies within 20 ms

@@ -29,14 +29,14 @@ struct Comparison {
 /// Reads and compares two sessions, or folders of telepalp-replay. Error: one of them cannot be read.
 [[nodiscard]] Result<Comparison> compare(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// "B differs from A in the network. The first difference is at 3.1 s: …"
+/// "The hand feels a difference from 3.100 s on: …"
 [[nodiscard]] std::string headline(const Comparison& comparison);
 
-/// The likely cause of the first difference, and how large the differences are, as one or two sentences.
+/// The likely cause of the first felt difference, the settings that differ, and how large the differences are.
 [[nodiscard]] std::string account(const Comparison& comparison);
 
-/// Time [s] on the common axis (common_origins()) at which the page shows pictures of both runs: the largest difference
-/// of force; for equal forces, the deepest touch of the first run.
+/// Time since the runs' origins (common_origins(), tick_comparison.h) [s] at which the page shows pictures of both
+/// runs: the largest difference of force; for equal forces, the deepest touch of the first run.
 [[nodiscard]] double pictured_s(const Comparison& comparison);
 
 }  // namespace telepalp::report

@@ -1,5 +1,6 @@
 #include "clients/report/figures/compensation_figures.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/plot/palette.h"
@@ -77,6 +78,11 @@ std::vector<Chart> compensation(const Session& session) {
           "The hand, predicted", "distance [mm]",
           {over_time(session, "carried forward", plot::kVermilion, [](Sample t) { return t.hand_carried_m() * 1e3; }),
            over_time(session, "uncertainty, 1 sigma", plot::kGrey, [](Sample t) { return t.hand_sigma_m() * 1e3; })})};
+  if (std::any_of(session.compensations.begin(), session.compensations.end(),
+                  [](Sample t) { return t.unmodelled() > 0.5; }))
+    charts.push_back(chart_of("Motion of the patient that the prediction does not know",
+                              "0: as before, 1: unlike before",
+                              {over_time(session, "", plot::kBlue, [](Sample t) { return t.unmodelled(); })}));
   add_objects(session, charts);
   return charts;
 }

@@ -7,8 +7,8 @@
 
 namespace telepalp::report {
 
-/// Energies over time: taken from the hand less stored (the passivity observer), work on the hand beyond that of the
-/// measured skin, and work of lift and position control. Empty without a station.
+/// Energies over time: energy taken from the hand less energy stored (the passivity observer), work on the hand beyond
+/// that of the measured skin, and work of the lift away from the body and of position control. Empty without a station.
 [[nodiscard]] std::vector<plot::Chart> energy(const Session& session);
 
 /// Time until the warm motors must lower the force, over time. Empty when they never must.

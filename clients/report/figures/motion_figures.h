@@ -14,8 +14,8 @@ namespace telepalp::report {
 /// measured from the proxy at first contact (S1 eq. 8).
 [[nodiscard]] std::vector<plot::Chart> force_against_indentation(const Session& session);
 
-/// Like S1 Fig. 7: paths from the side and from above, and force, in the states around and on the cylinder. Empty when
-/// the run has no such state.
+/// Like S1 Fig. 7: paths from the side and from above, and force, in the states around and on the cylinder, S1's object
+/// in the body. Empty when the run has no such state.
 [[nodiscard]] std::vector<plot::Chart> around_the_cylinder(const Session& session);
 
 /// Like S1 Fig. 8: state, position and force over time, as three charts with one time axis.

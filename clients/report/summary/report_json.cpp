@@ -31,6 +31,7 @@ void add_latencies(Json& json, const Summary& summary) {
   add_quantiles(json, "clock_error_ms", summary.clock_error_ms, false);
   add_quantiles(json, "surface_carried_mm", summary.surface_carried_mm, false);
   add_quantiles(json, "hand_carried_mm", summary.hand_carried_mm, false);
+  json.add("unmodelled_share", summary.unmodelled_share);
   json.add("object_unseen_share", summary.object_unseen_share);
   json.add("object_slide_unseen_share", summary.object_slide_unseen_share);
 }

@@ -68,6 +68,9 @@ void add_compensation(Summary& summary, const Session& session) {
     return static_cast<double>(count) / static_cast<double>(all.size());
   };
   summary.object_unseen_share = share([](const msg::ObjectPlacement& object) { return object.unseen(); });
+  summary.unmodelled_share =
+      static_cast<double>(std::count_if(all.begin(), all.end(), [](const Sample& s) { return s.unmodelled() > 0.5; })) /
+      static_cast<double>(all.size());
   summary.object_slide_unseen_share = share([](const msg::ObjectPlacement& object) { return object.slide_unseen(); });
 }
 

@@ -56,8 +56,9 @@ struct Summary {
 
   Quantiles capture_to_encoded_ms, encoded_to_received_ms, received_to_decoded_ms, decoded_to_touchable_ms;
   Quantiles capture_to_touchable_ms;
-  double object_unseen_share = 0.0;        ///< share of time: an object stays put, because the skin above is unseen
-  double object_slide_unseen_share = 0.0;  ///< share of time: an object does not follow the skin's unmeasurable slide
+  double object_unseen_share = 0.0;        ///< share of time: an inner object stays put, as the skin above is not seen
+  double object_slide_unseen_share = 0.0;  ///< share of time: an inner object ignores a slide that cannot be measured
+  double unmodelled_share = 0.0;           ///< share of time: the patient moves unlike before, and predictions are cut
   Quantiles surface_carried_mm, hand_carried_mm;  ///< magnitude of the predicted displacement
   /// The loosest bound of the depth that the station touched; without a station, that of the recorded images.
   wire::DepthFidelity depth;

@@ -164,6 +164,7 @@ function touchOf(station: StationState | undefined) {
     limited: station?.limited ?? false,
     yields_s: station && station.yieldsInS > 0 && Number.isFinite(station.yieldsInS) ? station.yieldsInS : undefined,
     handShown: station && shownHand(station) !== undefined,
+    unmodelled: (station?.unmodelled ?? 0) > 0.5,
     objectUnseen: station?.objectUnseen ?? false,
     objectSlideUnseen: station?.objectSlideUnseen ?? false,
     surface_ms: station && station.surfaceCapturedNs !== 0n

@@ -6,7 +6,7 @@ namespace telepalp::control {
 
 /// The force that the device applies over a tick, split by cause [N]. The sum of the parts is the limiter's output.
 struct HeldForce {
-  Eigen::Vector3d skin = Eigen::Vector3d::Zero();   ///< effects, damping, warning, and the limiter's change
+  Eigen::Vector3d skin = Eigen::Vector3d::Zero();   ///< effects, damping, heat warning, and the limiter's change
   Eigen::Vector3d fade = Eigen::Vector3d::Zero();   ///< what remains of the force difference at the last transition
   Eigen::Vector3d drive = Eigen::Vector3d::Zero();  ///< lift and position control of the free end-effector
 };
@@ -15,15 +15,15 @@ struct HeldForce {
 /// done on the same path. In the station, the reference is the newest captured surface, predicted to now; in a
 /// simulation, it is the true surface. The ledger of PassivityController counts motion relative to the displayed
 /// surface; this one counts motion in H, the haptic base's frame. It therefore includes the energy that the display
-/// adds by its own motion, its delay and its fades. Owner: control thread.
+/// adds by its own motion, its delay and its fades. Owner: haptic thread.
 class HandLedger {
  public:
   /// A contact begins; the balance starts at zero.
   void begin() noexcept { *this = HandLedger(); }
 
-  /// Books the last tick: the device gave `held` while it moved by `moved_m` [m, in H]. `reference_N`: the force of the
-  /// reference skin after the movement. The reference's work is the mean of its forces before and after the movement,
-  /// times the movement.
+  /// Adds the last tick to the balance: the device gave `held` while it moved by `moved_m` [m, in H]. `reference_N`:
+  /// the force of the reference skin after the movement. The reference's work is the mean of its forces before and
+  /// after the movement, times the movement.
   void book(const HeldForce& held, const Eigen::Vector3d& reference_N, const Eigen::Vector3d& moved_m) noexcept {
     skin_J_ += (held.skin - 0.5 * (reference_N_ + reference_N)).dot(moved_m);
     fades_J_ += held.fade.dot(moved_m);

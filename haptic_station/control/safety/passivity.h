@@ -12,7 +12,7 @@ struct PassivitySettings {
   double hand_most_damping_N_s_per_m = 25.0;  ///< largest damping against an excess in HandLedger
   double hand_tolerance_J = 1e-4;             ///< a smaller excess in HandLedger is ignored as noise of the surface
   double hand_reaction_s = 0.01;
-  double slew_N_per_s = 120.0;  ///< largest rate of change of the damping force: 0.06 N a tick
+  double slew_N_per_s = 90.0;  ///< largest rate of change of the damping force: 0.045 N a tick
 };
 
 /// Energy and motion between the effects and the hand over one tick. H is the haptic base's frame.
@@ -25,7 +25,8 @@ struct Exchange {
   double hand_excess_J = 0.0;          ///< HandLedger::excess_J(): work on the hand beyond the measured skin's
 };
 
-/// Reads two energy ledgers and adds damping when either shows an excess of energy.
+/// Reads two energy ledgers and adds damping when either shows an excess of energy: the passivity observer and
+/// passivity controller of Hannaford and Ryu (2002).
 ///
 /// The ledger of the display: E = -sum F (v - v_displayed) dt since the contact began, minus the energy stored in the
 /// effects; F: force on the hand, v: velocity of the device, v_displayed: velocity of the displayed surface. A
@@ -38,7 +39,7 @@ struct Exchange {
 /// none.
 ///
 /// The damping stops when the excess is gone. Its force changes by at most PassivitySettings::slew_N_per_s. Owner:
-/// control thread.
+/// haptic thread.
 class PassivityController {
  public:
   explicit PassivityController(const PassivitySettings& settings = {}) noexcept : settings_(settings) {}
@@ -46,7 +47,7 @@ class PassivityController {
   /// Contact begins. `stored_J`: energy that the effects store at that time; it counts as already taken from the hand.
   void begin(double stored_J) noexcept;
 
-  /// Books the last tick and returns the damping force to add for the next tick of `dt_s`.
+  /// Adds the last tick to the balance and returns the damping force to add for the next tick of `dt_s`.
   [[nodiscard]] Force<HapticBase> step(const Exchange& exchange, double dt_s) noexcept;
 
   /// Energy taken from the hand since the contact began, minus the stored energy [J]; negative: the display is active.

@@ -9,7 +9,7 @@ struct CouplingSettings {
   bool enabled = true;
   double device_damping_N_s_per_m = 1.0;
   double tick_s = 0.0005;
-  double margin = 0.5;  ///< share of the theoretical stiffness in use; the damping left over dissipates energy
+  double margin = 0.5;  ///< stiffness used / largest stable one in theory; the damping to spare dissipates energy
 };
 
 /// The stiffest spring that a device with damping b can display without creating energy, when its force is held over a
@@ -24,7 +24,7 @@ struct CouplingSettings {
 ///
 /// Each tick moves the tool against the gradient of the energy of coupling and effects. The step is the gradient
 /// divided by the sum of both stiffnesses, like an implicit step of a damped massless tool, so the energy falls at
-/// every tick length. Owner: control thread.
+/// every tick length. Owner: haptic thread.
 class VirtualCoupling {
  public:
   /// `effects_N_per_m`: upper bound of the effects' combined stiffness.

@@ -65,6 +65,7 @@ msg::StationState state_message(const loop::TickSample& sample) {
   state.set_passivity_j(sample.passivity_J);
   state.set_hand_excess_j(sample.hand_excess_J);
   state.set_yields_in_s(sample.yields_in_s);
+  state.set_unmodelled(sample.unmodelled);
   state.set_object_unseen(sample.object_unseen);
   state.set_object_slide_unseen(sample.object_slide_unseen);
   if (sample.workspace_shift != Triple{}) wire::set_vector(*state.mutable_workspace_shift(), sample.workspace_shift);
@@ -88,6 +89,7 @@ msg::StationCompensation compensation_message(const loop::Compensation& compensa
   out.set_damping_n(compensation.damping_N);
   out.set_hand_excess_j(compensation.hand_excess_J);
   out.set_drive_j(compensation.drive_J);
+  out.set_unmodelled(compensation.unmodelled);
   out.set_device_jumps(compensation.device_jumps);
   out.set_hand_jumps(compensation.hand_jumps);
   for (std::size_t i = 0; i < compensation.objects.size(); ++i) {

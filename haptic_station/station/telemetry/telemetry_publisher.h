@@ -32,8 +32,8 @@ class TelemetryPublisher {
   /// Publishes an event.
   void publish_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
-  /// Warns when warm motors are about to lower the force in contact; once until the present force can be held without
-  /// limit of time again.
+  /// Warns when warm motors are about to lower the force in contact. It warns again only after the force has been
+  /// low enough to be held without time limit.
   void watch_heat(SessionTime now);
 
   void frame_received() noexcept { totals_.frame_received(); }

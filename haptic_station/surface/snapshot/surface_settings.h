@@ -30,7 +30,7 @@ struct SurfaceSettings {
 
   // Grid
   int node_step_px = 2;
-  double support_nodes = 2.5;  ///< radius of the weights, in nodes
+  double support_nodes = 2.5;  ///< a node farther than this from the query's pixel has no weight [nodes]
   int fit_radius_px = 8;       ///< half side of the window of each node's quadratic fit
   double gate_m = 0.02;        ///< a node whose tangent plane is farther than this from the query is ignored
   double break_m = 0.015;  ///< depth step between neighbouring pixels, at 1 m, that separates surfaces; grows with z²

@@ -48,9 +48,9 @@ inline constexpr int kRowLead = CellLattice::kCell_px / 2;
 void spread_over_row(const CellLattice& lattice, std::span<const float> coefficients, int row, std::span<float> out);
 
 /// Smoothed coefficients from the means of the cells. Averaging over cells, smoothing and the spline each flatten the
-/// function; together they change it by 17/12 cell² times half its second derivative. The kernel corrects this, so that
-/// a quadratic function is reproduced exactly. The fewer measured pixels a cell has, the more its neighbours weigh. A
-/// cell without any measured neighbour enters with the value 0.
+/// function; together they change it by 17/12 cell² times half its second derivative. The smoothing kernel corrects
+/// this, so that a quadratic function is reproduced exactly. The fewer measured pixels a cell has, the more its
+/// neighbours weigh. A cell without any measured neighbour enters with the value 0.
 [[nodiscard]] std::vector<float> smooth_coefficients(const CellLattice& lattice, std::span<const CellMean> means);
 
 /// The means over the cells of the function with these coefficients.

@@ -11,7 +11,7 @@ struct PixelNoise {
   float scale = 1.0F;  ///< ratio of the measured standard deviation to the noise model's
 };
 
-/// Sums by column over the rows of a cell.
+/// Sums by column over the rows of a cell of 16 × 16 pixels (CellLattice).
 struct ColumnSums {
   float* innovation;  ///< measured minus expected [m]
   float* unit;        ///< |innovation| / sigma of the noise model, without PixelNoise::scale
@@ -19,8 +19,8 @@ struct ColumnSums {
   float* count;
 };
 
-/// Adds the innovations of one row, `seen` − (`average` + `change`), at the pixels where `seen` and `average` are known
-/// (not 0) and the innovation is at most 10 sigma.
+/// Adds the innovations of one row, `seen` − (`average` + `change`, the predicted change of depth), at the pixels where
+/// `seen` and `average` are known (not 0) and the innovation is at most 10 sigma.
 void observe_row(const float* seen, const float* average, const float* change, int width, PixelNoise noise,
                  const ColumnSums& sums) noexcept;
 
@@ -30,15 +30,16 @@ struct AverageRow {
   float* frames;   ///< number of frames in the average
 };
 
-/// Sums by column over the rows of a patch.
+/// Sums by column over the rows of a patch of 4 × 4 pixels.
 struct LeanSums {
   float* lean;   ///< sum of residuals, each scaled to unit variance under noise alone
   float* count;  ///< number of residuals
 };
 
-/// Adds the change of depth `moved` to the average and updates it with `seen`. A residual is `seen` minus (average +
-/// `expected`), where `expected` is the change of depth with the whole innovation of the cell: the motion of a whole
-/// cell is then no residual of its pixels.
+/// Adds to the average the cell's filtered change of depth, `moved`, then updates it with `seen`; the average
+/// counts at most `memory_frames` frames. Adds the residuals, `seen` minus (average + `expected`), to `leans`.
+/// `expected` is the cell's unfiltered change of depth, so that a motion of the whole cell causes no residual in its
+/// pixels.
 void update_row(const float* seen, const float* moved, const float* expected, int width, PixelNoise noise,
                 float memory_frames, const AverageRow& average, const LeanSums& leans) noexcept;
 

@@ -195,6 +195,7 @@ MotionModel MotionField::model() const noexcept {
   model.acceleration = blended(shared_.acceleration_share());
   model.linear_fade_s = kVelocityFade_s;
   model.spread_m_per_s = 0.5 * miss_m_ / frame_s_;
+  model.unmodelled = shared_.unmodelled();
   return model;
 }
 

@@ -39,16 +39,16 @@ class MotionField {
   /// change() plus the whole innovation, noise included, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& expected() const noexcept { return expected_; }
 
-  /// Predicted motion of depth after the last frame: spline coefficients of each of MotionTerms.
+  /// Predicted motion of depth after the last frame: for each cell, the spline coefficient of each of MotionTerms.
   [[nodiscard]] const std::vector<MotionTerms>& terms() const noexcept { return terms_; }
   [[nodiscard]] MotionModel model() const noexcept;
 
  private:
   struct Cell {
-    double velocity_m_per_s = 0.0;  ///< beyond the cell's share of the shared motion
+    double velocity_m_per_s = 0.0;  ///< beyond the cell's share of the motion common to the body (SharedMotion)
     double energy = 0.0;  ///< running mean of the squared velocity; sets this cell's weight in the breathing model
     double frames = 0.0;
-    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation beyond the shared part: the filter's lag
+    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation minus SharedMotion's; 0: no lag
   };
 
   void update_moving(const std::vector<CellInnovation>& seen);

@@ -28,6 +28,7 @@ constexpr double kPaceOver_s = 10.0;
 constexpr double kPaceAhead_s = 0.1;  // an acceleration counts as the speed that it adds in this time
 constexpr double kUnusual = 4.0;      // ratio to the mean pace; a breath's largest pace is about twice its mean
 constexpr double kLeastUnusual_m_per_s = 0.02;  // a patient at rest does not breathe faster
+constexpr double kUnmodelledFor_s = 1.0;        // so that a display can show what lasts a few frames
 constexpr double kLately_s = 0.5;
 constexpr double kLateDoubt_m2 = 1e-4;  // prior of (10 mm)²: a shorter shift ends before its speed is used
 
@@ -111,6 +112,7 @@ void SharedMotion::correct(std::span<const SharedInnovation> seen, double dt_s) 
   innovation_m_ = corrected_m_ = 0.0;
   if (!estimate.agreed) {
     *this = SharedMotion(share_.size());
+    unmodelled_ = 1.0;
     return;
   }
   innovation_m_ = estimate.m;
@@ -136,6 +138,7 @@ void SharedMotion::judge_pace(double dt_s) noexcept {
   const double unusual = std::max(kLeastUnusual_m_per_s, kUnusual * mean_pace_m_per_s_);
   const double ratio2 = pace * pace / (unusual * unusual);
   usual_ = 1.0 / (1.0 + ratio2 * ratio2);
+  unmodelled_ = std::max(1.0 - usual_, unmodelled_ - dt_s / kUnmodelledFor_s);
   mean_pace_m_per_s_ += std::min(1.0, dt_s / kPaceOver_s) * (std::min(pace, unusual) - mean_pace_m_per_s_);
 }
 

@@ -54,6 +54,8 @@ class SharedMotion {
   /// most the one learned over the last half second, and the weight of the acceleration is 0.
   [[nodiscard]] ForesightShare speed_share() const noexcept;
   [[nodiscard]] ForesightShare acceleration_share() const noexcept;
+  /// 1 while the motion is much faster than usual, or not shared by the whole body; then it falls to 0 within a second.
+  [[nodiscard]] double unmodelled() const noexcept { return unmodelled_; }
 
  private:
   struct Moments {
@@ -102,6 +104,7 @@ class SharedMotion {
   double lean_m_ = 0.0;           ///< running mean of the innovations
   double mean_pace_m_per_s_ = 0;  ///< running mean of |speed| + 0.1 s · |acceleration|
   double usual_ = 1.0;            ///< 1 while the body moves as fast as in the last seconds, 0 while much faster
+  double unmodelled_ = 0.0;
   std::deque<Past> past_;
   std::array<Judge, kForesightAges_s.size()> judges_;
 };

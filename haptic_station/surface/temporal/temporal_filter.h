@@ -8,9 +8,9 @@ namespace telepalp::surface {
 
 /// Averages the depth of each pixel over frames. The average moves with the pixel's cell in MotionField, so that
 /// breathing does not smear it. Any other motion gives a patch of 4 × 4 pixels residuals of one sign; the average of
-/// that patch then keeps the weight of at most four frames. Latency: none for motion that MotionField models. Another
-/// step is detected after two to four frames. A step too small to detect (below about 0.65 sigma of a pixel's noise)
-/// fades with the memory of the average.
+/// that patch then counts as at most four frames. Latency: none for motion that MotionField models. A step in depth
+/// that it does not model is detected after two to four frames. A step too small to detect (below about 0.65 sigma of a
+/// pixel's noise) fades with the memory of the average.
 class TemporalFilter {
  public:
   TemporalFilter(int width, int height, const SurfaceSettings& settings);
@@ -30,9 +30,10 @@ class TemporalFilter {
 
   DepthField average_;
   MotionField motion_;
-  std::vector<float> moved_at_;     ///< MotionField::change() or moved() over a row, padded for spread_over_row()
-  std::vector<float> expected_at_;  ///< MotionField::expected() over one row, padded alike
-  std::vector<float> sums_;         ///< four rows of ColumnSums of a cell, or two of LeanSums of a patch
+  std::vector<float>
+      moved_at_;  ///< scratch, one row of pixels [m]: change of depth, as MotionField predicts or estimates it
+  std::vector<float> expected_at_;  ///< scratch, the same row [m]: change of depth with the whole innovation
+  std::vector<float> sums_;  ///< scratch: sums over the rows of a cell or of a patch, for each column (filter_rows.h)
   std::vector<CellInnovation> seen_;
   std::vector<float> patch_mean_;  ///< running mean of the residuals of each patch
   float memory_frames_;
@@ -43,8 +44,8 @@ class TemporalFilter {
 };
 
 /// Fills an unmeasured pixel if its four neighbours are measured and there is no depth break between them, with the
-/// harmonic mean of their depths. Without this, flickering pixels would force the fit of their window onto its slow
-/// path.
+/// harmonic mean of their depths. Without this, flickering pixels would force fit_nodes() to use its slow path, the fit
+/// of a window with holes.
 void fill_pinholes(DepthField& depth, double break_at_1m);
 
 }  // namespace telepalp::surface

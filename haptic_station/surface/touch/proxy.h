@@ -16,7 +16,8 @@ struct ConstraintPlane {
 [[nodiscard]] Eigen::Vector3d goal_on_plane(const Eigen::Vector3d& device, const ConstraintPlane& plane) noexcept;
 
 /// The point nearest to `device` that two constraint planes allow. It lies on no plane, on one plane, or, in a crease,
-/// on the line where both planes meet. Of two nearly parallel planes, only the one with the device deeper below counts.
+/// on the line where both planes meet. Of two nearly parallel planes, only the one below which the device is deeper
+/// counts.
 [[nodiscard]] Eigen::Vector3d goal_in_crease(const Eigen::Vector3d& device, const ConstraintPlane& first,
                                              const ConstraintPlane& second) noexcept;
 

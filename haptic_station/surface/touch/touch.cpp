@@ -304,6 +304,7 @@ Displaced Touch::displaced() const noexcept {
 TouchSample Touch::answer(const Vector3d& device) const noexcept {
   TouchSample out;
   out.age_s = age_s();
+  out.unmodelled = snapshot_->motion.unmodelled;
   out.proxy.m = device;
   out.foot.m = device;
   out.valid = has_foot_ && held_ > 0.0;

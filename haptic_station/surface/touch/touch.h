@@ -12,8 +12,8 @@ namespace telepalp::surface {
 
 struct TouchSettings {
   FollowLimits follow;
-  int most_iterations = 4;        ///< iterations of the foot in one step; each evaluates the surface at least once
-  double settle_m = 2e-5;         ///< a shorter step of the foot ends the iteration: its error is of second order
+  int most_iterations = 4;        ///< iterations of one search for the foot; each evaluates the surface at least once
+  double settle_m = 2e-5;         ///< a shorter step of the foot ends the search: its error is of second order
   double longest_hop_m = 0.004;   ///< a longer move of the device is divided, into at most 32 parts, to miss no surface
   double deepest_start_m = 0.09;  ///< a device first seen deeper than this is behind the surface, not in the body
   bool gentle_start = true;       ///< a device first seen in the body: the skin is displayed at it and rises from there
@@ -26,18 +26,19 @@ struct TouchSettings {
 /// The result of one step, in the depth camera's frame.
 struct TouchSample {
   bool valid = false;        ///< false: no surface in reach, or a stale one; there is no contact and no distance
-  bool in_body = false;      ///< the device came from outside and is below the displayed surface
+  bool in_body = false;      ///< the device is below the displayed surface, and not behind a rim or a sheet
   Point<DepthCamera> proxy;  ///< in the body: device + support · (foot − device); else: the device. So a spring
                              ///< k·(proxy − device) fades at rims, over holes and with age
   Point<DepthCamera> foot;   ///< the surface point nearest to the device
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, out of the body, at the foot; zero when not valid
   double distance_m = 0.0;                ///< signed distance of the device from the foot; negative in the body
   double surface_velocity_m_per_s = 0.0;  ///< speed of the displayed surface at the foot, along the normal
-  double newest_above_m = 0.0;  ///< height of the newest surface, carried to now, over the displayed one at the foot
+  double newest_above_m = 0.0;  ///< height of the newest surface, predicted to now, over the displayed one at the foot
   double newest_velocity_m_per_s = 0.0;  ///< speed of the newest surface there, along the normal
-  Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< displayed skin where contact began
+  Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< of the displayed skin where contact began
   double uncertainty_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
   double support = 0.0;        ///< displayed share of the contact; 0 where the known surface ends or is stale
+  double unmodelled = 0.0;     ///< MotionModel::unmodelled of the newest snapshot; set even if not valid
   double age_s = 0.0;          ///< time since the snapshot's capture or its adoption, whichever is longer
 };
 
@@ -53,9 +54,10 @@ struct Displaced {
 ///
 /// A device below the displayed surface is in the body. At the start, or after a release, no surface is displayed; then
 /// the newest snapshot decides on which side the device is. If the device is in the body, the skin is first displayed
-/// at the device and rises from there. The side is remembered from step to step: a device that went round a rim, behind
-/// a silhouette or to the back of a thin sheet is behind the visible surface but not in the body. Owner: the haptic
-/// thread. step() and adopt() neither allocate, lock, throw nor call the system, if the snapshot is realtime_safe().
+/// at the device and rises from there (TouchSettings::gentle_start). The side is remembered from step to step: a device
+/// that went round a rim, behind a silhouette or to the back of a thin sheet is behind the visible surface but not in
+/// the body. Owner: the haptic thread. step() and adopt() neither allocate, lock, throw nor call the system, if the
+/// snapshot is realtime_safe().
 class Touch {
  public:
   explicit Touch(const TouchSettings& settings = {}) noexcept : settings_(settings) {}
@@ -107,7 +109,7 @@ class Touch {
   bool has_foot_ = false;
   bool fresh_foot_ = false;     // the foot was found anew: the newest surface is displayed without a lag
   bool swapped_ = false;        // a new snapshot was adopted and has not been evaluated yet
-  bool was_in_front_ = false;   // at the last step the device was outside: going in from there passes the skin
+  bool was_in_front_ = false;   // at the last step the device was outside, so a device now inside went through the skin
   FieldSample at_foot_;         // sample of the displayed surface at foot_
   double newest_velocity_ = 0;  // speed of the newest surface at foot_ [m/s]
   Eigen::Vector3d foot_ = Eigen::Vector3d::Zero();

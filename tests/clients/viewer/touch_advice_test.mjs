@@ -31,9 +31,15 @@ test('without a hand the page says how to hold one; with one, or without a stati
 });
 
 test('an inner object that is not followed is told of, after all that matters more', () => {
-  const well = {handShown: true, holdsHand: false, untaken: false, objectUnseen: false, objectSlideUnseen: false};
+  const well = {handShown: true, holdsHand: false, untaken: false, objectUnseen: false, objectSlideUnseen: false, unmodelled: false};
   assert.equal(touchAdvice(well), undefined);
   assert.equal(touchAdvice({...well, objectUnseen: true, objectSlideUnseen: true}).title, 'Inner object not seen');
   assert.equal(touchAdvice({...well, objectSlideUnseen: true}).title, 'Sideways motion not seen');
   assert.equal(touchAdvice({...well, objectUnseen: true, handShown: false}).title, 'No hand');
+});
+
+test('a patient who moves unlike before is told of, after the inner objects', () => {
+  const moves = {handShown: true, holdsHand: false, untaken: false, objectUnseen: false, objectSlideUnseen: false, unmodelled: true};
+  assert.equal(touchAdvice(moves).title, 'Patient moves unlike before');
+  assert.equal(touchAdvice({...moves, objectUnseen: true}).title, 'Inner object not seen');
 });

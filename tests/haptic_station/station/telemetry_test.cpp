@@ -124,6 +124,16 @@ TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
   EXPECT_EQ(ticks.surface_age_s_size(), 2);
 }
 
+TEST(StateMessage, TellsThatThePatientMovesUnlikeBefore) {
+  loop::TickSample tick = sample(1, msg::PHASE_IN_BODY, 0.0F);
+  EXPECT_EQ(state_message(tick).unmodelled(), 0.0);
+  tick.unmodelled = 0.75F;
+  EXPECT_EQ(state_message(tick).unmodelled(), 0.75);
+  loop::Compensation compensation;
+  compensation.unmodelled = 0.5;
+  EXPECT_EQ(compensation_message(compensation).unmodelled(), 0.5);
+}
+
 TEST(CompensationMessage, TellsWhereEachObjectInTheBodyIsAndHowWellThatIsKnown) {
   loop::Compensation compensation;
   compensation.objects[2] = {.watched = true,

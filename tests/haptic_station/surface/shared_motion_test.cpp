@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -72,6 +73,18 @@ TEST(SharedMotion, CellsThatMoveByThemselvesHardlyDisturbIt) {
   const SharedMotion motion = followed(breath_m, 10.4, kCells / 10);
   const std::size_t cell = kCells - 1;
   EXPECT_NEAR(motion.share(cell) * motion.speed_m_per_s(), share_of(cell) * breath_m_per_s(10.4), 2e-3);
+}
+
+TEST(SharedMotion, AShiftIsToldAsUnmodelledForASecondAndABreathIsNot) {
+  const auto shifted_m = [](double t) {
+    const double x = std::clamp((t - 12.0) / 0.2, 0.0, 1.0);
+    return breath_m(t) + 0.01 * x * x * (3.0 - 2.0 * x);
+  };
+  for (const double until_s : {6.0, 8.0, 10.0, 11.9})
+    EXPECT_LT(followed(shifted_m, until_s).unmodelled(), 0.3) << until_s;
+  EXPECT_GT(followed(shifted_m, 12.2).unmodelled(), 0.9);
+  EXPECT_GT(followed(shifted_m, 12.6).unmodelled(), 0.5);
+  EXPECT_LT(followed(shifted_m, 14.0).unmodelled(), 0.3);
 }
 
 TEST(SharedMotion, ABreathIsPredictedInFullAndAJerkIsNot) {

@@ -17,6 +17,7 @@ export interface TouchHealth {
   handShown: boolean | undefined;  // undefined: no station sends messages
   holdsHand: boolean;              // "Touch" is on in this page
   untaken: boolean;                // the server reports that no station uses this page's hand
+  unmodelled: boolean;             // the patient has just moved unlike before: the surface is predicted less
   objectUnseen: boolean;           // an object inside the body stays put: the skin above it is not seen
   objectSlideUnseen: boolean;      // an object does not follow the body along its skin
 }
@@ -30,10 +31,17 @@ export function touchAdvice(health: TouchHealth): Banner | undefined {
       title: 'Touch reaches no station',
       text: 'Start the demo with deploy/demo --hand browser, or the station with --tracker browser.',
     };
-  if (handShown !== false) return placementAdvice(health);
+  if (handShown !== false) return placementAdvice(health) ?? motionAdvice(health);
   return holdsHand
       ? {level: 'wait', title: 'Touch', text: 'Move the pointer over the skin; hold the button down to push in.'}
       : {level: 'wait', title: 'No hand', text: 'Press Touch (T) to hold it here, if the station runs with --tracker browser.'};
+}
+
+/** The patient moves in a way that the station's prediction does not know; undefined while it knows. */
+function motionAdvice({unmodelled}: TouchHealth): Banner | undefined {
+  return unmodelled
+      ? {level: 'wait', title: 'Patient moves unlike before', text: 'The force follows the newest image. It may lag behind the patient.'}
+      : undefined;
 }
 
 /** How well the place of the objects inside the body is known; undefined while it is. */
