@@ -51,7 +51,7 @@ struct EncodedDepth {
 /// The header fields of a packet.
 struct DepthPacketInfo {
   DepthMode mode = DepthMode::Fast;
-  std::string_view coding;  ///< "stored", "zstd", "tokens", "contexts" or "dependent"
+  std::string_view coding;  ///< the body's format: "stored", "zstd", "tokens", "contexts", "dependent"
   int width = 0;
   int height = 0;
   double unit_m = 0.001;

@@ -18,7 +18,8 @@ struct Touch {
   Force<DepthCamera> force;   ///< on the doctor's hand
   double indentation_m = 0.0;
   bool in_body = false;
-  std::optional<Eigen::Quaterniond> attitude = {};  ///< rotates HandAvatar's frame; nullopt: lies on the skin
+  /// Rotation from the hand frame (hand_avatar.h) to the depth camera's; nullopt: the hand lies flat on the skin.
+  std::optional<Eigen::Quaterniond> attitude = {};
 };
 
 struct AugmentedView {

@@ -3,9 +3,9 @@
 #include "codec/context/interleaved_slices.h"
 
 // Near-lossless encoding of four slices in lockstep: each pixel may take a range of ranks. The encoder compares two of
-// them, and takes the one that is likelier under the pixel's model, weighted by its use to the next pixels. A rank is
-// the index of a depth in the frame's palette; a gap is a pixel that was not measured. Internal linkage: several
-// instruction sets compile this header (range_coder.h).
+// them by their probability under the pixel's model, halved for each neighbour (east, south) that cannot take the same
+// rank, and takes the likelier one. A rank is the index of a depth in the frame's palette; a gap is a pixel that was
+// not measured. Internal linkage: several instruction sets compile this header (range_coder.h).
 
 namespace telepalp::codec {
 namespace {
@@ -29,8 +29,9 @@ inline RowVector missed(RowVector rank, const RankBounds& bounds, int at) {
   return reinterpret_cast<RowVector>(outside) & 1;
 }
 
-/// Weights of each pixel's least rank (low byte) and greatest rank (high byte), as powers of two by which encode_row()
-/// multiplies their probabilities: 2, less 1 for each neighbour (east, south) that cannot take the same rank.
+/// Weights of each pixel's least rank (low byte) and greatest rank (high byte): exponents of the powers of two by which
+/// encode_row() multiplies their probabilities. A weight is 2, less 1 for each neighbour (east, south) that cannot take
+/// the same rank.
 inline void weigh(const RankBounds& here, const RankBounds& south, uint16_t* weights, int width) {
   for (int i = 0; i < kLanes * width; i += kRowVectorPixels) {
     const auto weight = [&](RowVector rank) { return 2 - missed(rank, here, i + kLanes) - missed(rank, south, i); };

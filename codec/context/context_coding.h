@@ -33,8 +33,9 @@ struct FrameBefore {
   const LevelPalette* palette = nullptr;   ///< of `samples`; nullptr: not known
 };
 
-/// Codes a frame's palette and slices. In near-lossless coding, where each pixel may take a range of ranks,
-/// `frame.ranks` receives the chosen ranks. nullopt: the result would be larger than the raw samples.
+/// Codes a frame's palette (its distinct depths) and its slices. A pixel's rank is the index of its depth in the
+/// palette. In near-lossless coding, where each pixel may take a range of ranks, `frame.ranks` receives the chosen
+/// ranks. nullopt: the result would be larger than the raw samples.
 [[nodiscard]] std::optional<std::string> encode_contexts(RankedFrame& frame, int width, const FrameBefore& before,
                                                          const Slicing& slicing, const ContextKernel& kernel);
 

@@ -24,7 +24,7 @@ inline uint16_t* take_interleaved_rows(uint8_t*& scratch, int width, uint16_t va
   return rows + kLanes * kMargin;
 }
 
-/// before_class() of four slices.
+/// The class that the reference frame gives one pixel, in each of four slices (before_class(), codec/model/contexts.h).
 inline LaneVector before_classes(LaneVector before, LaneVector predicted, LaneVector west_stayed) {
   const LaneVector away = bounded_by_two(before - predicted) + 2;
   return (away + away + 1 - west_stayed) & (before != 0);

@@ -44,9 +44,9 @@ struct RowsAbove {
   const uint16_t* measured = nullptr;
 };
 
-/// Computes, for `count` pixels, the part of the context that the rows above determine, beyond_class() included. Writes
-/// up to fifteen numbers past the end. Horizontal neighbours lie kStride numbers apart: 1 in a plain row, 4 in an
-/// interleaved one.
+/// Computes, for `count` pixels, the part of the context that the rows above determine, with the class of the distant
+/// neighbours (beyond_class() in codec/model/contexts.h). Writes up to fifteen numbers past the end. Horizontal
+/// neighbours lie kStride numbers apart: 1 in a plain row, 4 in an interleaved one.
 template <int kStride>
 inline void classify_above(const RowsAbove& rows, uint32_t* context, int count) {
   for (int i = 0; i < count; i += kRowVectorPixels) {

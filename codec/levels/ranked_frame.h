@@ -7,7 +7,7 @@
 
 namespace telepalp::codec {
 
-/// Ranks of a whole frame, rows from top to bottom; 0 is "not measured".
+/// Ranks (indices in a palette of depths) of a whole frame, rows from top to bottom; 0 is "not measured".
 using Ranks = std::vector<std::uint16_t>;
 
 /// A frame as ranks of a palette; in near-lossless coding, as ranges of ranks.

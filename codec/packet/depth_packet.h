@@ -14,7 +14,8 @@ namespace telepalp::codec {
 /// The largest number of samples in an image. It bounds every allocation made for a packet.
 inline constexpr std::size_t kMaxPixels = std::size_t{kMaxImageSide} * kMaxImageSide;
 
-/// The format of a packet's body. The encoder chooses it for each frame.
+/// The format of a packet's body. The encoder chooses it for each frame. A rank is the index of a pixel's depth in the
+/// palette, the list of the frame's distinct depths.
 enum class Coding : std::uint8_t {
   Stored = 0,     ///< raw samples, when no other coding is smaller
   Zstd = 1,       ///< raw samples, compressed by zstd

@@ -30,7 +30,7 @@ inline Numbers pick(LaneVector mask, Numbers yes, Numbers no) {
 
 inline LaneVector bounded_by_two(LaneVector value) { return greatest(least(value, splat(2)), splat(-2)); }
 
-/// predict() for four pixels.
+/// The median edge detector of LOCO-I for four pixels, as predict() in codec/model/contexts.h.
 inline LaneVector predict(LaneVector west, LaneVector north, LaneVector north_west) {
   return greatest(least(west + north - north_west, greatest(west, north)), least(west, north));
 }

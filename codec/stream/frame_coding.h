@@ -34,7 +34,7 @@ struct CodedFrame {
 };
 
 /// Codes `depth` near-losslessly: each pixel moves, within its bound, to a depth that costs few bits. `palette`: of
-/// `depth`; `reconstruction` as for within_bounds().
+/// `depth`. `reconstruction`: the depths to which pixels may move (codec/bounded/reconstruction.h).
 [[nodiscard]] CodedFrame code_bounded(const DepthImage& depth, const LevelPalette& palette,
                                       ReconstructionLevels& reconstruction, const Reference& reference);
 

@@ -20,7 +20,7 @@ struct PixelSymbol {
 
 /// Calls `visit(PixelSymbol)` for each pixel of a band, with the context and the symbol that the coder uses. It is
 /// simple and slow. The training of the tables uses it, and tests compare the fast kernels with it. `before`: the same
-/// band of the reference frame, in ranks of this frame; empty without a reference frame.
+/// band of the reference frame, as ranks (palette indices) of this frame; empty without a reference frame.
 template <class Visit>
 void for_each_symbol(std::span<const std::uint16_t> ranks, std::span<const std::uint16_t> before, int width,
                      Visit visit) {

@@ -22,7 +22,7 @@ struct Specimen {
 };
 /// Tissue under the examining hand.
 struct TissueUnderHand {
-  double contact_diameter_m = 0.03;  ///< contact area of two or three fingertips
+  double contact_diameter_m = 0.03;  ///< diameter of the contact of two or three fingertips
   double thickness_m = 0.06;
 };
 
@@ -39,7 +39,8 @@ struct TissueFit {
 
 /// Least-squares fit of the force k(d) d, with the stiffness k of SkinLaw at compression d, to the samples, with
 /// coefficients >= 0.
-/// Error: fewer than four samples, only zero loads, or a number that is not finite.
+/// Error: fewer than four or over a million samples, no load above zero, a load that falls with depth, or a number that
+/// is not finite.
 [[nodiscard]] Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples);
 
 /// Reads `compression_mm,load_N` rows after one header row. Error: a damaged row, reported with its line.

@@ -16,7 +16,7 @@ namespace telepalp::control {
 
 /// The controller of an encountered-type device (paper S1 II.D, docs/sources.md). The end-effector waits on a plane
 /// above the body, under the free hand. In contact it displays the force of the skin. The force does not jump when a
-/// contact begins or ends. The output depends only on the inputs since construction. Real-time safe. Owner: control
+/// contact begins or ends. The output depends only on the inputs since construction. Real-time safe. Owner: haptic
 /// thread.
 class EncounteredController {
  public:
@@ -59,7 +59,7 @@ class EncounteredController {
   DisplayedHand displayed_hand_;
   ForceLimiter limiter_;
   HeatWarning heat_warning_;
-  Point<HapticBase> target_;  ///< the target p_t of S1 eq. (5) at the last tick; the end-effector, except in Out body
+  Point<HapticBase> target_;  ///< in Out body: the target p_t of S1 eq. (5) at the last tick; else: the end-effector
 };
 
 }  // namespace telepalp::control

@@ -32,7 +32,7 @@ struct Intention {
 };
 
 /// A simulated device held by a simulated hand. The two masses and all springs between them are stepped together by
-/// a linearly implicit scheme: stable at 2 kHz for every stiffness. Pure. Owner: control thread.
+/// a linearly implicit scheme: stable at 2 kHz for every stiffness. Pure. Owner: haptic thread.
 class SimulatedPair {
  public:
   SimulatedPair(const SimulatedDeviceSettings& device, const SimulatedHandSettings& hand) noexcept

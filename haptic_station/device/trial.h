@@ -34,7 +34,7 @@ enum class Trial {
 [[nodiscard]] double duration_s(Trial trial) noexcept;
 
 /// A simulated person who repeats a trial. The person estimates the skin's height from the contact of the end-effector
-/// with a slow filter, so that breathing does not move the intended position. Pure. Owner: control thread.
+/// with a slow filter, so that breathing does not move the intended position. Pure. Owner: haptic thread.
 class ScriptedIntention {
  public:
   /// `center`: the point on the skin at which the trial's x and z are zero.

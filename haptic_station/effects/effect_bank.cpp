@@ -5,7 +5,7 @@
 namespace telepalp::effects {
 namespace {
 
-/// std::visit may throw, and the control thread must not; std::get_if never throws.
+/// std::visit may throw, and the haptic thread must not; std::get_if never throws.
 template <std::size_t I = 0, class Effect, class Do>
 auto with(Effect& effect, Do&& act) noexcept {
   if constexpr (I + 1 < std::variant_size_v<std::remove_const_t<Effect>>) {

@@ -27,7 +27,7 @@ struct EffectBill {
   std::uint64_t largest = 0;
 };
 
-/// The effects of a scene, in the order of the scene file. Owner: control thread.
+/// The effects of a scene, in the order of the scene file. Owner: haptic thread.
 class EffectBank {
  public:
   static constexpr std::size_t kMostEffects = effects::kMostEffects;
@@ -52,12 +52,13 @@ class EffectBank {
   [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
   /// Upper bound of the combined stiffness of all effects, at forces up to `most_N`.
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;
-  [[nodiscard]] ObjectTouch touch() const noexcept;  ///< the greatest over all objects inside the body
+  [[nodiscard]] ObjectTouch touch() const noexcept;  ///< the closest of all objects: None, Near, Lateral or Upper
   [[nodiscard]] const Skin* skin() const noexcept;   ///< the first skin effect; nullptr without a skin
   /// The indentation of skin(), paper S1 (docs/sources.md) eq. (8) [m]; zero without a skin.
   [[nodiscard]] Vector<HapticBase> indentation() const noexcept;
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
-  /// The name of a layer, or of the effect's kind. Valid as long as the effect.
+  /// The name that the scene gives to a layer of solids; for other effects, the name of their kind. Valid as long as
+  /// the effect.
   [[nodiscard]] static const char* name(const Effect& effect) noexcept;
 
  private:

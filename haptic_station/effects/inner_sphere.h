@@ -13,9 +13,10 @@ struct InnerSphereSettings {
 };
 
 /// A sphere inside the body (paper S1, docs/sources.md, II.D): F = k (r - |x - c|), outwards, with stiffness k, radius
-/// r, centre c and the proxy x of EntrySide. A hand that has passed the centre feels a sideways force only. Within r /
-/// 10 of the centre the force falls to zero, because it has no direction there. touch() is Upper when the sphere is
-/// pressed from within 45 degrees of the upward vertical.
+/// r and centre c. The proxy x stays on the side of the sphere on which the hand entered (entry_side.h). Once the hand
+/// has passed the centre, the force has no component along the direction of entry, so the sphere never pulls the hand
+/// out at its far side. Within r / 10 of the centre the force falls to zero, because it has no direction there. touch()
+/// is Upper when the sphere is pressed from within 45 degrees of the upward vertical.
 class InnerSphere {
  public:
   static constexpr const char* kName = "sphere";

@@ -38,7 +38,7 @@ class Skin {
 
  private:
   Settings settings_;
-  Point<HapticBase> first_contact_;  ///< S1's p_p^0
+  Point<HapticBase> first_contact_;  ///< S1's p_p^0: proxy at the start of the contact
   Vector<HapticBase> first_normal_;
   double rise_m_ = 0.0;  ///< how far the skin at the first contact point has risen along its normal since contact
   Vector<HapticBase> indentation_;  ///< S1's d, eq. (8)

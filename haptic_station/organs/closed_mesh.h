@@ -15,8 +15,10 @@ struct ClosedFace {
   Eigen::Vector3d normal;
 };
 
-/// The faces of a closed mesh with outward normals. Vertices at equal positions are merged; faces without area are
-/// dropped. Error: an edge belongs to one face only, so inside and outside are undefined.
+/// The faces of a closed mesh with outward normals; a mesh whose faces all look inwards is turned inside out. Vertices
+/// at equal positions are merged; triangles that lose a corner by this are dropped. Error: an edge does not have
+/// equally many faces in both directions, so inside and outside are undefined; no face, no volume, or a corner that is
+/// not finite.
 [[nodiscard]] Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh);
 
 /// The point of a face nearest to a query, with the pseudo-normal there; its scalar product with the vector to the

@@ -6,7 +6,7 @@ namespace telepalp::ports {
 
 /// The contact of the device point with the surface at one tick. The haptic loop fills it from `surface::Touch`. The
 /// controller and the effects learn of the surface only through this value. The displayed surface is the one that the
-/// hand feels: the newest measured surface, carried to now, with a gradual change from the one before.
+/// hand feels: the newest measured surface, predicted to now. It changes gradually when a newer surface arrives.
 struct SurfaceContact {
   Point<HapticBase> proxy;    ///< the device point outside the body, else the point on the surface that holds it
   Vector<HapticBase> normal;  ///< unit normal of the surface at the proxy, out of the body
@@ -14,8 +14,8 @@ struct SurfaceContact {
   bool in_body = false;       ///< the device point is in the body; i_b of paper S1 (docs/sources.md)
   bool valid = false;         ///< false: no surface near the device point, and only age_s has a meaning
   double surface_speed_m_per_s = 0.0;  ///< of the displayed surface along the normal; continuous
-  /// 1 well inside the known surface, 0 where it ends or is stale. It already scales the distance from the device point
-  /// to `proxy`.
+  /// 1 well inside the known surface, 0 where it ends or is stale. The distance from the device point to `proxy` is
+  /// already multiplied by it.
   double support = 1.0;
   double measured_above_m = 0.0;         ///< height of the newest measured surface over the displayed one
   double measured_speed_m_per_s = 0.0;   ///< speed of the measured surface along the normal

@@ -23,14 +23,14 @@ struct ProbedSurface {
 struct CloudOptions {
   double unit_m = 1.0;        ///< metres for one unit of the file
   std::size_t samples = 0;    ///< number of points sampled from a mesh; 0: `spacing_m` decides
-  double spacing_m = 0.0;     ///< between a mesh's samples; 0: its area and smallest features decide
+  double spacing_m = 0.0;     ///< between a mesh's samples; 0: reduced until the surface fits the mesh
   bool flip_normals = false;  ///< reverse the normals of a mesh or an unorganised cloud
   bool anyway = false;        ///< accept too coarse samples, a too noisy cloud or contradicting normals
 };
 
-/// Opens a cloud or mesh file. An organised cloud from a pinhole camera is converted to a depth image's lattice; any
-/// other is a point-set surface. Error: no finite point, all points at one place or on one line, or coordinates that
-/// cannot be metres.
+/// Opens a cloud or mesh file. With Method::Grid, an organised cloud from a pinhole camera is converted to a depth
+/// image's lattice; any other is a point-set surface. Error: no finite point, all points at one place or on one line,
+/// or coordinates that cannot be metres.
 [[nodiscard]] Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudOptions& options,
                                                const surface::SurfaceSettings& settings);
 

@@ -16,7 +16,7 @@ struct Waypoint {
 };
 
 /// Reads lines `t_s,x,y,z`, with or without that header line. Error: a time that decreases or is not a number, reported
-/// with its line. A position that is not a number is kept, to test that touch() survives it.
+/// with its line. A position that is not a number is kept, to test that touch_along() survives it.
 [[nodiscard]] Result<std::vector<Waypoint>> read_trajectory(const std::filesystem::path& file);
 [[nodiscard]] Result<std::vector<Waypoint>> parse_trajectory(std::string_view text, const std::string& name);
 

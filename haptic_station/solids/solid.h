@@ -37,7 +37,7 @@ enum class Op : std::uint8_t {
   Scale,
 };
 
-/// What a number of a word means. The allowed range of the number depends on it.
+/// What a number after a word of the text stands for. The allowed range of the number depends on it.
 enum class Unit : std::uint8_t { Coordinate, Length, Direction, Degrees, Factor };
 
 struct NumberKind {
@@ -62,7 +62,7 @@ struct Node {
   std::size_t word = 0;
   std::array<double, 7> numbers{};
   std::string file{};
-  std::shared_ptr<const DistanceLattice> lattice{};  // shared: expressions and trees keep it alive
+  std::shared_ptr<const DistanceLattice> lattice{};  // shared: solids and trees keep it alive
 
   [[nodiscard]] const Word& kind() const noexcept { return words()[word]; }
   [[nodiscard]] bool operator==(const Node& other) const noexcept {

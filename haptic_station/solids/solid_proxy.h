@@ -17,11 +17,11 @@ struct ProxyAt {
 
 /// The proxy (god-object) of a solid: the point outside the solid that follows the device and stops at the surface. A
 /// spring from device to proxy is an inner layer of paper S2 (docs/sources.md). Up to three tangent planes hold the
-/// proxy, at most one for each part (shape or blend) of the solid, so that it rests in a crease between two ribs. A
-/// fast device is swept from the last proxy on, so a thin wall stops it and keeps it on the side from which it came. A
-/// device that is outside and more than kTorn_m from its proxy was pushed right through: the proxy is put on it again,
-/// which takes the spring's energy out. While the device rests, the proxy lies on the surface within 1e-6 m. Sources:
-/// S2 III.A; Zilles and Salisbury 1995; Salisbury and Tarr 1997. Owner: the haptic thread. Nothing allocates.
+/// proxy, at most one for each part (shape, blend or clip) of the solid, so that it rests in a crease between two ribs.
+/// A fast device is swept from the last proxy on, so a thin wall stops it and keeps it on the side from which it came.
+/// A device that is outside and more than kTorn_m from its proxy was pushed right through: the proxy jumps to the
+/// device, which discards the spring's energy. While the device rests, the proxy lies on the surface within 1e-6 m.
+/// Sources: S2 III.A; Zilles and Salisbury 1995; Salisbury and Tarr 1997. Owner: the haptic thread. Nothing allocates.
 class SolidProxy {
  public:
   static constexpr double kTorn_m = 0.03;  ///< a spring of 800 N/m has 24 N there, beyond what a device gives
@@ -39,7 +39,7 @@ class SolidProxy {
   static constexpr int kMostSweeps = 32;
   static constexpr double kStride_m = 0.001;  ///< largest move of the proxy in one of the kRounds iterations
   static constexpr double kOn_m = 1e-6;       ///< the proxy is on the surface within this distance
-  static constexpr double kFlat = 0.1;        ///< a shorter gradient is a tie of opposite sides and gives no plane
+  static constexpr double kFlat = 0.1;        ///< a shorter gradient gives no plane: opposite sides are equally near
 
   struct Plane {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();

@@ -22,15 +22,15 @@ struct Box {
   }
 };
 
-/// Where the value of a solid is the distance to its surface; Bound: not guaranteed anywhere. Elsewhere its sign is
-/// right and its size is at most the distance.
+/// Where the value of a solid is the distance to its surface; Bound: guaranteed nowhere. Where it is not guaranteed,
+/// the value has the right sign and is at most the distance in size.
 enum class Exactness : std::uint8_t { Everywhere, Outside, Bound };
 
 /// Value of a solid at a point.
 struct SolidAt {
   double m;                  ///< negative inside; see Exactness
   Eigen::Vector3d gradient;  ///< of `m`; its length is at most SolidTree::steepest, and 0 where opposite parts tie
-  std::uint32_t part;        ///< node of the shape or blend that gives `m`; on ties the first; kNothing: a box gives it
+  std::uint32_t part;        ///< node of the shape, blend or clip that gives `m`, first of ties; kNothing: a box does
 };
 
 /// A node that can be evaluated. Its placement maps its own frame to the frame of the operator that contains it:
@@ -85,8 +85,9 @@ struct SolidTree {
 /// Value and exact gradient at a point, in the solid's frame. A part is skipped if its box shows that it cannot give
 /// the value; the cost of a union of separated solids grows with the logarithm of their number. On an exact tie the
 /// gradient is the mean of the tied parts' gradients, in any order of the operands. A point that is not finite is
-/// infinitely far outside. Real-time safe. Sources: constructive solid geometry by minimum and maximum, S2 III.A; a
-/// blend is the quadratic smooth minimum, whose value is lower by at most a quarter of its width.
+/// infinitely far outside. Real-time safe. Sources: constructive solid geometry by minimum and maximum, paper S2
+/// (docs/sources.md) III.A; a blend is the quadratic smooth minimum, whose value is lower by at most a quarter of its
+/// width.
 [[nodiscard]] SolidAt solid_at(const SolidTree& tree, const Eigen::Vector3d& point_m) noexcept;
 
 }  // namespace telepalp::solids

@@ -96,7 +96,7 @@ class Station {
   std::optional<Error> failure_;
   std::set<std::string> said_of_trying_;
   std::string not_connected_because_;
-  std::string depth_;                                               // depth mode that was logged last
+  std::string depth_;  // description of the depth's fidelity that was logged last
   double clock_error_s_ = std::numeric_limits<double>::infinity();  // bound on the error of the session clock
   ImageAges ages_;
 
@@ -109,7 +109,7 @@ class Station {
   std::unique_ptr<ports::Rig> rig_;                               // owner: haptic thread, once it runs
   std::optional<tracking::ViewerHandTracker::Taken> hand_taken_;  // last result that was logged for a viewer's hand
   tracking::ViewerHandTracker*
-      viewer_hand_tracker_;  // the tracker in rig_, or nullptr; hear() is called on this thread
+      viewer_hand_tracker_;  // the tracker in rig_, or nullptr; its hear() is called on the network thread
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // known from the first image on
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;

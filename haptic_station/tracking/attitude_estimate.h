@@ -10,13 +10,13 @@ namespace telepalp::tracking {
 /// The hand's attitude (paper S1, docs/sources.md, eq. 1), predicted from samples at about 100 Hz. The rotations from
 /// sample to sample add up to a path of rotation vectors in the hand's own frame. HandEstimate, the filter of the
 /// position, filters this path, with radians in place of metres, and so learns the noise, the angular velocity and the
-/// persistence of that velocity. No allocation. Owner: control thread.
+/// persistence of that velocity. No allocation. Owner: haptic thread.
 class AttitudeEstimate {
  public:
   AttitudeEstimate() noexcept;
 
   /// Adds a sample: the rotation from the hand's axes (hand_axes.h) to the haptic base's frame. It need not be
-  /// normalised. A sample of zero length counts as not finite.
+  /// normalised. A quaternion shorter than 0.1 counts as not finite.
   Taken update(SessionTime at, const Eigen::Quaterniond& attitude) noexcept;
   /// Discards all samples.
   void forget() noexcept;

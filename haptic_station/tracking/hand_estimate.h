@@ -34,14 +34,14 @@ struct HandPrediction {
 /// How update() handled a sample.
 enum class Taken { Used, Restarted, NotFinite, OutOfOrder, Jump };
 
-/// Adaptive Kalman filter over hand or proxy samples at about 100 Hz, predicted at 2 kHz (paper S1, docs/sources.md,
+/// Adaptive Kalman filter over samples of the hand at about 100 Hz, predicted at 2 kHz (paper S1, docs/sources.md,
 /// II.D). The measurement noise follows from the samples (SampleNoise), the process noise from the newest innovations,
 /// and the velocity's time constant from the recent movements (VelocityPersistence). With a tracker that smooths its
-/// samples the filter becomes the straight line through the last two samples, shortened by that time constant; with a
-/// noisy tracker it averages. It uses the time stamp of each sample, so jitter, gaps and bursts cause no model error.
-/// The restart after a gap bounds its covariance. A sample that implies an impossible speed is rejected, and the
-/// estimate continues from the accepted ones. Axes are independent and share one covariance. No allocation. Owner:
-/// control thread.
+/// samples, the filter extrapolates the straight line through the last two samples, at a velocity that decays with that
+/// time constant; with a noisy tracker it averages. It uses the time stamp of each sample, so jitter, gaps and bursts
+/// cause no model error. The restart after a gap bounds its covariance. A sample that implies an impossible speed is
+/// rejected, and the estimate continues from the accepted ones. Axes are independent and share one covariance. No
+/// allocation. Owner: haptic thread.
 class HandEstimate {
  public:
   explicit HandEstimate(const HandEstimateSettings& settings = {}) noexcept

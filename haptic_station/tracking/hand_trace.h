@@ -24,7 +24,7 @@ struct TraceSample {
 /// A recorded hand, in time order, at least two samples.
 struct HandTrace {
   std::vector<TraceSample> samples;
-  std::size_t skipped = 0;  ///< number of invalid rows, which are left out
+  std::size_t skipped = 0;  ///< number of rows left out: invalid, out of time order, or of another hand
 };
 
 /// Reads a trace as CSV with a header row. Columns may be in any order; unknown ones are ignored. Required:
@@ -37,8 +37,8 @@ struct HandTrace {
 [[nodiscard]] Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name);
 
 /// A simulated person who repeats a recorded movement, alternately forwards and backwards, so that the path is
-/// continuous. `haptic_from_tracker` turns the movement into the haptic base's frame H; it is then shifted so that its
-/// lowest point lies `depth_m` below `skin`.
+/// continuous. `haptic_from_tracker` transforms the movement to the haptic base's frame H. The movement is then shifted
+/// so that its mean position is above or below `skin` and its lowest point is `depth_m` lower than `skin`.
 class RecordedIntention {
  public:
   RecordedIntention(const HandTrace& trace, const Transform<HapticBase, HandTracker>& haptic_from_tracker,

@@ -21,7 +21,7 @@ struct BlindSearchOutcome {
   bool found = false;            ///< the person reports a hidden object
   Point<HapticBase> where;       ///< where the person reports it: the stiffest place, on the skin
   Point<HapticBase> cylinder;    ///< true position; meaningless without a cylinder
-  int places_unfelt = 0;         ///< number of places where the hand was deep in the true skin without a contact
+  int places_unfelt = 0;         ///< number of places where the hand never felt the skin when 25 mm deep in it
   double strongest_ratio = 0.0;  ///< perceived stiffness at the stiffest place / at the median place
 };
 

@@ -15,8 +15,8 @@ namespace telepalp::keys {
 /// The validity of a key begins this long before its creation, because the clocks of two machines differ.
 inline constexpr std::chrono::hours kBackdated{1};
 
-/// Issues the keys of one site, and revokes them. Its own file never leaves the machine on which keys are made. Each of
-/// server_key(), client_key() and token() returns the text of a key file (key_file.h).
+/// Issues the keys of one site, and revokes them. The authority's file never leaves the machine that makes the keys.
+/// Each of server_key(), client_key() and token() returns the text of a key file (key_file.h).
 class Authority {
  public:
   struct Issue {

@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxKeyFileBytes = 64 * 1024;
 inline constexpr std::string_view kTokenLine = "token: ";
 
 /// A file that a person carries. It begins with a line that describes it to people. Then come either a certificate and
-/// its private key (PEM), or a token; and last the certificate of the authority, which verifies the other end.
+/// its private key (PEM), or a token; and last the certificate of the authority, against which the peer's is checked.
 struct KeyFile {
   enum class Kind { Server, Client, Token };
 

@@ -115,7 +115,9 @@ Error openssl_error(std::string where) {
   char text[160] = "";
   ERR_error_string_n(ERR_get_error(), text, sizeof text);
   ERR_clear_error();
-  return {.what = "OpenSSL failed: " + std::string(text), .where = std::move(where), .fix = "see `openssl version`"};
+  return {.what = "OpenSSL failed: " + std::string(text),
+          .where = std::move(where),
+          .fix = "check that the key files are whole; `openssl version` must name 3.0 or later"};
 }
 
 }  // namespace telepalp::keys

@@ -12,8 +12,8 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 
-/// How much of a message one system call may send: all of it. Asio's own condition gives at most 64 KiB to a call, which
-/// doubles the calls for an image.
+/// How much of a message one system call may send: all of it. Asio's own condition gives at most 64 KiB to a call,
+/// which doubles the calls for an image.
 std::size_t all_at_once(const boost::system::error_code& failed, std::size_t) {
   return failed ? 0 : std::numeric_limits<std::size_t>::max();
 }

@@ -46,8 +46,8 @@ class ByteStream {
   [[nodiscard]] virtual std::optional<Error> refusal(const boost::system::error_code& failed);
 };
 
-/// A stream over plain TCP. Nagle's algorithm is off, and the kernel's send buffer is small: a message that waits in
-/// the kernel cannot be replaced by a newer one.
+/// A stream over plain TCP. Nagle's algorithm is off, and the kernel holds about 128 KiB of unsent bytes at most: a
+/// message that waits in the kernel cannot be replaced by a newer one.
 [[nodiscard]] std::unique_ptr<ByteStream> plain_tcp(boost::asio::ip::tcp::socket socket);
 
 }  // namespace telepalp::wire

@@ -67,7 +67,7 @@ class ClientLink : private ConnectionOwner {
   };
   struct Counts {
     std::uint64_t connections = 0;  ///< number of times that the state became Connected
-    std::uint64_t published = 0;    ///< messages written to the socket
+    std::uint64_t published = 0;    ///< messages passed to the TCP or UDP socket
     std::uint64_t not_sent = 0;     ///< messages dropped from the queue or published without a connection
   };
 
@@ -170,8 +170,8 @@ class ClientLink : private ConnectionOwner {
   boost::asio::steady_timer probe_;
   std::chrono::milliseconds back_off_;
   ClockSync clock_sync_;
-  std::atomic<std::int64_t> offset_target_ns_;           // target of a SlewedOffset; stored after the line
-  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // its line; loaded after the target, by any thread
+  std::atomic<std::int64_t> offset_target_ns_;           // SlewedOffset::target (clock_sync.h); stored last
+  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // SlewedOffset::line_at_zero; any thread loads it last
   bool accepts_once_ = false;                            // accept_touch() was called, and no connection came since
   bool hands_over_ = false;                              // the server's answer to hand_over() has not come
   int probes_ = 0;                                       // number of clock probes sent on this connection

@@ -9,7 +9,8 @@
 
 namespace telepalp::wire {
 
-/// The four NTP time stamps of one clock probe: two on the prober's steady clock, two on the peer's session clock.
+/// The four NTP time stamps (RFC 5905 §8) of one clock probe: two on the prober's steady clock, two on the peer's
+/// session clock.
 struct ClockSample {
   Nanoseconds asked;     ///< request sent, local time
   Nanoseconds received;  ///< request received, session time

@@ -62,11 +62,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
  public:
   struct Options {
     std::string name{};     ///< name of the program, sent to the peer
-    std::string role{};     ///< technician, doctor, viewer, qa, server
+    std::string role{};     ///< technician, doctor, recorder, viewer, qa, server
     std::string token{};    ///< bearer token, sent in Hello; empty: none
     std::uint64_t run = 0;  ///< random number of this run of the program; 0: none
     msg::DatagramCipher datagrams =
-        msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its processor's fastest cipher; NONE: none
+        msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its fastest cipher; NONE: wants no datagrams
     bool accepts_touch = false;                        ///< of a station: accepts an offered touch (on_hand_over())
     std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
     std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello

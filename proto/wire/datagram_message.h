@@ -9,8 +9,8 @@
 
 namespace telepalp::wire {
 
-/// Topics whose messages are worthless when they are late: images, and poses, of which the newest replaces all before. The
-/// index of a topic is its datagram channel (WIRE.md).
+/// Topics whose messages are worthless when they are late: images, and poses, of which the newest replaces all before.
+/// The index of a topic is its datagram channel (WIRE.md).
 inline constexpr std::array kDeadlineTopics{kCameraDepth, kCameraColor, kStationState, kViewerHand};
 
 /// The datagram channel of `topic`; nullopt: its messages travel over TCP alone.

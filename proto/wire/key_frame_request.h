@@ -10,8 +10,8 @@ namespace telepalp::wire {
 
 // The messages of some topics come in groups of pictures: a key frame, then frames that are each predicted from the one
 // before. A receiver that lacks a reference frame requests a key frame. The request goes from the receiver
-// (KeyFrameRequest) to the hub (KeyFrameState), and from the hub to the encoder (KeyFramePacing). Each of the three
-// passes on only some of the requests that it gets.
+// (KeyFrameRequest) to the server's distributor of messages, the hub (KeyFrameState), and from the hub to the encoder
+// (KeyFramePacing). Each of the three passes on only some of the requests that it gets.
 
 /// Decides when a receiver that cannot decode requests a key frame: at the first failure, then at a fixed interval
 /// while decoding still fails.

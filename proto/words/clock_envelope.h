@@ -8,8 +8,8 @@ namespace telepalp {
 
 /// Maps another clock's time to ours from pairs (their stamp, our arrival time). The delivery delay is never negative,
 /// so the smallest difference, arrival minus stamp, is the most accurate: the offset follows the lower envelope of the
-/// differences. It falls at once and rises by at most `drift` seconds a second. A difference that changes by more than
-/// half a second starts a new mapping.
+/// differences. It falls at once and rises by at most `drift` seconds a second. A difference more than half a second
+/// from the offset starts a new mapping.
 class ClockEnvelope {
  public:
   using Nanoseconds = std::chrono::nanoseconds;

@@ -76,7 +76,8 @@ struct RgbdFrame {
   std::optional<DepthErrorBound> loss = {};  ///< bound on the error of earlier depth coding; nullopt: as measured
 };
 
-/// True when the sizes agree with each other, lie within kMaxImageSide, and the intrinsics are finite and positive.
+/// True when the sizes agree with each other and lie within kMaxImageSide, and the intrinsics are finite, with positive
+/// focal lengths.
 [[nodiscard]] bool is_well_formed(const DepthImage& depth) noexcept;
 [[nodiscard]] bool is_well_formed(const ColorImage& color) noexcept;
 [[nodiscard]] bool is_well_formed(const Intrinsics& intrinsics) noexcept;

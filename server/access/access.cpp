@@ -117,7 +117,7 @@ Result<void> Access::read_revocations() {
   if (failed || !stream || size > kMaxListBytes)
     return Error{.what = "the revocation list cannot be read",
                  .where = revoked_file_.string(),
-                 .fix = "copy revoked.crl again from the folder of telepalp-keys"};
+                 .fix = "copy revoked.crl again from the folder in which telepalp-keys keeps the authority"};
   revoked_read_ = changed;
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   Result<keys::Revocations> read = keys::Revocations::read(text, key_->authority, revoked_file_.string());

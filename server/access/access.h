@@ -18,9 +18,9 @@
 
 namespace telepalp::access {
 
-/// Decides which peers may connect and what each may do, and writes it to the audit log. Without a key every peer is
-/// `local`, and the server listens on loopback alone. Owner: the server's network thread. Its listeners share it by
-/// shared_ptr, because TLS handshakes under way ask it for revocations.
+/// Decides which peers may connect and what each may do, and writes it to the audit log. Without a key every peer has
+/// the role `local`, and the server listens on loopback alone. Owner: the server's network thread. Its listeners share
+/// it by shared_ptr, because TLS handshakes under way ask it for revocations.
 class Access : public std::enable_shared_from_this<Access> {
  public:
   struct Options {

@@ -20,11 +20,12 @@ inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1"
 /// The first supported subprotocol in the client's Sec-WebSocket-Protocol header; nullopt if there is none.
 [[nodiscard]] std::optional<std::string_view> choose_subprotocol(std::string_view offered);
 
-/// The topic of a channel. Channel ids count the entries of wire::kTopics and then of kViewTopics, from 1.
+/// The topic of a channel. Channel ids count the entries of wire::kTopics, then of kViewTopics (view_topics.h), from 1.
 [[nodiscard]] std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept;
 
 /// Text messages from the server. `session_id` differs for each start of the server, `viewer` for each client. `role`
-/// is the name of the client's role; a viewer shows its view and leaves out what the role may not do.
+/// is the name of the client's role; telepalp's viewer shows the view for this role, and leaves out what the role may
+/// not do.
 [[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer,
                                       std::string_view role);
 [[nodiscard]] std::string advertise_all_topics();

@@ -37,7 +37,7 @@ struct GatewayOptions {
   std::function<std::string()> playback_state{};     ///< JSON of msg::PlaybackState; unset: nothing is played
   /// Carries out the JSON of a msg::PlaybackCommand and returns the new state; set when playback_state is.
   std::function<Result<std::string>(const std::string& json)> playback_command{};
-  std::function<std::string()> session_events{};  ///< JSON of msg::SessionEvents; set when playback_state is
+  std::function<std::string()> session_events{};   ///< JSON of msg::SessionEvents; set when playback_state is
   std::function<std::string()> recording_state{};  ///< JSON of msg::RecordingState; unset: nothing can be recorded here
   /// Carries out the JSON of a msg::RecordingCommand and returns the new state; set when recording_state is.
   std::function<Result<std::string>(const std::string& json)> recording_command{};
@@ -59,7 +59,7 @@ struct GatewayContext {
   std::unordered_set<Connection*> connections;  ///< open connections, at most options.max_connections
   HandHolder holder{};
   WebSessions sessions{};
-  hub::Hub views{};                                ///< kViewTopics, for viewers alone
+  hub::Hub views{};                                ///< topics of server/views/view_topics.h, for viewers alone
   std::unique_ptr<views::ViewMaker> view_maker{};  ///< null once the gateway is gone
 };
 
@@ -74,7 +74,7 @@ class Connection {
   virtual void close() = 0;
   /// Ends the connection if its key or session has ended; called each second.
   virtual void check_access() {}
-  /// True when the connection neither receives nor publishes anything, so that it may be closed to make room for
+  /// True when the connection is a viewer that has subscribed to nothing, so that it may be closed to make room for
   /// another one.
   [[nodiscard]] virtual bool is_idle() const { return false; }
 

@@ -16,7 +16,7 @@ struct StaticFile {
   std::string etag;  ///< quoted, changes with the bytes
   std::string bytes;
   std::string gzip_etag{};   ///< of `gzip_bytes`: each representation has its own tag (RFC 9110, 8.8.3)
-  std::string gzip_bytes{};  ///< `bytes` compressed; empty if gzip does not reduce the size
+  std::string gzip_bytes{};  ///< `bytes` compressed; empty if gzip saves less than a tenth
   std::string brotli_etag{};
   std::string brotli_bytes{};  ///< from NAME.br beside NAME, which the build made; empty without one
 };

@@ -57,7 +57,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     });
   }
 
-  [[nodiscard]] bool is_idle() const override { return subscriber_ && subscriptions_.empty(); }
+  [[nodiscard]] bool is_idle() const override { return subscriber_ && subscriptions_.empty() && !holds_hand_; }
 
   void check_access() override {
     if (!visitor_) return;

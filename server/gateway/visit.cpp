@@ -46,7 +46,10 @@ Visit::Visit(GatewayContext& context, const HttpRequest& request, const boost::a
     const Result<keys::Identity> bearer = access.bearer(token, address_);
     brought_token_ = bearer.ok();
     if (bearer) visitor_ = Visitor{.who = *bearer, .cookie = {}};
-    if (!bearer) note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(bearer.error().what));
+    if (!bearer) {
+      note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(bearer.error().what));
+      problem_ = bearer.error().what + ". " + bearer.error().fix;
+    }
   } else if (const auto who = context_.sessions.find(cookie, steady_now()); who && access.still_holds(*who)) {
     visitor_ = Visitor{.who = *who, .cookie = cookie};
   }

@@ -55,7 +55,7 @@ class Visit {
   bool is_on_this_machine_;
   std::optional<Visitor> visitor_;
   bool brought_token_ = false;
-  std::string problem_;  // why the token in the request was refused
+  std::string problem_;  // text on the sign-in page; no code sets it, so it is empty
 };
 
 }  // namespace telepalp::gateway

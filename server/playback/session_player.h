@@ -40,7 +40,7 @@ class SessionPlayer {
 
   /// Carries the command out as soon as possible. Error: a position beyond the session's end. Any thread.
   [[nodiscard]] Result<void> apply(const msg::PlaybackCommand& command);
-  [[nodiscard]] msg::PlaybackState state() const;                                      ///< any thread
+  [[nodiscard]] msg::PlaybackState state() const;  ///< any thread
   /// The first instant of the session file.
   [[nodiscard]] SessionTime begin() const noexcept { return begin_; }
   [[nodiscard]] std::uint64_t depth_images() const noexcept { return depth_images_; }  ///< published; any thread
@@ -60,7 +60,7 @@ class SessionPlayer {
   [[nodiscard]] bool wait_until(SessionTime due);
   void show_state();
 
-  Timeline timeline_;  // the player's thread, like all members up to `mutex_`
+  Timeline timeline_;  // used by the player's thread only, like all members up to `mutex_`
   const std::string file_;
   const SessionTime begin_;
   const wire::SessionClock clock_;
@@ -77,7 +77,7 @@ class SessionPlayer {
 
   boost::asio::io_context* network_ = nullptr;
   Handlers handlers_;
-  mutable std::mutex mutex_;  // guards the members below
+  mutable std::mutex mutex_;  // guards commands_, state_ and stopping_
   std::condition_variable changed_;
   std::vector<msg::PlaybackCommand> commands_;
   msg::PlaybackState state_;

@@ -54,7 +54,7 @@ program::Usage usage() {
                   {"row", "PART,PART…", "hand: only the studies whose names contain a PART"},
                   {"reached", "FILE", "hand: a row that misses may be as bad as in FILE"},
                   {"seeds", "N", "hand: number of runs of a random study", "200"},
-                  {"seconds", "S", "length of a run: control, link, passivity, pipeline, station", "10"}},
+                  {"seconds", "S", "length of a run, of most benchmarks", "10"}},
       .example = "telepalp-bench pipeline --json",
       .commands = {},
       .needs_command = true};

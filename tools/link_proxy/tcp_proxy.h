@@ -10,8 +10,9 @@ namespace telepalp::link_proxy {
 
 class TcpPair;
 
-/// Accepts TCP connections and joins each to a new connection to the server, through Lines. The proxy terminates both
-/// connections: a simulated loss delays a stream by a round trip, and does not shrink a TCP congestion window.
+/// Accepts TCP connections and joins each to a new connection to the server, through the impaired lines. The proxy
+/// terminates both connections: a simulated loss delays a stream by a round trip, and does not shrink a TCP congestion
+/// window.
 class TcpProxy {
  public:
   TcpProxy(boost::asio::io_context& io, Lines& lines, boost::asio::ip::tcp::endpoint server);

@@ -10,8 +10,8 @@
 
 namespace telepalp::link_proxy {
 
-/// Forwards datagrams between clients and the server through the lines. Each client address gets a socket of its own
-/// towards the server, as a NAT does, and loses it after a minute of silence.
+/// Forwards datagrams between clients and the server through the impaired lines (lines.h). Each client address gets a
+/// socket of its own towards the server, as a NAT does, and loses it after a minute of silence.
 class UdpProxy {
  public:
   UdpProxy(boost::asio::io_context& io, Lines& lines, boost::asio::ip::udp::endpoint server);

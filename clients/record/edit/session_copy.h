@@ -23,7 +23,7 @@ class KeptMessage {
   std::string data_;
 };
 
-/// Copies all attachments and all metadata except the record about the session, because McapWriter writes its own.
+/// Copies all attachments and all metadata except the record "telepalp.session", because McapWriter writes its own.
 [[nodiscard]] Result<void> copy_notes(wire::McapReader& from, wire::McapWriter& to);
 
 }  // namespace telepalp::record

@@ -54,7 +54,7 @@ class DiskThread {
 
   Store store_;  // disk thread only
   const std::size_t max_waiting_bytes_;
-  mutable std::mutex mutex_;  // guards the members below
+  mutable std::mutex mutex_;  // guards waiting_, counts_ and finishing_
   std::condition_variable changed_;
   std::deque<wire::Message> waiting_;
   Counts counts_;

@@ -6,7 +6,7 @@ namespace telepalp::control {
 
 /// Computes where the viewer draws the hand (paper S1 II.E, docs/sources.md). While the hand is in the body, that is
 /// the proxy; otherwise it is the tracked position. When the hand enters or leaves the body, the offset between the two
-/// decays exponentially, so that the drawn hand does not jump. Owner: control thread.
+/// decays exponentially, so that the drawn hand does not jump. Owner: haptic thread.
 class DisplayedHand {
  public:
   /// `fade_s`: time constant of that offset's decay.

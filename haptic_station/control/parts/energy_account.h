@@ -4,8 +4,8 @@
 
 namespace telepalp::control {
 
-/// Books the energy that the effects take from the hand and return to it, and adds the passivity controller's damping.
-/// The books stay right while the device gives less force than the effects ask for. Owner: control thread.
+/// Sums the energy that the effects take from the hand and return to it, and adds the passivity controller's damping.
+/// The sum stays correct while the device gives less force than the effects ask for. Owner: haptic thread.
 class EnergyAccount {
  public:
   /// Starts the balance of a new contact at zero.

@@ -10,8 +10,8 @@
 namespace telepalp::control {
 
 /// Force control (paper S1 II.D, docs/sources.md): the scene's effects act on the hand. If they are stiffer than the
-/// device can display stably, they act through the virtual coupling. EnergyAccount keeps them passive. Owner: control
-/// thread.
+/// device can display stably, they act through the virtual coupling. EnergyAccount adds damping to keep them passive.
+/// Owner: haptic thread.
 class ForceControl {
  public:
   /// `most_N`: the largest force that the device gives.
@@ -39,7 +39,8 @@ class ForceControl {
   [[nodiscard]] bool contact_changed() const noexcept { return contact_changed_; }
   /// True when the force of the device differs from the one that the effects and the damping ask for.
   [[nodiscard]] bool withholds() const noexcept { return touching_ && account_.withholds(); }
-  /// The contact with the displayed skin. After a contact that began below the skin, it is lowered; see SinkIn.
+  /// The contact with the displayed skin. If it began below the skin, the displayed skin is lowered at first; see
+  /// SinkIn.
   [[nodiscard]] const ports::SurfaceContact& shown() const noexcept { return shown_; }
   [[nodiscard]] Force<HapticBase> damping() const noexcept {
     return touching_ ? account_.damping() : Force<HapticBase>{};
@@ -67,7 +68,7 @@ class ForceControl {
   effects::CostClock cost_clock_ = nullptr;
   ports::SurfaceContact shown_;
   Point<HapticBase> last_felt_;  ///< end-effector relative to the lowered body (see SinkIn) at the last step in contact
-  HandLedger ledger_;            ///< its reference skin is the newest captured surface, predicted to now
+  HandLedger ledger_;            ///< its reference: the newest captured surface, predicted to now
   HeldForce held_;               ///< the force that the device applied over the last tick
   Eigen::Vector3d moved_m_ = Eigen::Vector3d::Zero();  ///< movement of the end-effector over the last tick
   Point<HapticBase> last_device_;

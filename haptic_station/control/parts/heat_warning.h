@@ -7,7 +7,7 @@
 namespace telepalp::control {
 
 /// Warns the hand 4 s before ForceLimiter lowers the force to protect the motors from heat. The warning is a faint
-/// vibration along the force. Owner: control thread.
+/// vibration along the force. Owner: haptic thread.
 class HeatWarning {
  public:
   /// The vibration to add to `force_N` for the next tick [N]; it decays to zero while yields_in_s() is at least 4 s.

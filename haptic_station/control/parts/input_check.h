@@ -16,7 +16,8 @@ namespace telepalp::control {
 [[nodiscard]] ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device) noexcept;
 
 /// The reason why the station must fault at this tick, or FaultCause::None. While the hand is `touching` the skin, the
-/// force does not depend on the tracker, so implausible tracker samples are then no fault; hand_is_lost() handles them.
+/// force does not depend on the tracker, so implausible tracker samples are then no fault: they are not used, and the
+/// hand ages until hand_is_lost().
 [[nodiscard]] FaultCause standing_fault(const ControlInput& in, bool touching, const AgeLimits& ages) noexcept;
 
 /// True when the surface is older than its limit. An age that is NaN counts as too old.

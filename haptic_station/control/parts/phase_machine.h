@@ -6,8 +6,8 @@
 
 namespace telepalp::control {
 
-/// Holds the phase, its duration and the cause of a fault. Applies the transition table. A transition that waits for
-/// the dwell happens only after the phase has lasted the dwell time. Owner: control thread.
+/// Holds the phase, its duration and the cause of a fault. Applies the transition table of phase.h. A transition that
+/// waits for the dwell happens only after the phase has lasted the dwell time. Owner: haptic thread.
 class PhaseMachine {
  public:
   /// `dwell_s`: the dwell time, 0.3 s in paper S1 (docs/sources.md).

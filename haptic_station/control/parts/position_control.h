@@ -8,7 +8,7 @@ namespace telepalp::control {
 
 /// Position control of the free end-effector in the phase Out body: proportional-derivative control to the target of
 /// eq. (5) of paper S1 (docs/sources.md). The target follows the hand's x and z at the height of the waiting plane, in
-/// H, the haptic base's frame, with y up. Owner: control thread.
+/// H, the haptic base's frame, with y up. Owner: haptic thread.
 class PositionControl {
  public:
   /// `offset_fade_s`: decay time constant of eq. (5)'s Delta p, the offset from the hand's target to the end-effector.

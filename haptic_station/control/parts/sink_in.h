@@ -7,7 +7,7 @@ namespace telepalp::control {
 
 /// Handles a contact that begins below the skin, because the skin rose or the station was not ready. The hand has done
 /// no work to reach that depth. The whole body, with the objects inside, is therefore displayed lower by that depth,
-/// along the skin's normal, and rises to its true place at 50 mm/s or less. Owner: control thread.
+/// along the skin's normal, and rises to its true place at 50 mm/s or less. Owner: haptic thread.
 class SinkIn {
  public:
   /// Contact begins `depth_m` below the skin.
@@ -18,9 +18,9 @@ class SinkIn {
   /// `contact`, converted to the contact with the lowered body.
   [[nodiscard]] ports::SurfaceContact shown(const ports::SurfaceContact& contact) const noexcept;
 
-  /// The input of the effects, relative to the lowered body: the body is at its true place, and the device is higher by
-  /// the lowering. `as_shown`: the result of shown(). A contact that begins inside an inner object thus does not start
-  /// with elastic energy that the hand never supplied.
+  /// The input of the effects, relative to the lowered body: the body is at its true place, and the device is raised by
+  /// as much as the body is lowered. `as_shown`: the result of shown(). A contact that begins inside an inner object
+  /// thus does not start with elastic energy that the hand never supplied.
   [[nodiscard]] effects::EffectInput in_body_frame(const Point<HapticBase>& device, const Vector<HapticBase>& velocity,
                                                    const ports::SurfaceContact& as_shown) const noexcept;
 

@@ -5,7 +5,7 @@
 namespace telepalp::control {
 
 /// Keeps the force continuous over a transition: the difference between the old phase's force and the new one's fades
-/// at a bounded rate. Owner: control thread.
+/// at a bounded rate. Owner: haptic thread.
 class TransitionFade {
  public:
   /// `raw_N`: the force of the current phase. `breaks`: `raw_N` may jump at this tick; the fade then restarts with the

@@ -7,7 +7,7 @@ namespace telepalp::control {
 
 /// The horizontal plane above the body on which the free end-effector waits (paper S1 II.D, docs/sources.md). It stays
 /// at least PlaneSettings::clearance_m above the skin below the end-effector, as far as its bounded speed allows.
-/// Heights are y in H, the haptic base's frame. Owner: control thread.
+/// Heights are y in H, the haptic base's frame. Owner: haptic thread.
 class WaitingPlane {
  public:
   explicit WaitingPlane(const PlaneSettings& settings) noexcept : settings_(settings) {}

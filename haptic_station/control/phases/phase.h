@@ -41,7 +41,7 @@ enum class FaultCause : std::uint8_t {
   None,
   DeviceSilent,       ///< the last reading of the device is older than its limit
   NotFinite,          ///< a number in the input or in the force is NaN or infinite
-  DeviceImplausible,  ///< the device reports impossibly fast movements for longer than a glitch lasts
+  DeviceImplausible,  ///< the device reports impossibly fast movements for longer than AgeLimits::implausible_s
   HandImplausible,    ///< the same for the hand tracker, while the hand is not in contact
 };
 

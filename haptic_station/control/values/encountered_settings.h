@@ -15,7 +15,7 @@ struct PlaneSettings {
 
 struct TransitionSettings {
   double dwell_s = 0.3;              ///< time that a phase must last before a transition that waits for it (S1)
-  double offset_fade_s = 0.15;       ///< decay time constant of Delta p in eq. (5) and of the displayed hand's offset
+  double offset_fade_s = 0.15;       ///< decay time constant of S1's Delta p (eq. 5) and of the displayed hand's offset
   double hand_rose_m = 0.02;         ///< the hand has left when it is this far above plane and end-effector
   double force_fade_N_per_s = 40.0;  ///< rate at which the force difference at a transition fades
   double contact_release_s = 2.0;    ///< fade time of the skin's force after AgeLimits::tracker_in_contact_s

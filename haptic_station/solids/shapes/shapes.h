@@ -28,8 +28,8 @@ struct ShapeAt {
                                  double radius_m) noexcept;
 
 /// A torus about the axis x, y or z (0, 1, 2). Exact. If the tube's radius exceeds the ring's, the shape is the union
-/// of all balls centred on the ring, and the distance is that to its outer surface. On the axis the nearest part of the
-/// ring is the one towards the next axis (y for x); at a tube's centre the gradient points away from the axis.
+/// of all balls centred on the ring, and the distance is that to its outer surface. On the axis, the part of the ring
+/// towards the next axis (y for x) counts as the nearest; at a tube's centre the gradient points away from the axis.
 [[nodiscard]] ShapeAt torus_at(const Eigen::Vector3d& p, int axis, double ring_m, double tube_m) noexcept;
 
 /// A part of a torus with round ends. Angles are counted from the next axis (y for x) towards the one after it.

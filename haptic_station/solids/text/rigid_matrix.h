@@ -6,8 +6,9 @@
 
 namespace telepalp::solids {
 
-/// A 3 by 4 matrix, row by row, as a `tx` node and an `sc` node in front of the operand.
-/// Error: the matrix shears, mirrors, or scales its axes differently, so distances in it would not be distances.
+/// Splits a 3 by 4 matrix, given row by row, into a rotation with a shift (node `tx`) and a uniform scaling (node
+/// `sc`).
+/// Error: the matrix shears, mirrors, or scales its axes differently, so that it does not keep distances in proportion.
 [[nodiscard]] Result<Solid> placement_of(const std::array<double, 12>& matrix, const std::string& where);
 
 }  // namespace telepalp::solids

@@ -30,7 +30,7 @@ class Tokens {
   int column_ = 1;
 };
 
-/// The number that a word is, whatever the locale; nullopt: it is not a number.
+/// The number that a word spells, with a decimal point in every locale; nullopt: it is not a number.
 [[nodiscard]] std::optional<double> number_of(std::string_view word) noexcept;
 
 }  // namespace telepalp::solids

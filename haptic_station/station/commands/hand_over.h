@@ -16,7 +16,7 @@ class HandOver {
 
   /// Takes `offer NAME`, `withdraw` and `accept`. Returns false for another command.
   bool on_command(const std::string& command, const ControlSocket::Reply& reply);
-  /// The server has answered; see ClientLink::Handlers::on_hand_over.
+  /// The server has answered with `outcome`. `done`: false if it refuses or the connection ends before its answer.
   void on_answer(bool done, const std::string& outcome);
 
  private:

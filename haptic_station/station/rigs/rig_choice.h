@@ -44,8 +44,8 @@ inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser"
 [[nodiscard]] Result<DeviceChoice> read_device_choice(const std::string& text);
 [[nodiscard]] Result<TrackerChoice> read_tracker_choice(const std::string& text);
 
-/// Parses both options. Error: an unknown value, or a simulated tracker with a real device: a simulated tracker sees
-/// only the simulated hand.
+/// Parses both options. Error: an unknown value, a simulated or a browser's hand with a real device, or a held
+/// end-effector with a simulated device.
 [[nodiscard]] Result<RigChoice> read_rig_choice(const std::string& device, const std::string& tracker);
 
 /// How long a device or tracker may take to answer at the start, unless the operator asks for another time.
@@ -62,7 +62,7 @@ inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 /// scene's simulated rig.
 struct ConnectedRig {
   std::unique_ptr<ports::Rig> rig;
-  tracking::ViewerHandTracker* browser = nullptr;  ///< the rig's tracker if it is a browser hand, else nullptr
+  tracking::ViewerHandTracker* browser = nullptr;  ///< the rig's tracker if it follows a viewer's hand, else nullptr
 };
 
 /// Connects the chosen rig. Error: a part does not answer; the error names it and a fix.

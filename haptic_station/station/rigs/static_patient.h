@@ -17,8 +17,8 @@ struct StaticPatient {
   std::string remarks;
 };
 
-/// Reads and places the model of `scene`. `folder`: base of the model's relative path. With center_on_surface, the
-/// highest skin point above the model's middle becomes the origin of the haptic base's frame H. `anyway`: accept a
+/// Reads and places the model of `scene`. `folder`: base of the model's relative path. With scene.center_on_surface,
+/// the highest skin point above the model's middle becomes the origin of the haptic base's frame H. `anyway`: accept a
 /// model with too coarse samples, too much noise or contradicting normals.
 [[nodiscard]] Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std::filesystem::path& folder,
                                                         bool anyway);

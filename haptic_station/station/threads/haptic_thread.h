@@ -37,8 +37,8 @@ class HapticThread {
   HapticThread(const HapticThread&) = delete;
   HapticThread& operator=(const HapticThread&) = delete;
 
-  /// Starts the thread and waits for its first tick. True: with real-time priority. Error: real-time priority is
-  /// required and not granted.
+  /// Starts the thread and waits until it knows its priority. True: it has real-time priority. Error: real-time
+  /// priority is required and not granted.
   [[nodiscard]] Result<bool> start(Realtime realtime);
   void stop();
   [[nodiscard]] const HapticCounts& counts() const noexcept { return counts_; }

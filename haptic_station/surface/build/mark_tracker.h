@@ -13,7 +13,7 @@ namespace telepalp::surface {
 /// and SkinMark::slide_seen is false. Owner: surface thread.
 class MarkTracker {
  public:
-  /// Sets the places to follow from now on and forgets the earlier ones.
+  /// Sets the places to follow from now on: where these lines cross the skin. Forgets the earlier places.
   void watch(const MarkLines& lines);
   /// Forgets the patches. New ones are found on the same lines.
   void restart();

@@ -8,7 +8,7 @@ namespace telepalp::surface {
 /// fit lets the change of depth vary over the patch as a quadratic polynomial, as in breathing; only its value at the
 /// mark, the patch's centre, is kept here.
 struct PatchPose {
-  bool seen = false;  ///< the image has depth within 20 mm of the mark, the patch's centre
+  bool seen = false;  ///< at least half of the nodes within 20 mm of the mark are measured and fit
   Eigen::Vector2d slide_m = Eigen::Vector2d::Zero();
   double deeper_m = 0.0;       ///< increase of the mark's depth along the optical axis
   double sigma_depth_m = 0.0;  ///< 1-sigma of `deeper_m`
@@ -25,7 +25,7 @@ struct PatchResiduals {
 
 /// Weighted normal equations of a patch's eight coefficients: two of the slide, six of the change of depth.
 struct PatchFit {
-  double scale_m = 0.0;  ///< 1-sigma of the residuals, from their median
+  double scale_m = 0.0;  ///< 1-sigma of the residuals, from the median of their magnitudes
   Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Identity() * 1e-6;
   Eigen::Matrix<double, 8, 1> by = Eigen::Matrix<double, 8, 1>::Zero();
   double middle_weight = 0.0;

@@ -13,9 +13,10 @@ namespace telepalp::surface {
 [[nodiscard]] std::vector<SurfaceSettings> affordable_settings(const SurfaceSettings& asked);
 
 /// Selects among affordable_settings() by the measured cost of a snapshot, which may take half of the frame period.
-/// After 1/3 s of slower snapshots, net of the time of faster ones, it selects the next cheaper setting. It retries the
-/// better one after a run of snapshots that take less than 15 % of the frame period. This run lasts 10 s after
-/// the first selection of a cheaper setting, and doubles, up to 600 s, with each further one. Owner: surface thread.
+/// When the time of slower snapshots exceeds that of faster ones by 1/3 s, it selects the next cheaper setting. It
+/// retries the better one after a run of snapshots that take less than 15 % of the frame period. This run lasts 10 s
+/// after the first selection of a cheaper setting, and doubles, up to 600 s, with each further one. Owner: surface
+/// thread.
 class SettingChoice {
  public:
   explicit SettingChoice(const SurfaceSettings& asked) : settings_(affordable_settings(asked)) {}

@@ -16,8 +16,8 @@ struct BuilderCounts {
   std::uint64_t malformed = 0;  ///< images or cameras that are not well formed, dropped
 };
 
-/// Makes touchable snapshots from a stream of depth images. Between frames it keeps the temporal average of static skin
-/// and the estimated motion of moving skin. Owner: surface thread.
+/// Makes surface snapshots, which a hand can touch, from a stream of depth images. Between frames it keeps the temporal
+/// average of static skin and the estimated motion of moving skin. Owner: surface thread.
 class SurfaceBuilder {
  public:
   explicit SurfaceBuilder(SurfaceSettings settings);
@@ -38,7 +38,7 @@ class SurfaceBuilder {
   /// Uses `settings` from the next snapshot on. Keeps the temporal average and the estimated motion.
   void use(const SurfaceSettings& settings);
 
-  /// Follows the skin at these lines from the next frame on. SurfaceSnapshot::marks holds the positions.
+  /// Follows the places where these lines cross the skin, from the next frame on. SurfaceSnapshot::marks holds them.
   void watch(const MarkLines& lines);
 
   /// Discards the temporal average, the estimated motion and the patches of the marks. Call it when the camera is

@@ -11,7 +11,7 @@ namespace telepalp::surface {
 struct CloudNoise {
   double spacing_m = 0.0;
   double noise_m = 0.0;    ///< standard deviation along the normal
-  double support_m = 0.0;  ///< radius of the weights, wide enough that averaged noise leaves the force steady
+  double support_m = 0.0;  ///< a point farther than this from the query has no weight; noise_of() chooses it
   bool is_surface = true;  ///< false: at every tested radius the points fill a volume
   [[nodiscard]] bool follows_noise() const noexcept;  ///< the support is wider than three spacings
 };
@@ -22,7 +22,7 @@ struct CloudNoise {
 ///
 /// The support is at least three spacings and four times the noise. It is also so wide that the curvature of the
 /// averaged noise stays below 10 per metre: a proxy 10 mm above the hand then moves by at most a tenth more than the
-/// hand. With soft-object weights of radius r, the curvature is 4.4 × noise × spacing / r³.
+/// hand. With Wyvill's soft-object weights and a support r, the curvature is 4.4 × noise × spacing / r³.
 [[nodiscard]] CloudNoise noise_of(const IndexedPoints& points, const NeighborIndex& index, double spacing_m);
 
 inline constexpr double kWidestSupport_m = 0.02;  ///< a cloud that needs a wider support is refused

@@ -15,14 +15,15 @@ struct CloudPoint {
 
 struct CloudShape {
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
-  double support_m = 0.02;     ///< radius of the weights; its upper limit when `neighbors` is set
-  std::size_t neighbors = 0;   ///< 0: fixed support; k: the radius is the distance of the k-th neighbour
+  double support_m = 0.02;     ///< a point farther than this from the query has no weight
+  std::size_t neighbors = 0;   ///< k > 0: the k-th neighbour's distance replaces a greater support
   double seed_radius_m = 0.3;  ///< search radius for the nearest point
 };
 
-/// A point-set surface for unorganised clouds: a weighted mean of tangent planes with a support in metres, the implicit
-/// function of GridSurface. Points whose normals point away from `facing` belong to the other side of a thin sheet;
-/// their weights fade to zero. If the support is the distance of the k-th neighbour, f is continuous, but the gradient
+/// A point-set surface for unorganised clouds: a weighted mean of tangent planes, by the formula of
+/// GridSurface (grid_surface.h), but with a support in metres. The weight of a point fades to zero as its normal turns
+/// away from `facing`, the outward direction given to evaluate(): such a point belongs to the other side of a thin
+/// sheet. If the support is the distance of the k-th neighbour, the implicit function is continuous, but its gradient
 /// neglects the change of that distance. Does not own points or index.
 class CloudSurface : public SurfaceSnapshot {
  public:

@@ -17,13 +17,14 @@ struct SampledMesh {
 };
 
 /// Samples `mesh`, in metres relative to its centre. `settings` give the number of points or their spacing. If they
-/// give neither, the spacing is reduced until the surface lies within kFaithful_m of the mesh and has no contact in
-/// air, until a reduction leaves more than 70 % of the error, or until kMostSamples is reached. `side` -1 reverses all
-/// normals. Parts of the mesh that lie inside other parts are left out: no finger
+/// give neither, the spacing is reduced until the surface lies within kFaithful_m of the mesh and gives no contact in
+/// free air, until a reduction leaves more than 70 % of the error, or until kMostSamples is reached. `side` -1 reverses
+/// all normals. Parts of the mesh that lie inside other parts are left out: no finger
 /// reaches them, and they would pull the surface inwards and make it jump from wall to wall.
 [[nodiscard]] SampledMesh sample_mesh(const models::PointModel& mesh, const StaticModelSettings& settings,
                                       const Eigen::Vector3d& origin_m, float side);
 
+// error_m, missing and in_air are members of Fidelity (model_fidelity.h).
 inline constexpr double kFaithful_m = 0.001;
 inline constexpr double kTooCoarse_m = 0.003;  ///< a surface with a greater error_m is refused
 inline constexpr double kMostInAir = 0.002;    ///< a surface with an in_air between this and kOverlap is refused

@@ -15,7 +15,7 @@ struct StaticModelSettings {
   std::uint64_t seed = 1;
   int normal_neighbors = 16;                              ///< smallest number of neighbours per estimated normal
   Eigen::Vector3d viewpoint_m = Eigen::Vector3d::Zero();  ///< estimated normals point towards this point
-  double support_m = 0.0;     ///< radius of the weights; 0: three spacings, more where a cloud is noisy
+  double support_m = 0.0;     ///< a point farther from the query has no weight; 0: three spacings, more for noise
   bool flip_normals = false;  ///< reverse all normals
 };
 

@@ -33,7 +33,7 @@ struct DisparityLevels {
   static constexpr double kMostMiss = 0.55;  ///< half a unit of rounding plus the error of the fit [unit]
 };
 
-/// Fits the levels to the samples of an image. Error: below 0.02 mm over the image's own range, for a torso at 0.8 m in
+/// Fits the levels to the samples of an image. Accuracy: 0.02 mm over the image's own range, for a torso at 0.8 m in
 /// samples of 1 mm. nullopt if less than 95 % of the pixels are on levels, if so few sample values lie between the
 /// levels that any samples would fit, or if the range is too short to tell levels in 1/z from levels in z. `unit_m`:
 /// metres per unit.

@@ -9,8 +9,8 @@
 namespace telepalp::surface {
 
 /// Converts samples to depth. If the images themselves show that the camera measures disparity in whole steps, each
-/// sample is replaced by the depth of its level; otherwise its rounded depth is used. One image in 32 is checked again,
-/// so that a change of the camera is noticed. Owner: surface thread.
+/// sample is replaced by the exact depth of its disparity step; otherwise its rounded depth is used. One image in 32 is
+/// checked again, so that a change of the camera is noticed. Owner: surface thread.
 class SampleDepths {
  public:
   /// The depths of the next image of the stream.
@@ -18,7 +18,7 @@ class SampleDepths {
   /// As above, but writes to `field` and reuses its memory.
   void field_of(const DepthImage& depth, DepthField& field);
 
-  /// The camera's levels; nullopt: none are known.
+  /// The depth levels of the camera's disparity steps; nullopt: none are known.
   [[nodiscard]] const std::optional<DisparityLevels>& levels() const noexcept { return levels_; }
 
  private:

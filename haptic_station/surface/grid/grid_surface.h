@@ -13,7 +13,7 @@ struct alignas(64) GridNode {
   float confidence = 0.0F;        ///< 0: no surface at this node
   std::array<float, 3> normal{};  ///< unit, towards the camera
   float deviation_m = 0.0F;       ///< standard deviation of `at_m` along the normal
-  MotionTerms motion{};           ///< coefficients of MotionTerms [m/s, m, m, m, m] along the normal
+  MotionTerms motion{};           ///< coefficients [m/s, m, m, m, m] of its predicted motion along the normal
   std::array<float, 3> spare{};
 };
 static_assert(sizeof(GridNode) == 64);
@@ -26,14 +26,14 @@ struct GridLayout {
   double step_px = 1.0;
   int columns = 0;
   int rows = 0;
-  double support_nodes = 2.5;  ///< radius of the weights, in nodes
+  double support_nodes = 2.5;  ///< a node farther than this from the query's pixel has no weight [nodes]
   double gate_m = 0.02;        ///< a node is ignored when its tangent plane is farther than this from the query
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
 };
 
 /// An implicit surface over a depth image, whose pixel grid serves as the spatial index. The neighbours of a query are
-/// the nodes around its pixel, so every query costs the same, and slanted skin has the density with which the camera
-/// sampled it.
+/// the nodes around its pixel, so every query costs the same, and nodes on slanted skin are as dense as the camera's
+/// samples there.
 ///
 /// Each node's tangent plane is averaged with the mean plane: f = Σ w ½(n_i + n̄)·(x − p_i) / Σ w, with the query x,
 /// the node i at p_i with normal n_i and weight w, and n̄ the weighted mean normal. On any quadric this

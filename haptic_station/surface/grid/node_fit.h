@@ -7,12 +7,12 @@
 
 namespace telepalp::surface {
 
-/// Parameters of fit_nodes(); their meaning is that of the members of SurfaceSettings with similar names.
+/// Parameters of fit_nodes(), from SurfaceSettings.
 struct FitSettings {
-  int step_px = 2;
-  int radius_px = 6;
-  double break_m = 0.015;
-  int bridge_px = 2;
+  int step_px = 2;         ///< distance between nodes
+  int radius_px = 6;       ///< half side of the window of each node's fit
+  double break_m = 0.015;  ///< depth step between neighbouring pixels, at 1 m, that separates surfaces
+  int bridge_px = 2;       ///< holes of at most this radius are bridged
 };
 
 /// Fits nodes on a lattice over `box`, a rectangle inside the image. Position, normal and confidence of a node come

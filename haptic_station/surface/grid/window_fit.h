@@ -62,8 +62,8 @@ struct InverseDepthView {
 
 /// Fits the window around (column, row) to the pixels that are connected to its centre without crossing a depth break.
 /// If the centre is not measured, the nearest measured pixel within `bridge_px` replaces it, provided that at least
-/// half of the window is measured. The fit is quadratic if at least 80 % of the window's weight is on connected
-/// pixels, else linear; nullopt if less than 25 % is, or if the pixels do not determine a plane.
+/// half of the window's weight is on connected pixels. The fit is quadratic if at least 80 % of the window's weight is
+/// on connected pixels, else linear; nullopt if less than 25 % is, or if the pixels do not determine a plane.
 [[nodiscard]] std::optional<WindowFit> fit_window(const InverseDepthView& view, int column, int row,
                                                   const AxisWeights& axis, int bridge_px);
 

@@ -46,7 +46,7 @@ class LatestHand {
 
  private:
   LatestValue<Seen> newest_;
-  ClockEnvelope session_clock_{0.02};  // owner: haptic thread; 2 %, because the session clock is slewed
+  ClockEnvelope session_clock_{0.02};  // owner: haptic thread; drift up to 2 %: the session clock is slewed
 };
 
 }  // namespace telepalp::tracking

@@ -42,8 +42,9 @@ inline constexpr std::uint32_t kProtocolVersion = 6;
 inline constexpr std::size_t kMostTextBytes = 256U << 10U;
 inline constexpr std::size_t kMostHands = 16;
 
-/// Parses one text of the service. Error: invalid JSON, over 256 KiB, or a field of the wrong type. Numbers have a
-/// decimal point in every locale; a decimal comma breaks the JSON or gives too many coordinates, and is refused.
+/// Parses one text of the service. Error: invalid JSON, over 256 KiB, a field of the wrong type, a time stamp out of
+/// range, or over 16 hands. Numbers have a decimal point in every locale; a decimal comma breaks the JSON or gives too
+/// many coordinates, and is refused.
 [[nodiscard]] Result<Text> parse_text(std::string_view text);
 
 /// Sent after connecting: asks for frames although the station has no window with the keyboard focus.

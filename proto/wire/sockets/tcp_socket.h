@@ -5,7 +5,8 @@
 
 namespace telepalp::wire {
 
-/// Turns Nagle's algorithm off and keeps the kernel's send buffer small: a message that waits there cannot be replaced.
+/// Turns Nagle's algorithm off and bounds the unsent bytes in the kernel: a message that waits there cannot be
+/// replaced.
 void tune(boost::asio::ip::tcp::socket& socket);
 
 /// "127.0.0.1:4711", or "[::1]:4711": the peer's address.

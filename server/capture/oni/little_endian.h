@@ -6,7 +6,7 @@
 
 namespace telepalp::capture {
 
-static_assert(std::endian::native == std::endian::little, "an .oni file is little-endian, and its bytes are not swapped");
+static_assert(std::endian::native == std::endian::little, "an .oni file is little-endian; its bytes are not swapped");
 
 /// The little-endian number at offset `at`, which must lie within `bytes`.
 template <class Number>

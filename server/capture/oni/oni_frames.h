@@ -9,7 +9,7 @@
 
 namespace telepalp::capture {
 
-/// The frames of an .oni recording: each depth image with the colour image nearest in time.
+/// The frames of an .oni recording: each depth image with the colour image nearest in time, at most 0.2 s apart.
 class OniFrames final : public RecordedFrames {
  public:
   /// Error: not an .oni recording, or no depth image can be decoded.

@@ -17,7 +17,7 @@ struct FrameSlot {
 /// later, so delays do not accumulate. Like a camera, it drops slots that were not fetched in time.
 class FramePacer {
  public:
-  /// `paced` false: every slot is due at once, and no slot is dropped.
+  /// `paced` false: next() does not wait, and no slot is dropped.
   FramePacer(wire::SessionClock clock, Nanoseconds period, bool paced) noexcept;
 
   /// Sleeps until the next slot is due, at most `patience`; nullopt when it is not due by then.

@@ -13,7 +13,7 @@ namespace telepalp::replay {
 struct FrameCounts {
   std::uint64_t offered = 0;  ///< captured while the server was running
   std::uint64_t in_time = 0;  ///< depth and colour were complete by the deadline
-  std::uint64_t touched = 0;  ///< became a surface
+  std::uint64_t touched = 0;  ///< became a surface for the haptic loop
   std::uint64_t undecodable = 0;
   std::uint64_t offered_B = 0;  ///< of all frames
 };
@@ -22,7 +22,8 @@ struct FrameCounts {
 /// share no state that one of them writes, so that they may run on different threads. Pure, except for `publish`.
 class Cell {
  public:
-  /// `truth`: empty for a recording. `wires`: the network that `scenario` describes.
+  /// `truth`: the source's true skin; empty for a recording. `tape`: how the frames are encoded. `wires`: the network
+  /// that `scenario` describes.
   Cell(const StationSetup& setup, const Scenario& scenario, const TapeSettings& tape, TruthAt truth, Publish publish,
        Wires wires);
 
@@ -31,7 +32,7 @@ class Cell {
 
   [[nodiscard]] FrameCounts frames() const noexcept;
   [[nodiscard]] const PathCounts& path() const noexcept { return path_.counts(); }
-  /// Times of the frames that became touchable in the last run_until().
+  /// Times of the frames whose surface the haptic loop got in the last run_until().
   [[nodiscard]] const std::vector<FrameTimes>& touchable() const noexcept { return touchable_; }
   [[nodiscard]] const Scenario& scenario() const noexcept { return scenario_; }
   [[nodiscard]] const Stopwatch& costs() const noexcept { return watch_; }
@@ -51,7 +52,7 @@ class Cell {
   SessionTime now_ = kBegin;
   std::vector<SessionTime> in_time_;       ///< capture times
   std::vector<SessionTime> touched_;       ///< capture times
-  std::map<std::uint32_t, int> complete_;  ///< images in time of recent frames, by number
+  std::map<std::uint32_t, int> complete_;  ///< how many images came in time; key: number of a recent frame
   std::vector<FrameTimes> touchable_;
 };
 

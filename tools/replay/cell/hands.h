@@ -14,7 +14,7 @@ namespace telepalp::replay {
                                                         std::uint64_t seed);
 
 /// A device and a hand that repeat a recorded motion; the force does not move them. Before and after the recording they
-/// rest at its first and last position. `recorded` is not empty and outlives the rig.
+/// rest at its first and last position. `recorded` is not empty and outlives the returned object.
 [[nodiscard]] std::unique_ptr<ports::Rig> recorded_hand(const RecordedHand& recorded);
 
 }  // namespace telepalp::replay

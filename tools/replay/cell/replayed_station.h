@@ -27,8 +27,8 @@ struct TickOutcome {
   bool tracker_lost = false;
 };
 
-/// The station without its clock, sockets and threads: surface stage, haptic loop, rig and telemetry, tick by tick.
-/// Owner: one run.
+/// The station without its clock, sockets and threads: surface stage, haptic loop, rig (device and tracker) and
+/// telemetry, tick by tick. Owner: one run.
 class ReplayedStation {
  public:
   ReplayedStation(const StationSetup& setup, const Scenario& scenario, Publish publish);
@@ -37,7 +37,7 @@ class ReplayedStation {
   void arrived(ArrivedDepth frame);
   [[nodiscard]] TickOutcome tick(SessionTime now, Stopwatch& watch);
 
-  /// Times of a frame that became touchable at the last tick.
+  /// Times of the frame whose surface the haptic loop got at the last tick; nullopt: it got none.
   [[nodiscard]] const std::optional<FrameTimes>& touchable() const noexcept { return touchable_; }
   [[nodiscard]] std::uint64_t undecodable() const noexcept { return surfaces_.undecodable(); }
 

@@ -32,15 +32,15 @@ struct BuiltSurface {
 };
 
 /// The station's surface thread in virtual time: frames that arrive while it works wait; then it builds the newest.
-/// Decoding and building last as long as the scenario's StageTimes say.
+/// Decoding and building take the times of the scenario's StageTimes.
 class SurfaceStage {
  public:
   SurfaceStage(const StageTimes& stages, const surface::SurfaceSettings& settings,
                const Transform<HapticBase, DepthCamera>& haptic_from_camera, const effects::EffectBank& effects);
 
   void arrived(ArrivedDepth frame) { waiting_.push_back(std::move(frame)); }
-  /// Works until `now`. `device`: centre of the region in which a surface is built. Returns a surface that becomes
-  /// touchable now.
+  /// Call it once a tick. Returns the surface that is finished at `now`; else begins the newest frame if it is idle.
+  /// `device`: centre of the region in which a surface is built.
   [[nodiscard]] std::optional<BuiltSurface> step(SessionTime now, const Point<HapticBase>& device, Stopwatch& watch);
   /// Frames that could not be decoded.
   [[nodiscard]] std::uint64_t undecodable() const noexcept { return undecodable_; }
@@ -55,7 +55,7 @@ class SurfaceStage {
   DepthImage decoded_;
   surface::SurfaceBuilder builder_;
   std::deque<ArrivedDepth> waiting_;
-  std::optional<BuiltSurface> in_work_;  ///< done at its touchable_ns
+  std::optional<BuiltSurface> in_work_;  ///< finished at session time times.touchable_ns
   SessionTime busy_until_{};
   std::uint64_t undecodable_ = 0;
 };

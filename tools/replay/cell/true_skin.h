@@ -25,8 +25,9 @@ struct TickRecord {
   float hand_excess_J = 0.0F;  ///< work on the hand in this contact beyond the measured skin's
 };
 
-/// Compares a tick with the true skin of the same instant. `surface`: nullopt: unknown. `law`: nullptr: the scene has
-/// no skin. The force at an object inside the body is not compared: the law is the skin's alone.
+/// Compares a tick with the true skin of the same instant. `surface`: nullopt: unknown. `law`: force law of the skin;
+/// nullptr: the scene has no skin. The force at an object inside the body is not compared, because the law covers only
+/// the skin.
 [[nodiscard]] TickRecord judged(const TickOutcome& tick, const Transform<HapticBase, DepthCamera>& haptic_from_camera,
                                 const std::optional<capture::TrueSurface>& surface, const effects::SkinLaw* law,
                                 double peak_N);

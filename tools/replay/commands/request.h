@@ -21,7 +21,7 @@ struct Request {
   surface::SurfaceSettings surface;
   Scenario scenario;
   TapeSettings tape;
-  RecordedHand recorded;  ///< empty: the scripted hand
+  RecordedHand recorded;  ///< empty: the simulated hand examining_hand()
   double seconds = 0.0;
   int threads = 1;
   std::filesystem::path out;  ///< empty: no files
@@ -29,7 +29,7 @@ struct Request {
   std::filesystem::path junit;     ///< empty: none
   std::vector<SweepAxis> axes;     ///< of a sweep; empty: one run
   std::vector<SweepCell> cells;    ///< of the sweep
-  std::optional<int> storm_seeds;  ///< a storm instead of a run
+  std::optional<int> storm_seeds;  ///< number of random cases to check (storm.h) instead of a run
   bool check = false;              ///< check the invariants at each tick
   bool json = false;
 

@@ -4,8 +4,8 @@
 
 namespace telepalp::replay {
 
-/// Runs the cases of the seeds 1 to N on all threads. Each case that fails is shrunk, and the command line that repeats
-/// it is printed. True: the invariants held in all of them.
+/// Runs a storm on all threads: the random cases (patient, scene, network, faults) of the seeds 1 to N. Shrinks each
+/// case that fails, and prints the command line of the shrunk case. True: the invariants held in all cases.
 [[nodiscard]] Result<bool> run_storm(const Request& request);
 
 }  // namespace telepalp::replay

@@ -27,7 +27,7 @@ struct Assertion {
 struct Judgement {
   std::string text;
   bool holds = false;
-  std::string reason;  ///< empty if it holds: "force_rmse_N is 0.07"
+  std::string reason;  ///< why it fails: "force_rmse_N is 0.07"; empty if it holds
 };
 /// An assertion fails if its metric is NaN.
 [[nodiscard]] std::vector<Judgement> judge(const std::vector<Assertion>& assertions, const Figures& figures);

@@ -19,7 +19,7 @@ struct Figures {
   double force_p99_N = 0.0;        ///< of the same difference
   double force_max_N = 0.0;        ///< largest force
   double force_step_N = 0.0;       ///< largest change of the force from one tick to the next
-  double true_force_rmse_N = 0.0;  ///< against the force of the true skin, along its normal, while either is felt
+  double true_force_rmse_N = 0.0;  ///< against the true skin's force along its normal, in true or displayed contact
   double true_force_p99_N = 0.0;
   double contact_lost_pct = 0.0;     ///< of the ticks in true contact: those without contact
   double phase_differs_pct = 0.0;    ///< of all ticks: those with another phase than in the unimpaired run
@@ -36,7 +36,7 @@ struct Figures {
   double frames_touched_pct = 0.0;
   double network_p50_s = 0.0;  ///< from encoded to received, of touched frames
   double network_p99_s = 0.0;
-  double station_p50_s = 0.0;  ///< from received to touchable
+  double station_p50_s = 0.0;  ///< from received to touchable: usable by the haptic loop
   double total_p50_s = 0.0;    ///< from captured to touchable
   double total_p99_s = 0.0;
   double content_B = 0.0;   ///< size of the encoded frames

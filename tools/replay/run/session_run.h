@@ -41,10 +41,10 @@ struct RunResults {
                                                                                 const TapeFrames& frames);
 [[nodiscard]] Error nowhere_to_place();
 
-/// Runs the tape over the networks of `orders`, side by side, window by window: the tape is read once, and memory holds
-/// a few windows at any length. The other runs are compared with that of the first order. `progress`: called after each
-/// window with the session time replayed so far [s]. Error: the source has no frame in which the scene can be placed,
-/// or cannot be read.
+/// Runs the source's frames (`tape`) over the networks of `orders`, side by side, in windows of time: the tape is read
+/// once, and memory holds a few windows at any length. The other runs are compared with that of the first order.
+/// `progress`: called after each window with the session time replayed so far [s]. Error: the source has no frame in
+/// which the scene can be placed, or cannot be read.
 [[nodiscard]] Result<RunResults> run_session(Tape& tape, const RunSettings& settings, std::vector<RunOrder> orders,
                                              const std::function<void(double seconds)>& progress = {});
 

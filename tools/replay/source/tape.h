@@ -39,7 +39,7 @@ struct TapeSettings {
 /// any length.
 class Tape {
  public:
-  /// `source`: a *.mcap or *.oni file, or what `--source` of the server names: oni:FILE, images:DIR, pcd:FILE,
+  /// `source`: a *.mcap, *.oni or *.pcd file, or what `--source` of the server names: oni:FILE, images:DIR, pcd:FILE,
   /// session:FILE, synthetic[:MODEL,key=value…]. Error: it cannot be opened, or is a live camera.
   [[nodiscard]] static Result<Tape> open(const std::string& source, const TapeSettings& settings);
   ~Tape();

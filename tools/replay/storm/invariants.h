@@ -15,8 +15,8 @@ namespace telepalp::replay {
 ///   exceeds that of the measured skin by at most 0.15 J. The latter is not checked in a contact whose surface was
 ///   older than 0.9 s, because a station that fades its force does less work on the hand than the skin would;
 /// - 0.5 s after the newest surface is 2.5 s old, the station has released the hand;
-/// - 3 s after the last fault, a device that stays deeper than 5 mm in the true skin, on surfaces younger than 0.8 s,
-///   feels it within 1.5 s;
+/// - 3 s and one network delay after the last fault, a device that stays deeper than 5 mm in the true skin, on surfaces
+///   younger than 0.8 s, feels it within 1.5 s;
 /// - on each topic, publication times do not decrease, and ticks are numbered without a gap.
 class Invariants {
  public:
@@ -47,7 +47,7 @@ class Invariants {
   std::int64_t ticks_ = 0;
   Eigen::Vector3f last_force_N_ = Eigen::Vector3f::Zero();
   Nanoseconds stale_{0};   ///< for how long the surface has been too old
-  bool excused_ = false;   ///< the surface of this contact was too old for its ledger to be judged
+  bool excused_ = false;   ///< the surface of this contact was too old to judge the work on the hand
   Nanoseconds unfelt_{0};  ///< for how long the device has been deep without being felt
   std::map<std::string_view, SessionTime> published_;  ///< newest time by topic
   std::uint64_t next_tick_ = 0;

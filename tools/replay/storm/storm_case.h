@@ -7,7 +7,7 @@
 
 namespace telepalp::replay {
 
-/// One run of a storm: a patient, a scene, a network and faults.
+/// One run of a storm (a series of random runs): a patient, a scene, a network and faults.
 struct StormCase {
   std::string motion = "regular";
   std::uint64_t patient_seed = 1;

@@ -120,7 +120,7 @@ Result<std::vector<SweepCell>> sweep_cells(const std::vector<SweepAxis>& axes, c
   std::vector<SweepCell> cells{{.values = {}, .scenario = base}};
   for (const SweepAxis& axis : axes) {
     if (cells.size() * axis.values.size() > kMostCells)
-      return Error{.what = "more than 4096 cells", .where = "--sweep", .fix = "give fewer values"};
+      return Error{.what = "more than 4096 combinations of values", .where = "--sweep", .fix = "give fewer values"};
     std::vector<SweepCell> more;
     for (const SweepCell& cell : cells)
       for (const double value : axis.values) {

@@ -7,7 +7,7 @@
 
 namespace telepalp::capture {
 
-/// Parameters of a random sequence of breaths. Shares are relative to one breath's duration.
+/// Parameters of a random sequence of breaths. The shares of inhale and pause are relative to one breath's duration.
 struct BreathStyle {
   double amplitude_m = 0.005;
   double rate_hz = 0.25;

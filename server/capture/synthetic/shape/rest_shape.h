@@ -7,8 +7,8 @@
 
 namespace telepalp::capture {
 
-/// The scene at full exhale, as a smooth depth per camera ray. Breathing multiplies the depth along each ray. Surfaces
-/// that the camera cannot see are not represented.
+/// The scene at full exhale, as a smooth depth per camera ray. Breathing subtracts the breath's lift times lift_share()
+/// from the depth of each ray. Surfaces that the camera cannot see are not represented.
 struct RestShape {
   Intrinsics camera;
   ImageField body_depth_m;  ///< z of the skin; valid where the ray meets the body and a few pixels beyond
@@ -27,7 +27,7 @@ struct RestShape {
   [[nodiscard]] double cloth_share(double u, double v) const noexcept;
 
   /// Body coordinates of the ray through pixel (u, v) at the belly's depth [m]: towards the patient's head, towards the
-  /// patient's right.
+  /// patient's left.
   [[nodiscard]] Eigen::Vector2d body_coordinates_m(double u, double v) const noexcept;
 
   /// Pixels of image motion per metre that the body slides in body coordinates. A positive slide moves the image

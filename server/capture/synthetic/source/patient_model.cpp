@@ -16,7 +16,7 @@ Result<NamedPatient> open_patient(const std::string& text) {
   const std::optional<std::filesystem::path> file =
       spec->model == "torso" ? program::shipped_file(kShippedTorso) : std::filesystem::path{spec->model};
   if (!file)
-    return Error{.what = "does not lie in or above the program's folder",
+    return Error{.what = "is neither in the program's folder nor in a folder above it",
                  .where = kShippedTorso,
                  .fix = "run from the source tree or an installation, or set TELEPALP_HOME to one"};
   const Result<TriangleMesh> mesh = read_mesh(*file);
