@@ -154,15 +154,6 @@ TEST_F(BadInput21, FragmentsWithWrongNumbersAreRefusedAndTheGoodImagesAreFelt) {
   EXPECT_GT(sent, 1000U);
 }
 
-class BadInput29 : public CraftedTest {};
-TEST_F(BadInput29, AServersSessionClockThatStepsAnHourIsFollowedAndTheImagesAreFelt) {
-  for (const Nanoseconds by : {Nanoseconds(1h), Nanoseconds(-2h), Nanoseconds(1h)}) {
-    site().server.step_clock(by);
-    EXPECT_TRUE(site().feels(60, [] {})) << "by " << to_seconds(by) << " s: " << site().log();
-    EXPECT_LT(std::chrono::abs(site().server.last_surface_age()), 20s) << "an age by the new clock";
-  }
-}
-
 TEST_F(CraftedTest, WhatIsNotSealedOrOfAnotherSessionIsIgnoredByTheStation) {
   std::mt19937 random(15);
   EXPECT_TRUE(site().feels(30,

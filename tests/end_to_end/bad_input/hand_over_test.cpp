@@ -47,7 +47,7 @@ TEST(HandOver, OneCommandOffersTheTouchAndOneCommandAcceptsIt) {
             "ok: offered to doctor bert for 60 s: you keep the touch until it is accepted\n");
   EXPECT_TRUE(comes(session.file("bert.log"), "doctor anna offers you the touch", 20s));
   EXPECT_EQ(session.audit().find("event=gave-touch"), std::string::npos) << "an offer alone takes nothing away";
-  EXPECT_EQ(hand_over(bert, "--accept"), "ok: the touch is taken when it is offered\n");
+  EXPECT_EQ(hand_over(bert, "--accept"), "ok: this station takes the touch as soon as it is offered\n");
   EXPECT_TRUE(comes(session.file("bert.log"), "ticking at 2 kHz", 30s)) << text_of(session.file("bert.log"));
   EXPECT_TRUE(comes(session.file("station.log"), "the touch is handed over to doctor bert", 20s))
       << text_of(session.file("station.log"));
