@@ -113,7 +113,9 @@ test('the safety readings stay in view in a small window, with a banner and a no
     for (const [width, height] of [[1400, 900], [900, 640], [390, 760], [390, 500], [700, 420], [640, 320], [320, 568]]) {
       await page.setViewportSize({width, height});
       await page.waitForFunction((wide) => innerWidth === wide, width);
-      assert.deepEqual(await unreadable(page, SAFETY), [], `${width} x ${height}`);
+      let hidden;  // the page measures its rows again after the window changed, so the first look can come too early
+      await until(`all readings at ${width} x ${height}`, async () => (hidden = await unreadable(page, SAFETY)).length === 0)
+          .catch((late) => assert.fail(`${late.message}: ${hidden}`));
     }
   } finally {
     await browser?.context.close();
