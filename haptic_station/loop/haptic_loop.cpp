@@ -3,14 +3,9 @@
 #include <limits>
 
 #include "haptic_station/loop/packed.h"
+#include "haptic_station/loop/time_line.h"
 
 namespace telepalp::loop {
-namespace {
-
-constexpr std::chrono::milliseconds kSameSession{
-    50};  // a greater step back means another session, because clocks are only slewed
-
-}  // namespace
 
 void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcept {
   if (!surface.snapshot) return;
@@ -66,7 +61,7 @@ ObjectPlacements HapticLoop::objects() const noexcept {
 }
 
 HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept {
-  if (now + kSameSession < last_tick_) begin_new_time_line();
+  if (begins_new_time_line(now, last_tick_)) begin_new_time_line();
   last_tick_ = now;
   ticked_ = true;
   // Sense.

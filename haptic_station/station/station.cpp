@@ -2,6 +2,7 @@
 
 #include <boost/asio/post.hpp>
 #include <csignal>
+#include <cstdio>
 #include <utility>
 
 #include "codec/depth.h"
@@ -295,6 +296,7 @@ void Station::start_haptic_thread() {
 void Station::every_10_ms() {
   telemetry_.drain(now());
   faults_.look(false);
+  say_clock_step();
   if (haptic_ && haptic_->compensation().take()) {
     msg::StationCompensation compensation = compensation_message(haptic_->compensation().current());
     compensation.set_clock_error_s(clock_error_s_);
@@ -316,6 +318,17 @@ void Station::every_10_ms() {
 void Station::look_at_clock() {
   const Nanoseconds bound = options_.model ? Nanoseconds{0} : link_.clock_uncertainty();
   clock_error_s_ = bound == Nanoseconds::max() ? std::numeric_limits<double>::infinity() : to_seconds(bound);
+}
+
+/// Of a server that restarts, the clock may step by as much as the wall clock of its computer was set.
+void Station::say_clock_step() {
+  const Nanoseconds stepped = link_.clock_stepped();
+  const Nanoseconds by = stepped - std::exchange(clock_stepped_, stepped);
+  if (by == Nanoseconds{0}) return;
+  char text[80];
+  std::snprintf(text, sizeof text, "the session clock stepped by %+.1f s; the contact begins anew", to_seconds(by));
+  say(text);
+  telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, text);
 }
 
 void Station::every_second() {

@@ -74,6 +74,7 @@ class Station {
   void every_10_ms();
   void every_second();
   void look_at_clock();
+  void say_clock_step();
   void publish_totals();
   void stop(const std::string& reason);
   void give_up(const Error& error);
@@ -98,6 +99,7 @@ class Station {
   std::string not_connected_because_;
   std::string depth_;  // description of the depth's fidelity that was logged last
   double clock_error_s_ = std::numeric_limits<double>::infinity();  // bound on the error of the session clock
+  Nanoseconds clock_stepped_{0};                                    // steps of the session clock that were logged
   ImageAges ages_;
 
   const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread

@@ -289,11 +289,18 @@ void ClientLink::on_datagram_offer(const msg::DatagramOffer& offer) {
   start_datagrams();
 }
 
+/// Session time without the steps since the datagrams began: their intervals are measured by it, and last on when the
+/// clock steps.
+SessionTime ClientLink::datagram_now() const noexcept {
+  return clock().now() - (clock_sync_.stepped() - stepped_before_datagrams_);
+}
+
 /// The ages of frames need the session clock, so that datagrams begin when it is synchronised.
 void ClientLink::start_datagrams() {
   if (datagrams_ || !offered_ || state_ != LinkState::Connected || !connection_) return;
   const auto seal = accept_offer(*offered_, connection_->keying_material(kDatagramKeyLabel));
   if (!seal) return;
+  stepped_before_datagrams_ = clock_sync_.stepped();
   datagrams_ = std::make_unique<ClientDatagrams>(
       io_, boost::asio::ip::udp::endpoint(server_.address(), server_.port()), *seal,
       ClientDatagrams::Handlers{.next_frame = [this]() -> std::optional<link::Frame> {
@@ -302,7 +309,7 @@ void ClientLink::start_datagrams() {
                                   counts_.not_sent += replaced.size();
                                   if (!message) return std::nullopt;
                                   ++counts_.published;
-                                  return frame_of(*message, clock().now());
+                                  return frame_of(*message, datagram_now());
                                 },
                                 .on_frame =
                                     [this](const link::Frame& frame) {
@@ -314,7 +321,7 @@ void ClientLink::start_datagrams() {
                                       if (handlers_.on_datagrams) handlers_.on_datagrams(phase, images_come_by(phase));
                                     },
                                 .on_carry = [this](bool on) { counts_.not_sent += send_by_datagram(outgoing_, on); },
-                                .now = [this] { return clock().now(); }});
+                                .now = [this] { return datagram_now(); }});
   datagrams_->start();
 }
 

@@ -103,6 +103,8 @@ class ClientLink : private ConnectionOwner {
   /// Bound on the error of clock() now; Nanoseconds::max() before the first connection and during a new one's first
   /// round trip.
   [[nodiscard]] Nanoseconds clock_uncertainty() const noexcept;
+  /// Sum of the steps of clock(), corrections of 1 s or more, since the first connection. Upward steps are positive.
+  [[nodiscard]] Nanoseconds clock_stepped() const noexcept { return clock_sync_.stepped(); }
 
   [[nodiscard]] LinkState state() const noexcept { return state_; }
   /// In LinkState::Refused: the reason, the place and the fix.
@@ -129,6 +131,7 @@ class ClientLink : private ConnectionOwner {
   void on_closed(const std::string& reason) override;
   std::optional<Message> next_to_send() override;
   SessionTime session_now() override { return clock().now(); }
+  [[nodiscard]] SessionTime datagram_now() const noexcept;
 
   /// Wraps `handler` so that it does nothing after this link is destroyed: the io_context may still hold it.
   template <class Handler>
@@ -170,6 +173,7 @@ class ClientLink : private ConnectionOwner {
   boost::asio::steady_timer probe_;
   std::chrono::milliseconds back_off_;
   ClockSync clock_sync_;
+  Nanoseconds stepped_before_datagrams_{0};              // clock_stepped() when datagrams_ began
   std::atomic<std::int64_t> offset_target_ns_;           // SlewedOffset::target (clock_sync.h); stored last
   std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // SlewedOffset::line_at_zero; any thread loads it last
   bool accepts_once_ = false;                            // accept_touch() was called, and no connection came since

@@ -108,7 +108,10 @@ void ClockSync::drop_what_a_jump_has_outdated() {
 void ClockSync::follow(Nanoseconds estimate, Nanoseconds local_now) noexcept {
   const Nanoseconds current = given_ ? given_->at(local_now) : estimate;
   const bool is_step = std::chrono::abs(estimate - current) >= kStep;
-  if (is_step) ++steps_;
+  if (is_step) {
+    ++steps_;
+    stepped_ += estimate - current;
+  }
   given_ = SlewedOffset{.target = estimate, .line_at_zero = (is_step ? estimate : current) + local_now / 2};
 }
 

@@ -56,6 +56,8 @@ class ClockSync {
   [[nodiscard]] Nanoseconds uncertainty(Nanoseconds local_now) const noexcept;
   /// Number of corrections of 1 s or more, upward or downward. The first estimate does not count.
   [[nodiscard]] std::uint64_t steps() const noexcept { return steps_; }
+  /// Sum of these corrections, upward ones positive.
+  [[nodiscard]] Nanoseconds stepped() const noexcept { return stepped_; }
 
  private:
   void drop_what_a_jump_has_outdated();
@@ -64,6 +66,7 @@ class ClockSync {
   std::deque<ClockSample> window_;  // oldest first
   std::optional<SlewedOffset> given_;
   std::uint64_t steps_ = 0;
+  Nanoseconds stepped_{0};
 };
 
 }  // namespace telepalp::wire

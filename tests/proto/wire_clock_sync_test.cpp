@@ -80,6 +80,7 @@ TEST(ClockSync, AJumpOfTheClocksIsFollowedAfterThreeAgreeingProbes) {
   ASSERT_TRUE(sync.add(probe(22s, 3700s, 2ms, 2ms)));
   EXPECT_EQ(given(sync), 3700s);
   EXPECT_EQ(sync.steps(), 1u);
+  EXPECT_EQ(sync.stepped(), 1h);
 }
 
 TEST(ClockSync, TimeGivenOutNeverRunsBackwardsWhileTheEstimateIsCorrected) {

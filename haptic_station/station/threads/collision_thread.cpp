@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "haptic_station/loop/plane_snapshot.h"
+#include "haptic_station/loop/time_line.h"
 #include "haptic_station/station/threads/tick_timer.h"
 
 namespace telepalp::station {
@@ -47,6 +48,8 @@ void CollisionThread::run() {
 
 void CollisionThread::detect() {
   const SessionTime now = now_();
+  if (loop::begins_new_time_line(now, latest_)) touch_.release();
+  latest_ = now;
   if (from_surface_.take()) touch_.adopt(*from_surface_.current().snapshot, now);
   (void)device_.take();
   const loop::TouchableSurface& seen = from_surface_.current();

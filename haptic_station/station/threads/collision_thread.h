@@ -29,7 +29,8 @@ class CollisionThread {
   LatestValue<Point<HapticBase>>& device_;             // written by: haptic thread
   LatestValue<loop::TouchableSurface>& to_haptic_;     // read by: haptic thread
   std::function<SessionTime()> now_;
-  surface::Touch touch_;
+  surface::Touch touch_;  // owner: this thread
+  SessionTime latest_{};  // last reading of the session clock; owner: this thread
   std::atomic<bool> running_{true};
   std::thread thread_;
 };

@@ -14,6 +14,9 @@ constexpr double kReach_m = 0.16;
 constexpr int kMostWaiting = 300;
 constexpr std::size_t kMostWaitingBytes = 32U << 20U;
 
+// A session clock that is corrected by less is slewed, and never goes back (proto/wire/clock_sync.h).
+constexpr Nanoseconds kClockStep = std::chrono::seconds(1);
+
 Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
   return {.what = "the image is " + std::to_string(depth.width) + " x " + std::to_string(depth.height) +
                   " pixels, its camera model is for " + std::to_string(camera.width) + " x " +
@@ -105,6 +108,7 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
                  .fix = "aim the camera at the patient"};
   const SessionTime captured = session_time(static_cast<std::int64_t>(message.captured_ns()));
   const SessionTime begun = handlers_.now();
+  begin_anew_if_clock_went_back(captured, begun);
   const auto snapshot = builder_.add(depth, work.camera, captured, reach());
   if (!snapshot)
     return Error{.what = "the image is not newer than the last one, or not well formed",
@@ -124,6 +128,15 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   if (message.has_bound()) *report.mutable_depth_bound() = message.bound();
   judge(report, captured, to_seconds(handlers_.now() - begun));
   return report;
+}
+
+/// If the session clock has stepped back, the last image was captured at a time that is still to come, and would make
+/// each later image seem older. An image that was overtaken is dropped all the same, because the last image is then not
+/// ahead of the clock.
+void SurfaceWorker::begin_anew_if_clock_went_back(SessionTime captured, SessionTime now) {
+  if (captured > last_captured_ || last_captured_ <= now + kClockStep) return;
+  builder_.restart();
+  last_captured_ = captured;
 }
 
 /// Reports the setting and the cost of the snapshot, and chooses the setting of the next one.

@@ -26,7 +26,8 @@ namespace telepalp::station {
 /// behind it is dropped and counted; it is still decoded when a newer frame is predicted from it. While 300 messages
 /// or 32 MiB wait, further ones are dropped undecoded, and the next predicted frame leads to a key frame request. The
 /// 2 kHz thread never waits for this thread. While depth cannot be decoded because a reference frame is missing, the
-/// last surface stays.
+/// last surface stays. After a step back of the session clock by 1 s or more, the surface is made anew from the next
+/// image on.
 class SurfaceWorker {
  public:
   /// Returns haptic_from_camera for an image; called with each image until it returns a value.
@@ -65,6 +66,7 @@ class SurfaceWorker {
   Result<msg::SurfaceReport> build(const Work& work, const msg::DepthImage& message,
                                    const codec::DecodedDepth& decoded_depth);
   [[nodiscard]] std::optional<surface::Reach> reach();
+  void begin_anew_if_clock_went_back(SessionTime captured, SessionTime now);
   void judge(msg::SurfaceReport& report, SessionTime captured, double cost_s);
 
   codec::DepthReader reader_;                // owner: surface thread

@@ -66,6 +66,11 @@ struct HostileSite {
     }
     return server.surfaces() >= before + more;
   }
+  /// True if the station's log has `words` within 20 s of good images.
+  bool says(const std::string& words) {
+    for (int i = 0; i < 600 && log().find(words) == std::string::npos; ++i) step();
+    return log().find(words) != std::string::npos;
+  }
   [[nodiscard]] std::string log() const { return text_of(folder.path() / "station.log"); }
 };
 
@@ -166,6 +171,18 @@ TEST_F(CraftedTest, WhatIsNotSealedOrOfAnotherSessionIsIgnoredByTheStation) {
                              }
                            }))
       << "seed 15: " << site().log();
+}
+
+// The last test of this file: the datagrams of a connection end when the server's clock steps back, and TCP goes on.
+class BadInput29 : public CraftedTest {};
+TEST_F(BadInput29, AServersSessionClockThatStepsAnHourIsFollowedAndTheImagesAreFelt) {
+  for (const auto& [by, said] :
+       {std::pair(Nanoseconds(2h), "stepped by +7200.0 s"), std::pair(Nanoseconds(-3h), "stepped by -10800.0 s")}) {
+    site().server.step_clock(by);
+    EXPECT_TRUE(site().says(said)) << site().log();
+    EXPECT_TRUE(site().feels(20, [] {})) << said << ": " << site().log();
+    EXPECT_LT(std::chrono::abs(site().server.last_surface_age()), 20s) << "an age by the new clock";
+  }
 }
 
 }  // namespace

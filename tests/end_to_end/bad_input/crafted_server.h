@@ -48,9 +48,12 @@ class CraftedServer : public wire::ConnectionOwner {
 
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
   [[nodiscard]] SessionTime now() const { return clock_.now(); }
+  void step_clock(Nanoseconds by) { clock_ = wire::SessionClock{clock_.offset() + by}; }
   /// True once the station's datagrams came, so that it can be sent some.
   [[nodiscard]] bool knows_station() const { return station_.has_value(); }
   [[nodiscard]] std::size_t surfaces() const { return surfaces_; }
+  /// From the newest touchable image's capture until it was touchable, by the station's session clock.
+  [[nodiscard]] Nanoseconds last_surface_age() const { return last_surface_age_; }
   [[nodiscard]] const std::string& closed() const { return closed_; }
 
   /// Over TCP.
@@ -85,7 +88,11 @@ class CraftedServer : public wire::ConnectionOwner {
     connection_->offer_datagrams(offer->message);
   }
   void on_message(wire::Message message) override {
-    if (message.topic.name == wire::kStationSurface.name) ++surfaces_;
+    if (message.topic.name != wire::kStationSurface.name) return;
+    ++surfaces_;
+    msg::SurfaceReport report;
+    if (report.ParseFromString(*message.payload))
+      last_surface_age_ = Nanoseconds(static_cast<std::int64_t>(report.touchable_ns() - report.captured_ns()));
   }
   void on_subscribe(std::vector<std::string>) override {}
   void on_clock(const wire::ClockSample&) override {}
@@ -130,6 +137,7 @@ class CraftedServer : public wire::ConnectionOwner {
   std::deque<wire::Message> waiting_;
   std::map<std::string_view, std::uint64_t> sequences_;
   std::size_t surfaces_ = 0;
+  Nanoseconds last_surface_age_{0};
   std::string closed_;
   std::shared_ptr<wire::Connection> connection_;
 };

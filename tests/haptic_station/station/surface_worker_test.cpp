@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <future>
 #include <mutex>
@@ -72,6 +73,7 @@ class Bench {
     const std::scoped_lock lock(mutex_);
     return wanted_;
   }
+  std::atomic<std::int64_t> now_ns{2'000'000'000};  // the session clock
   LatestValue<loop::TouchableSurface> surfaces;
   LatestValue<Point<HapticBase>> device;
 
@@ -98,7 +100,7 @@ class Bench {
         goes_on_.wait();
         return Transform<HapticBase, DepthCamera>{};
       },
-      {.now = [] { return session_time(2'000'000'000); },
+      {.now = [this] { return session_time(now_ns); },
        .on_report = [this](const msg::SurfaceReport& report) { keep(reports_, report); },
        .on_bad_frame = [this](const Error& error) { keep(errors_, error); },
        .request_key_frame = [this](const wire::Message& message) { keep(wanted_, message.published); }},
@@ -168,6 +170,48 @@ TEST(SurfaceWorker, AMissingReferenceKeepsTheLastSurfaceAndAsksOnceForAKeyFrame)
   EXPECT_EQ(bench.errors().size(), 1u);
   ASSERT_EQ(bench.wanted().size(), 1u);
   EXPECT_EQ(bench.wanted().front(), stream[2].published);
+}
+
+wire::Message captured_at(SessionTime captured, wire::Message message) {
+  msg::DepthImage image;
+  EXPECT_TRUE(image.ParseFromString(*message.payload));
+  image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(captured)));
+  return wire::make_message(wire::kCameraDepth, captured, image);
+}
+
+TEST(SurfaceWorker, AfterTheSessionClockStepsBackImagesBecomeSurfacesAgain) {
+  Bench bench;
+  const auto stream = stream_of(codec::DepthMode::Intra, 4, 1);
+  const SessionTime later = session_time(bench.now_ns) + 2h;
+  bench.now_ns = to_nanoseconds(later);
+  bench.offer(captured_at(later - 10ms, stream[0]));
+  ASSERT_TRUE(bench.answered(1));
+  const SessionTime back = later - 2h;
+  bench.offer(captured_at(back - 40ms, stream[1]));
+  ASSERT_TRUE(bench.answered(2));
+  ASSERT_EQ(bench.errors().size(), 1U) << "the clock has not stepped yet: the image counts as overtaken";
+  bench.now_ns = to_nanoseconds(back);
+  bench.offer(captured_at(back - 10ms, stream[2]));
+  ASSERT_TRUE(bench.answered(3));
+  bench.offer(captured_at(later + 10ms, stream[0]));  // was on its way when the clock stepped
+  ASSERT_TRUE(bench.answered(4));
+  bench.offer(captured_at(back + 20ms, stream[3]));
+  ASSERT_TRUE(bench.answered(5));
+  EXPECT_EQ(bench.errors().size(), 1U);
+  ASSERT_EQ(bench.reports().size(), 4U);
+  EXPECT_EQ(bench.reports().back().sequence(), 3U);
+}
+
+TEST(SurfaceWorker, AnImageThatWasOvertakenIsDroppedWhileTheClockRunsOn) {
+  Bench bench;
+  const auto stream = stream_of(codec::DepthMode::Intra, 3, 1);
+  const SessionTime now = session_time(bench.now_ns);
+  bench.offer(captured_at(now + 900ms, stream[1]));  // within the error of a poor clock
+  ASSERT_TRUE(bench.answered(1));
+  bench.offer(captured_at(now + 870ms, stream[0]));
+  ASSERT_TRUE(bench.answered(2));
+  EXPECT_EQ(bench.reports().size(), 1U);
+  EXPECT_EQ(bench.errors().size(), 1U);
 }
 
 TEST(SurfaceWorker, ReportsThatDepthIsBoundedWithItsBound) {
