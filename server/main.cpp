@@ -207,7 +207,7 @@ Result<Opened> open(const Asked& asked, const wire::SessionClock& clock) {
   return opened;
 }
 
-/// Lets the gateway's visitors see and move the session.
+/// Lets the gateway's visitors see and control the playback.
 void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& player,
                     const playback::SessionEvents& events) {
   options.session_events = [&events] { return playback::to_json(events.events()); };
@@ -218,6 +218,11 @@ void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& p
     if (const Result<void> applied = player.apply(*command); !applied) return applied.error();
     return playback::to_json(player.state());
   };
+  options.playback_port = {.state = [&player] { return player.state(); },
+                           .move = [&player](const msg::PlaybackCommand& command) -> Result<void> {
+                             if (const Result<void> valid = playback::check(command); !valid) return valid;
+                             return player.apply(command);
+                           }};
 }
 
 /// Where a recorder of this machine reaches the server: at its address, or on loopback when it listens everywhere.

@@ -60,6 +60,7 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
 Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_(std::move(options)), second_(io) {
   hub_.on_key_frame_request([this](std::string_view topic) {
     if (capture_ && topic == wire::kCameraDepth.name) capture_->request_key_frame();
+    if (player_ && topic == wire::kCameraDepth.name) player_->show_again();
   });
 }
 
@@ -109,12 +110,18 @@ std::string Server::problem() const {
 
 void Server::publish_every_second() {
   publish_clock_and_stats();
+  show_newcomers_the_picture();
   give_memory_back();
   choose_prediction();
   second_.expires_after(1s);
   second_.async_wait([this](const boost::system::error_code& stopped) {
     if (!stopped && !stopped_) publish_every_second();
   });
+}
+
+/// A paused session publishes nothing by itself, so a subscriber that came later lacks the picture.
+void Server::show_newcomers_the_picture() {
+  if (player_ && !player_->state().playing() && hub_.is_missed(wire::kCameraDepth.name)) player_->show_again();
 }
 
 void Server::publish_clock_and_stats() {

@@ -65,6 +65,7 @@ class Server {
   void publish(wire::Message message);
   [[nodiscard]] std::uint64_t frames() const;  ///< captured or played
   void publish_every_second();
+  void show_newcomers_the_picture();
   void publish_clock_and_stats();
   void give_memory_back();
   void choose_prediction();

@@ -12,7 +12,7 @@ struct Permission {
 
 constexpr std::array kPermissions{
     Permission{Role::Technician, Operation::Watch},   Permission{Role::Technician, Operation::Record},
-    Permission{Role::Technician, Operation::Metrics},
+    Permission{Role::Technician, Operation::Metrics}, Permission{Role::Technician, Operation::Play},
 
     Permission{Role::Doctor, Operation::Watch},       Permission{Role::Doctor, Operation::Touch},
     Permission{Role::Doctor, Operation::HandOver},    Permission{Role::Doctor, Operation::Record},
@@ -20,11 +20,11 @@ constexpr std::array kPermissions{
     Permission{Role::Viewer, Operation::Watch},
 
     Permission{Role::Qa, Operation::Watch},           Permission{Role::Qa, Operation::Record},
-    Permission{Role::Qa, Operation::Metrics},
+    Permission{Role::Qa, Operation::Metrics},         Permission{Role::Qa, Operation::Play},
 
     Permission{Role::Local, Operation::Watch},        Permission{Role::Local, Operation::Touch},
     Permission{Role::Local, Operation::HandOver},     Permission{Role::Local, Operation::Record},
-    Permission{Role::Local, Operation::Metrics},
+    Permission{Role::Local, Operation::Metrics},      Permission{Role::Local, Operation::Play},
 };
 
 }  // namespace
@@ -62,6 +62,8 @@ std::string_view name(Operation operation) noexcept {
       return "record";
     case Operation::Metrics:
       return "metrics";
+    case Operation::Play:
+      return "play";
   }
   return "?";
 }

@@ -19,11 +19,12 @@ enum class Operation {
   HandOver,  ///< offer one's permission to touch, or to move the hand, to another person
   Record,    ///< join as a recorder
   Metrics,   ///< read /metrics
+  Play,      ///< control the playback of a session: pause, seek, speed
 };
 
 inline constexpr std::array kRoles{Role::Technician, Role::Doctor, Role::Viewer, Role::Qa, Role::Local};
-inline constexpr std::array kOperations{Operation::Watch, Operation::Touch, Operation::HandOver, Operation::Record,
-                                        Operation::Metrics};
+inline constexpr std::array kOperations{Operation::Watch,  Operation::Touch,   Operation::HandOver,
+                                        Operation::Record, Operation::Metrics, Operation::Play};
 
 /// The one table of permissions. A pair that it does not list is denied.
 [[nodiscard]] bool allows(Role role, Operation operation) noexcept;

@@ -5,6 +5,7 @@
 #include "messages/foxglove_websocket.pb.h"
 #include "proto/wire/mcap/format/schemas.h"
 #include "proto/words/demand.h"
+#include "server/gateway/foxglove/playback_control.h"
 #include "server/views/view_topics.h"
 
 namespace telepalp::gateway::foxglove {
@@ -38,6 +39,14 @@ void add_channel(texts::Advertise& advertise, const wire::Topic& topic, const go
   channel.set_schemaencoding("protobuf");
 }
 
+texts::Time time_of(std::uint64_t ns) {
+  constexpr std::uint64_t kSecond_ns = 1'000'000'000;
+  texts::Time time;
+  time.set_sec(static_cast<std::uint32_t>(ns / kSecond_ns));
+  time.set_nsec(static_cast<std::uint32_t>(ns % kSecond_ns));
+  return time;
+}
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
@@ -63,8 +72,8 @@ std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept {
                                          : views::kViewTopics[channel - 1 - wire::kTopics.size()];
 }
 
-std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer,
-                        std::string_view role) {
+std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer, std::string_view role,
+                        const std::optional<msg::PlaybackState>& played) {
   texts::ServerInfo info;
   info.set_op("serverInfo");
   info.set_name(std::string(name));
@@ -73,6 +82,11 @@ std::string server_info(std::string_view name, std::string_view session_id, std:
   info.set_sessionid(std::string(session_id));
   (*info.mutable_metadata())["viewer"] = std::to_string(viewer);
   (*info.mutable_metadata())["role"] = std::string(role);
+  if (played) {
+    info.add_capabilities("playbackControl");
+    *info.mutable_datastarttime() = time_of(played->begin_ns());
+    *info.mutable_dataendtime() = time_of(end_ns(*played));
+  }
   return to_json(info);
 }
 

@@ -8,13 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "messages/playback.pb.h"
 #include "proto/wire/topics.h"
 #include "proto/words/result.h"
 #include "proto/words/time.h"
 
 namespace telepalp::gateway::foxglove {
 
-/// The supported subprotocols. The parts that telepalp uses are equal in both.
+/// The supported subprotocols. The parts that telepalp uses are equal in both, but playback control is of the first.
 inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1", "foxglove.websocket.v1"};
 
 /// The first supported subprotocol in the client's Sec-WebSocket-Protocol header; nullopt if there is none.
@@ -25,9 +26,9 @@ inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1"
 
 /// Text messages from the server. `session_id` differs for each start of the server, `viewer` for each client. `role`
 /// is the name of the client's role; telepalp's viewer shows the view for this role, and leaves out what the role may
-/// not do.
+/// not do. `played`: the session that the client may move; nullopt: none.
 [[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer,
-                                      std::string_view role);
+                                      std::string_view role, const std::optional<msg::PlaybackState>& played = {});
 [[nodiscard]] std::string advertise_all_topics();
 enum class Level : std::uint32_t { Info = 0, Warning = 1, Error = 2 };
 [[nodiscard]] std::string status(Level level, std::string_view text);

@@ -65,7 +65,7 @@ Gateway::Gateway(tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context
       context_(std::move(context)),
       port_(acceptor_.local_endpoint().port()) {
   accept();
-  check_access_every_second();
+  look_after_connections_every_second();
 }
 
 Gateway::~Gateway() {
@@ -83,14 +83,18 @@ std::string Gateway::url() const {
          (is_v6 ? "[" + address + "]" : address) + ":" + std::to_string(port_) + "/";
 }
 
-void Gateway::check_access_every_second() {
-  if (!context_->options.access->has_keys()) return;
-  context_->options.access->look_at_revocations();
+void Gateway::look_after_connections_every_second() {
+  const bool has_keys = context_->options.access->has_keys();
+  if (!has_keys && !context_->options.playback_port) return;
+  if (has_keys) context_->options.access->look_at_revocations();
   const std::unordered_set<Connection*> open = context_->connections;  // check_access() may take them out
-  for (Connection* const connection : open) connection->check_access();
+  for (Connection* const connection : open) {
+    if (context_->options.playback_port) connection->send_playback_state();
+    if (has_keys) connection->check_access();
+  }
   second_.expires_after(std::chrono::seconds(1));
   second_.async_wait([this](boost::system::error_code cancelled) {
-    if (!cancelled) check_access_every_second();
+    if (!cancelled) look_after_connections_every_second();
   });
 }
 

@@ -15,6 +15,7 @@
 #include "proto/words/result.h"
 #include "proto/words/time.h"
 #include "server/access/access.h"
+#include "server/gateway/foxglove/playback_control.h"
 #include "server/gateway/hand_holder.h"
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in/web_sessions.h"
@@ -37,6 +38,7 @@ struct GatewayOptions {
   std::function<std::string()> playback_state{};     ///< JSON of msg::PlaybackState; unset: nothing is played
   /// Carries out the JSON of a msg::PlaybackCommand and returns the new state; set when playback_state is.
   std::function<Result<std::string>(const std::string& json)> playback_command{};
+  foxglove::PlaybackPort playback_port{};          ///< the same for the WebSocket's playback control
   std::function<std::string()> session_events{};   ///< JSON of msg::SessionEvents; set when playback_state is
   std::function<std::string()> recording_state{};  ///< JSON of msg::RecordingState; unset: nothing can be recorded here
   /// Carries out the JSON of a msg::RecordingCommand and returns the new state; set when recording_state is.
@@ -74,6 +76,8 @@ class Connection {
   virtual void close() = 0;
   /// Ends the connection if its key or session has ended; called each second.
   virtual void check_access() {}
+  /// Sends the client the state of the played session; called each second.
+  virtual void send_playback_state() {}
   /// True when the connection is a viewer that has subscribed to nothing, so that it may be closed to make room for
   /// another one.
   [[nodiscard]] virtual bool is_idle() const { return false; }
@@ -108,7 +112,7 @@ class Gateway {
   Gateway(boost::asio::ip::tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context);
   void accept();
   void make_room();
-  void check_access_every_second();
+  void look_after_connections_every_second();
   void refuse(boost::asio::ip::tcp::socket socket);
 
   boost::asio::ip::tcp::acceptor acceptor_;

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "server/gateway/foxglove/playback_control.h"
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/viewer_commands.h"
 
@@ -42,6 +43,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void start(const HttpRequest& upgrade, const Newcomer& newcomer) {
     const std::string_view subprotocol = newcomer.subprotocol;
+    speaks_playback_ = subprotocol == foxglove::kSubprotocols.front();
     beast::error_code ignored;
     socket().set_option(tcp::no_delay(true), ignored);
     socket().set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
@@ -64,6 +66,11 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     const bool signed_out =
         !visitor_->cookie.empty() && !context()->sessions.find(visitor_->cookie, std::chrono::steady_clock::now());
     if (signed_out || !context()->options.access->still_holds(visitor_->who)) close();
+  }
+
+  void send_playback_state() override {
+    if (controls_playback_ && subscriber_)
+      say_binary(foxglove::playback_state(context()->options.playback_port.state()));
   }
 
   void close() override {
@@ -93,8 +100,12 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     number_ = *subscriber_;
     views_subscriber_ = context()->views.join(std::string(kSubscriberName), peer, [this] { write_next(); });
     const std::string_view role = visitor_ ? keys::name(visitor_->who.role) : std::string_view{};
-    say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_, role));
+    controls_playback_ = speaks_playback_ && context()->options.playback_port && visitor_ &&
+                         context()->options.access->may(visitor_->who, keys::Operation::Play).ok();
+    const auto played = controls_playback_ ? std::optional(context()->options.playback_port.state()) : std::nullopt;
+    say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_, role, played));
     say(foxglove::advertise_all_topics());
+    send_playback_state();
     read();
   }
 
@@ -110,7 +121,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void handle(const std::string& message) {
     if (!subscriber_) return;
-    if (!stream_.got_text()) return publish(message);
+    if (!stream_.got_text()) return foxglove::is_playback_request(message) ? move_playback(message) : publish(message);
     const Result<foxglove::Request> request = foxglove::read_request(message);
     if (!request) return warn(to_string(request.error()));
     for (const std::uint32_t id : request->unsubscribe) subscriptions_.erase(id);
@@ -123,6 +134,17 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     context()->hub.subscribe(*subscriber_, topics);
     context()->views.subscribe(views_subscriber_, topics);
     context()->view_maker->subscriptions_changed();
+  }
+
+  void move_playback(const std::string& bytes) {
+    if (!controls_playback_) return warn("moving a session is for technicians and QA");
+    const foxglove::PlaybackPort& port = context()->options.playback_port;
+    const msg::PlaybackState before = port.state();
+    const Result<foxglove::PlaybackRequest> request = foxglove::read_playback_request(bytes, before);
+    if (!request) return warn(to_string(request.error()));
+    const Result<void> moved = port.move(foxglove::command_of(*request, before));
+    if (!moved) return warn(to_string(moved.error()));
+    say_binary(foxglove::playback_reply(before, *request));
   }
 
   void publish_holder() {
@@ -198,15 +220,22 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   void warn(const std::string& text) { say(foxglove::status(foxglove::Level::Warning, text)); }
 
   /// Queues a text. A viewer that sends invalid requests faster than it reads the replies gets only some of them.
-  void say(std::string text) {
-    if (texts_.size() >= kMaxWaitingTexts) return;
-    texts_.push_back(std::move(text));
+  void say(std::string text) { put_in_line({std::move(text), true}); }
+  void say_binary(std::string bytes) { put_in_line({std::move(bytes), false}); }
+
+  struct Said {
+    std::string content;
+    bool is_text;
+  };
+  void put_in_line(Said said) {
+    if (said_.size() >= kMaxWaitingTexts) return;
+    said_.push_back(std::move(said));
     write_next();
   }
 
   void write_next() {
     if (writing_) return;
-    if (!texts_.empty()) return write_text();
+    if (!said_.empty()) return write_said();
     while (subscriber_) {
       std::optional<wire::Message> message = next_message();
       if (!message) return;
@@ -231,13 +260,13 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     return !to_.empty();
   }
 
-  void write_text() {
+  void write_said() {
     writing_ = true;
-    stream_.text(true);
-    stream_.async_write(asio::buffer(texts_.front()),
+    stream_.text(said_.front().is_text);
+    stream_.async_write(asio::buffer(said_.front().content),
                         [self = shared_from_this()](beast::error_code failed, std::size_t) {
                           if (failed) return self->leave();
-                          self->texts_.pop_front();
+                          self->said_.pop_front();
                           self->writing_ = false;
                           self->write_next();
                         });
@@ -262,15 +291,17 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   std::optional<Visitor> visitor_;
   bool denied_ = false;
   bool holds_hand_ = false;
-  hub::SubscriberId number_ = 0;                 // of this viewer, also after it has left
-  beast::flat_buffer incoming_;                  // bounded by read_message_max
+  hub::SubscriberId number_ = 0;    // of this viewer, also after it has left
+  bool speaks_playback_ = false;    // clients of the older subprotocol fail on binary messages that they do not know
+  bool controls_playback_ = false;  // the visitor may control the played session, by this connection
+  beast::flat_buffer incoming_;     // bounded by read_message_max
   std::optional<hub::SubscriberId> subscriber_;  // set from the handshake until the end
   hub::SubscriberId views_subscriber_ = 0;       // valid while subscriber_ is set
   bool view_is_next_ = false;
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics or kViewTopics
   ViewerCommands commands_;
   std::optional<SessionTime> untaken_warned_;
-  std::deque<std::string> texts_;  // texts to write before messages
+  std::deque<Said> said_;  // texts and playback states, to write before messages
   bool writing_ = false;
   std::optional<wire::Message> message_;  // the message that is being written
   std::deque<std::uint32_t> to_;          // subscriptions to which the message is still to be written

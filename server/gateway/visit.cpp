@@ -112,8 +112,8 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
   return reply;
 }
 
-/// Everyone who may watch may read the state. Moving the session changes what all viewers see: it is for those who may
-/// also read the metrics, technicians and QA, and for pages of this server or programs.
+/// Everyone who may watch may read the state. Moving the session changes what all viewers see: it is for technicians
+/// and QA, and for pages of this server or programs.
 HttpReply Visit::playback(const HttpRequest& request) const {
   const GatewayOptions& options = context_.options;
   const bool moves = request.method() == http::verb::post;
@@ -121,7 +121,7 @@ HttpReply Visit::playback(const HttpRequest& request) const {
   if (!host_is_ours(options.policy, host))
     return refuse(request, http::status::misdirected_request, "this server is not known by that name");
   if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
-  if (moves && !may(keys::Operation::Metrics))
+  if (moves && !may(keys::Operation::Play))
     return refuse(request, http::status::forbidden, "moving a session is for technicians and QA");
   const std::string_view origin = view(request[http::field::origin]);
   if (moves && !origin_is_allowed(options.policy, origin, host, is_from_trusted_program()))

@@ -90,6 +90,13 @@ bool Hub::is_wanted(std::string_view topic) const {
                      [&](const auto& subscriber) { return wants(subscriber.second.topics, topic); });
 }
 
+bool Hub::is_missed(std::string_view topic) const {
+  return std::any_of(subscribers_.begin(), subscribers_.end(), [&](const auto& entry) {
+    const Subscriber& subscriber = entry.second;
+    return wants(subscriber.topics, topic) && !subscriber.count.topics.contains(topic);
+  });
+}
+
 /// Drops the oldest message of the subscriber with the most queued bytes, until the bound holds.
 void Hub::drop_beyond_the_bound() {
   const auto fuller = [](const auto& a, const auto& b) {

@@ -70,6 +70,9 @@ class Hub {
   /// True when at least one subscriber has subscribed to `topic`.
   [[nodiscard]] bool is_wanted(std::string_view topic) const;
 
+  /// True when a subscriber to `topic` has not been offered a message of it yet.
+  [[nodiscard]] bool is_missed(std::string_view topic) const;
+
   /// Queued bytes, counted as for kMaxWaitingBytes.
   [[nodiscard]] std::size_t waiting_bytes() const noexcept { return waiting_bytes_; }
 

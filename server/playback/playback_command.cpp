@@ -60,11 +60,16 @@ Result<msg::PlaybackCommand> read_command(const std::string& json) {
   msg::PlaybackCommand command;
   const auto parsed = google::protobuf::util::JsonStringToMessage(json, &command);
   if (!parsed.ok()) return wrong("the command cannot be read: " + std::string(parsed.message()));
+  if (const Result<void> valid = check(command); !valid) return valid.error();
+  return command;
+}
+
+Result<void> check(const msg::PlaybackCommand& command) {
   if (command.has_seek_s() && !is_position(command.seek_s())) return wrong("seek_s is not from 0 to 1e7");
   if (command.has_speed() && !is_speed(command.speed())) return wrong("speed is not from 0.1 to 10");
   if (command.has_step() && (command.step() < 1 || command.step() > kMostSteps))
     return wrong("step is not from 1 to 100");
-  return command;
+  return {};
 }
 
 std::string to_json(const msg::PlaybackState& state) { return json_of(state); }

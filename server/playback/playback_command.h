@@ -15,6 +15,9 @@ inline constexpr double kFastest = 10.0;
 /// range.
 [[nodiscard]] Result<msg::PlaybackCommand> read_command(const std::string& json);
 
+/// Error: a value is out of its range.
+[[nodiscard]] Result<void> check(const msg::PlaybackCommand& command);
+
 /// The state as JSON, with all fields.
 [[nodiscard]] std::string to_json(const msg::PlaybackState& state);
 

@@ -14,6 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr int kMostOnTheWay = 64;  // messages; reading pauses while the network thread has more unhandled ones
 constexpr Nanoseconds kStatusEvery = 1s;
+constexpr Nanoseconds kRepeatedEvery = 1s;  // a picture, while paused
 /// A player that is later than this (slow disk, computer was asleep) continues at normal speed instead of catching up.
 constexpr Nanoseconds kLatest = 500ms;
 constexpr Nanoseconds kBetweenRounds{33'333'333};  // from the last message to the repeated first one
@@ -78,6 +79,12 @@ Result<void> SessionPlayer::apply(const msg::PlaybackCommand& command) {
   return {};
 }
 
+void SessionPlayer::show_again() {
+  const std::scoped_lock lock(mutex_);
+  again_ = true;
+  changed_.notify_one();
+}
+
 msg::PlaybackState SessionPlayer::state() const {
   const std::scoped_lock lock(mutex_);
   return state_;
@@ -92,26 +99,30 @@ void SessionPlayer::show_state() {
   state_.set_loop(loop_);
   state_.set_playing(playing_);
   state_.set_damaged(timeline_.damaged());
+  state_.set_begin_ns(static_cast<std::uint64_t>(to_nanoseconds(timeline_.begin())));
 }
 
 /// Sleeps until `due`, at most until the next status. False: a command came, or the player stops.
 bool SessionPlayer::wait_until(SessionTime due) {
   std::unique_lock lock(mutex_);
   const Nanoseconds patience = std::min(due, status_at_ + kStatusEvery) - clock_.now();
-  if (patience > 0ns) changed_.wait_for(lock, patience, [&] { return stopping_ || !commands_.empty(); });
+  if (patience > 0ns) changed_.wait_for(lock, patience, [&] { return stopping_ || again_ || !commands_.empty(); });
   return !stopping_ && commands_.empty();
 }
 
 void SessionPlayer::run() {
   for (;;) {
     std::vector<msg::PlaybackCommand> commands;
+    bool again = false;
     {
       const std::scoped_lock lock(mutex_);
       if (stopping_) return;
       commands = std::exchange(commands_, {});
+      again = std::exchange(again_, false);
     }
     for (const msg::PlaybackCommand& command : commands) carry_out(command);
     if (playing_ && at_end()) return boost::asio::post(*network_, handlers_.on_end);
+    if (again && !playing_) repeat_picture();
     publish_status_when_due();
     show_state();
     if (playing_)
@@ -133,12 +144,13 @@ bool SessionPlayer::at_end() {
 }
 
 void SessionPlayer::carry_out(const msg::PlaybackCommand& command) {
-  if (command.has_seek_s()) go_to(timeline_.begin() + Nanoseconds(static_cast<std::int64_t>(command.seek_s() * 1e9)));
   if (command.has_loop()) loop_ = command.loop();
   if (command.has_speed()) speed_ = command.speed();
   if (command.has_play()) playing_ = command.play();
   if (command.has_step()) playing_ = false;
   anchor();
+  if (command.has_seek_s()) go_to(timeline_.begin() + Nanoseconds(static_cast<std::int64_t>(command.seek_s() * 1e9)));
+  if (command.has_seek_s() && !playing_ && !command.has_step()) show_first_picture();
   for (std::uint32_t steps = 0; command.has_step() && steps < command.step(); ++steps) step();
 }
 
@@ -149,8 +161,35 @@ void SessionPlayer::go_to(SessionTime at) {
   const std::vector<wire::Message> needed = timeline_.seek(at);
   next_ = timeline_.next();
   position_ = at;
+  picture_shown_ = false;
   anchor();
   for (const wire::Message& message : needed) publish(message);
+}
+
+/// A position before the first picture shows that one, so that a paused session is never empty.
+void SessionPlayer::show_first_picture() {
+  if (picture_shown_) return;
+  const SessionTime at = position_;
+  step();
+  if (!picture_shown_) go_to(at);
+}
+
+/// Publishes what a receiver needs at the present position. The picture keeps its first time stamp: if it became
+/// younger, a station would touch a patient who does not move.
+void SessionPlayer::repeat_picture() {
+  if (clock_.now() - repeated_at_ < kRepeatedEvery) return;
+  repeated_at_ = clock_.now();
+  const std::optional<wire::Message> before = next_;
+  const std::vector<wire::Message> needed =
+      timeline_.seek(before ? before->published : timeline_.end() + Nanoseconds(1));
+  const auto is_as_before = [&] {
+    return !before || !next_ || (next_->topic.name == before->topic.name && next_->sequence == before->sequence);
+  };
+  do next_ = timeline_.next();
+  while (!is_as_before());
+  const TimeMap present = std::exchange(map_, picture_map_);
+  for (const wire::Message& message : needed) publish(message);
+  map_ = present;
 }
 
 /// Publishes the next depth image and the messages that follow it, up to the depth image after it.
@@ -188,7 +227,11 @@ void SessionPlayer::publish(const wire::Message& recorded) {
   }
   std::optional<wire::Message> message = retimed(recorded, map_);
   if (!message) return;
-  if (recorded.topic.name == wire::kCameraDepth.name) ++depth_images_;
+  if (recorded.topic.name == wire::kCameraDepth.name) {
+    picture_shown_ = true;
+    picture_map_ = map_;
+    ++depth_images_;
+  }
   hand_over(std::move(*message));
 }
 

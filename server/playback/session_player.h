@@ -40,6 +40,9 @@ class SessionPlayer {
 
   /// Carries the command out as soon as possible. Error: a position beyond the session's end. Any thread.
   [[nodiscard]] Result<void> apply(const msg::PlaybackCommand& command);
+  /// While paused, publishes the present picture and the camera models again, for a reader that came after them. At
+  /// most once a second. Any thread.
+  void show_again();
   [[nodiscard]] msg::PlaybackState state() const;  ///< any thread
   /// The first instant of the session file.
   [[nodiscard]] SessionTime begin() const noexcept { return begin_; }
@@ -52,6 +55,8 @@ class SessionPlayer {
   void go_to(SessionTime at);
   void anchor();
   void step();
+  void show_first_picture();
+  void repeat_picture();
   void play_next();
   [[nodiscard]] bool at_end();
   void publish(const wire::Message& recorded);
@@ -72,14 +77,18 @@ class SessionPlayer {
   double speed_ = 1.0;
   bool color_registered_ = true;
   bool ended_ = false;
+  bool picture_shown_ = false;  // since the last seek
+  TimeMap picture_map_;         // by which the newest picture was published
   SessionTime status_at_{};
   std::optional<std::string> status_;  // text of the status published last
+  SessionTime repeated_at_{};
 
   boost::asio::io_context* network_ = nullptr;
   Handlers handlers_;
   mutable std::mutex mutex_;  // guards commands_, state_ and stopping_
   std::condition_variable changed_;
   std::vector<msg::PlaybackCommand> commands_;
+  bool again_ = false;  // show_again() was called
   msg::PlaybackState state_;
   bool stopping_ = false;
   std::atomic<int> on_the_way_{0};  // messages posted and not yet handled

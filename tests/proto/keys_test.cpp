@@ -33,11 +33,11 @@ TEST(Roles, TheWholeTableOfRolesAndOperationsIsAsAgreed) {
   std::ostringstream table;
   for (const Role role : kRoles) table << name(role) << ": " << permissions(role) << "\n";
   EXPECT_EQ(table.str(),
-            "technician: watch, record, metrics\n"
+            "technician: watch, record, metrics, play\n"
             "doctor: watch, touch, hand over, record\n"
             "viewer: watch\n"
-            "qa: watch, record, metrics\n"
-            "local: watch, touch, hand over, record, metrics\n");
+            "qa: watch, record, metrics, play\n"
+            "local: watch, touch, hand over, record, metrics, play\n");
 }
 
 TEST(Roles, WhatIsNotInTheTableIsDenied) {

@@ -2,9 +2,12 @@
 
 #include <zlib.h>
 
+#include <bit>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "server/gateway/foxglove/playback_control.h"
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/http_reply.h"
 #include "server/gateway/request_policy.h"
@@ -15,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 namespace http = boost::beast::http;
+namespace fg = gateway::foxglove;
 
 class Folder {
  public:
@@ -248,6 +252,79 @@ TEST(FoxgloveProtocol, RequestsAreReadAndOtherOperationsAreNamedInTheRefusal) {
   const auto other = gateway::foxglove::read_request(R"({"op":"setParameters","parameters":[]})");
   ASSERT_FALSE(other);
   EXPECT_NE(to_string(other.error()).find("'setParameters'"), std::string::npos);
+}
+
+/// 03 | command | f32 speed | seek | u64 time | u32 length | id
+std::string playback_request(char command, float speed, std::optional<std::uint64_t> seek_ns, const std::string& id) {
+  std::string bytes{'\x03', command};
+  const auto append = [&](std::uint64_t value, int size) {
+    for (int at = 0; at < size; ++at) bytes += static_cast<char>(value >> (8 * at));
+  };
+  append(std::bit_cast<std::uint32_t>(speed), 4);
+  append(seek_ns ? 1 : 0, 1);
+  append(seek_ns.value_or(0), 8);
+  append(id.size(), 4);
+  return bytes + id;
+}
+
+msg::PlaybackState played() {
+  msg::PlaybackState state;
+  state.set_begin_ns(1'700'000'000'500'000'000);
+  state.set_duration_s(60.0);
+  state.set_position_s(2.0);
+  state.set_speed(1.0);
+  return state;
+}
+
+TEST(FoxglovePlayback, ARequestIsReadAndAnsweredWithTheStateItLeadsTo) {
+  const msg::PlaybackState state = played();
+  const std::string bytes = playback_request(0, 0.5F, 1'700'000'012'500'000'000, "seek-1");
+  ASSERT_TRUE(fg::is_playback_request(bytes));
+  const auto request = fg::read_playback_request(bytes, state);
+  ASSERT_TRUE(request) << to_string(request.error());
+  const msg::PlaybackCommand command = fg::command_of(*request, state);
+  EXPECT_TRUE(command.play());
+  EXPECT_EQ(command.speed(), 0.5);
+  EXPECT_NEAR(command.seek_s(), 12.0, 1e-6);
+  EXPECT_FALSE(command.has_loop() || command.has_step());
+  const std::string reply = fg::playback_reply(state, *request);
+  EXPECT_EQ(reply.substr(0, 2), std::string("\x05\x00", 2));
+  EXPECT_EQ(reply.substr(2, 8), bytes.substr(7, 8)) << "the time that was asked for";
+  EXPECT_EQ(reply.substr(10, 4), bytes.substr(2, 4)) << "the speed";
+  EXPECT_EQ(reply.substr(14), std::string("\x01\x06\x00\x00\x00seek-1", 11));
+}
+
+TEST(FoxglovePlayback, TheStateIsPausedPlayingOrEnded) {
+  msg::PlaybackState state = played();
+  EXPECT_EQ(fg::playback_state(state)[1], 1);
+  state.set_playing(true);
+  EXPECT_EQ(fg::playback_state(state)[1], 0);
+  state.set_playing(false);
+  state.set_position_s(60.0);
+  EXPECT_EQ(fg::playback_state(state)[1], 3);
+  EXPECT_EQ(fg::playback_state(state).size(), 19u);
+}
+
+TEST(FoxglovePlayback, WrongRequestsAreRefused) {
+  const msg::PlaybackState state = played();
+  const std::string good = playback_request(1, 1.0F, std::nullopt, "id");
+  EXPECT_TRUE(fg::read_playback_request(good, state));
+  for (std::size_t length = 0; length < good.size(); ++length)
+    EXPECT_FALSE(fg::read_playback_request(good.substr(0, length), state)) << length;
+  EXPECT_FALSE(fg::read_playback_request(good + "x", state));
+  EXPECT_FALSE(fg::read_playback_request(playback_request(2, 1.0F, std::nullopt, "id"), state));
+  EXPECT_FALSE(fg::read_playback_request(playback_request(0, std::nanf(""), std::nullopt, "id"), state));
+  EXPECT_FALSE(fg::read_playback_request(playback_request(0, 1.0F, 5, "id"), state)) << "before the session";
+  EXPECT_FALSE(fg::read_playback_request(playback_request(0, 1.0F, 1'800'000'000'000'000'000, "id"), state));
+  EXPECT_FALSE(fg::read_playback_request(playback_request(0, 1.0F, std::nullopt, std::string(1000, 'i')), state));
+}
+
+TEST(FoxglovePlayback, OnlyAClientThatMayMoveTheSessionIsOfferedTheControl) {
+  EXPECT_EQ(fg::server_info("server", "1", 2, "local").find("playbackControl"), std::string::npos);
+  const std::string info = fg::server_info("server", "1", 2, "local", played());
+  EXPECT_NE(info.find("playbackControl"), std::string::npos);
+  EXPECT_NE(info.find("\"dataStartTime\":{\"sec\":1700000000,\"nsec\":500000000}"), std::string::npos) << info;
+  EXPECT_NE(info.find("\"dataEndTime\":{\"sec\":1700000060,\"nsec\":500000000}"), std::string::npos) << info;
 }
 
 TEST(FoxgloveProtocol, InvalidTextIsOnlyAnError) {

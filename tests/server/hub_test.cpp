@@ -78,6 +78,17 @@ TEST(Hub, ALateSubscriberIsGivenTheCameraModel) {
   EXPECT_EQ(*next->payload, "7");
 }
 
+TEST(Hub, ASubscriberMissesATopicUntilItIsOfferedAMessage) {
+  hub::Hub hub;
+  EXPECT_FALSE(hub.is_missed("/camera/depth"));
+  hub.subscribe(hub.join("plot", "", [] {}), {"/station/state"});
+  EXPECT_FALSE(hub.is_missed("/camera/depth")) << "it did not subscribe to depth";
+  hub.subscribe(hub.join("viewer", "", [] {}), {"/camera/*"});
+  EXPECT_TRUE(hub.is_missed("/camera/depth"));
+  hub.publish(message(wire::kCameraDepth, 1));
+  EXPECT_FALSE(hub.is_missed("/camera/depth"));
+}
+
 TEST(Hub, ASubscriberThatLeftGetsNothing) {
   hub::Hub hub;
   const hub::SubscriberId id = hub.join("a", "", [] { FAIL(); });

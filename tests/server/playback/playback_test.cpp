@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <fstream>
@@ -208,6 +209,41 @@ TEST(SessionPlayer, PausesStepsSeeksAndGoesOn) {
   EXPECT_EQ(stage.shown().front(), 100u);
   const auto depth = stage.on("/camera/depth");
   EXPECT_NEAR(to_seconds(depth[59].published - depth[0].published), 59 * 0.0033, 0.001);
+}
+
+TEST(SessionPlayer, PausedAtItsBeginningItShowsTheFirstPictureAndWaits) {
+  Stage stage({.file = session("waits", 30).string(), .paused = true});
+  ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty(); }));
+  stage.run_for(100ms);
+  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{0}));
+  EXPECT_EQ(stage.on("/camera/info").size(), 1u);
+  EXPECT_FALSE(stage.player->state().playing());
+  stage.messages.clear();
+  stage.command("{\"step\": 1}");
+  ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty(); }));
+  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{1}));
+}
+
+TEST(SessionPlayer, APausedPictureIsShownAgainAsOldAsItIsAndPlayingGoesOnBehindIt) {
+  Stage stage({.file = session("again", 60).string(), .from_s = 0.9, .paused = true});
+  ASSERT_TRUE(stage.run_until([&] { return stage.shown().size() == 4; }));
+  const std::vector<wire::Message> before = stage.on("/camera/depth");
+  stage.messages.clear();
+  stage.player->show_again();
+  ASSERT_TRUE(stage.run_until([&] { return stage.shown().size() == 4; })) << "the group up to the picture";
+  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{24, 25, 26, 27}));
+  EXPECT_EQ(stage.on("/camera/info").size(), 1u);
+  for (std::size_t number = 0; number < before.size(); ++number)
+    EXPECT_EQ(*stage.on("/camera/depth")[number].payload, *before[number].payload) << "it became younger";
+  stage.messages.clear();
+  stage.command("{\"play\": true, \"speed\": 10}");
+  ASSERT_TRUE(stage.run_until([&] { return stage.shown().size() >= 5; }));
+  EXPECT_EQ(stage.shown().front(), 28u) << "no image is lost or repeated";
+  stage.player->show_again();  // while it plays, the next image is enough
+  ASSERT_TRUE(stage.run_until([&] { return stage.ended; }));
+  const auto shown = stage.shown();
+  EXPECT_EQ(shown.size(), 32u);
+  EXPECT_TRUE(std::is_sorted(shown.begin(), shown.end()));
 }
 
 TEST(SessionPlayer, RefusesWhatLiesBehindTheEnd) {

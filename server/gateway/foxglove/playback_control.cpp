@@ -1,0 +1,92 @@
+#include "server/gateway/foxglove/playback_control.h"
+
+#include <bit>
+#include <cmath>
+
+namespace telepalp::gateway::foxglove {
+namespace {
+
+constexpr char kRequestOpcode = 0x03;
+constexpr char kStateOpcode = 0x05;
+constexpr std::size_t kRequestHeadBytes = 19;
+constexpr std::size_t kMaxIdBytes = 256;
+enum class Status : std::uint8_t { Playing = 0, Paused = 1, Ended = 3 };
+
+std::uint64_t little_endian(std::string_view bytes) {
+  std::uint64_t value = 0;
+  for (std::size_t at = bytes.size(); at-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[at]);
+  return value;
+}
+
+void append(std::string& out, std::uint64_t value, std::size_t bytes) {
+  for (std::size_t at = 0; at < bytes; ++at) out += static_cast<char>(value >> (8 * at));
+}
+
+std::uint64_t ns_at(const msg::PlaybackState& state, double position_s) {
+  return state.begin_ns() + static_cast<std::uint64_t>(std::llround(1e9 * position_s));
+}
+
+Status status_of(const msg::PlaybackState& state) {
+  if (state.playing()) return Status::Playing;
+  return state.position_s() >= state.duration_s() && state.duration_s() > 0.0 ? Status::Ended : Status::Paused;
+}
+
+std::string message(Status status, std::uint64_t time_ns, double speed, bool did_seek, const std::string& id) {
+  std::string out(1, kStateOpcode);
+  append(out, static_cast<std::uint8_t>(status), 1);
+  append(out, time_ns, 8);
+  append(out, std::bit_cast<std::uint32_t>(static_cast<float>(speed)), 4);
+  append(out, did_seek ? 1 : 0, 1);
+  append(out, id.size(), 4);
+  return out + id;
+}
+
+Error refused(std::string what) {
+  return {.what = std::move(what),
+          .where = "playback request",
+          .fix = "send a command, a speed from 0.1 to 10 and a time between dataStartTime and dataEndTime"};
+}
+
+}  // namespace
+
+bool is_playback_request(std::string_view bytes) noexcept { return !bytes.empty() && bytes.front() == kRequestOpcode; }
+
+Result<PlaybackRequest> read_playback_request(std::string_view bytes, const msg::PlaybackState& state) {
+  if (bytes.size() < kRequestHeadBytes) return refused("is truncated");
+  const std::uint64_t id_bytes = little_endian(bytes.substr(15, 4));
+  if (id_bytes > kMaxIdBytes || id_bytes != bytes.size() - kRequestHeadBytes) return refused("has a wrong length");
+  if (bytes[1] != 0 && bytes[1] != 1) return refused("has an unknown command");
+  PlaybackRequest request{
+      .play = bytes[1] == 0,
+      .speed = double{std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(bytes.substr(2, 4))))},
+      .seek_ns = {},
+      .id = std::string(bytes.substr(kRequestHeadBytes))};
+  if (!std::isfinite(request.speed)) return refused("has a speed that is no number");
+  if (bytes[6] == 0) return request;
+  request.seek_ns = little_endian(bytes.substr(7, 8));
+  if (*request.seek_ns < state.begin_ns() || *request.seek_ns > end_ns(state))
+    return refused("seeks to a time outside of the session");
+  return request;
+}
+
+msg::PlaybackCommand command_of(const PlaybackRequest& request, const msg::PlaybackState& state) {
+  msg::PlaybackCommand command;
+  command.set_play(request.play);
+  command.set_speed(request.speed);
+  if (request.seek_ns) command.set_seek_s(1e-9 * static_cast<double>(*request.seek_ns - state.begin_ns()));
+  return command;
+}
+
+std::string playback_state(const msg::PlaybackState& state) {
+  return message(status_of(state), ns_at(state, state.position_s()), state.speed(), false, {});
+}
+
+std::string playback_reply(const msg::PlaybackState& state, const PlaybackRequest& request) {
+  return message(request.play ? Status::Playing : Status::Paused,
+                 request.seek_ns.value_or(ns_at(state, state.position_s())), request.speed, request.seek_ns.has_value(),
+                 request.id);
+}
+
+std::uint64_t end_ns(const msg::PlaybackState& state) noexcept { return ns_at(state, state.duration_s()); }
+
+}  // namespace telepalp::gateway::foxglove
