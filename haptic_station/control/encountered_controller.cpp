@@ -71,12 +71,19 @@ bool EncounteredController::inputs_are_stale(const ControlInput& in) const noexc
   return surface_is_stale(in, settings_.ages) || (!holds && hand_is_lost(in, settings_.ages.tracker_s));
 }
 
+/// The largest force that the skin can give now. After letting go, the station owes the hand only the force that still
+/// fades: the ledger at the hand would else count the force that the skin would give as missing, and a released device
+/// that does no work would appear to give energy to a hand that presses on.
+double EncounteredController::owed_N() const noexcept {
+  return has_let_go(phases_.phase()) ? force_control_.given_N() : limiter_.bound_N();
+}
+
 /// The force of the phase: force control, the lift or position control, and the recall of workspace indexing. Inside
 /// the skin there is no lift, because the skin pushes outwards.
 HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s) noexcept {
   target_ = in.device;
   HeldForce force;
-  force.skin = force_control_.step(in, feels_skin(in), limiter_.bound_N(), dt_s);
+  force.skin = force_control_.step(in, feels_skin(in), owed_N(), dt_s);
   if (force_control_.touching()) force.skin += heat_warning_.step(force.skin, limiter_, dt_s);
   if (phases_.phase() == Phase::BodyToPlane && !force_control_.touching())
     force.drive = lift_force_N(in, plane_.target_height_m(), settings_.position);

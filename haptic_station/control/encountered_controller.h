@@ -45,6 +45,7 @@ class EncounteredController {
   void enter_phase(Event event, const ControlInput& in) noexcept;
   [[nodiscard]] bool feels_skin(const ControlInput& in) const noexcept;
   [[nodiscard]] bool inputs_are_stale(const ControlInput& in) const noexcept;
+  [[nodiscard]] double owed_N() const noexcept;
   [[nodiscard]] HeldForce phase_force(const ControlInput& in, double dt_s) noexcept;
   [[nodiscard]] double fade_rate_N_per_s() const noexcept;
   [[nodiscard]] Force<HapticBase> limited(const HeldForce& wanted, double dt_s) noexcept;

@@ -18,13 +18,16 @@ class ForceControl {
   ForceControl(const effects::EffectBank& effects, const CouplingSettings& coupling, double most_N) noexcept
       : effects_(effects), coupling_(coupling, effects.stiffest_N_per_m(most_N)) {}
 
-  /// Computes one tick. `touching`: the hand is in contact with the skin. `bound_N`: the present peak force of the
-  /// limiter. Returns the force for the device [N]; zero without contact.
+  /// Computes one tick. `touching`: the hand is in contact with the skin. `bound_N`: the largest force of the displayed
+  /// and of the measured skin; the present peak force of the limiter, unless the station has let go. Returns the force
+  /// for the device [N]; zero without contact.
   [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, bool touching, double bound_N, double dt_s) noexcept;
 
   /// Call after the limiter. `wanted`: the parts of the limiter's input. `given_N`: the limiter's output, which the
   /// device applies until the next step.
   void gave(const HeldForce& wanted, const Eigen::Vector3d& given_N) noexcept;
+  /// The force that the device applies until the next step [N].
+  [[nodiscard]] double given_N() const noexcept { return (held_.skin + held_.fade + held_.drive).norm(); }
 
   /// Moves the displayed share of the effects' force towards 0 (`release`) or back towards 1. The full range takes
   /// `over_s`. Does nothing without contact.

@@ -182,6 +182,21 @@ TEST(EncounteredController, AStaleInputLetsGoWithinFiftyMilliseconds) {
   }
 }
 
+TEST(EncounteredController, AReleasedDeviceGivesNoEnergyToAHandThatPressesOn) {
+  Fed fed;
+  ASSERT_GT(fed.into_body().force.N.norm(), 0.9);
+  ControlOutput out;
+  for (int i = 0; i < 1000; ++i) {  // 50 mm deeper in 0.5 s, after the last surface
+    fed.in.device.m.y() -= 5e-5;
+    fed.in.contact = fed.skin(fed.in.device, 0.0);
+    fed.in.contact.age_s = 1.0001;
+    out = fed.controller.step(fed.in, 0.0005);
+    ASSERT_LT(out.hand_excess_J, 1e-4) << i;
+  }
+  EXPECT_EQ(out.phase, Phase::Released);
+  EXPECT_EQ(out.force.N.norm(), 0.0);
+}
+
 TEST(EncounteredController, ASilentDeviceCannotBeRearmedBeforeItAnswers) {
   Fed fed;
   (void)fed.into_body();

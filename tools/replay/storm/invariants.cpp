@@ -17,9 +17,7 @@ constexpr double kRounding = 1.001;           // forces are recorded as float
 constexpr float kLeastPassivity_J = -0.005F;  // ten times the least of a thousand runs of telepalp-bench passivity
 constexpr float kMostExcess_J = 0.15F;        // ten times the excess that the hand bench asks at an RTT of 1 s
 constexpr float kSurelyStale_s = 2.5F;        // past the limit of 1 s, the fade of 0.5 s and the dwell
-constexpr float kAged_s = 0.9F;
 constexpr float kYoung_s = 0.8F;
-constexpr float kNoExcess_J = 0.01F;
 constexpr float kNoForce_N = 0.05F;
 constexpr Nanoseconds kFadeWithin = 500ms;
 constexpr float kDeep_m = 0.005F;
@@ -69,9 +67,7 @@ void Invariants::check_force(const TickRecord& tick) {
 void Invariants::check_energy(const TickRecord& tick) {
   if (!(tick.passivity_J >= kLeastPassivity_J))
     violated(with_number("the display has given the hand energy: its ledger is at %.5f J", double{tick.passivity_J}));
-  if (tick.surface_age_s > kAged_s) excused_ = true;
-  if (tick.hand_excess_J < kNoExcess_J) excused_ = false;
-  if (!excused_ && !(tick.hand_excess_J <= kMostExcess_J))
+  if (!(tick.hand_excess_J <= kMostExcess_J))
     violated(with_number("the hand got energy that the measured skin would not have given: its ledger is at %.4f J",
                          double{tick.hand_excess_J}));
 }

@@ -12,8 +12,7 @@ namespace telepalp::replay {
 /// What must hold at every tick, whatever the network and the faults do:
 /// - the force is finite, at most the scene's peak, and changes no faster than the scene's slew rate;
 /// - the energy taken from the hand less the energy stored is at least -5 mJ, and the work on the hand in a contact
-///   exceeds that of the measured skin by at most 0.15 J. The latter is not checked in a contact whose surface was
-///   older than 0.9 s, because a station that fades its force does less work on the hand than the skin would;
+///   exceeds that of the measured skin by at most 0.15 J;
 /// - 0.5 s after the newest surface is 2.5 s old, the station has released the hand;
 /// - 3 s and one network delay after the last fault, a device that stays deeper than 5 mm in the true skin, on surfaces
 ///   younger than 0.8 s, feels it within 1.5 s;
@@ -47,7 +46,6 @@ class Invariants {
   std::int64_t ticks_ = 0;
   Eigen::Vector3f last_force_N_ = Eigen::Vector3f::Zero();
   Nanoseconds stale_{0};   ///< for how long the surface has been too old
-  bool excused_ = false;   ///< the surface of this contact was too old to judge the work on the hand
   Nanoseconds unfelt_{0};  ///< for how long the device has been deep without being felt
   std::map<std::string_view, SessionTime> published_;  ///< newest time by topic
   std::uint64_t next_tick_ = 0;
