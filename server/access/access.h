@@ -61,7 +61,7 @@ class Access : public std::enable_shared_from_this<Access> {
   [[nodiscard]] TouchLease& touch() noexcept { return touch_; }
 
   struct Counts {
-    std::uint64_t refused = 0;  ///< number of refused keys, tokens and operations
+    std::uint64_t refused = 0;  ///< number of refused keys, tokens, operations and connections
     std::uint64_t joined = 0;
     std::uint64_t audit_lines = 0;
     std::uint64_t audit_not_written = 0;

@@ -34,6 +34,8 @@ std::string stamp(keys::WallTime now) {
   return text;
 }
 
+std::string counted(const char* field, std::uint64_t count) { return count == 0 ? "" : field + std::to_string(count); }
+
 fs::path free_name(const fs::path& file) {
   int number = 1;
   const auto name = [&] { return fs::path(file.string() + ".damaged-" + std::to_string(number)); };
@@ -101,10 +103,10 @@ Result<std::unique_ptr<AuditLog>> AuditLog::open(const fs::path& file,
 }
 
 AuditLog::AuditLog(fs::path file, keys::AuditPosition position, std::function<void(const std::string&)> say)
-    : file_(std::move(file)),
-      stream_(file_, std::ios::app | std::ios::binary),
-      position_(std::move(position)),
-      say_(std::move(say)) {}
+    : file_(std::move(file)), position_(std::move(position)), say_(std::move(say)) {
+  stream_.rdbuf()->pubsetbuf(nullptr, 0);  // a line that could not be written must not be written later
+  stream_.open(file_, std::ios::app | std::ios::binary);
+}
 
 bool AuditLog::is_too_often(AuditEvent event, const std::string& text, keys::WallTime now) {
   if (event != AuditEvent::Refused) return false;
@@ -117,18 +119,31 @@ bool AuditLog::is_too_often(AuditEvent event, const std::string& text, keys::Wal
 
 void AuditLog::note(AuditEvent event, const std::string& text, keys::WallTime now) {
   if (is_too_often(event, text, now)) return void(++unsaid_);
-  const std::string more = unsaid_ == 0 ? "" : " also-refused=" + std::to_string(std::exchange(unsaid_, 0));
+  const std::string more = counted(" also-refused=", unsaid_) + counted(" not-written=", not_written_ - missing_said_);
   keys::AuditPosition next = position_;
   const std::string line = keys::audit_line(
       next, "time=" + stamp(now) + " event=" + std::string(name(event)) + (text.empty() ? "" : " ") + text + more);
-  stream_.clear();
-  stream_ << line << std::flush;
-  if (stream_) {
+  if (append(line)) {
     position_ = next;
+    unsaid_ = 0;
+    missing_said_ = not_written_;
     return;
   }
-  if (++not_written_ == 1)
+  if (++not_written_ == missing_said_ + 1)
     say_("ALARM: the audit log " + file_.string() + " cannot be written. fix: free space on its disk");
+}
+
+/// On a full disk a part of the line may have been written. It is removed, so that the next line follows the last whole
+/// one.
+bool AuditLog::append(const std::string& line) {
+  std::error_code unknown;
+  const std::uintmax_t bytes = fs::file_size(file_, unknown);
+  stream_.clear();
+  stream_ << line << std::flush;
+  if (stream_) return true;
+  std::error_code failed;
+  if (!unknown) fs::resize_file(file_, bytes, failed);
+  return false;
 }
 
 }  // namespace telepalp::access

@@ -41,8 +41,9 @@ class AuditLog {
                                                               const std::function<void(const std::string&)>& say);
 
   /// Writes one line. It never fails, because a full disk must not stop the patient's stream: lines that could not be
-  /// written are counted, and `say` gets one message. In 10 s at most 20 refusals of strangers (peers that no key or
-  /// token names) and 200 of others are written, so that nobody can fill the disk; the next line counts the rest.
+  /// written are counted in the next line, and `say` gets one message. In 10 s at most 20 refusals of strangers (peers
+  /// that no key or token names) and 200 of others are written, so that nobody can fill the disk; the next line counts
+  /// the rest.
   void note(AuditEvent event, const std::string& text, keys::WallTime now);
 
   [[nodiscard]] std::uint64_t lines() const noexcept { return position_.lines; }
@@ -50,6 +51,7 @@ class AuditLog {
 
  private:
   AuditLog(std::filesystem::path file, keys::AuditPosition position, std::function<void(const std::string&)> say);
+  [[nodiscard]] bool append(const std::string& line);
   [[nodiscard]] bool is_too_often(AuditEvent event, const std::string& text, keys::WallTime now);
 
   std::filesystem::path file_;
@@ -57,6 +59,7 @@ class AuditLog {
   keys::AuditPosition position_;
   std::function<void(const std::string&)> say_;
   std::uint64_t not_written_ = 0;
+  std::uint64_t missing_said_ = 0;  // of these, the lines that a later line counts
   keys::WallTime refusals_since_{};
   std::uint64_t strangers_ = 0;  // number of refused strangers in the present 10 s
   std::uint64_t others_ = 0;

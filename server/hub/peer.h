@@ -45,6 +45,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   /// Doctor `who` at another peer has accepted the touch (the right to publish as a station) that this peer offered.
   void give_touch_to(const keys::Identity& who) { connection_->close(touch_.lose_to(who)); }
   [[nodiscard]] std::uint32_t sender() const noexcept { return sender_; }
+  [[nodiscard]] std::string from() const { return connection_->peer(); }  ///< ADDRESS:PORT
 
   /// The kind of place (places.h: a connection that counts against a limit) that the peer occupies; nullopt: no Hello
   /// yet, or refused.

@@ -112,15 +112,24 @@ void PeerListener::accept() {
   acceptor_.async_accept([this](const error_code& code, tcp::socket socket) {
     if (code == asio::error::operation_aborted || !acceptor_.is_open()) return;
     if (!code) {
+      cannot_accept_ = false;
       admit(std::move(socket));
       return accept();
     }
+    if (!std::exchange(cannot_accept_, true)) note_pause(code);
     // Probably no file descriptor is free; an immediate retry would waste the processor.
     accept_again_.expires_after(kAcceptBackOff);
     accept_again_.async_wait([this](const error_code& stopped) {
       if (!stopped) accept();
     });
   });
+}
+
+/// Called once for each time that accepting fails after it worked.
+void PeerListener::note_pause(const error_code& why) {
+  const std::string text = "no connection can be accepted (" + why.message() + "): accepting pauses and is tried again";
+  options_.access->note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(text));
+  note_refusal(text);
 }
 
 std::unique_ptr<wire::ByteStream> PeerListener::stream_over(tcp::socket socket) const {
@@ -163,8 +172,11 @@ void PeerListener::let_a_stranger_go() {
   const auto oldest =
       std::find_if(peers_.begin(), peers_.end(), [](const auto& peer) { return !peer.second->place(); });
   if (oldest == peers_.end()) return;
-  note_refusal("a connection is closed: more than " + std::to_string(options_.places.strangers) +
-               " connections have not sent their Hello message yet");
+  const std::string text = "a connection is closed: more than " + std::to_string(options_.places.strangers) +
+                           " connections have not sent their Hello message yet";
+  options_.access->note(access::AuditEvent::Refused,
+                        "who=stranger from=" + oldest->second->from() + " why=" + access::audit_text(text));
+  note_refusal(text);
   peers_.erase(oldest);
 }
 

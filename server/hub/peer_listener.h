@@ -43,8 +43,9 @@ class PeerListener {
   };
   struct Counts {
     std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;           ///< peers refused: key, permission, too many, or another station active
-    std::uint64_t let_go_idle = 0;       ///< connections closed because they neither received nor published
+    std::uint64_t refused = 0;      ///< peers refused: key, permission, too many, or another station active; and pauses
+                                    ///< in accepting, because no file descriptor was free
+    std::uint64_t let_go_idle = 0;  ///< connections closed because they neither received nor published
     std::uint64_t invalid_messages = 0;  ///< invalid messages of peers, dropped
     std::uint64_t over_rate = 0;         ///< messages dropped because the peer exceeded its rate
   };
@@ -78,6 +79,7 @@ class PeerListener {
   [[nodiscard]] std::uint32_t sender_number(std::uint64_t run) const;
   void note(const std::string& text) const;
   void note_refusal(const std::string& text);
+  void note_pause(const boost::system::error_code& why);
   [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: without a place (places.h)
   void let_a_stranger_go();
   void let_idle_go_every_second();
@@ -96,6 +98,7 @@ class PeerListener {
   std::map<PeerNumber, std::unique_ptr<Peer>> peers_;
   PeerNumber last_number_ = 0;
   Counts counts_;
+  bool cannot_accept_ = false;  // the last attempt to accept failed
   std::chrono::steady_clock::time_point refusal_noted_{};
   std::chrono::steady_clock::time_point datagrams_audited_{};
   DatagramCounts audited_;  // counts of datagrams already written to the audit log

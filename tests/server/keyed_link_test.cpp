@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <random>
+#include <sstream>
 
 #include "tests/server/delay_relay.h"
 #include "tests/server/keyed_site.h"
@@ -478,8 +479,11 @@ TEST(BadInput33, WithoutDescriptorsTheServerWaitsAndThenAcceptsAgain) {
     while (std::chrono::steady_clock::now() < end) handlers += site.io.run_one_for(5ms);
     EXPECT_LT(handlers, 300u) << "it does not spin";
     EXPECT_TRUE(anna.connected());
+    EXPECT_GE(site.listener->counts().refused, 1u);
+    EXPECT_LE(site.listener->counts().refused, 3u) << "a pause is counted once, however often accepting is tried";
     greedy.clear();
   }
+  EXPECT_NE(site.ring.audit().find("accepting pauses"), std::string::npos) << site.ring.audit();
   KeyedClient vera(site, site.ring.key("vera", Role::Viewer));
   EXPECT_TRUE(site.run_until([&] { return vera.connected(); }));
 }
@@ -504,6 +508,8 @@ TEST(BadInput12, AFloodOfHandshakesHoldsNoMorePlacesThanThereAreForStrangers) {
     site.io.poll();
   }
   EXPECT_LE(site.listener->peers(), 40u);
+  EXPECT_GE(site.listener->counts().refused, 150u);
+  EXPECT_NE(site.ring.audit().find("have not sent their Hello message yet"), std::string::npos) << site.ring.audit();
   KeyedClient anna(site, site.ring.key("anna", Role::Doctor), "doctor");
   EXPECT_TRUE(site.run_until([&] { return anna.connected(); }));
 }
@@ -529,15 +535,15 @@ TEST(BadInput34, ANameWithNewlinesIsEscapedInTheAuditLog) {
   EXPECT_NE(ring.audit().find("program=x\\x0aevent=took-touch\\x1b[2J"), std::string::npos) << ring.audit();
 }
 
-/// No file may grow while it lives, as on a full disk.
+/// No file may grow beyond `bytes` while it lives, as on a full disk.
 struct FullDisk {
   rlimit before{};
   void (*handler)(int) = std::signal(SIGXFSZ, SIG_IGN);
-  FullDisk() {
+  explicit FullDisk(rlim_t bytes) {
     ::getrlimit(RLIMIT_FSIZE, &before);
-    rlimit none = before;
-    none.rlim_cur = 0;
-    ::setrlimit(RLIMIT_FSIZE, &none);
+    rlimit full = before;
+    full.rlim_cur = bytes;
+    ::setrlimit(RLIMIT_FSIZE, &full);
   }
   ~FullDisk() {
     ::setrlimit(RLIMIT_FSIZE, &before);
@@ -551,12 +557,22 @@ TEST(BadInput30, AFullDiskIsAnAlarmAndNeverAnEnd) {
   const auto log =
       access::AuditLog::open(ring.folder.path() / "audit.log", [&](const std::string& text) { said.push_back(text); });
   ASSERT_TRUE(log.ok());
-  const FullDisk full;
-  for (int i = 0; i < 10; ++i) (*log)->note(access::AuditEvent::Joined, "program=x", std::chrono::system_clock::now());
-  EXPECT_EQ((*log)->not_written(), 10u);
   EXPECT_FALSE(access::AuditLog::open("/dev/full", [](const std::string&) {}).ok()) << "a device is no log";
+  (*log)->note(access::AuditEvent::Started, "", ring.now);
+  for (const rlim_t bytes_left : {0, 10}) {  // 10: the beginning of a line still fits
+    const FullDisk full(ring.audit().size() + bytes_left);
+    for (int i = 0; i < 10; ++i) (*log)->note(access::AuditEvent::Joined, "program=x", ring.now);
+  }
+  EXPECT_EQ((*log)->not_written(), 20u);
   ASSERT_EQ(said.size(), 1u);
   EXPECT_NE(said.front().find("ALARM"), std::string::npos);
+  (*log)->note(access::AuditEvent::Joined, "program=y", ring.now);
+  EXPECT_EQ((*log)->lines(), 2u);
+  EXPECT_NE(ring.audit().find("program=y not-written=20"), std::string::npos) << ring.audit();
+  std::istringstream written(ring.audit());
+  keys::AuditVerifier verifier;
+  for (std::string line; std::getline(written, line);)
+    EXPECT_TRUE(verifier.add(line).ok()) << "the chain has no break: " << line;
 }
 
 TEST(AuditLog, GoesOnWhereItEndedAndPutsAnAlteredOneAside) {

@@ -60,7 +60,8 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
                 hub.waiting_bytes()) +
          single("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch.", touch_is_held ? 1 : 0) +
          single("telepalp_joined_total", "counter", "Connections that were let in since the start.", access.joined) +
-         single("telepalp_refused_total", "counter", "Keys, tokens and operations that were refused.", access.refused) +
+         single("telepalp_refused_total", "counter", "Keys, tokens, operations and connections that were refused.",
+                access.refused) +
          single("telepalp_audit_lines", "gauge", "Lines of the audit log.", access.audit_lines) +
          single("telepalp_audit_lines_not_written_total", "counter",
                 "Lines of the audit log that could not be written, for example to a full disk.",

@@ -1,12 +1,14 @@
-// Files that are not whole, beside a doctor's session: a recorder that is killed, and a session file with wrong
-// offsets.
+// Files that are not whole, beside a doctor's session: a full disk, a recorder that is killed, and a session file with
+// wrong offsets.
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <csignal>
 #include <fstream>
 #include <thread>
 
+#include "tests/end_to_end/bad_input/insider.h"
 #include "tests/end_to_end/bad_input/running_session.h"
 #include "where.h"
 
@@ -19,8 +21,12 @@ namespace fs = std::filesystem;
 const fs::path kPrograms = TELEPALP_BINARY_DIR "/bin";
 
 class FileTest : public ::testing::Test {
- protected:
+ public:
   static RunningSession& session() { return SharedByTests<RunningSession>::get(); }
+
+ protected:
+  /// The programs inherit this, so that a limit on a file's size fails a write instead of ending them.
+  static void SetUpTestSuite() { std::signal(SIGXFSZ, SIG_IGN); }
   static fs::path key() {
     static const fs::path file = session().ring().write(
         "recorder.key",
@@ -62,6 +68,51 @@ std::uintmax_t bytes_in(const fs::path& file) {
   std::error_code none;
   const std::uintmax_t bytes = fs::file_size(file, none);
   return none ? 0 : bytes;
+}
+
+/// No file of `process` may grow beyond `bytes` while this lives: its writes fail as on a full disk.
+struct FullDiskOf {
+  pid_t process;
+  rlimit before{};
+  FullDiskOf(pid_t of, std::uintmax_t bytes) : process(of) {
+    EXPECT_EQ(::prlimit(process, RLIMIT_FSIZE, nullptr, &before), 0);
+    rlimit full = before;
+    full.rlim_cur = static_cast<rlim_t>(bytes);
+    EXPECT_EQ(::prlimit(process, RLIMIT_FSIZE, &full, nullptr), 0);
+  }
+  ~FullDiskOf() { EXPECT_EQ(::prlimit(process, RLIMIT_FSIZE, &before, nullptr), 0); }
+};
+
+/// A viewer joins and leaves: at least two lines of the audit log.
+void visit() {
+  Insider visitor(FileTest::session().port(), FileTest::session().ring().key("vera", keys::Role::Viewer));
+  visitor.say(greeting("vera"));
+}
+
+class BadInput30 : public FileTest {};
+TEST_F(BadInput30, WhenTheDiskIsFullServerAndRecorderRaiseAnAlarmAndTheDoctorsSessionGoesOn) {
+  const fs::path audit = session().file("audit.log");
+  const fs::path log = session().file("server.log");
+  for (int i = 0; i < 200 && bytes_in(audit) < bytes_in(log) + 4'000; ++i) visit();  // so that the log still grows
+  session().expect_undisturbed_by([&] {
+    const FullDiskOf full(session().server().pid(), bytes_in(audit));
+    visit();
+    EXPECT_TRUE(comes(log, "ALARM: the audit log")) << text_of(log);
+    // 1 MB of each of its files fits on the recorder's disk.
+    support::ChildProcess recorder("/bin/bash",
+                                   {"-c", "ulimit -f 1000; exec " + (kPrograms / "telepalp-record").string() +
+                                              " --connect 127.0.0.1:" + std::to_string(session().port()) + " --key " +
+                                              key().string() + " --out " + session().file("full.mcap").string()},
+                                   session().file("record.log"));
+    EXPECT_TRUE(comes(session().file("record.log"), "the recording goes on in", 20s));
+    recorder.signal(SIGINT);
+    EXPECT_EQ(recorder.wait(20s), 1) << "messages were lost";
+  });
+  EXPECT_NE(text_of(session().file("record.log")).find("ALARM: "), std::string::npos);
+  visit();
+  EXPECT_TRUE(comes(audit, " not-written=")) << "there is room again: " << text_of(audit);
+  const Ran verified = run("telepalp-keys", {"audit-verify", audit.string()});
+  EXPECT_EQ(verified.exit_code, 0) << verified.said;
 }
 
 class BadInput31 : public FileTest {};
