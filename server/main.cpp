@@ -11,11 +11,13 @@
 #include "server/playback/session_player.h"
 #include "server/recording/session_recorder.h"
 #include "server/server.h"
+#include "support/program/address.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
 #include "support/program/files/ready_file.h"
 #include "support/program/files/shipped.h"
 #include "support/program/log.h"
+#include "support/program/message_json.h"
 #include "support/program/options.h"
 
 namespace {
@@ -114,12 +116,6 @@ Result<std::optional<access::Access::Options>> key_options(const program::Argume
   return std::optional<access::Access::Options>{};
 }
 
-/// telepalp-record lies beside this program, in a build tree as in an installation.
-std::filesystem::path program_beside_this(std::string_view name) {
-  std::error_code unknown;
-  return std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / name;
-}
-
 Result<std::optional<recording::SessionRecorder::Options>> recorder_options(const program::Arguments& arguments) {
   std::optional<recording::SessionRecorder::Options> none;
   const auto wrong = [](const char* what, const char* where, const char* fix) {
@@ -137,7 +133,7 @@ Result<std::optional<recording::SessionRecorder::Options>> recorder_options(cons
     return wrong("a server with keys admits no recorder without one", "--record-dir",
                  "add --record-key FILE, made by telepalp-keys client --role technician");
   return std::optional(recording::SessionRecorder::Options{.folder = arguments.text("record-dir"),
-                                                           .program = program_beside_this("telepalp-record"),
+                                                           .program = program::sibling_program("telepalp-record"),
                                                            .key = arguments.text("record-key"),
                                                            .server = {}});
 }
@@ -210,13 +206,13 @@ Result<Opened> open(const Asked& asked, const wire::SessionClock& clock) {
 /// Lets the gateway's visitors see and control the playback.
 void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& player,
                     const playback::SessionEvents& events) {
-  options.session_events = [&events] { return playback::to_json(events.events()); };
-  options.playback_state = [&player] { return playback::to_json(player.state()); };
+  options.session_events = [&events] { return program::to_json(events.events()); };
+  options.playback_state = [&player] { return program::to_json(player.state()); };
   options.playback_command = [&player](const std::string& json) -> Result<std::string> {
     const Result<msg::PlaybackCommand> command = playback::read_command(json);
     if (!command) return command.error();
     if (const Result<void> applied = player.apply(*command); !applied) return applied.error();
-    return playback::to_json(player.state());
+    return program::to_json(player.state());
   };
   options.playback_port = {.state = [&player] { return player.state(); },
                            .move = [&player](const msg::PlaybackCommand& command) -> Result<void> {
@@ -227,19 +223,19 @@ void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& p
 
 /// Where a recorder of this machine reaches the server: at its address, or on loopback when it listens everywhere.
 std::string own_address(const std::string& bind, std::uint16_t port) {
-  const bool everywhere = bind == "0.0.0.0" || bind == "::";
-  return (everywhere ? "127.0.0.1" : bind) + ":" + std::to_string(port);
+  const std::string host = bind == "0.0.0.0" ? "127.0.0.1" : bind == "::" ? "::1" : bind;
+  return program::to_text({host, port});
 }
 
 /// Lets the gateway's visitors begin and end recordings.
 void offer_recording(gateway::GatewayOptions& options, recording::SessionRecorder& recorder) {
-  options.recording_state = [&recorder] { return recording::to_json(recorder.state()); };
+  options.recording_state = [&recorder] { return program::to_json(recorder.state()); };
   options.recording_command = [&recorder](const std::string& json) -> Result<std::string> {
     const Result<msg::RecordingCommand> command = recording::read_command(json);
     if (!command) return command.error();
     if (const Result<void> applied = recorder.apply(*command, std::chrono::system_clock::now()); !applied)
       return applied.error();
-    return recording::to_json(recorder.state());
+    return program::to_json(recorder.state());
   };
 }
 
@@ -290,7 +286,7 @@ int run(Asked asked) {
     program::end_within(program::kTimeToEnd, "telepalp-server: the camera did not stop in time");
     time_is_up.cancel();
     gateway.reset();
-    recorder.reset();  // while the server still answers, so that the file ends in order
+    recorder.reset();  // before the server ends, so that the recorder completes its file; it gets at most 3 s
     server.stop(reason);
   };
   signals.async_wait([&](const boost::system::error_code& cancelled, int) {
@@ -307,7 +303,7 @@ int run(Asked asked) {
     server.play(std::move(opened->player), on_end);
   else
     server.start(std::move(opened->source), asked.source, on_end);
-  program::log(kProgram, "listening on " + asked.server.bind + ":" + std::to_string(server.port()) +
+  program::log(kProgram, "listening on " + program::to_text({asked.server.bind, server.port()}) +
                              (asked.keys ? ", TLS with keys" : ""));
   asked.server.access->note(access::AuditEvent::Started, "port=" + std::to_string(server.port()));
   if (gateway) program::log(kProgram, "viewer at " + gateway->url());

@@ -123,7 +123,7 @@ class View {
       return stop(save());
     }
     stop(Error{.what = connected_ ? "the server answers, but no complete picture came" : "does not answer",
-               .where = asked_.server.host + ":" + std::to_string(asked_.server.port),
+               .where = program::to_text(asked_.server),
                .fix = connected_
                           ? "look at the server's source, or wait longer by --patience S"
                           : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});

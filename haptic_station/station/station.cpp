@@ -14,6 +14,7 @@
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/vector_message.h"
 #include "proto/wire/viewer/viewer_hand.h"
+#include "support/program/address.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
 
@@ -174,7 +175,7 @@ void Station::lose_patience() {
   const bool answered = link_.state() == wire::LinkState::Connected;
   const std::string silent = not_connected_because_.empty() ? "does not answer" : not_connected_because_;
   give_up({.what = answered ? "the server answers but sends no usable depth image" : silent,
-           .where = options_.host + ":" + std::to_string(options_.port),
+           .where = program::to_text({options_.host, options_.port}),
            .fix = answered ? "look at the server's source, or wait longer by --patience S"
                            : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
 }

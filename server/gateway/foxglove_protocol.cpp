@@ -4,24 +4,15 @@
 
 #include "messages/foxglove_websocket.pb.h"
 #include "proto/wire/mcap/format/schemas.h"
-#include "proto/words/demand.h"
 #include "server/gateway/foxglove/playback_control.h"
 #include "server/views/view_topics.h"
+#include "support/program/message_json.h"
 
 namespace telepalp::gateway::foxglove {
 namespace {
 
 namespace json = google::protobuf::util;
 namespace texts = telepalp::foxglove_websocket;
-
-std::string to_json(const google::protobuf::Message& message) {
-  json::JsonPrintOptions options;
-  options.always_print_primitive_fields = true;  // clients read `capabilities` without checking that it exists
-  options.preserve_proto_field_names = true;
-  std::string text;
-  demand(json::MessageToJsonString(message, &text, options).ok(), "our own messages can be written as JSON");
-  return text;
-}
 
 Error refused(std::string what) {
   return {.what = std::move(what),
@@ -87,7 +78,7 @@ std::string server_info(std::string_view name, std::string_view session_id, std:
     *info.mutable_datastarttime() = time_of(played->begin_ns());
     *info.mutable_dataendtime() = time_of(end_ns(*played));
   }
-  return to_json(info);
+  return program::to_json(info);
 }
 
 std::string advertise_all_topics() {
@@ -95,7 +86,7 @@ std::string advertise_all_topics() {
   advertise.set_op("advertise");
   for (const wire::Topic& topic : wire::kTopics) add_channel(advertise, topic, *wire::descriptor_of(topic));
   for (const wire::Topic& topic : views::kViewTopics) add_channel(advertise, topic, *views::descriptor_of_view(topic));
-  return to_json(advertise);
+  return program::to_json(advertise);
 }
 
 std::string status(Level level, std::string_view text) {
@@ -103,7 +94,7 @@ std::string status(Level level, std::string_view text) {
   status.set_op("status");
   status.set_level(static_cast<std::uint32_t>(level));
   status.set_message(std::string(text));
-  return to_json(status);
+  return program::to_json(status);
 }
 
 std::array<std::uint8_t, kMessageHeaderBytes> message_header(std::uint32_t subscription, SessionTime at) {

@@ -5,6 +5,7 @@
 
 #include "server/gateway/full_house.h"
 #include "server/gateway/http_connection.h"
+#include "support/program/address.h"
 
 namespace telepalp::gateway {
 namespace {
@@ -77,10 +78,8 @@ Gateway::~Gateway() {
 }
 
 std::string Gateway::url() const {
-  const std::string& address = context_->options.address;
-  const bool is_v6 = address.find(':') != std::string::npos;
-  return std::string(context_->options.access->has_keys() ? "https://" : "http://") +
-         (is_v6 ? "[" + address + "]" : address) + ":" + std::to_string(port_) + "/";
+  const std::string scheme = context_->options.access->has_keys() ? "https://" : "http://";
+  return scheme + program::to_text({context_->options.address, port_}) + "/";
 }
 
 void Gateway::look_after_connections_every_second() {

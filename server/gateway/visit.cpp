@@ -32,6 +32,24 @@ bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
   return host_is_ours(policy, host) && view(request[http::field::origin]) == "https://" + std::string(host);
 }
 
+constexpr std::string_view kNoSession = "no session is played here. fix: telepalp-server --source session:FILE.mcap";
+
+HttpReply json_reply(const HttpRequest& request, const std::string& json) {
+  HttpReply reply = refuse(request, http::status::ok, json);
+  reply.set(http::field::content_type, "application/json");
+  return reply;
+}
+
+/// GET answers the state; POST carries out a command and answers the state after it.
+HttpReply answer_state(const HttpRequest& request, const std::function<std::string()>& state,
+                       const std::function<Result<std::string>(const std::string&)>& command) {
+  if (request.method() == http::verb::get) return json_reply(request, state());
+  if (request.method() != http::verb::post)
+    return refuse(request, http::status::method_not_allowed, "GET the state, or POST a command");
+  const Result<std::string> after = command(request.body());
+  return after ? json_reply(request, *after) : refuse(request, http::status::bad_request, to_string(after.error()));
+}
+
 }  // namespace
 
 Visit::Visit(GatewayContext& context, const HttpRequest& request, const boost::asio::ip::address& peer)
@@ -112,85 +130,61 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
   return reply;
 }
 
-/// Everyone who may watch may read the state. Moving the session changes what all viewers see: it is for technicians
-/// and QA, and for pages of this server or programs.
-HttpReply Visit::playback(const HttpRequest& request) const {
-  const GatewayOptions& options = context_.options;
-  const bool moves = request.method() == http::verb::post;
-  const std::string_view host = view(request[http::field::host]);
-  if (!host_is_ours(options.policy, host))
+std::optional<HttpReply> Visit::refusal_to_watch(const HttpRequest& request) const {
+  if (!host_is_ours(context_.options.policy, view(request[http::field::host])))
     return refuse(request, http::status::misdirected_request, "this server is not known by that name");
   if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
-  if (moves && !may(keys::Operation::Play))
-    return refuse(request, http::status::forbidden, "moving a session is for technicians and QA");
-  const std::string_view origin = view(request[http::field::origin]);
-  if (moves && !origin_is_allowed(options.policy, origin, host, is_from_trusted_program()))
-    return refuse(request, http::status::forbidden, "pages from that origin may not move the session");
-  if (!options.playback_state)
-    return refuse(request, http::status::not_found,
-                  "no session is played here. fix: telepalp-server --source session:FILE.mcap");
-  if (!moves && request.method() != http::verb::get)
-    return refuse(request, http::status::method_not_allowed, "GET the state, or POST a command");
-  const Result<std::string> state =
-      moves ? options.playback_command(request.body()) : Result<std::string>(options.playback_state());
-  if (!state) return refuse(request, http::status::bad_request, to_string(state.error()));
-  HttpReply reply = refuse(request, http::status::ok, *state);
-  reply.set(http::field::content_type, "application/json");
-  return reply;
+  return std::nullopt;
+}
+
+/// Everyone who may watch may GET a state. A POST changes something for all, so it needs a right of its own, and a page
+/// of this server or a program must send it.
+std::optional<HttpReply> Visit::refusal_to_command(const HttpRequest& request, const CommandRight& right) const {
+  if (std::optional<HttpReply> refusal = refusal_to_watch(request)) return refusal;
+  if (request.method() != http::verb::post) return std::nullopt;
+  if (!may(right.operation)) return refuse(request, http::status::forbidden, right.people);
+  if (!origin_is_allowed(context_.options.policy, view(request[http::field::origin]), view(request[http::field::host]),
+                         is_from_trusted_program()))
+    return refuse(request, http::status::forbidden, right.pages);
+  return std::nullopt;
+}
+
+/// Moving the session changes what all viewers see: it is for technicians and QA.
+HttpReply Visit::playback(const HttpRequest& request) const {
+  constexpr CommandRight kMove{.operation = keys::Operation::Play,
+                               .people = "moving a session is for technicians and QA",
+                               .pages = "pages from that origin may not move the session"};
+  if (std::optional<HttpReply> refusal = refusal_to_command(request, kMove)) return std::move(*refusal);
+  const GatewayOptions& options = context_.options;
+  if (!options.playback_state) return refuse(request, http::status::not_found, kNoSession);
+  return answer_state(request, options.playback_state, options.playback_command);
 }
 
 HttpReply Visit::session_events(const HttpRequest& request) const {
-  const GatewayOptions& options = context_.options;
-  if (!host_is_ours(options.policy, view(request[http::field::host])))
-    return refuse(request, http::status::misdirected_request, "this server is not known by that name");
-  if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
+  if (std::optional<HttpReply> refusal = refusal_to_watch(request)) return std::move(*refusal);
   if (request.method() != http::verb::get)
     return refuse(request, http::status::method_not_allowed, "only GET is answered here");
-  if (!options.session_events)
-    return refuse(request, http::status::not_found,
-                  "no session is played here. fix: telepalp-server --source session:FILE.mcap");
-  HttpReply reply = refuse(request, http::status::ok, options.session_events());
-  reply.set(http::field::content_type, "application/json");
-  return reply;
+  const GatewayOptions& options = context_.options;
+  if (!options.session_events) return refuse(request, http::status::not_found, kNoSession);
+  return json_reply(request, options.session_events());
 }
 
-/// Everyone who may watch may know whether the patient is recorded. Only those who may record begin and end it, from
-/// pages of this server or by programs.
-std::optional<HttpReply> Visit::refusal_to_record(const HttpRequest& request) const {
+HttpReply Visit::recording(const HttpRequest& request) const {
+  constexpr CommandRight kRecord{.operation = keys::Operation::Record,
+                                 .people = "recording is for doctors, technicians and QA",
+                                 .pages = "pages from that origin may not record"};
+  if (std::optional<HttpReply> refusal = refusal_to_command(request, kRecord)) return std::move(*refusal);
   const GatewayOptions& options = context_.options;
-  const std::string_view host = view(request[http::field::host]);
   const bool commands = request.method() == http::verb::post;
-  if (!host_is_ours(options.policy, host))
-    return refuse(request, http::status::misdirected_request, "this server is not known by that name");
-  if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
-  if (commands && !may(keys::Operation::Record))
-    return refuse(request, http::status::forbidden, "recording is for doctors, technicians and QA");
-  const std::string_view origin = view(request[http::field::origin]);
-  if (commands && !origin_is_allowed(options.policy, origin, host, is_from_trusted_program()))
-    return refuse(request, http::status::forbidden, "pages from that origin may not record");
   // A browser logs each 404 as an error of the page, so a page that only asks gets an empty state.
   if (!options.recording_state)
     return commands ? refuse(request, http::status::not_found,
                              "this server records nothing by itself. fix: telepalp-server --record-dir DIR")
-                    : refuse(request, http::status::ok, "{}");
-  if (!commands && request.method() != http::verb::get)
-    return refuse(request, http::status::method_not_allowed, "GET the state, or POST a command");
-  return std::nullopt;
-}
-
-HttpReply Visit::recording(const HttpRequest& request) const {
-  if (std::optional<HttpReply> refusal = refusal_to_record(request)) return std::move(*refusal);
-  const GatewayOptions& options = context_.options;
-  const bool commands = request.method() == http::verb::post;
+                    : json_reply(request, "{}");
   if (commands)
     note(access::AuditEvent::Records,
          "who=" + describe(visitor_->who) + " asked=" + access::audit_text(request.body()));
-  const Result<std::string> state =
-      commands ? options.recording_command(request.body()) : Result<std::string>(options.recording_state());
-  if (!state) return refuse(request, http::status::bad_request, to_string(state.error()));
-  HttpReply reply = refuse(request, http::status::ok, *state);
-  reply.set(http::field::content_type, "application/json");
-  return reply;
+  return answer_state(request, options.recording_state, options.recording_command);
 }
 
 void Visit::note(access::AuditEvent event, const std::string& text) const {

@@ -24,6 +24,13 @@ struct Visitor {
   std::string cookie;  ///< of the browser's session; empty: the request has a token, or the server has no keys
 };
 
+/// Who may send a command by POST, and what others read.
+struct CommandRight {
+  keys::Operation operation;
+  std::string_view people;  ///< "… is for …": reply to a visitor without the right
+  std::string_view pages;   ///< reply to a page of a foreign origin
+};
+
 /// One request of the web port: finds the person who sends it, and makes the replies that need permission, such as
 /// signing in and out.
 class Visit {
@@ -47,7 +54,9 @@ class Visit {
   [[nodiscard]] HttpReply playback(const HttpRequest& request) const;
   [[nodiscard]] HttpReply session_events(const HttpRequest& request) const;
   [[nodiscard]] HttpReply recording(const HttpRequest& request) const;
-  [[nodiscard]] std::optional<HttpReply> refusal_to_record(const HttpRequest& request) const;
+  [[nodiscard]] std::optional<HttpReply> refusal_to_watch(const HttpRequest& request) const;
+  [[nodiscard]] std::optional<HttpReply> refusal_to_command(const HttpRequest& request,
+                                                            const CommandRight& right) const;
   void note(access::AuditEvent event, const std::string& text) const;
 
   GatewayContext& context_;
@@ -55,7 +64,7 @@ class Visit {
   bool is_on_this_machine_;
   std::optional<Visitor> visitor_;
   bool brought_token_ = false;
-  std::string problem_;  // text on the sign-in page; no code sets it, so it is empty
+  std::string problem_;  // why the request's token was refused, for the sign-in page; empty: it was not
 };
 
 }  // namespace telepalp::gateway

@@ -45,15 +45,6 @@ bool set(PlaybackSpec& spec, std::string_view key, std::string_view value) {
   return true;
 }
 
-std::string json_of(const google::protobuf::Message& message) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.always_print_primitive_fields = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  (void)google::protobuf::util::MessageToJsonString(message, &json, options);  // fails for invalid UTF-8 alone
-  return json + "\n";
-}
-
 }  // namespace
 
 Result<msg::PlaybackCommand> read_command(const std::string& json) {
@@ -71,9 +62,6 @@ Result<void> check(const msg::PlaybackCommand& command) {
     return wrong("step is not from 1 to 100");
   return {};
 }
-
-std::string to_json(const msg::PlaybackState& state) { return json_of(state); }
-std::string to_json(const msg::SessionEvents& events) { return json_of(events); }
 
 Result<PlaybackSpec> read_spec(const std::string& text) {
   constexpr std::string_view kEnd = ".mcap,";

@@ -18,12 +18,6 @@ inline constexpr double kFastest = 10.0;
 /// Error: a value is out of its range.
 [[nodiscard]] Result<void> check(const msg::PlaybackCommand& command);
 
-/// The state as JSON, with all fields.
-[[nodiscard]] std::string to_json(const msg::PlaybackState& state);
-
-/// The events as JSON, with all fields.
-[[nodiscard]] std::string to_json(const msg::SessionEvents& events);
-
 /// How a server shall play a session: the text after `session:`, FILE.mcap[,from_s=…][,speed=…][,paused=yes|no]
 /// [,topics=A+B].
 struct PlaybackSpec {

@@ -31,16 +31,22 @@ msg::SessionEvents SessionEvents::events() const {
   return events_;
 }
 
-/// A damaged chunk loses its events alone: the player counts it, and reading goes on behind it.
 void SessionEvents::read(const std::filesystem::path& file, SessionTime begin) {
+  read_events(file, begin);
+  const std::scoped_lock lock(mutex_);
+  events_.set_complete(true);
+}
+
+/// A damaged chunk loses its events alone: the player counts it, and reading goes on behind it.
+void SessionEvents::read_events(const std::filesystem::path& file, SessionTime begin) {
   Result<wire::McapReader> reader = wire::McapReader::open(file);
   if (!reader) return;
   reader->select({.topics = {std::string(wire::kStationEvents.name)}});
   for (int count = 0; count < kMostEvents && !stopping_;) {
     const Result<std::optional<wire::Message>> message = reader->next();
     if (!message) continue;
+    if (!*message) return;
     const std::scoped_lock lock(mutex_);
-    if (!*message) return events_.set_complete(true);
     msg::StationEvent event;
     if (!event.ParseFromString(*(*message)->payload)) continue;
     fill(*events_.add_events(), event, to_seconds((*message)->published - begin));

@@ -27,6 +27,7 @@ class SessionEvents {
 
  private:
   void read(const std::filesystem::path& file, SessionTime begin);
+  void read_events(const std::filesystem::path& file, SessionTime begin);
 
   mutable std::mutex mutex_;
   msg::SessionEvents events_;

@@ -15,10 +15,16 @@ namespace {
 
 constexpr int kNotStarted = 127;  // as a shell says it
 
-Error cannot_start(const std::filesystem::path& program) {
-  return {.what = "the recorder cannot be started: " + std::string(std::strerror(errno)),
+Error cannot_start(const std::filesystem::path& program, int code) {
+  return {.what = "the recorder cannot be started: " + std::string(std::strerror(code)),
           .where = program.string(),
           .fix = "install telepalp-record beside telepalp-server"};
+}
+
+Error cannot_write(const std::filesystem::path& log, int code) {
+  return {.what = "the recorder's log cannot be written: " + std::string(std::strerror(code)),
+          .where = log.string(),
+          .fix = "free space on the disk, or name another folder by --record-dir"};
 }
 
 /// Runs in the child of a process with threads: only calls that are safe in a signal handler are allowed here.
@@ -42,18 +48,19 @@ Error cannot_start(const std::filesystem::path& program) {
 Result<RecorderProcess> RecorderProcess::start(const std::filesystem::path& program,
                                                const std::vector<std::string>& arguments,
                                                const std::filesystem::path& log) {
-  if (::access(program.c_str(), X_OK) != 0) return cannot_start(program);
+  if (::access(program.c_str(), X_OK) != 0) return cannot_start(program, errno);
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const int written = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (written < 0) return cannot_start(log);
+  if (written < 0) return cannot_write(log, errno);
   const pid_t child = ::fork();
   if (child == 0) become(program.c_str(), argv.data(), written);
+  const int code = errno;
   ::close(written);
-  if (child < 0) return cannot_start(program);
+  if (child < 0) return cannot_start(program, code);
   return RecorderProcess(child);
 }
 

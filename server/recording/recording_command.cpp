@@ -13,7 +13,7 @@ constexpr std::size_t kLongestConsent = 200;  // bytes
 Error wrong(std::string what) {
   return {.what = std::move(what),
           .where = "POST /recording",
-          .fix = "send {\"record\":true,\"consent\":\"study 17, signed\"} to begin, {\"record\":false} to end"};
+          .fix = "send {\"record\":true,\"consent\":\"signed form, study 17\"} to begin, {\"record\":false} to end"};
 }
 
 /// True for bytes that do not belong into one line of text.
@@ -32,15 +32,6 @@ Result<msg::RecordingCommand> read_command(const std::string& json) {
   if (consent.size() > kLongestConsent || std::any_of(consent.begin(), consent.end(), is_control))
     return wrong("the consent is not one line of at most 200 bytes");
   return command;
-}
-
-std::string to_json(const msg::RecordingState& state) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.always_print_primitive_fields = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  (void)google::protobuf::util::MessageToJsonString(state, &json, options);  // fails for invalid UTF-8 alone
-  return json + "\n";
 }
 
 }  // namespace telepalp::recording

@@ -11,7 +11,4 @@ namespace telepalp::recording {
 /// end, or it begins without a consent of 1 to 200 bytes in one line.
 [[nodiscard]] Result<msg::RecordingCommand> read_command(const std::string& json);
 
-/// The state as JSON, with all fields.
-[[nodiscard]] std::string to_json(const msg::RecordingState& state);
-
 }  // namespace telepalp::recording

@@ -23,4 +23,9 @@ Result<Address> parse_address(std::string_view text, std::string_view where, std
   return Address{std::string(host), port};
 }
 
+std::string to_text(const Address& address) {
+  const bool is_v6 = address.host.find(':') != std::string::npos;
+  return (is_v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
+}
+
 }  // namespace telepalp::program

@@ -18,4 +18,7 @@ struct Address {
 [[nodiscard]] Result<Address> parse_address(std::string_view text, std::string_view where,
                                             std::string_view default_port = {});
 
+/// `HOST:PORT` as parse_address() reads it: an IPv6 host is in brackets.
+[[nodiscard]] std::string to_text(const Address& address);
+
 }  // namespace telepalp::program

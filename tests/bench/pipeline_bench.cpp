@@ -7,6 +7,7 @@
 #include "messages/station.pb.h"
 #include "proto/keys/authority.h"
 #include "proto/wire/client_link.h"
+#include "support/program/files/shipped.h"
 #include "tests/bench/distribution.h"
 #include "tests/support/child_process.h"
 
@@ -157,21 +158,20 @@ Error not_started(const char* program) {
 }  // namespace
 
 Result<Report> measure_pipeline(const PipelineRun& run) {
-  const fs::path programs = fs::read_symlink("/proc/self/exe").parent_path();
-  if (!fs::exists(programs / "telepalp-server")) return not_started("telepalp-server");
-  if (!fs::exists(programs / "telepalp-station")) return not_started("telepalp-station");
+  if (!fs::exists(program::sibling_program("telepalp-server"))) return not_started("telepalp-server");
+  if (!fs::exists(program::sibling_program("telepalp-station"))) return not_started("telepalp-station");
 
   const support::TemporaryFolder folder;
   const fs::path ready = folder.path() / "server";
   const Result<RunKeys> keys = make_keys(folder.path());
   if (!keys) return keys.error();
-  support::ChildProcess server(programs / "telepalp-server",
+  support::ChildProcess server(program::sibling_program("telepalp-server"),
                                {"--source", run.source, "--depth-mode", run.depth_mode, "--port", "0", "--key",
                                 keys->server.string(), "--ready-file", ready.string()});
   const std::optional<std::string> port = support::await_ready(ready, "port");
   if (!port) return not_started("telepalp-server");
   support::ChildProcess station(
-      programs / "telepalp-station",
+      program::sibling_program("telepalp-station"),
       {"--connect", "127.0.0.1:" + *port, "--key", keys->station.string(), "--seconds", std::to_string(run.seconds)});
   const Heard heard = listen(static_cast<std::uint16_t>(std::stoi(*port)), keys->listener, station,
                              std::chrono::milliseconds(static_cast<std::int64_t>(run.seconds * 1000)) + 30s);

@@ -160,6 +160,8 @@ TEST(Address, HostAndPortAreReadAndAnythingElseIsRefused) {
 TEST(Address, WithoutAPortItIsTheDefaultOne) {
   EXPECT_EQ(parse_address("patient.example", "--connect", "7400")->port, 7400);
   EXPECT_EQ(parse_address("[::1]", "--connect", "7400")->host, "::1");
+  for (const char* text : {"127.0.0.1:7400", "[::1]:7400", "patient.example:1"})
+    EXPECT_EQ(to_text(*parse_address(text, "--connect")), text);
   EXPECT_EQ(parse_address("10.0.0.5:81", "--connect", "7400")->port, 81);
   for (const char* wrong : {"", "host:", ":7400", "host:0", "::1", "[::1", "[]", "[::1]:", "a]:7"})
     EXPECT_FALSE(parse_address(wrong, "--connect", "7400").ok()) << wrong;

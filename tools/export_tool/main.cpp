@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "proto/wire/mcap/reader.h"
+#include "support/program/files/shipped.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
@@ -88,8 +89,7 @@ int run_csv(const std::string& file, const program::Arguments& asked) {
 
 /// Becomes telepalp-report, which is installed beside this program.
 int run_report(const std::string& file, const std::string& folder) {
-  std::error_code code;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", code).replace_filename("telepalp-report");
+  const std::filesystem::path program = program::sibling_program("telepalp-report");
   ::execl(program.c_str(), program.c_str(), file.c_str(), "--out", folder.c_str(), static_cast<char*>(nullptr));
   return program::fail({.what = std::string("cannot be started: ") + std::strerror(errno),
                         .where = program.string(),

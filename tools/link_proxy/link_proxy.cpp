@@ -29,7 +29,7 @@ Result<asio::ip::address> numeric(const program::Address& address, std::string_v
 
 Error cannot_listen(const ProxyOptions& options, const error_code& failed) {
   return {.what = "cannot listen: " + failed.message(),
-          .where = options.listen.host + ":" + std::to_string(options.listen.port),
+          .where = program::to_text(options.listen),
           .fix = "choose another address or port for --listen"};
 }
 

@@ -103,7 +103,7 @@ class Recording {
     deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.patience.value_or(program::kForEver)));
     deadline_.async_wait([this](const error_code& cancelled) {
       if (!cancelled)
-        fail({"does not answer", address_text(options_.server), "start telepalp-server, or see --connect"});
+        fail({"does not answer", program::to_text(options_.server), "start telepalp-server, or see --connect"});
     });
     watch();
     link_.start();
@@ -146,7 +146,7 @@ class Recording {
       say("the server is back after " + fixed(away_s, 1) + " s; the recording has no messages from that time");
     }
     if (std::exchange(started_, started_.value_or(Clock::now()))) return;
-    say("recording " + address_text(options_.server) + " to " + options_.file.string());
+    say("recording " + program::to_text(options_.server) + " to " + options_.file.string());
     if (const Result<void> written =
             program::write_ready_file(options_.ready_file, "recording=" + options_.file.string() + "\n");
         !written)

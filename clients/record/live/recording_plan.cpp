@@ -18,14 +18,12 @@ std::string recorded_by(const RecordingOptions& options) {
 
 }  // namespace
 
-std::string address_text(const program::Address& address) { return address.host + ":" + std::to_string(address.port); }
-
 Result<SessionFiles::Plan> plan_of(const RecordingOptions& options) {
   SessionFiles::Plan plan{.name = options.file,
                           .session = {.program = "telepalp-record",
                                       .version = program::version(),
                                       .commit = program::commit(),
-                                      .source = address_text(options.server),
+                                      .source = program::to_text(options.server),
                                       .scene = {},
                                       .recorded_by = recorded_by(options),
                                       .consent = options.consent},

@@ -12,6 +12,5 @@ namespace telepalp::record {
 [[nodiscard]] Result<SessionFiles::Plan> plan_of(const RecordingOptions& options);
 
 /// "127.0.0.1:7400"
-[[nodiscard]] std::string address_text(const program::Address& address);
 
 }  // namespace telepalp::record

@@ -2,6 +2,7 @@ import {wireControls} from './controls';
 import {ViewerHandInput} from './viewer_hand';
 import {offerHeadset} from './headset_button';
 import {measureHeight} from './layout';
+import {askServer} from './link/ask_server';
 import {now_ms} from './link/session_clock';
 import {SiteLink} from './link/site_link';
 import type {Extra} from './link/worker_messages';
@@ -9,7 +10,7 @@ import {DoctorPanel} from './panel/doctor/doctor_panel';
 import {QaPanel} from './panel/qa/qa_panel';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
-import {askServer, PlaybackLink} from './playback/playback_link';
+import {PlaybackLink} from './playback/playback_link';
 import {OverviewBand} from './playback/overview_band';
 import {TimelineBar} from './playback/timeline_bar';
 import type {Instant} from './present/instant';
@@ -52,7 +53,7 @@ function openView(): SceneView {
 let coming: Instant | undefined;   // in the scene, but not drawn yet
 let drawing: Instant | undefined;  // being drawn
 
-const playback = new PlaybackLink(askServer);
+const playback = new PlaybackLink(askServer('playback'));
 const link = new SiteLink(
     (instant) => {
       coming = instant;

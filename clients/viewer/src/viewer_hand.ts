@@ -39,11 +39,11 @@ class HolderNotice {
 }
 
 /**
- * A hand that follows the pointer, keys, a gamepad, or the hand that a headset tracks. It hovers over the skin, and it presses slowly in while the first button or a finger
- * is down. Its position is sent about 100 times a second. When the pointer leaves the picture or the browser is busy,
- * nothing is sent: the station releases, but this viewer still holds the hand. The button, a hidden page or the end of
- * the connection gives up the hand, and *Hand over* passes it to a viewer that asks; until then, other viewers can only
- * ask for it.
+ * A hand that follows the pointer, keys, a gamepad, or the hand that a headset tracks. It hovers over the skin, and it
+ * presses slowly in while the first button or a finger is down. Its position is sent about 100 times a second. When the
+ * pointer leaves the picture or the browser is busy, nothing is sent: the station releases, but this viewer still holds
+ * the hand. The button, a hidden page or the end of the connection gives up the hand, and *Hand over* passes it to a
+ * viewer that asks; until then, other viewers can only ask for it.
  */
 export class ViewerHandInput {
   private pointer: Pointer | undefined;

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "support/program/address.h"
+
 namespace telepalp::device {
 namespace {
 
@@ -56,10 +58,7 @@ Result<WebSocketUrl> parse_websocket_url(std::string_view text, const WebSocketU
   return url;
 }
 
-std::string to_string(const WebSocketUrl& url) {
-  const bool v6 = url.host.find(':') != std::string::npos;
-  return "ws://" + (v6 ? "[" + url.host + "]" : url.host) + ":" + std::to_string(url.port) + url.path;
-}
+std::string to_string(const WebSocketUrl& url) { return "ws://" + program::to_text({url.host, url.port}) + url.path; }
 
 /// One connection, from the name look-up to its end. Each pending operation keeps it alive.
 class WebSocketLine::Connection : public std::enable_shared_from_this<Connection> {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <boost/asio/steady_timer.hpp>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 namespace telepalp::wire {
@@ -61,9 +62,9 @@ void tune(tcp::socket& socket) {
 
 std::string peer_address(const tcp::socket& socket) {
   error_code gone;
-  const tcp::endpoint remote = socket.remote_endpoint(gone);
-  const std::string address = remote.address().to_string();
-  return (remote.address().is_v6() ? "[" + address + "]" : address) + ":" + std::to_string(remote.port());
+  std::ostringstream text;
+  text << socket.remote_endpoint(gone);
+  return text.str();
 }
 
 void close_gently(tcp::socket socket) {

@@ -16,6 +16,11 @@ std::optional<fs::path> below(const fs::path& folder, const fs::path& relative) 
   return file;
 }
 
+fs::path own_folder() {
+  std::error_code code;
+  return fs::read_symlink("/proc/self/exe", code).parent_path();
+}
+
 /// The repository that a build directory was configured from; empty when `folder` is no build directory.
 fs::path source_of_build(const fs::path& folder) {
   std::ifstream note(folder / "telepalp_source.txt");
@@ -28,8 +33,7 @@ fs::path source_of_build(const fs::path& folder) {
 
 std::optional<fs::path> shipped_file(const fs::path& relative) {
   if (const char* home = std::getenv("TELEPALP_HOME")) return below(home, relative);
-  std::error_code code;
-  fs::path folder = fs::read_symlink("/proc/self/exe", code).parent_path();
+  fs::path folder = own_folder();
   while (folder.has_relative_path()) {
     for (const fs::path& place : {folder / "share/telepalp", folder, source_of_build(folder)})
       if (std::optional<fs::path> file = below(place, relative)) return file;
@@ -37,5 +41,7 @@ std::optional<fs::path> shipped_file(const fs::path& relative) {
   }
   return std::nullopt;
 }
+
+fs::path sibling_program(std::string_view name) { return own_folder() / name; }
 
 }  // namespace telepalp::program

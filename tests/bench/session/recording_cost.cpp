@@ -10,6 +10,7 @@
 
 #include "messages/station.pb.h"
 #include "proto/wire/client_link.h"
+#include "support/program/files/shipped.h"
 #include "tests/bench/distribution.h"
 #include "tests/support/child_process.h"
 
@@ -97,13 +98,13 @@ void take_turn(Turns& turns, TickListener& ticks, double seconds, pid_t server, 
 }  // namespace
 
 Result<RecordingCost> recording_cost(const fs::path& folder, double seconds) {
-  const fs::path programs = fs::read_symlink("/proc/self/exe").parent_path();
-  support::ChildProcess server(programs / "telepalp-server",
+  support::ChildProcess server(program::sibling_program("telepalp-server"),
                                {"--port", "0", "--ready-file", (folder / "server").string()});
   const std::optional<std::string> port = support::await_ready(folder / "server", "port");
   if (!port) return not_started("telepalp-server");
   const std::string address = "127.0.0.1:" + *port;
-  support::ChildProcess station(programs / "telepalp-station", {"--connect", address}, folder / "station.log");
+  support::ChildProcess station(program::sibling_program("telepalp-station"), {"--connect", address},
+                                folder / "station.log");
   TickListener ticks(static_cast<std::uint16_t>(std::stoi(*port)));
   if (!ticks.await_ticks(60s)) return not_started("telepalp-station");
   Turns alone, recorded;
@@ -112,7 +113,7 @@ Result<RecordingCost> recording_cost(const fs::path& folder, double seconds) {
     take_turn(alone, ticks, turn_s, server.pid(), -1);
     const std::string name = "recorded" + std::to_string(turn);
     support::ChildProcess recorder(
-        programs / "telepalp-record",
+        program::sibling_program("telepalp-record"),
         {"--connect", address, "--out", (folder / (name + ".mcap")).string(), "--ready-file", (folder / name).string()},
         folder / "recorder.log");
     if (!support::await_ready(folder / name, "recording")) return not_started("telepalp-record");

@@ -1,8 +1,7 @@
+import type {Answer} from '../link/ask_server';
 import {afterCommand, type PlaybackCommand, type PlaybackState, readState} from './playback_state';
 import {GONE, refusal} from './timeline_words';
 
-/** The server's answer; undefined: it did not answer. */
-export type Answer = {status: number; text: string} | undefined;
 export type Ask = (command?: PlaybackCommand) => Promise<Answer>;
 
 /** What the page knows of the server when it looks again. */
@@ -97,15 +96,3 @@ export class PlaybackLink {
   }
 }
 
-const PATIENCE_MS = 3000;
-
-/** Asks the server that the page comes from. */
-export async function askServer(command?: PlaybackCommand): Promise<Answer> {
-  const options = command === undefined ? {} : {method: 'POST', body: JSON.stringify(command)};
-  try {
-    const reply = await fetch('playback', {...options, cache: 'no-store', signal: AbortSignal.timeout(PATIENCE_MS)});
-    return {status: reply.status, text: await reply.text()};
-  } catch {
-    return undefined;
-  }
-}

@@ -44,7 +44,7 @@ export function readOverview(text: string): SessionOverview | undefined {
   }
 }
 
-/** The phases from the first change of phase to the session's end. A time before it is not told. */
+/** The phases from the first change of phase to the session's end. The phase before that change is unknown, so no span covers it. */
 export function spansOf({events}: SessionOverview, duration_s: number): OverviewSpan[] {
   const changes = events.filter(({kind}) => kind === EventKind.Phase);
   return changes.map(({at_s, to}, at) => ({phase: to, from_s: at_s, to_s: changes[at + 1]?.at_s ?? duration_s}))

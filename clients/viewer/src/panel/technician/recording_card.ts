@@ -1,21 +1,11 @@
+import {askServer} from '../../link/ask_server';
 import {element, setText} from '../../page';
 import {RowList} from '../rows';
 import {consentText, recordingRows, RecordingLink} from './recording_link';
 
-async function askServer(command?: object) {
-  try {
-    const reply = await fetch('recording', command === undefined ? {} : {
-      method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(command),
-    });
-    return {status: reply.status, text: await reply.text()};
-  } catch {
-    return undefined;
-  }
-}
-
 /** Begins and ends a recording at the server's machine. It begins only after the tick for the patient's consent. */
 export class RecordingCard {
-  private readonly link = new RecordingLink(askServer);
+  private readonly link = new RecordingLink(askServer('recording'));
   private readonly card = element('recording');
   private readonly rows = new RowList(element('recording-rows'));
   private readonly button = element<HTMLButtonElement>('record');

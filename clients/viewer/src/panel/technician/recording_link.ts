@@ -1,4 +1,4 @@
-import type {Answer} from '../../playback/playback_link';
+import type {Answer} from '../../link/ask_server';
 import type {Row} from '../rows';
 
 /** The body of POST /recording. */

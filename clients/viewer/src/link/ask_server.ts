@@ -1,0 +1,15 @@
+/** The server's answer; undefined: it did not answer. */
+export type Answer = {status: number; text: string} | undefined;
+
+const PATIENCE_MS = 3000;
+
+/** Asks the server that the page comes from for the state at `path`, or sends it a command there. */
+export const askServer = (path: string) => async (command?: object): Promise<Answer> => {
+  const options = command === undefined ? {} : {method: 'POST', body: JSON.stringify(command)};
+  try {
+    const reply = await fetch(path, {...options, cache: 'no-store', signal: AbortSignal.timeout(PATIENCE_MS)});
+    return {status: reply.status, text: await reply.text()};
+  } catch {
+    return undefined;
+  }
+};
