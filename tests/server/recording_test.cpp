@@ -26,7 +26,7 @@ msg::RecordingCommand end() {
   return command;
 }
 
-/// A recorder whose program is a shell script: it sees the words that telepalp-record would.
+/// A recorder whose program is a shell script instead of telepalp-record. The script gets the same arguments.
 struct Recorder {
   support::TemporaryFolder folder;
   std::unique_ptr<SessionRecorder> recorder;
