@@ -1,0 +1,189 @@
+// One doctor holds the touch: the lease, and how it passes to another doctor.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/server/keyed_site.h"
+
+namespace telepalp::server {
+namespace {
+
+using namespace std::chrono_literals;
+using keys::Role;
+
+TEST(KeyedLink, OneDoctorHoldsTheTouchAndTheNextOneWaitsUntilItIsGiven) {
+  KeyedSite site;
+  auto anna = std::make_unique<KeyedClient>(site, site.ring.key("anna", Role::Doctor), "doctor",
+                                            std::vector<wire::Topic>{wire::kStationState});
+  ASSERT_TRUE(site.run_until([&] { return anna->connected(); }));
+  KeyedClient bert(site, site.ring.key("bert", Role::Doctor), "doctor", {wire::kStationState});
+  site.run_until([&] { return site.access->counts().refused > 0; });
+  EXPECT_FALSE(bert.connected());
+  EXPECT_FALSE(bert.refused()) << "it is no matter of the key: the station waits";
+  EXPECT_NE(site.ring.audit().find("doctor anna holds the touch"), std::string::npos) << site.ring.audit();
+  anna->link.stop("the examination is over");
+  EXPECT_TRUE(site.run_until([&] { return bert.connected(); }));
+  EXPECT_NE(site.ring.audit().find("event=gave-touch who=doctor anna"), std::string::npos) << site.ring.audit();
+  EXPECT_NE(site.ring.audit().find("event=took-touch who=doctor bert"), std::string::npos) << site.ring.audit();
+}
+
+/// anna's station, which holds the touch, and bert's, which waits for it.
+struct TwoDoctors {
+  KeyedSite site;
+  std::unique_ptr<KeyedClient> anna, bert;
+  TwoDoctors() {
+    anna = std::make_unique<KeyedClient>(site, site.ring.key("anna", Role::Doctor), "doctor",
+                                         std::vector<wire::Topic>{wire::kStationState});
+    EXPECT_TRUE(site.run_until([&] { return anna->connected(); }));
+    bert = std::make_unique<KeyedClient>(site, site.ring.key("bert", Role::Doctor), "doctor",
+                                         std::vector<wire::Topic>{wire::kStationState});
+    EXPECT_TRUE(site.run_until([&] { return said_to_bert("doctor anna holds the touch"); }));
+  }
+  [[nodiscard]] bool said_to_bert(const std::string& phrase) const {
+    return std::any_of(bert->details.begin(), bert->details.end(),
+                       [&](const std::string& detail) { return detail.find(phrase) != std::string::npos; });
+  }
+  /// The answer to anna's request.
+  std::string hand_over(const std::string& to) {
+    const std::size_t before = anna->hand_over_answers.size();
+    EXPECT_TRUE(anna->link.hand_over(to));
+    EXPECT_TRUE(site.run_until([&] { return anna->hand_over_answers.size() > before; }));
+    return anna->hand_over_answers.back();
+  }
+};
+
+TEST(HandOver, TheHolderOffersTheOtherAcceptsAndTheAuditLogHasBoth) {
+  TwoDoctors two;
+  EXPECT_EQ(two.hand_over("bert"), "done: offered to doctor bert for 60 s: you keep the touch until it is accepted");
+  ASSERT_TRUE(two.site.run_until([&] { return two.said_to_bert("doctor anna offers you the touch"); }));
+  EXPECT_TRUE(two.anna->connected()) << "an offer alone takes nothing away";
+  EXPECT_FALSE(two.bert->connected());
+  two.bert->link.accept_touch();
+  ASSERT_TRUE(two.site.run_until([&] { return two.bert->connected(); }));
+  ASSERT_TRUE(two.site.run_until([&] { return !two.anna->connected(); }));
+  const std::string audit = two.site.ring.audit();
+  for (const char* event : {"event=offered-touch who=doctor anna", "to=\"bert\"", "event=took-touch who=doctor bert",
+                            "by=hand-over from=\"anna\"", "event=gave-touch who=doctor anna", "to=\"doctor bert\""})
+    EXPECT_NE(audit.find(event), std::string::npos) << event << "\n" << audit;
+  two.site.run_until([&] { return two.anna->connected(); }, 1500ms);
+  EXPECT_FALSE(two.anna->connected()) << "anna waits while bert holds the touch";
+  two.bert->link.stop("the examination is over");
+  EXPECT_TRUE(two.site.run_until([&] { return two.anna->connected(); }));
+}
+
+TEST(HandOver, WhatIsNotOfferedToADoctorCannotBeAccepted) {
+  TwoDoctors two;
+  two.bert->link.accept_touch();
+  two.site.run_until([&] { return two.bert->connected(); }, 2500ms);
+  EXPECT_FALSE(two.bert->connected()) << "accepting alone takes nothing";
+  EXPECT_EQ(two.hand_over("carla").rfind("done: ", 0), 0u);
+  two.site.run_until([&] { return two.bert->connected(); }, 2500ms);
+  EXPECT_FALSE(two.bert->connected()) << "it is offered to another doctor";
+  EXPECT_TRUE(two.anna->connected());
+}
+
+TEST(HandOver, AWithdrawnOfferCannotBeAccepted) {
+  TwoDoctors two;
+  EXPECT_EQ(two.hand_over("bert").rfind("done: ", 0), 0u);
+  EXPECT_EQ(two.hand_over("bert"), "refused: the last offer was made just now. fix: wait a second");
+  two.site.run_until([] { return false; }, 600ms);
+  EXPECT_EQ(two.hand_over(""), "done: the offer is withdrawn: you keep the touch");
+  two.bert->link.accept_touch();
+  two.site.run_until([&] { return two.bert->connected(); }, 2500ms);
+  EXPECT_FALSE(two.bert->connected());
+  EXPECT_TRUE(two.anna->connected());
+}
+
+TEST(HandOver, OnlyTheHolderMayOffer) {
+  KeyedSite site;
+  KeyedClient vera(site, site.ring.key("vera", Role::Viewer));
+  KeyedClient quinn(site, site.ring.key("quinn", Role::Qa), "qa");
+  KeyedClient dora(site, site.ring.key("dora", Role::Doctor));  // a doctor who only watches
+  ASSERT_TRUE(site.run_until([&] { return vera.connected() && quinn.connected() && dora.connected(); }));
+  for (KeyedClient* client : {&vera, &quinn, &dora}) {
+    EXPECT_TRUE(client->link.hand_over("bert"));
+    ASSERT_TRUE(site.run_until([&] { return !client->hand_over_answers.empty(); }));
+  }
+  EXPECT_NE(vera.hand_over_answers.front().find("the role viewer of vera does not allow to hand over"),
+            std::string::npos);
+  EXPECT_NE(quinn.hand_over_answers.front().find("the role qa of quinn does not allow to hand over"),
+            std::string::npos);
+  EXPECT_NE(dora.hand_over_answers.front().find("does not hold the touch"), std::string::npos);
+  EXPECT_NE(site.ring.audit().find("event=refused who=viewer vera"), std::string::npos) << site.ring.audit();
+}
+
+TEST(TouchLease, AnOfferIsTakenByItsDoctorAloneAndEndsByTimeOrWithTheLease) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto offered = [&] {
+    access::TouchLease lease;
+    EXPECT_TRUE(lease.take(1, "a", "anna", start));
+    EXPECT_FALSE(lease.offer(2, "bert", start)) << "peer 2 holds nothing";
+    EXPECT_TRUE(lease.offer(1, "bert", start));
+    return lease;
+  };
+  access::TouchLease lease = offered();
+  EXPECT_FALSE(lease.take(2, "b", "bert", start + 1s)) << "an offer alone takes nothing away";
+  EXPECT_FALSE(lease.accept(3, "c", "carla", start + 1s));
+  EXPECT_EQ(lease.accept(2, "b", "bert", start + 1s), 1u);
+  EXPECT_FALSE(lease.renew(1, start + 1s));
+  EXPECT_FALSE(lease.accept(2, "b", "bert", start + 1s)) << "it is taken once";
+
+  access::TouchLease late = offered();
+  for (auto now = start; now < start + 61s; now += 5s) EXPECT_TRUE(late.renew(1, now));
+  EXPECT_FALSE(late.accept(2, "b", "bert", start + 61s)) << "an offer stands for 60 s";
+
+  access::TouchLease silent = offered();
+  EXPECT_FALSE(silent.offered_to(start + 11s)) << "the offer ends with the holder's lease";
+  EXPECT_TRUE(silent.take(3, "c", "carla", start + 11s)) << "then any doctor may take the touch";
+
+  access::TouchLease left = offered();
+  left.leave(1, true, start + 1s);
+  EXPECT_FALSE(left.take(3, "c", "carla", start + 2s)) << "anna left the touch to bert";
+  EXPECT_FALSE(left.take(1, "a", "anna", start + 2s));
+  EXPECT_TRUE(left.take(2, "b", "bert", start + 2s));
+}
+
+TEST(TouchLease, AnOfferSurvivesABrokenConnectionOfTheHolder) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto broken = [&] {
+    access::TouchLease lease;
+    EXPECT_TRUE(lease.take(1, "a", "anna", start));
+    EXPECT_TRUE(lease.offer(1, "bert", start));
+    lease.leave(1, false, start + 1s);
+    return lease;
+  };
+  access::TouchLease returned = broken();
+  EXPECT_TRUE(returned.take(4, "a", "anna", start + 2s)) << "anna comes back within her lease";
+  EXPECT_EQ(returned.offered_to(start + 2s), "bert") << "and her offer stands";
+  EXPECT_TRUE(returned.offer(4, "", start + 3s)) << "she may withdraw it";
+  EXPECT_FALSE(returned.accept(2, "b", "bert", start + 4s));
+
+  access::TouchLease accepted = broken();
+  EXPECT_FALSE(accepted.accept(3, "c", "carla", start + 2s));
+  EXPECT_EQ(accepted.accept(2, "b", "bert", start + 2s), 0u) << "bert accepts while no station has the touch";
+  EXPECT_FALSE(accepted.take(4, "a", "anna", start + 3s)) << "anna comes back too late";
+
+  access::TouchLease ended = broken();
+  EXPECT_FALSE(ended.accept(2, "b", "bert", start + 12s)) << "the offer ends with the holder's lease";
+  EXPECT_TRUE(ended.take(3, "c", "carla", start + 12s));
+}
+
+TEST(TouchLease, IsLostBySilenceAndKeptForTheSameDoctorOverALostConnection) {
+  const auto start = std::chrono::steady_clock::now();
+  access::TouchLease lease;
+  EXPECT_TRUE(lease.take(1, "a", "anna", start));
+  EXPECT_FALSE(lease.take(2, "b", "bert", start + 5s));
+  EXPECT_TRUE(lease.renew(1, start + 9s));
+  EXPECT_FALSE(lease.take(2, "b", "bert", start + 15s)) << "anna spoke 6 s ago";
+  EXPECT_TRUE(lease.take(2, "b", "bert", start + 20s)) << "anna was silent for 11 s";
+  EXPECT_FALSE(lease.renew(1, start + 20s)) << "anna's station hears that it lost the touch";
+  lease.leave(2, false, start + 21s);
+  EXPECT_FALSE(lease.take(3, "a", "anna", start + 22s)) << "bert's connection was lost: it may come back";
+  EXPECT_TRUE(lease.take(4, "b", "bert", start + 23s));
+  lease.leave(4, true, start + 24s);
+  EXPECT_TRUE(lease.take(5, "a", "anna", start + 24s));
+}
+
+}  // namespace
+}  // namespace telepalp::server
