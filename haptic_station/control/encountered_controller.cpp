@@ -11,8 +11,10 @@ namespace telepalp::control {
 ControlOutput EncounteredController::step(const ControlInput& given, double dt_given_s) noexcept {
   const double dt_s = std::isfinite(dt_given_s) ? std::clamp(dt_given_s, 0.0, 0.01) : 0.0;
   // Sense.
-  const ControlInput in = is_finite(given) ? given : blank_input(given, target_);
   const FaultCause stands = standing_fault(given, force_control_.touching(), settings_.ages);
+  const std::optional<ControlInput> blank =
+      stands == FaultCause::NotFinite ? std::optional(blank_input(given, target_)) : std::nullopt;
+  const ControlInput& in = blank ? *blank : given;
   plane_.move(in.device, in.contact, dt_s);
   force_control_.release(hand_is_lost(in, settings_.ages.tracker_in_contact_s), settings_.transitions.contact_release_s,
                          dt_s);

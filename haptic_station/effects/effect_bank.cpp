@@ -22,9 +22,13 @@ concept InnerObject = requires(const Effect& effect) {
 
 /// The input as the effect feels it: an object inside the body feels the device relative to its displacement.
 template <class Effect>
+const EffectInput& felt_by(const Effect&, const EffectInput& in, const Placement&) noexcept {
+  return in;
+}
+template <InnerObject Effect>
 EffectInput felt_by(const Effect&, const EffectInput& in, const Placement& placement) noexcept {
   EffectInput felt = in;
-  if constexpr (InnerObject<Effect>) felt.device.m -= placement.moved.v;
+  felt.device.m -= placement.moved.v;
   return felt;
 }
 
@@ -88,7 +92,7 @@ Force<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, CostClock
   for (std::size_t i = 0; i < count_; ++i) {
     const std::uint64_t before = clock != nullptr ? clock() : 0;
     with(effects_[i], [&](auto& e) noexcept {
-      const EffectInput felt = felt_by(e, in, placements_[i]);
+      const EffectInput& felt = felt_by(e, in, placements_[i]);
       const Eigen::Vector3d carried = carried_at(e, in, placements_[i]);
       absorbed_J_ -= held_[i].force_N.dot(in.moved.v - 0.5 * dt_s * (held_[i].carried_at + carried));
       if constexpr (HasWall<std::remove_cvref_t<decltype(e)>>)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -38,7 +39,7 @@ class EffectBank {
   [[nodiscard]] std::size_t size() const noexcept { return count_; }
 
   /// Displaces the objects inside the body, from the next begin() or step() on.
-  void place(const Placements& placements) noexcept { placements_ = placements; }
+  void place(const Placements& placements) noexcept { std::copy_n(placements.begin(), count_, placements_.begin()); }
   /// Where the scene puts the effect's object; nullopt: the effect is not an object inside the body.
   [[nodiscard]] std::optional<Point<HapticBase>> object_at(std::size_t effect) const noexcept;
 

@@ -25,6 +25,7 @@ void BodyFrame::adopt(const surface::SurfaceSnapshot& snapshot,
   snapshot_ = &snapshot;
   haptic_from_camera_ = haptic_from_camera;
   marks_ = snapshot.marks;
+  note_unseen();
 }
 
 /// The skin's motion at the mark since the capture, as the snapshot's motion model predicts it for the skin. Zero where
@@ -41,6 +42,16 @@ BodyFrame::Carried BodyFrame::carried(const surface::SkinMark& mark, double age_
 void BodyFrame::release() noexcept {
   snapshot_ = nullptr;
   for (surface::SkinMark& mark : marks_) mark.seen = mark.slide_seen = false;
+  note_unseen();
+}
+
+void BodyFrame::note_unseen() noexcept {
+  watched_ = unseen_ = slide_unseen_ = false;
+  for (const surface::SkinMark& mark : marks_) {
+    watched_ = watched_ || mark.watched;
+    unseen_ = unseen_ || (mark.watched && !mark.seen);
+    slide_unseen_ = slide_unseen_ || (mark.watched && !mark.slide_seen);
+  }
 }
 
 /// Updates the motion of one object a tick; a motion changes little in eight ticks.
@@ -56,6 +67,7 @@ void BodyFrame::look_at_one(double age_s) noexcept {
 const effects::Placements& BodyFrame::step(const surface::TouchSample& touch, double dt_s) noexcept {
   const bool begins = touch.valid && touch.in_body && !in_body_;
   in_body_ = touch.valid && touch.in_body;
+  if (!watched_) return shown_;
   const double dt = dt_s > 0.0 ? std::min(dt_s, 0.1) : 0.0;
   if (snapshot_ != nullptr) look_at_one(touch.age_s);
   const Vector3d lower_m = begins ? Vector3d(-touch.newest_above_m * touch.normal) : Vector3d::Zero();
@@ -66,18 +78,10 @@ const effects::Placements& BodyFrame::step(const surface::TouchSample& touch, do
     const Vector<DepthCamera> target_rate{carried_[i].m_per_s * marks_[i].normal};
     if (marks_[i].seen) shown.moved.v += (haptic_from_camera_ * Vector<DepthCamera>{lower_m}).v;
     shown.velocity.v = surface::next_rate(shown.velocity.v, (haptic_from_camera_ * target).v - shown.moved.v,
-                                          (haptic_from_camera_ * target_rate).v, limits_, dt);
+                                          (haptic_from_camera_ * target_rate).v, limits_, share_.of(limits_, dt), dt);
     shown.moved.v += dt * shown.velocity.v;
   }
   return shown_;
-}
-
-bool BodyFrame::unseen() const noexcept {
-  return std::any_of(marks_.begin(), marks_.end(), [](const auto& mark) { return mark.watched && !mark.seen; });
-}
-
-bool BodyFrame::slide_unseen() const noexcept {
-  return std::any_of(marks_.begin(), marks_.end(), [](const auto& mark) { return mark.watched && !mark.slide_seen; });
 }
 
 ObjectPlacements BodyFrame::objects() const noexcept {

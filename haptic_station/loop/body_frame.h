@@ -44,8 +44,9 @@ class BodyFrame {
   [[nodiscard]] const effects::Placements& step(const surface::TouchSample& touch, double dt_s) noexcept;
 
   [[nodiscard]] ObjectPlacements objects() const noexcept;
-  [[nodiscard]] bool unseen() const noexcept;        ///< ObjectPlacement::unseen of any object
-  [[nodiscard]] bool slide_unseen() const noexcept;  ///< ObjectPlacement::slide_unseen of any object
+  [[nodiscard]] bool unseen() const noexcept { return unseen_; }  ///< ObjectPlacement::unseen of any object
+  /// ObjectPlacement::slide_unseen of any object.
+  [[nodiscard]] bool slide_unseen() const noexcept { return slide_unseen_; }
 
  private:
   /// Motion of the skin at a mark since the capture, along the skin's normal.
@@ -55,6 +56,7 @@ class BodyFrame {
   };
   [[nodiscard]] Carried carried(const surface::SkinMark& mark, double age_s) const noexcept;
   void look_at_one(double age_s) noexcept;
+  void note_unseen() noexcept;
 
   surface::FollowLimits limits_;
   const surface::SurfaceSnapshot* snapshot_ = nullptr;  // borrowed
@@ -62,7 +64,11 @@ class BodyFrame {
   surface::SkinMarks marks_{};
   std::array<Carried, effects::kMostEffects> carried_{};
   effects::Placements shown_{};
+  surface::FollowShare share_;
   std::size_t next_look_ = 0;
+  bool watched_ = false;  ///< there is an object; this and the next two summarise `marks_`
+  bool unseen_ = false;
+  bool slide_unseen_ = false;
   bool in_body_ = false;
 };
 

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace telepalp::loop {
 
@@ -22,7 +24,8 @@ inline std::array<float, 3> packed_towards_zero(const Eigen::Vector3d& v) noexce
   std::array<float, 3> floats = packed(v);
   for (int axis = 0; axis < 3; ++axis) {
     float& value = floats[static_cast<std::size_t>(axis)];
-    if (std::abs(static_cast<double>(value)) > std::abs(v[axis])) value = std::nextafter(value, 0.0F);
+    if (std::abs(static_cast<double>(value)) > std::abs(v[axis]))
+      value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) - 1U);  // the next one to zero
   }
   return floats;
 }

@@ -1,5 +1,7 @@
 #include "haptic_station/trials/cylinder_paths.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "support/plot/palette.h"
@@ -29,12 +31,38 @@ plot::Series force_line(double x_mm, double y_mm, const Eigen::Vector3d& force_N
           .style = plot::Style::Path};
 }
 
+plot::Range data_range(const plot::Chart& chart, std::vector<double> plot::Series::*axis) {
+  std::vector<double> all;
+  for (const plot::Series& one : chart.series) all.insert(all.end(), (one.*axis).begin(), (one.*axis).end());
+  return plot::range_of(all, {});
+}
+
+/// A range of `length`, with the same middle.
+plot::Range lengthened(const plot::Range& range, double length) {
+  const double middle = 0.5 * (range.least + range.most);
+  return {middle - 0.5 * length, middle + 0.5 * length};
+}
+
+/// Widens one axis so that a millimetre is as long along x as along y. Otherwise the force lines point elsewhere, and a
+/// press without sideways movement fills the whole width.
+void scale_axes_equally(plot::Chart& chart) {
+  const plot::Frame frame = plot::frame_of(chart);
+  const double width_px = std::abs(frame.x_px.most - frame.x_px.least);
+  const double height_px = std::abs(frame.y_px.most - frame.y_px.least);
+  const plot::Range x = data_range(chart, &plot::Series::x);
+  const plot::Range y = data_range(chart, &plot::Series::y);
+  const double mm_per_px = std::max((x.most - x.least) / width_px, (y.most - y.least) / height_px);
+  chart.x.include = lengthened(x, mm_per_px * width_px);
+  chart.y.include = lengthened(y, mm_per_px * height_px);
+}
+
 }  // namespace
 
 plot::Chart cylinder_paths(const TrialResult& result) {
   plot::Chart chart{.title = "path at the inner object, with the force (2 mm a newton)",
                     .x = {.label = "x [mm]"},
-                    .y = {.label = "y [mm]"}};
+                    .y = {.label = "y [mm]"},
+                    .height_px = 500.0};
   std::vector<plot::Series> forces;
   control::Phase before = control::Phase::Released;
   for (std::size_t i = 0; i < result.samples.size(); ++i) {
@@ -49,6 +77,7 @@ plot::Chart cylinder_paths(const TrialResult& result) {
     if (i % kForceEvery == 0) forces.push_back(force_line(x_mm, y_mm, sample.force.N));
   }
   chart.series.insert(chart.series.begin(), forces.begin(), forces.end());
+  if (!chart.series.empty()) scale_axes_equally(chart);
   return chart;
 }
 

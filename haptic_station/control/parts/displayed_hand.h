@@ -1,6 +1,7 @@
 #pragma once
 
 #include "haptic_station/control/values/control_input.h"
+#include "proto/words/last_result.h"
 
 namespace telepalp::control {
 
@@ -22,6 +23,7 @@ class DisplayedHand {
   Point<HapticBase> last_proxy_;
   Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();
   bool inside_ = false;
+  LastResult left_;  ///< share of the offset that is left after a tick
 };
 
 }  // namespace telepalp::control

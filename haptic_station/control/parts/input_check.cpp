@@ -1,6 +1,5 @@
 #include "haptic_station/control/parts/input_check.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace telepalp::control {
@@ -14,9 +13,10 @@ bool is_finite(const ports::SurfaceContact& contact) noexcept {
 }
 
 bool is_finite(const effects::Placements& placements) noexcept {
-  return std::all_of(placements.begin(), placements.end(), [](const effects::Placement& one) noexcept {
-    return one.moved.v.allFinite() && one.velocity.v.allFinite();
-  });
+  // Zero times a finite number is zero, and NaN otherwise. Testing the 48 numbers one by one takes five times as long.
+  Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  for (const effects::Placement& one : placements) zero += 0.0 * one.moved.v + 0.0 * one.velocity.v;
+  return zero == Eigen::Vector3d::Zero();
 }
 
 }  // namespace

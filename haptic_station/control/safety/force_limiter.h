@@ -1,6 +1,7 @@
 #pragma once
 
 #include "proto/words/frames.h"
+#include "proto/words/last_result.h"
 
 namespace telepalp::control {
 
@@ -35,6 +36,7 @@ class ForceLimiter {
   ForceLimits limits_;
   Force<HapticBase> given_;
   double heat_N2_ = 0.0;
+  LastResult heat_left_;  ///< share of the heat that is left after a tick
   bool limited_ = false;
   bool faulted_ = false;
 };

@@ -28,12 +28,15 @@ void in_parts(double dt_s, const Step& step) noexcept {
 
 }  // namespace
 
+double FollowShare::of(const FollowLimits& limits, double dt_s) noexcept {
+  return share_.of(-2.0 * limits.bandwidth_rad_per_s * dt_s, [](double x) noexcept { return -std::expm1(x); });
+}
+
 Vector3d next_rate(const Vector3d& rate, const Vector3d& error, const Vector3d& target_rate, const FollowLimits& limits,
-                   double dt_s) noexcept {
+                   double share, double dt_s) noexcept {
   const double w = limits.bandwidth_rad_per_s;
   const Vector3d wanted =
       at_most(target_rate, limits.fastest_surface_m_per_s) + at_most(0.5 * w * error, limits.speed_m_per_s);
-  const double share = -std::expm1(-2.0 * w * dt_s);
   return rate + at_most(share * (wanted - rate), limits.acceleration_m_per_s2 * dt_s);
 }
 
@@ -78,9 +81,10 @@ void SurfaceFollower::advance(const Vector3d& foot, const Vector3d& normal, doub
   turn_about(foot);
   const Vector3d newest = newest_speed_m_per_s * normal;
   in_parts(dt_s, [&](double part_s) noexcept {
-    velocity_m_per_s_ = next_rate(velocity_m_per_s_, lag_m_, newest, limits_, part_s);
+    velocity_m_per_s_ = next_rate(velocity_m_per_s_, lag_m_, newest, limits_, share_.of(limits_, part_s), part_s);
     lag_m_ += part_s * (newest - velocity_m_per_s_);
-    turn_rad_per_s_ = next_rate(turn_rad_per_s_, tilt_rad_, Vector3d::Zero(), kTurn, part_s);
+    turn_rad_per_s_ =
+        next_rate(turn_rad_per_s_, tilt_rad_, Vector3d::Zero(), kTurn, turn_share_.of(kTurn, part_s), part_s);
     tilt_rad_ -= part_s * turn_rad_per_s_;
   });
 }
@@ -94,8 +98,8 @@ void LineFollower::begin(const Vector3d& at, const Vector3d& along, double rate_
 
 void LineFollower::advance(double error_m, double target_m_per_s, double dt_s) noexcept {
   in_parts(dt_s, [&](double part_s) noexcept {
-    const Vector3d rate =
-        next_rate({rate_m_per_s_, 0.0, 0.0}, {error_m, 0.0, 0.0}, {target_m_per_s, 0.0, 0.0}, limits_, part_s);
+    const Vector3d rate = next_rate({rate_m_per_s_, 0.0, 0.0}, {error_m, 0.0, 0.0}, {target_m_per_s, 0.0, 0.0}, limits_,
+                                    share_.of(limits_, part_s), part_s);
     rate_m_per_s_ = rate.x();
     risen_m_ += part_s * rate_m_per_s_;
     error_m += part_s * (target_m_per_s - rate_m_per_s_);

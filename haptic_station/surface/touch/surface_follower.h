@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
+#include "proto/words/last_result.h"
 
 namespace telepalp::surface {
 
@@ -14,11 +15,21 @@ struct FollowLimits {
   double fastest_surface_m_per_s = 0.3;  ///< a greater speed of the newest surface is limited to this
 };
 
+/// The share of the error in a rate that one step removes. Remembers it, because the time between ticks seldom changes.
+class FollowShare {
+ public:
+  [[nodiscard]] double of(const FollowLimits& limits, double dt_s) noexcept;
+
+ private:
+  LastResult share_;
+};
+
 /// One step of a critically damped approach with bounded speed and acceleration. `rate`: rate of the value; `error`:
-/// target minus value; `target_rate`: rate of the target. Returns the next rate of the value. The result depends only
-/// on the present error and rates, so the approach is the same whether the target is updated 10 or 200 times a second.
+/// target minus value; `target_rate`: rate of the target; `share`: FollowShare::of() the same limits and time. Returns
+/// the next rate of the value. The result depends only on the present error and rates, so the approach is the same
+/// whether the target is updated 10 or 200 times a second.
 [[nodiscard]] Eigen::Vector3d next_rate(const Eigen::Vector3d& rate, const Eigen::Vector3d& error,
-                                        const Eigen::Vector3d& target_rate, const FollowLimits& limits,
+                                        const Eigen::Vector3d& target_rate, const FollowLimits& limits, double share,
                                         double dt_s) noexcept;
 
 /// The displayed surface: the newest surface, translated and tilted by a lag that decays to zero. The displayed
@@ -59,6 +70,8 @@ class SurfaceFollower {
   Eigen::Vector3d velocity_m_per_s_ = Eigen::Vector3d::Zero();  ///< velocity of the displayed surface at the pivot
   Eigen::Vector3d tilt_rad_ = Eigen::Vector3d::Zero();          ///< rotation from displayed to newest, about the pivot
   Eigen::Vector3d turn_rad_per_s_ = Eigen::Vector3d::Zero();    ///< angular velocity of the displayed surface
+  FollowShare share_;
+  FollowShare turn_share_;
 };
 
 /// Follows the displayed skin along one fixed line, for a place that the device has left, such as the start of the
@@ -75,6 +88,7 @@ class LineFollower {
 
   [[nodiscard]] Eigen::Vector3d at() const noexcept { return start_ + risen_m_ * along_; }
   [[nodiscard]] const Eigen::Vector3d& along() const noexcept { return along_; }
+  [[nodiscard]] double risen_m() const noexcept { return risen_m_; }  ///< from the start, along the line
   [[nodiscard]] double rate_m_per_s() const noexcept { return rate_m_per_s_; }
 
  private:
@@ -83,6 +97,7 @@ class LineFollower {
   Eigen::Vector3d along_ = Eigen::Vector3d::UnitZ();
   double risen_m_ = 0.0;
   double rate_m_per_s_ = 0.0;
+  FollowShare share_;
 };
 
 }  // namespace telepalp::surface

@@ -19,6 +19,7 @@ constexpr double kFoot_m_per_s = 0.15;      // largest speed of the foot under a
 constexpr double kHeldPlane_m_per_s = 0.1;  // of a held plane's foot below the device; the force follows it
 constexpr double kLeastShown = 0.05;        // least displayed share at which a contact begins
 constexpr double kLongestTick_s = 0.01;     // longest tick over which the controller computes a speed
+constexpr double kAnchorLook_s = 0.0039;    // between two evaluations at the anchor; a little less than eight ticks
 
 Vector3d tangential(const Vector3d& v, const Vector3d& normal) noexcept { return v - normal.dot(v) * normal; }
 
@@ -227,9 +228,28 @@ void Touch::show_at(const Vector3d& device) noexcept {
   foot_ = device;
 }
 
-/// Follows the skin at the point where the contact began, along the normal at that time. Each step evaluates the newest
-/// surface there, so that no error accumulates, and the displayed anchor follows it like the skin under the device. If
-/// the surface is not known there, the anchor moves with the foot.
+/// Evaluates the newest surface at the anchor, so that no error accumulates.
+void Touch::look_at_anchor() noexcept {
+  const Vector3d& along = anchor_.along();
+  Vector3d there = anchor_.at() + anchor_lag_m_ * along;
+  FieldSample newest = snapshot_->evaluate(there, along, basis_);
+  if (!newest.valid) {
+    if (const std::optional<Seed> seed = snapshot_->seed(there)) {
+      there = anchor_.at() + along.dot(seed->at - anchor_.at()) * along;
+      newest = snapshot_->evaluate(there, along, basis_);
+    }
+  }
+  const double slope = newest.gradient.dot(along);
+  const double lag_m = along.dot(there - anchor_.at()) - newest.f_m / std::max(slope, kSteepEnough);
+  anchor_seen_ = newest.valid && slope > kSteepEnough && std::abs(lag_m) < settings_.deepest_start_m;
+  if (!anchor_seen_) return;
+  anchor_lag_m_ = lag_m;
+  anchor_target_m_per_s_ = newest.velocity_m_per_s / slope;
+}
+
+/// Follows the skin at the point where the contact began, along the normal at that time. The displayed anchor follows
+/// the newest surface there like the skin under the device. Every 4 ms the surface is evaluated; meanwhile it moves on
+/// at its speed there. If the surface is not known there, the anchor moves with the foot.
 void Touch::follow_anchor(double dt_s) noexcept {
   anchor_speed_ = 0.0;
   const bool begins = side_ == Side::Inside && !anchored_;
@@ -237,26 +257,22 @@ void Touch::follow_anchor(double dt_s) noexcept {
   if (!anchored_) return;
   if (begins) {
     anchor_.begin(foot_, normal_, follower_.velocity_m_per_s().dot(normal_));
-    newest_anchor_ = foot_ + follower_.lag_m().dot(normal_) * normal_;
+    anchor_lag_m_ = follower_.lag_m().dot(normal_);
+    anchor_looked_s_ = kAnchorLook_s;
+  }
+  const double part_s = std::min(dt_s, kLongestTick_s);
+  anchor_looked_s_ += part_s;
+  if (anchor_looked_s_ >= kAnchorLook_s) {
+    look_at_anchor();
+    anchor_looked_s_ = 0.0;
   }
   const Vector3d& along = anchor_.along();
-  double target_m_per_s = newest_velocity_ * normal_.dot(along);
-  FieldSample newest = snapshot_->evaluate(newest_anchor_, along, basis_);
-  if (!newest.valid) {
-    if (const std::optional<Seed> seed = snapshot_->seed(newest_anchor_)) {
-      newest_anchor_ = anchor_.at() + along.dot(seed->at - anchor_.at()) * along;
-      newest = snapshot_->evaluate(newest_anchor_, along, basis_);
-    }
-  }
-  const double slope = newest.gradient.dot(along);
-  const double lag_m = along.dot(newest_anchor_ - anchor_.at()) - newest.f_m / std::max(slope, kSteepEnough);
-  const bool seen = newest.valid && slope > kSteepEnough && std::abs(lag_m) < settings_.deepest_start_m;
-  if (seen) newest_anchor_ = anchor_.at() + lag_m * along;
-  if (seen) target_m_per_s = newest.velocity_m_per_s / slope;
-  const double part_s = std::min(dt_s, kLongestTick_s);
-  const Vector3d before = anchor_.at();
-  anchor_.advance(seen ? lag_m : 0.0, target_m_per_s, part_s);
-  anchor_speed_ = part_s > 0.0 ? along.dot(anchor_.at() - before) / part_s : anchor_.rate_m_per_s();
+  const double target_m_per_s = anchor_seen_ ? anchor_target_m_per_s_ : newest_velocity_ * normal_.dot(along);
+  const double before_m = anchor_.risen_m();
+  anchor_.advance(anchor_seen_ ? anchor_lag_m_ : 0.0, target_m_per_s, part_s);
+  const double rose_m = anchor_.risen_m() - before_m;
+  anchor_lag_m_ += (anchor_seen_ ? target_m_per_s * part_s : 0.0) - rose_m;
+  anchor_speed_ = part_s > 0.0 ? rose_m / part_s : anchor_.rate_m_per_s();
 }
 
 /// The displayed share of the contact follows the support at a bounded rate. Without a surface, the last plane is held

@@ -90,6 +90,7 @@ class Touch {
   void follow(const Eigen::Vector3d& device) noexcept;
   void decide(const Eigen::Vector3d& device) noexcept;
   void show_at(const Eigen::Vector3d& device) noexcept;
+  void look_at_anchor() noexcept;
   void follow_anchor(double dt_s) noexcept;
   void hold(double dt_s, const Eigen::Vector3d& device) noexcept;
   [[nodiscard]] double height_of(const Eigen::Vector3d& device) const noexcept;
@@ -118,11 +119,13 @@ class Touch {
   bool has_device_ = false;
   bool anchored_ = false;
   LineFollower anchor_{settings_.follow};  // the displayed skin where the contact began
-  // The newest surface, carried to now, at the place where the contact began: its point on the anchor's normal line.
-  Eigen::Vector3d newest_anchor_ = Eigen::Vector3d::Zero();
-  double anchor_speed_ = 0.0;  // mean speed of anchor_ along its line over the last step [m/s]
-  double slide_ = 1.0;         // share of the tangential step that the curvature under the proxy allows
-  double held_ = 0.0;          // factor on the contact, 0 to 1: the support, changed gradually; TouchSample::support
+  bool anchor_seen_ = false;               // the newest surface is known at anchor_
+  double anchor_lag_m_ = 0.0;              // from anchor_ to the newest surface along the line
+  double anchor_target_m_per_s_ = 0.0;     // speed of the newest surface there, along the line
+  double anchor_looked_s_ = 0.0;           // time since the surface was evaluated there
+  double anchor_speed_ = 0.0;              // mean speed of anchor_ along its line over the last step [m/s]
+  double slide_ = 1.0;                     // share of the tangential step that the curvature under the proxy allows
+  double held_ = 0.0;  // factor on the contact, 0 to 1: the support, changed gradually; TouchSample::support
   std::uint64_t out_of_order_ = 0;
 };
 

@@ -141,34 +141,39 @@ std::vector<Contact> play(const Drawn& drawn, std::vector<Arrival>& arrivals) {
   return work.contacts();
 }
 
-/// The contacts at a display that knows as much as a delayed display can know: the true shape and the breath of each
-/// instant without error, and the shift as the newest received image shows it. It gives the law's force at once.
-std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& arrivals) {
+/// What a display without error knows of the patient at this instant.
+enum class Knows {
+  AllButShifts,  ///< the true shape and breath; a shift as the newest received image shows it
+  NewestImage,   ///< the true shape at the capture of the newest received image, nothing newer
+};
+
+/// The contacts at such a display, which gives the law's force at once.
+std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& arrivals, Knows knows) {
   const Transform<HapticBase, DepthCamera> placed = haptic_from_camera(*drawn.patient, drawn.spot);
   const Transform<DepthCamera, HapticBase> camera_from_haptic = placed.inverse();
   const std::unique_ptr<Person> person = drawn.person();
   auto next = arrivals.begin();
-  double known_rise_m = 0.0;
+  double captured_s = 0.0;
   Eigen::Vector3d before_m = person->device().m;
   ContactWork work;
   for (std::int64_t i = 0; i < std::llround(kLasts_s / kTick_s); ++i) {
     Tick tick{.time_s = static_cast<double>(i) * kTick_s, .device_m = person->device().m};
-    for (; next != arrivals.end() && next->at_s <= tick.time_s; ++next)
-      known_rise_m = drawn.shifts.rise_m(next->captured_s);
+    for (; next != arrivals.end() && next->at_s <= tick.time_s; ++next) captured_s = next->captured_s;
+    const double breath_s = knows == Knows::AllButShifts ? tick.time_s : captured_s;
     tick.moved_m = tick.device_m - before_m;
     before_m = tick.device_m;
     const Point<DepthCamera> device = camera_from_haptic * person->device();
-    // Fills normal and depth of `of` from the surface of the patient who has risen by `rise_m`.
-    const auto touch = [&](double rise_m, Tick& of) {
-      const auto foot = drawn.patient->surface_of(drawn.pose(tick.time_s, rise_m)).closest_to(device);
+    // Fills normal and depth of `of` from the surface of the patient at this pose.
+    const auto touch = [&](const capture::PatientPose& pose, Tick& of) {
+      const auto foot = drawn.patient->surface_of(pose).closest_to(device);
       of.true_known = foot && foot->on_body;
       if (!foot) return;
       of.normal = (placed * foot->normal).v;
       of.true_depth_m = of.normal.dot((placed * foot->at).m - tick.device_m);
     };
     Tick displayed = tick;
-    touch(known_rise_m, displayed);
-    touch(drawn.shifts.rise_m(tick.time_s), tick);
+    touch(drawn.pose(breath_s, drawn.shifts.rise_m(captured_s)), displayed);
+    touch(drawn.pose(tick.time_s, drawn.shifts.rise_m(tick.time_s)), tick);
     tick.force_N = displayed.law_N() * displayed.normal;
     tick.displayed = displayed.law_N() > 0.0;
     work.add(tick);
@@ -180,32 +185,37 @@ std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& 
 std::vector<Row> measure(const std::string& name, const Bad& bad, double worst_mJ, const Options& options) {
   const auto count = static_cast<std::size_t>(options.seeds);
   std::vector<std::vector<Contact>> all(count);
-  std::vector<std::vector<Contact>> limit(count);
+  std::vector<std::vector<Contact>> all_but_shifts(count);
+  std::vector<std::vector<Contact>> newest_image(count);
   for_each_parallel(options.seeds, options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     const Drawn drawn(bad, i);
     std::vector<Arrival> arrivals;
     all[at] = play(drawn, arrivals);
-    limit[at] = play_limit(drawn, arrivals);
+    all_but_shifts[at] = play_limit(drawn, arrivals, Knows::AllButShifts);
+    newest_image[at] = play_limit(drawn, arrivals, Knows::NewestImage);
   });
   Distribution contacts_mJ;
-  Distribution limit_mJ;
   Contact worst{-INFINITY, 0.0};
   for (const auto& one : all)
     for (const Contact& contact : one) {
       contacts_mJ.add(contact.excess_mJ);
       if (contact.excess_mJ > worst.excess_mJ) worst = contact;
     }
-  for (const auto& one : limit)
-    for (const Contact& contact : one) limit_mJ.add(contact.excess_mJ);
   const bool touched = contacts_mJ.count() >= all.size();  // at least one contact a seed, or the study is invalid
-  const std::string as_known = name + ": a display that knows all but the shifts since the newest image: ";
   std::vector<Row> rows{at_most(name + ": a contact, worst", touched ? contacts_mJ.max() : NAN, "mJ", worst_mJ),
                         measured(name + ": of the worst, seen by the station's own ledger", worst.seen_mJ, "mJ"),
                         measured(name + ": a contact, 95th percentile", contacts_mJ.quantile(0.95), "mJ"),
-                        measured(as_known + "a contact, worst", limit_mJ.max(), "mJ"),
-                        measured(as_known + "a contact, 95th percentile", limit_mJ.quantile(0.95), "mJ"),
                         measured(name + ": contacts", static_cast<double>(contacts_mJ.count()), "")};
+  for (const auto& [knows, runs] : {std::pair{"all but the shifts since the newest image", &all_but_shifts},
+                                    std::pair{"the newest image", &newest_image}}) {
+    Distribution limit_mJ;
+    for (const auto& one : *runs)
+      for (const Contact& contact : one) limit_mJ.add(contact.excess_mJ);
+    const std::string as_known = name + ": a display that knows " + knows + ": a contact, ";
+    rows.push_back(measured(as_known + "worst", limit_mJ.max(), "mJ"));
+    rows.push_back(measured(as_known + "95th percentile", limit_mJ.quantile(0.95), "mJ"));
+  }
   if (worst_mJ < 10.0) rows.push_back(at_most(name + ": a contact, median", contacts_mJ.p50(), "mJ", 0.5));
   return rows;
 }

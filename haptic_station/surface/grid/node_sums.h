@@ -1,0 +1,49 @@
+#pragma once
+
+#include "haptic_station/surface/grid/grid_surface.h"
+
+namespace telepalp::surface {
+
+/// The nodes around a query: rows and columns of the lattice, both ends included.
+struct NodeWindow {
+  int first_column = 0;
+  int last_column = -1;
+  int first_row = 0;
+  int last_row = -1;
+};
+
+/// Sums over all nodes of a weight times the node's values: 1, the distance of the query from the node's plane, the
+/// node's normal, and the offset of the query from the node [m].
+struct WeightedSums {
+  double weight = 0.0;
+  double plane = 0.0;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+};
+
+/// Derivatives of the sums by the gate, along each node's normal. The gate is the factor that a node loses when its
+/// plane is far from the query, so all are zero where no other surface is near.
+struct GateSums {
+  bool any = false;
+  Eigen::Vector3d weight = Eigen::Vector3d::Zero();
+  Eigen::Vector3d plane = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d offset = Eigen::Matrix3d::Zero();
+};
+
+/// The sums of one query, and their derivatives by the query's two lattice coordinates.
+struct NodeSums {
+  WeightedSums value;
+  WeightedSums by_column;
+  WeightedSums by_row;
+  double velocity = 0.0;   ///< of the nodes along their normals, weighted [m/s]
+  double deviation = 0.0;  ///< weighted [m]
+  GateSums gate;
+};
+
+/// Sums over the nodes of `window`, for a query at the lattice coordinates (`column`, `row`) and at `local`, relative
+/// to the grid's origin [m]. `basis`: nullptr if the surface does not move. Same bits on every processor.
+void sum_nodes(const GridLayout& layout, const GridNode* nodes, const NodeWindow& window, double column, double row,
+               const Eigen::Vector3d& local, const MotionBasis* basis, NodeSums& sums) noexcept;
+
+}  // namespace telepalp::surface

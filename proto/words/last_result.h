@@ -1,0 +1,26 @@
+#pragma once
+
+#include <limits>
+
+namespace telepalp {
+
+/// Remembers a function's last argument and result. For a function like exp() whose argument stays the same over many
+/// ticks, because the time between ticks does. Always use one object with the same function.
+class LastResult {
+ public:
+  /// `function(x)`, which is called only if `x` differs from the last argument.
+  template <class Function>
+  [[nodiscard]] double of(double x, const Function& function) noexcept {
+    if (x != x_) {
+      x_ = x;
+      result_ = function(x);
+    }
+    return result_;
+  }
+
+ private:
+  double x_ = std::numeric_limits<double>::quiet_NaN();  // unequal to every argument
+  double result_ = 0.0;
+};
+
+}  // namespace telepalp
