@@ -1,0 +1,136 @@
+// telepalp-report as its users run it, and the session files that it reads.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/clients/report/made_report.h"
+#include "where.h"
+
+namespace telepalp::report {
+namespace {
+
+TEST(SessionFile, WithoutACameraThereIsNoFrameAndNoError) {
+  const auto file = written({.seconds = 1.0, .with_camera = false}, "report_no_camera.mcap");
+  const auto session = read_session(file);
+  ASSERT_TRUE(session.ok());
+  const auto frame = read_frame(file, *session, kMadeStart_ns);
+  ASSERT_TRUE(frame.ok());
+  EXPECT_FALSE(frame->has_value());
+}
+
+TEST(SessionFile, OneThatWasCutOffSaysHowToRepairIt) {
+  const auto file = written({.seconds = 1.0}, "report_cut.mcap");
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+  const auto session = read_session(file);
+  ASSERT_FALSE(session.ok());
+  EXPECT_NE(to_string(session.error()).find("telepalp-record repair"), std::string::npos) << to_string(session.error());
+}
+
+TEST(SessionFile, AnEmptyOneIsAnErrorThatSaysSo) {
+  const auto file = written({.seconds = 0.0, .with_station = false, .with_camera = false}, "report_empty.mcap");
+  const auto session = read_session(file);
+  ASSERT_FALSE(session.ok());
+  EXPECT_NE(to_string(session.error()).find("holds no message"), std::string::npos) << to_string(session.error());
+}
+
+TEST(SessionFile, OneThatIsNotThereIsAnError) {
+  const auto session = read_session("/no/such/session.mcap");
+  ASSERT_FALSE(session.ok());
+  EXPECT_NE(to_string(session.error()).find("/no/such/session.mcap"), std::string::npos);
+}
+
+std::string output_of(const std::string& command, int& code) {
+  std::string text;
+  std::array<char, 512> block{};
+  FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+  while (std::fgets(block.data(), static_cast<int>(block.size()), pipe) != nullptr) text += block.data();
+  code = WEXITSTATUS(::pclose(pipe));
+  return text;
+}
+
+const std::string kProgram = std::string(TELEPALP_BINARY_DIR) + "/bin/telepalp-report ";
+
+TEST(Program, WritesItsThreeFiles) {
+  const auto file = written({.seconds = 2.0}, "report_program.mcap");
+  const std::filesystem::path out = std::filesystem::path(::testing::TempDir()) / "report_program_out";
+  std::filesystem::remove_all(out);
+  int code = -1;
+  const std::string said = output_of(kProgram + file.string() + " --out " + out.string(), code);
+  EXPECT_EQ(code, 0) << said;
+  for (const char* name : {"report.json", "report.html", "view.png"})
+    EXPECT_GT(std::filesystem::file_size(out / name), 1000U) << name;
+  std::stringstream png;
+  png << std::ifstream(out / "view.png", std::ios::binary).rdbuf();
+  EXPECT_EQ(png.str().substr(1, 3), "PNG");
+}
+
+/// A new folder for one run of the program.
+std::filesystem::path fresh_folder(const std::string& name) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / name;
+  std::filesystem::remove_all(folder);
+  return folder;
+}
+
+std::filesystem::perms mode_of(const std::filesystem::path& file) {
+  return std::filesystem::symlink_status(file).permissions();
+}
+
+TEST(Program, KeepsWhatShowsThePatientFromOthersAndWritesThroughNoPlantedLink) {
+  const auto file = written({.seconds = 1.0}, "report_private.mcap");
+  const std::filesystem::path top = fresh_folder("report_private_out"), out = top / "new";
+  const std::string command = "umask 022; " + kProgram + file.string() + " --out " + out.string();
+  int code = -1;
+  std::string said = output_of(command, code);
+  ASSERT_EQ(code, 0) << said;
+  EXPECT_EQ(mode_of(out), std::filesystem::perms{0750});
+  for (const char* name : {"report.json", "report.html", "view.png"}) {
+    EXPECT_EQ(mode_of(out / name), std::filesystem::perms{0640}) << name;
+    std::filesystem::remove(out / name);
+    std::filesystem::create_symlink(top / "victim", out / name);
+  }
+  said = output_of(command, code);
+  ASSERT_EQ(code, 0) << said;
+  EXPECT_FALSE(std::filesystem::exists(top / "victim"));
+}
+
+TEST(Program, FinishesASessionWhoseRecorderWasCutOffAndSaysSo) {
+  const auto file = written({.seconds = 2.0}, "report_unfinished.mcap");
+  const std::filesystem::path partial = file.string() + ".partial";
+  std::filesystem::rename(file, partial);
+  std::filesystem::resize_file(partial, std::filesystem::file_size(partial) * 3 / 4);
+  const std::filesystem::path out = fresh_folder("report_unfinished_out");
+  int code = -1;
+  const std::string said = output_of(kProgram + file.string() + " --out " + out.string(), code);
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_NE(said.find("was not finished by its recorder; finished it now"), std::string::npos) << said;
+  EXPECT_TRUE(std::filesystem::exists(out / "report.html"));
+  EXPECT_TRUE(read_session(file).ok());
+  EXPECT_FALSE(std::filesystem::exists(partial));
+}
+
+TEST(Program, OnAFullDiskSaysSoAndLeavesNoHalfReport) {
+  const auto file = written({.seconds = 2.0}, "report_full.mcap");
+  const std::filesystem::path out = fresh_folder("report_full_out");
+  int code = -1;
+  const std::string said =
+      output_of("trap '' XFSZ; ulimit -f 40; " + kProgram + file.string() + " --out " + out.string(), code);
+  EXPECT_EQ(code, 1) << said;
+  EXPECT_NE(said.find("fix: free space"), std::string::npos) << said;
+  for (const char* name : {"report.html", "view.png"}) EXPECT_FALSE(std::filesystem::exists(out / name)) << name;
+}
+
+TEST(Program, SaysWhatIsWrongAndLeavesWithItsCode) {
+  int code = -1;
+  EXPECT_NE(output_of(kProgram, code).find("fix:"), std::string::npos);
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(output_of(kProgram + "/no/such/session.mcap", code).find("fix:"), std::string::npos);
+  EXPECT_EQ(code, 1);
+}
+
+}  // namespace
+}  // namespace telepalp::report
