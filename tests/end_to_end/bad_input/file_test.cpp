@@ -165,6 +165,18 @@ TEST_F(BadInput32, ASessionFileWithWrongOffsetsIsRefusedByEachProgramAndRepaired
     EXPECT_NE(served.said.find("lying.mcap"), std::string::npos) << served.said;
     EXPECT_NE(served.said.find("fix: "), std::string::npos) << served.said;
     EXPECT_LT(served.most_MiB, 200.0);
+    const std::string unmade = session().file("unmade").string();
+    for (const auto& [program, arguments] : std::vector<std::pair<const char*, std::vector<std::string>>>{
+             {"telepalp-record", {"info", file.string()}},
+             {"telepalp-record", {"cut", file.string(), "--to", "1s", "--out", unmade}},
+             {"telepalp-export", {file.string(), "--csv", "/station/state", "--out", unmade}},
+             {"telepalp-replay", {file.string(), "--out", unmade}}}) {
+      const Ran refused = run(program, arguments);
+      EXPECT_EQ(refused.exit_code, 1) << program << ": " << refused.said;
+      EXPECT_NE(refused.said.find("fix: telepalp-record repair"), std::string::npos) << program << ": " << refused.said;
+      EXPECT_LT(refused.most_MiB, 200.0) << program;
+      EXPECT_FALSE(fs::exists(unmade)) << program;
+    }
     const Ran reported = run("telepalp-report", {file.string(), "--out", session().file("report").string()});
     EXPECT_LT(reported.exit_code, 2) << reported.said;
     EXPECT_LT(reported.most_MiB, 300.0);
