@@ -172,7 +172,8 @@ TEST_F(BadInput32, ASessionFileWithWrongOffsetsIsRefusedByEachProgramAndRepaired
              {"telepalp-export", {file.string(), "--csv", "/station/state", "--out", unmade}},
              {"telepalp-replay", {file.string(), "--out", unmade}}}) {
       const Ran refused = run(program, arguments);
-      EXPECT_EQ(refused.exit_code, 1) << program << ": " << refused.said;
+      // telepalp-replay ends with 2: its exit code 1 says that an assertion does not hold.
+      EXPECT_EQ(refused.exit_code, program == std::string_view("telepalp-replay") ? 2 : 1) << program << refused.said;
       EXPECT_NE(refused.said.find("fix: telepalp-record repair"), std::string::npos) << program << ": " << refused.said;
       EXPECT_LT(refused.most_MiB, 200.0) << program;
       EXPECT_FALSE(fs::exists(unmade)) << program;
