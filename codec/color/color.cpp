@@ -22,18 +22,28 @@ Error damaged(std::string what) {
   return {.what = std::move(what), .where = "decode_color", .fix = "send the picture again"};
 }
 
+std::string compressed(const std::uint8_t* pixels, int width, int height, TJPF format, TJSAMP chroma, int quality) {
+  const Turbo turbo(tjInitCompress());
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  const int failed =
+      tjCompress2(turbo.get(), pixels, width, 0, height, format, &bytes, &size, chroma, quality, TJFLAG_FASTDCT);
+  const std::unique_ptr<unsigned char, FreeTurbo> owned(bytes);
+  demand(failed == 0, "libjpeg-turbo compresses any well-formed picture");
+  return {reinterpret_cast<const char*>(bytes), size};
+}
+
 }  // namespace
 
 std::string encode_color(const ColorImage& color, int quality) {
   demand(is_well_formed(color) && !color.rgb.empty(), "encode_color is given a picture");
-  const Turbo turbo(tjInitCompress());
-  unsigned char* bytes = nullptr;
-  unsigned long size = 0;
-  const int failed = tjCompress2(turbo.get(), color.rgb.data(), color.width, 0, color.height, TJPF_RGB, &bytes, &size,
-                                 TJSAMP_420, quality, TJFLAG_FASTDCT);
-  const std::unique_ptr<unsigned char, FreeTurbo> owned(bytes);
-  demand(failed == 0, "libjpeg-turbo compresses any well-formed picture");
-  return {reinterpret_cast<const char*>(bytes), size};
+  return compressed(color.rgb.data(), color.width, color.height, TJPF_RGB, TJSAMP_420, quality);
+}
+
+std::string encode_gray(std::span<const std::uint8_t> gray, int width, int height, int quality) {
+  demand(width > 0 && height > 0 && gray.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+         "encode_gray is given a picture");
+  return compressed(gray.data(), width, height, TJPF_GRAY, TJSAMP_GRAY, quality);
 }
 
 Result<ColorImage> decode_color(std::span<const std::byte> jpeg) {

@@ -18,11 +18,6 @@ bool wants(const std::vector<std::string>& topics, std::string_view topic) noexc
   return std::any_of(topics.begin(), topics.end(), [&](const std::string& wanted) { return matches(wanted, topic); });
 }
 
-bool is_latched(std::string_view topic) noexcept {
-  return topic == wire::kCameraInfo.name || topic == wire::kCameraColorInfo.name || topic == wire::kCameraStatus.name ||
-         topic == wire::kHandHolder.name;
-}
-
 }  // namespace
 
 SubscriberId Hub::join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender) {
@@ -79,7 +74,7 @@ void Hub::publish(wire::Message message) {
   count.bytes += message.payload->size();
   wire::KeyFrameState& state = key_frames_[message.topic.name];
   state = after_publishing(state, message.key_frame, message.published);
-  if (is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
+  if (wire::is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)
     if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
   drop_beyond_the_bound();

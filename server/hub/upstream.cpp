@@ -4,6 +4,7 @@
 #include <array>
 
 #include "messages/station.pb.h"
+#include "proto/wire/inside/inside_message.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::hub {
@@ -21,6 +22,13 @@ bool parses(const std::string& payload) {
   return Proto().ParseFromString(payload);
 }
 
+/// For topics whose values the server checks, too.
+template <class Proto>
+bool parses_and_is_valid(const std::string& payload) {
+  Proto message;
+  return message.ParseFromString(payload) && wire::is_valid(message);
+}
+
 constexpr double kKiB = 1024.0;
 constexpr std::array kAllowed{
     Allowed{wire::kStationState.name, parses<msg::StationState>, 250, 256 * kKiB},
@@ -28,7 +36,9 @@ constexpr std::array kAllowed{
     Allowed{wire::kStationSurface.name, parses<msg::SurfaceReport>, 150, 128 * kKiB},
     Allowed{wire::kStationCompensation.name, parses<msg::StationCompensation>, 250, 128 * kKiB},
     Allowed{wire::kStationEvents.name, parses<msg::StationEvent>, 50, 64 * kKiB},
-    Allowed{wire::kStationStats.name, parses<msg::StationStats>, 10, 64 * kKiB}};
+    Allowed{wire::kStationStats.name, parses<msg::StationStats>, 10, 64 * kKiB},
+    Allowed{wire::kStationUltrasound.name, parses_and_is_valid<msg::UltrasoundImage>, 60, 1024 * kKiB},
+    Allowed{wire::kStationInside.name, parses_and_is_valid<msg::InnerStructures>, 1, 512 * kKiB}};
 
 const Allowed* find(const wire::Topic& topic) noexcept {
   const auto found =

@@ -13,14 +13,16 @@ namespace telepalp::hub {
 /// Largest payload of a message from a peer: ten times the size of half a second of ticks (records of the 2 kHz loop).
 inline constexpr std::size_t kMaxUpstreamBytes = std::size_t{1} << 20;
 
-/// Largest number of bytes that the server reads from a peer in a second: four times what a station sends.
+/// Largest number of bytes that the server reads from a peer in a second: twice what a station with an ultrasound
+/// probe sends.
 inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 
 /// True if a peer may publish `topic`. Only the station's topics are allowed; only the server publishes camera, clock
 /// and statistics.
 [[nodiscard]] bool may_publish_upstream(const wire::Topic& topic) noexcept;
 
-/// True if the topic of `message` is allowed and its payload parses as the topic's type. Otherwise every subscriber and
+/// True if the topic of `message` is allowed, its payload parses as the topic's type, and for images of an ultrasound
+/// probe and structures inside the body its values are possible. Otherwise every subscriber and
 /// every recording would get an unreadable message.
 [[nodiscard]] bool is_valid_upstream(const wire::Message& message);
 

@@ -123,6 +123,16 @@ std::optional<foxglove::PoseInFrame> hand_view(const msg::StationState& station)
   return hand;
 }
 
+std::optional<foxglove::CompressedImage> ultrasound_view(const msg::UltrasoundImage& image) {
+  if (!image.on_skin()) return std::nullopt;
+  foxglove::CompressedImage view;
+  wire::set_stamp(*view.mutable_timestamp(), session_time(static_cast<std::int64_t>(image.stamp_ns())));
+  view.set_frame_id("probe");
+  view.set_format("jpeg");
+  view.set_data(image.jpeg());
+  return view;
+}
+
 foxglove::SceneUpdate scene_view(const msg::StationState& station) {
   foxglove::SceneUpdate scene;
   add_ball(scene, station, "hand", station.has_displayed_hand_camera(), station.displayed_hand_camera(),

@@ -2,9 +2,11 @@
 
 #include <optional>
 
+#include "foxglove/CompressedImage.pb.h"
 #include "foxglove/FrameTransforms.pb.h"
 #include "foxglove/PoseInFrame.pb.h"
 #include "foxglove/SceneUpdate.pb.h"
+#include "messages/inside.pb.h"
 #include "messages/station.pb.h"
 #include "proto/words/time.h"
 
@@ -21,5 +23,8 @@ namespace telepalp::views {
 
 /// The displayed hand with its attitude, in the depth camera's frame; nullopt while the station has no hand.
 [[nodiscard]] std::optional<foxglove::PoseInFrame> hand_view(const msg::StationState& station);
+
+/// The image under the station's ultrasound probe, in the frame "probe"; nullopt while the probe is not on the skin.
+[[nodiscard]] std::optional<foxglove::CompressedImage> ultrasound_view(const msg::UltrasoundImage& image);
 
 }  // namespace telepalp::views

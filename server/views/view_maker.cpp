@@ -40,6 +40,7 @@ std::vector<std::string> ViewMaker::topics_needed() const {
   need(kTransformsView, {wire::kStationState, wire::kCameraInfo});
   need(kSceneView, {wire::kStationState});
   need(kHandView, {wire::kStationState});
+  need(kUltrasoundView, {wire::kStationUltrasound});
   return {needed.begin(), needed.end()};
 }
 
@@ -63,6 +64,7 @@ void ViewMaker::pull() {
 void ViewMaker::take(const wire::Message& message) {
   if (message.topic.name == wire::kCameraInfo.name) take_camera(message);
   if (message.topic.name == wire::kStationState.name) take_station(message);
+  if (message.topic.name == wire::kStationUltrasound.name) take_ultrasound(message);
   if (message.topic.name == wire::kCameraDepth.name) decode(message);
 }
 
@@ -82,6 +84,13 @@ void ViewMaker::take_station(const wire::Message& message) {
     views_.publish(wire::make_message(kTransformsView, message.published, transforms_view(state, message.published)));
   const std::optional<foxglove::PoseInFrame> hand = views_.is_wanted(kHandView.name) ? hand_view(state) : std::nullopt;
   if (hand) views_.publish(wire::make_message(kHandView, message.published, *hand));
+}
+
+void ViewMaker::take_ultrasound(const wire::Message& message) {
+  msg::UltrasoundImage image;
+  if (!image.ParseFromString(*message.payload)) return;
+  if (const std::optional<foxglove::CompressedImage> view = ultrasound_view(image))
+    views_.publish(wire::make_message(kUltrasoundView, message.published, *view));
 }
 
 void ViewMaker::decode(const wire::Message& message) {

@@ -47,6 +47,7 @@ class ViewMaker {
   void take(const wire::Message& message);
   void take_camera(const wire::Message& message);
   void take_station(const wire::Message& message);
+  void take_ultrasound(const wire::Message& message);
   void decode(const wire::Message& message);
   void on_made(const wire::Message& depth, Made made);
   [[nodiscard]] Made make(const wire::Message& message, const std::optional<Intrinsics>& camera, WantedViews wanted);

@@ -1,5 +1,6 @@
 #include "server/views/view_topics.h"
 
+#include "foxglove/CompressedImage.pb.h"
 #include "foxglove/FrameTransforms.pb.h"
 #include "foxglove/PointCloud.pb.h"
 #include "foxglove/PoseInFrame.pb.h"
@@ -12,7 +13,8 @@ namespace telepalp::views {
 const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic) {
   for (const google::protobuf::Descriptor* type :
        {foxglove::RawImage::descriptor(), foxglove::PointCloud::descriptor(), foxglove::FrameTransforms::descriptor(),
-        foxglove::SceneUpdate::descriptor(), foxglove::PoseInFrame::descriptor()})
+        foxglove::SceneUpdate::descriptor(), foxglove::PoseInFrame::descriptor(),
+        foxglove::CompressedImage::descriptor()})
     if (type->full_name() == topic.schema) return type;
   demand(false, "each of kViewTopics has a type here");
   return nullptr;

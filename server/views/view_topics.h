@@ -17,7 +17,10 @@ inline constexpr wire::Topic kTransformsView{"/transforms", "foxglove.FrameTrans
 inline constexpr wire::Topic kSceneView{"/station/scene", "foxglove.SceneUpdate"};
 inline constexpr wire::Topic kHandView{"/station/hand", "foxglove.PoseInFrame"};
 
-inline constexpr std::array kViewTopics{kDepthView, kCloudView, kTransformsView, kSceneView, kHandView};
+inline constexpr wire::Topic kUltrasoundView{"/station/ultrasound/image", "foxglove.CompressedImage"};
+
+inline constexpr std::array kViewTopics{kDepthView, kCloudView, kTransformsView,
+                                        kSceneView, kHandView,  kUltrasoundView};
 
 /// The Protobuf type of one of kViewTopics.
 [[nodiscard]] const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic);

@@ -53,6 +53,19 @@ TEST(CloudView, AnImageOfSixteenMegapixelsIsSubsampled) {
   EXPECT_LE(views::cloud_view(depth, camera, {}).data().size(), wire::kMaxPayloadBytes);
 }
 
+TEST(UltrasoundView, IsTheImageOfAProbeOnTheSkinAlone) {
+  msg::UltrasoundImage image;
+  image.set_stamp_ns(1'500'000'000);
+  EXPECT_FALSE(views::ultrasound_view(image)) << "the probe is in the air";
+  image.set_on_skin(true);
+  image.set_jpeg("picture");
+  const auto view = views::ultrasound_view(image);
+  ASSERT_TRUE(view);
+  EXPECT_EQ(view->format(), "jpeg");
+  EXPECT_EQ(view->data(), "picture");
+  EXPECT_EQ(view->timestamp().nanos(), 500'000'000);
+}
+
 msg::StationState touching() {
   msg::StationState state;
   state.set_stamp_ns(5);

@@ -48,13 +48,24 @@ class FoxgloveFile {
   std::uint64_t messages_ = 0;
 };
 
+void add_ultrasound(const wire::Message& message, FoxgloveFile& out) {
+  msg::UltrasoundImage image;
+  if (!image.ParseFromString(*message.payload)) return;
+  if (const auto view = views::ultrasound_view(image)) out.add(views::kUltrasoundView, message.published, *view);
+}
+
 Result<void> add_station_and_color(wire::McapReader& reader, FoxgloveFile& out) {
   reader.select({.topics = {std::string(wire::kCameraColor.name), std::string(wire::kCameraInfo.name),
-                            std::string(wire::kCameraColorInfo.name), std::string(wire::kStationState.name)}});
+                            std::string(wire::kCameraColorInfo.name), std::string(wire::kStationState.name),
+                            std::string(wire::kStationUltrasound.name)}});
   for (;;) {
     const Result<std::optional<wire::Message>> message = reader.next();
     if (!message) continue;  // the reader continues after the damaged chunk
     if (!*message || !out.state()) return out.state();
+    if ((*message)->topic.name == wire::kStationUltrasound.name) {
+      add_ultrasound(**message, out);
+      continue;
+    }
     if ((*message)->topic.name != wire::kStationState.name) {
       out.copy(**message);
       continue;

@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::size_t kMostDamages = 100;
 constexpr std::uint64_t kPreludeNs = 10'000'000'000;  // key frames and camera models come more often than this
-constexpr std::string_view kLatched[] = {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraStatus.name,
-                                         wire::kHandHolder.name};
 
 /// A group of pictures that needs more memory is not from telepalp's encoder: it is skipped up to its next key frame.
 constexpr std::size_t kMostGroupBytes = std::size_t{64} << 20;
@@ -49,16 +47,13 @@ Result<void> for_each(wire::McapReader& reader, std::vector<std::string>& damage
   }
 }
 
-/// The messages before `from` that a player needs at `from`, in order of time.
-std::vector<KeptMessage> prelude(wire::McapReader& reader, std::uint64_t from, const TopicFilter& filter,
-                                 std::vector<std::string>& damages) {
-  std::vector<std::string> topics;
-  for (const std::string_view topic : kLatched) topics.emplace_back(topic);
-  topics.emplace_back(wire::kCameraDepth.name);
-  std::erase_if(topics, [&](const std::string& topic) { return !filter.matches(topic); });
-  std::map<std::string, std::vector<KeptMessage>> kept;
-  if (topics.empty()) return {};
-  reader.select(between(topics, from > kPreludeNs ? from - kPreludeNs : 0, from));
+using KeptByTopic = std::map<std::string, std::vector<KeptMessage>>;
+
+/// Keeps the newest message of each topic between `since` and `from`, and of the depth images all since a key frame.
+void keep_newest(wire::McapReader& reader, std::vector<std::string> topics, std::uint64_t since, std::uint64_t from,
+                 KeptByTopic& kept, std::vector<std::string>& damages) {
+  if (topics.empty()) return;
+  reader.select(between(std::move(topics), since, from));
   (void)for_each(reader, damages, [&](const wire::mcap::StoredMessage& message) -> Result<void> {
     std::vector<KeptMessage>& of_topic = kept[message.channel->channel.topic];
     if (message.channel->channel.topic != wire::kCameraDepth.name || is_key_frame(message.record)) of_topic.clear();
@@ -68,6 +63,21 @@ std::vector<KeptMessage> prelude(wire::McapReader& reader, std::uint64_t from, c
     if (bytes > kMostGroupBytes) of_topic.clear();
     return {};
   });
+}
+
+/// The messages before `from` that a player needs at `from`, in order of time.
+std::vector<KeptMessage> prelude(wire::McapReader& reader, std::uint64_t from, const TopicFilter& filter,
+                                 std::vector<std::string>& damages) {
+  std::vector<std::string> recent;
+  std::vector<std::string> once;  // published once in a session
+  for (const wire::Topic& topic : wire::kTopics) {
+    const bool needed = wire::is_latched(topic.name) || topic.name == wire::kCameraDepth.name;
+    if (needed && filter.matches(topic.name))
+      (topic.name == wire::kStationInside.name ? once : recent).emplace_back(topic.name);
+  }
+  KeptByTopic kept;
+  keep_newest(reader, std::move(recent), from > kPreludeNs ? from - kPreludeNs : 0, from, kept, damages);
+  keep_newest(reader, std::move(once), 0, from, kept, damages);
   std::vector<KeptMessage> all;
   for (auto& [topic, messages] : kept) all.insert(all.end(), messages.begin(), messages.end());
   std::stable_sort(all.begin(), all.end(),

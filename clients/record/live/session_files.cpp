@@ -20,11 +20,6 @@ constexpr std::uintmax_t kRoomToBegin = std::uintmax_t{256} << 20;
 constexpr Nanoseconds kLongestWaitForKeyFrame = 2s;
 constexpr wire::mcap::ChunkLimits kChunks{.bytes = std::size_t{1} << 20, .span_ns = 500'000'000};
 
-bool is_latched(std::string_view topic) {
-  return topic == wire::kCameraInfo.name || topic == wire::kCameraColorInfo.name || topic == wire::kCameraStatus.name ||
-         topic == wire::kHandHolder.name;
-}
-
 bool is_key_frame(const wire::Message& message) {
   msg::DepthImage image;
   return image.ParseFromString(*message.payload) && codec::is_key_frame(std::as_bytes(std::span(image.data())));
@@ -94,7 +89,7 @@ void SessionFiles::write(const wire::Message& message) {
   } else {
     ++dropped_;
   }
-  if (is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
+  if (wire::is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
 }
 
 bool SessionFiles::is_full(const wire::Message& message) const {

@@ -8,6 +8,7 @@
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
 #include "messages/clock.pb.h"
+#include "messages/inside.pb.h"
 #include "messages/station.pb.h"
 #include "messages/viewer.pb.h"
 #include "proto/words/demand.h"
@@ -27,6 +28,7 @@ const DescriptorPool& pool_with_our_types() {
                                              msg::DepthImage::descriptor(),
                                              msg::Clock::descriptor(),
                                              msg::StationState::descriptor(),
+                                             msg::UltrasoundImage::descriptor(),
                                              msg::ViewerHand::descriptor()};
   return *linked[0]->file()->pool();
 }
