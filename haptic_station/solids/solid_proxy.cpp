@@ -6,26 +6,23 @@
 #include "haptic_station/solids/proxy/half_spaces.h"
 
 namespace telepalp::solids {
-namespace {
 
 using Eigen::Vector3d;
 
-SolidAt swollen_at(const SolidTree& tree, const Vector3d& p, double swell_m) noexcept {
-  SolidAt at = solid_at(tree, p);
+SolidAt SolidProxy::swollen_at(const SolidTree& tree, const Vector3d& p, double swell_m) noexcept {
+  SolidAt at = settings_.remembers ? near_.at(tree, p) : solid_at(tree, p);
   at.m -= swell_m;
   return at;
 }
-
-}  // namespace
 
 /// A device that is inside at the start is led out along the gradient, which is exact for one shape.
 void SolidProxy::start(const SolidTree& tree, const Vector3d& device, double swell_m) noexcept {
   started_ = true;
   proxy_ = device;
-  for (int i = 0; i < kRounds; ++i) {
+  for (int i = 0; i < settings_.rounds; ++i) {
     const SolidAt at = swollen_at(tree, proxy_, swell_m);
-    if (at.m >= -kOn_m || at.gradient.squaredNorm() < kFlat * kFlat) return;
-    proxy_ -= (at.m - kOn_m) / at.gradient.squaredNorm() * at.gradient;
+    if (at.m >= -settings_.tolerance_m || at.gradient.squaredNorm() < kFlat * kFlat) return;
+    proxy_ -= (at.m - settings_.tolerance_m) / at.gradient.squaredNorm() * at.gradient;
   }
 }
 
@@ -40,9 +37,9 @@ bool SolidProxy::sweep(const SolidTree& tree, const Vector3d& device, double swe
       proxy_ = device;
       return true;
     }
-    if (at.m <= kOn_m) {
+    if (at.m <= settings_.tolerance_m) {
       if (at.gradient.dot(way) < 0.0) return !hold(at);
-      proxy_ += std::min(left_m, kStride_m) / std::max(left_m, kOn_m) * way;  // away from the surface
+      proxy_ += std::min(left_m, kStride_m) / std::max(left_m, settings_.tolerance_m) * way;  // away from the surface
       if (left_m <= kStride_m) return swollen_at(tree, proxy_, swell_m).m >= 0.0;
       continue;
     }
@@ -72,7 +69,7 @@ void SolidProxy::let_go(const Vector3d& device) noexcept {
   const Vector3d at = goal(device);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count_; ++i)
-    if (planes_[i].normal.dot(at - planes_[i].at) <= kOn_m) planes_[kept++] = planes_[i];
+    if (planes_[i].normal.dot(at - planes_[i].at) <= settings_.tolerance_m) planes_[kept++] = planes_[i];
   count_ = kept;
 }
 
@@ -84,7 +81,7 @@ Vector3d SolidProxy::goal(const Vector3d& device) const noexcept {
 
 /// Moves the proxy along the surface to the point nearest to the device.
 void SolidProxy::slide(const SolidTree& tree, const Vector3d& device, double swell_m) noexcept {
-  for (int i = 0; i < kRounds; ++i) {
+  for (int i = 0; i < settings_.rounds; ++i) {
     const Vector3d before = proxy_;
     const Vector3d way = goal(device) - proxy_;
     const double length = way.norm();
@@ -92,7 +89,7 @@ void SolidProxy::slide(const SolidTree& tree, const Vector3d& device, double swe
     const SolidAt at = swollen_at(tree, proxy_, swell_m);
     const bool near = at.m <= kStride_m;
     if (near && !hold(at) && at.m < 0.0) proxy_ = before;
-    if ((proxy_ - before).norm() < 0.01 * kOn_m) break;
+    if ((proxy_ - before).norm() < 0.01 * settings_.tolerance_m) break;
   }
   let_go(device);
 }
@@ -104,8 +101,8 @@ ProxyAt SolidProxy::step(const SolidTree& tree, const Vector3d& device, double s
   slide(tree, device, swell_m);
   const Vector3d pull = proxy_ - device;
   const double depth_m = pull.norm();
-  if (depth_m <= kOn_m) return {device, Vector3d::Zero(), 0.0};
-  if (depth_m > kTorn_m && swollen_at(tree, device, swell_m).m > kOn_m) {
+  if (depth_m <= settings_.tolerance_m) return {device, Vector3d::Zero(), 0.0};
+  if (depth_m > kTorn_m && solid_at(tree, device).m - swell_m > settings_.tolerance_m) {
     proxy_ = device;
     count_ = 0;
     return {device, Vector3d::Zero(), 0.0};

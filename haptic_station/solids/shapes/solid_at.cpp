@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic_station/solids/shapes/evaluate.h"
 #include "haptic_station/solids/shapes/shapes.h"
 #include "haptic_station/solids/solid_tree.h"
 
@@ -8,8 +9,6 @@ namespace telepalp::solids {
 namespace {
 
 using Eigen::Vector3d;
-
-SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept;
 
 SolidAt of_shape(const ShapeAt& at, std::uint32_t part) noexcept { return {at.m, at.gradient, part}; }
 
@@ -24,31 +23,6 @@ SolidAt greater(const SolidAt& a, const SolidAt& b) noexcept {
   if (a.m != b.m) return a.m > b.m ? a : b;
   return {a.m, 0.5 * (a.gradient + b.gradient), std::min(a.part, b.part)};
 }
-
-/// The least of the values so far.
-class Least {
- public:
-  explicit Least(std::uint32_t part) noexcept
-      : best_{std::numeric_limits<double>::infinity(), Vector3d::Zero(), part} {}
-
-  void take(const SolidAt& at) noexcept {
-    if (at.m > best_.m) return;
-    const bool tie = at.m == best_.m && ties_ > 0;
-    best_ = tie ? SolidAt{at.m, best_.gradient + at.gradient, std::min(at.part, best_.part)} : at;
-    ties_ = tie ? ties_ + 1 : 1;
-  }
-  /// True when a part at this squared distance cannot have a value as low as the least.
-  [[nodiscard]] bool beats(double squared_m2) const noexcept {
-    return best_.m < 0.0 ? squared_m2 > 0.0 : squared_m2 > best_.m * best_.m;
-  }
-  [[nodiscard]] SolidAt result() const noexcept {
-    return ties_ > 1 ? SolidAt{best_.m, best_.gradient / ties_, best_.part} : best_;
-  }
-
- private:
-  SolidAt best_;
-  int ties_ = 0;
-};
 
 struct Waiting {
   std::uint32_t node;
@@ -173,8 +147,8 @@ SolidAt in_own_frame(const SolidTree& tree, std::uint32_t index, const Vector3d&
   }
 }
 
-/// A bound is at least the distance to the box. So no value is lower than the distance to its box, and skipping a part
-/// by its box changes nothing.
+}  // namespace
+
 SolidAt at_least_the_box(const TreeNode& node, const Vector3d& p, const SolidAt& at) noexcept {
   const double squared_m2 = node.box.squared_distance_m2(p);
   if (!(squared_m2 > 0.0) || (at.m > 0.0 && at.m * at.m >= squared_m2)) return at;
@@ -185,19 +159,10 @@ SolidAt at_least_the_box(const TreeNode& node, const Vector3d& p, const SolidAt&
 
 SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
   const TreeNode& node = tree.nodes[index];
-  SolidAt at;
-  if (node.placed) {
-    const Vector3d moved = (p - node.shift) / node.scale;
-    at = in_own_frame(tree, index, node.turned ? Vector3d(node.turn.transpose() * moved) : moved);
-    at.m *= node.scale;
-    if (node.turned) at.gradient = node.turn * at.gradient;
-  } else {
-    at = in_own_frame(tree, index, p);
-  }
+  const SolidAt own = in_own_frame(tree, index, in_frame_of(node, p));
+  const SolidAt at = node.placed ? placed(node, own) : own;
   return node.exactness == Exactness::Bound ? at_least_the_box(node, p, at) : at;
 }
-
-}  // namespace
 
 SolidAt solid_at(const SolidTree& tree, const Vector3d& point_m) noexcept {
   if (tree.nodes.empty() || !point_m.allFinite())

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "haptic_station/solids/polish.h"
+#include "haptic_station/solids/shapes/near_members.h"
 #include "tests/haptic_station/solids/random_solid.h"
 
 namespace telepalp::solids {
@@ -103,6 +104,28 @@ TEST(SolidTree, AUnionIsTheLeastOfItsMembersWhateverIsSkipped) {
     double least = HUGE_VAL;
     for (const auto& member : members) least = std::min(least, solid_at(*member, p).m);
     ASSERT_NEAR(solid_at(*joined, p).m, least, 1e-15);
+  }
+}
+
+TEST(NearMembers, GiveTheValueOfTheWholeTreeOnAnyPath) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    RandomSolid random(seed);
+    std::string text = seed % 2 == 0 ? "tx 0.01 0 0.02 30 0 1 1 sc 1.5 " : "";
+    const int members = 2 + static_cast<int>(seed % 30);
+    for (int i = 0; i + 1 < members; ++i) text += "+ " + random.tree(static_cast<int>(seed % 3)) + " ";
+    const auto tree = tree_of(text + random.tree(0));
+    NearMembers near;
+    Vector3d p(random.number(-0.1, 0.1), random.number(-0.1, 0.1), random.number(-0.1, 0.1));
+    for (int i = 0; i < 400; ++i) {
+      const double reach_m = i % 100 == 99 ? 0.1 : 0.0008;  // a slow hand, and now and then a jump
+      p += Vector3d(random.number(-reach_m, reach_m), random.number(-reach_m, reach_m),
+                    random.number(-reach_m, reach_m));
+      const SolidAt whole = solid_at(*tree, p);
+      const SolidAt few = near.at(*tree, p);
+      ASSERT_EQ(few.m, whole.m) << "seed " << seed << ": " << text << " at " << p.transpose();
+      ASSERT_EQ(few.part, whole.part);
+      ASSERT_LE((few.gradient - whole.gradient).norm(), 1e-12);
+    }
   }
 }
 

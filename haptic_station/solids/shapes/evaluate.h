@@ -1,0 +1,56 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "haptic_station/solids/solid_tree.h"
+
+namespace telepalp::solids {
+
+/// Value and gradient of a node, in the frame of the operator that contains it.
+[[nodiscard]] SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Eigen::Vector3d& p) noexcept;
+
+/// From a node's own frame to that of the operator that contains it.
+[[nodiscard]] inline SolidAt placed(const TreeNode& node, SolidAt at) noexcept {
+  at.m *= node.scale;
+  if (node.turned) at.gradient = node.turn * at.gradient;
+  return at;
+}
+
+/// The inverse, of a point.
+[[nodiscard]] inline Eigen::Vector3d in_frame_of(const TreeNode& node, const Eigen::Vector3d& p) noexcept {
+  if (!node.placed) return p;
+  const Eigen::Vector3d moved = (p - node.shift) / node.scale;
+  return node.turned ? Eigen::Vector3d(node.turn.transpose() * moved) : moved;
+}
+
+/// A bound is at least the distance to the box of its node. So no value is lower than the distance to its box, and
+/// skipping a part by its box changes nothing.
+[[nodiscard]] SolidAt at_least_the_box(const TreeNode& node, const Eigen::Vector3d& p, const SolidAt& at) noexcept;
+
+/// The least of the values so far; a tie gives the mean gradient.
+class Least {
+ public:
+  explicit Least(std::uint32_t part) noexcept
+      : best_{std::numeric_limits<double>::infinity(), Eigen::Vector3d::Zero(), part} {}
+
+  void take(const SolidAt& at) noexcept {
+    if (at.m > best_.m) return;
+    const bool tie = at.m == best_.m && ties_ > 0;
+    best_ = tie ? SolidAt{at.m, best_.gradient + at.gradient, std::min(at.part, best_.part)} : at;
+    ties_ = tie ? ties_ + 1 : 1;
+  }
+  /// True when a part at this squared distance cannot have a value as low as the least.
+  [[nodiscard]] bool beats(double squared_m2) const noexcept {
+    return best_.m < 0.0 ? squared_m2 > 0.0 : squared_m2 > best_.m * best_.m;
+  }
+  [[nodiscard]] SolidAt result() const noexcept {
+    return ties_ > 1 ? SolidAt{best_.m, best_.gradient / ties_, best_.part} : best_;
+  }
+
+ private:
+  SolidAt best_;
+  int ties_ = 0;
+};
+
+}  // namespace telepalp::solids

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+#include "haptic_station/solids/solid_tree.h"
+
+namespace telepalp::solids {
+
+/// Remembers which members of a tree's outermost union can give its value within kReach_m of a place, so that a finger
+/// that moves slowly evaluates these alone. A member's value changes by at most SolidTree::steepest a metre: a member
+/// whose value at the place exceeds the least one by more than twice that on the way to the rim cannot become the least
+/// one. The value is that of solid_at(); on an exact tie the sum of gradients may be rounded otherwise. A tree whose
+/// root is not a union, or a place with more than kMost such members, is evaluated as by solid_at(). Owner: the haptic
+/// thread. Nothing allocates.
+class NearMembers {
+ public:
+  static constexpr double kReach_m = 0.003;  ///< at 0.1 m/s, 30 ms
+  static constexpr std::size_t kMost = 12;
+
+  /// Value and gradient at a point, in the solid's frame.
+  [[nodiscard]] SolidAt at(const SolidTree& tree, const Eigen::Vector3d& point_m) noexcept;
+
+ private:
+  [[nodiscard]] bool covers(const SolidTree& tree, const Eigen::Vector3d& point_m) const noexcept;
+  void gather(const SolidTree& tree, const Eigen::Vector3d& point_m) noexcept;
+
+  const SolidTree* tree_ = nullptr;  // borrowed; only compared
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
+  std::array<std::uint32_t, kMost> members_{};
+  std::size_t count_ = 0;  // 0: too many
+};
+
+}  // namespace telepalp::solids
