@@ -155,7 +155,10 @@ effects::Organ read_organ(FieldCheck& check, const msg::OrganEffect& message, co
 }
 
 bool add_layer(const effects::Solid& layer, Scene& scene) {
-  if (layer.layer()) scene.layers.push_back(layer.layer());
+  if (layer.layer()) {
+    scene.layers.push_back(layer.layer());
+    scene.effect_of_layer.push_back(scene.effects.size());
+  }
   return scene.effects.add(layer);
 }
 
@@ -240,6 +243,13 @@ void read_workspace(FieldCheck& check, const msg::Scene& message, control::Index
   TELEPALP_READ(check, "workspace.", workspace, most_shift_z_m, indexing.most_shift_z_m, {0, 1, "m"});
 }
 
+void read_probe(FieldCheck& check, const msg::Scene& message, Scene& scene) {
+  if (!message.has_probe()) return;
+  Probe& probe = scene.probe.emplace();
+  TELEPALP_READ(check, "probe.", message.probe(), width_m, probe.width_m, {0.01, 0.3, "m"});
+  TELEPALP_READ(check, "probe.", message.probe(), depth_m, probe.depth_m, {0.01, 0.3, "m"});
+}
+
 void read_simulation(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene) {
   const msg::SimulatedDevice& device = message.simulated_device();
   TELEPALP_READ(check, "simulated_device.", device, mass_kg, scene.simulated_device.mass_kg, {0.01, 10, "kg"});
@@ -284,6 +294,7 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
   read_position_control(check, message.position_control(), scene.control.position);
   read_limits(check, message, scene.control);
   read_workspace(check, message, scene.control.indexing);
+  read_probe(check, message, scene);
   read_simulation(check, message, name.parent_path(), scene);
   if (check.error()) return *check.error();
   return scene;

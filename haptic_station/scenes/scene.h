@@ -16,6 +16,12 @@
 
 namespace telepalp::scenes {
 
+/// The ultrasound probe that the hand holds: the size of its image.
+struct Probe {
+  double width_m = 0.06;
+  double depth_m = 0.10;
+};
+
 /// A checked scene in plain values. `message` is the parsed file: it is recorded, and message.surface() selects the
 /// surface settings.
 struct Scene {
@@ -25,6 +31,8 @@ struct Scene {
   Transform<HapticBase, HandTracker> haptic_from_tracker;
   effects::EffectBank effects;
   std::vector<std::shared_ptr<const effects::SolidLayer>> layers;  ///< of the solid effects, for pictures and meshes
+  std::vector<std::size_t> effect_of_layer;  ///< for each of `layers`: the place of its effect in `effects`
+  std::optional<Probe> probe;                ///< nullopt: the tool is the hand
   control::ControlSettings control;
   device::SimulatedDeviceSettings simulated_device;
   device::SimulatedHandSettings simulated_hand;

@@ -26,6 +26,7 @@ using namespace std::chrono_literals;
 constexpr const char* kName = "telepalp-station";
 constexpr auto kStatePeriod = 10ms;  // /station/state at 100 Hz
 constexpr auto kTotalsPeriod = 1s;   // /station/stats
+constexpr auto kImagePeriod = 40ms;  // /station/ultrasound at 25 Hz
 constexpr auto kSayStillWaiting = 5s;
 
 void say(const std::string& text) { program::log(kName, text); }
@@ -37,18 +38,18 @@ loop::HapticLoop make_loop(const scenes::Scene& scene) {
 }
 
 wire::ClientLink::Options link_options(const StationOptions& options, bool takes_viewer_hand) {
-  wire::ClientLink::Options link{.host = options.host,
-                                 .port = options.port,
-                                 .name = kName,
-                                 .role = "doctor",
-                                 .key = options.key,
-                                 .subscribes = options.model
-                                                   ? std::vector<std::string>{}
-                                                   : std::vector<std::string>{std::string(wire::kCameraDepth.name),
-                                                                              std::string(wire::kCameraInfo.name)},
-                                 .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface,
-                                               wire::kStationCompensation, wire::kStationEvents, wire::kStationStats},
-                                 .accepts_touch = options.accepts_touch};
+  wire::ClientLink::Options link{
+      .host = options.host,
+      .port = options.port,
+      .name = kName,
+      .role = "doctor",
+      .key = options.key,
+      .subscribes = options.model ? std::vector<std::string>{}
+                                  : std::vector<std::string>{std::string(wire::kCameraDepth.name),
+                                                             std::string(wire::kCameraInfo.name)},
+      .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface, wire::kStationCompensation,
+                    wire::kStationEvents, wire::kStationStats, wire::kStationUltrasound, wire::kStationInside},
+      .accepts_touch = options.accepts_touch};
   if (takes_viewer_hand) link.subscribes.emplace_back(wire::kViewerHand.name);
   return link;
 }
@@ -92,6 +93,7 @@ Station::~Station() { end_threads(); }
 /// Ends the threads before the members that they use are destroyed. The collision thread reads a hand-off of the haptic
 /// thread, so it ends first.
 void Station::end_threads() {
+  inside_thread_.reset();
   collision_.reset();
   haptic_.reset();
   worker_.reset();
@@ -189,6 +191,7 @@ void Station::on_link(wire::LinkState state, const std::string& detail) {
   note_refusal(state, detail);
   look_at_clock();
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
+  if (state == wire::LinkState::Connected) publish_inside();
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
     telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
 }
@@ -292,13 +295,53 @@ void Station::start_haptic_thread() {
   const std::string realtime = realtime_granted_ ? "with real-time priority" : "without real-time priority";
   say("the surface is touchable; ticking at 2 kHz " + realtime);
   telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, "scene " + scene_.name + ", " + realtime);
+  start_inside_thread();
+}
+
+void Station::start_inside_thread() {
+  if (scene_.layers.empty() && !scene_.probe) {
+    inside_.emplace();  // a message without structures replaces that of a station before this one
+    return publish_inside();
+  }
+  inside_thread_.emplace(
+      scene_, InsideThread::Handlers{.on_structures =
+                                         [this](msg::InnerStructures made) {
+                                           boost::asio::post(io_, [this, made = std::move(made)]() mutable {
+                                             inside_ = std::move(made);
+                                             publish_inside();
+                                           });
+                                         },
+                                     .on_image =
+                                         [this](msg::UltrasoundImage image) {
+                                           boost::asio::post(io_, [this, image = std::move(image)] {
+                                             publish(wire::make_message(wire::kStationUltrasound, now(), image));
+                                           });
+                                         }});
+}
+
+void Station::publish_inside() {
+  if (!inside_ || !haptic_from_camera_) return;
+  inside_->set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(now())));
+  set_place(*inside_, *haptic_from_camera_);
+  publish(wire::make_message(wire::kStationInside, now(), *inside_));
+}
+
+/// Asks for the next ultrasound image when it is due.
+void Station::look_inside() {
+  const auto now = std::chrono::steady_clock::now();
+  if (!inside_thread_ || !haptic_from_camera_ || !telemetry_.has_ticked() || now - looked_inside_ < kImagePeriod)
+    return;
+  looked_inside_ = now;
+  inside_thread_->offer({telemetry_.last(), *haptic_from_camera_, objects_});
 }
 
 void Station::every_10_ms() {
   telemetry_.drain(now());
   faults_.look(false);
   say_clock_step();
+  look_inside();
   if (haptic_ && haptic_->compensation().take()) {
+    objects_ = haptic_->compensation().current().objects;
     msg::StationCompensation compensation = compensation_message(haptic_->compensation().current());
     compensation.set_clock_error_s(clock_error_s_);
     publish(wire::make_message(wire::kStationCompensation, now(), compensation));

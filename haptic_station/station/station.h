@@ -14,6 +14,7 @@
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/commands/hand_over.h"
 #include "haptic_station/station/faults/fault_monitor.h"
+#include "haptic_station/station/inside/inside_thread.h"
 #include "haptic_station/station/rigs/rig_choice.h"
 #include "haptic_station/station/rigs/static_patient.h"
 #include "haptic_station/station/telemetry/image_ages.h"
@@ -67,6 +68,9 @@ class Station {
   void say_link(const std::string& text, wire::LinkState state);
   void on_surface(const msg::SurfaceReport& report);
   void say_depth(const msg::SurfaceReport& report);
+  void start_inside_thread();
+  void publish_inside();
+  void look_inside();
   void touch_model();
   void start_surface_thread(const surface::SurfaceSettings& surface);
   void start_haptic_thread();
@@ -116,6 +120,10 @@ class Station {
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;
   FaultMonitor faults_;
+  std::optional<InsideThread> inside_thread_;            // only if the scene has layers or a probe
+  std::optional<msg::InnerStructures> inside_;           // once they are made
+  loop::ObjectPlacements objects_{};                     // of the newest compensation
+  std::chrono::steady_clock::time_point looked_inside_;  // when the last ultrasound image was asked for
   std::optional<CollisionThread> collision_;
   std::optional<SurfaceWorker> worker_;
   std::chrono::steady_clock::time_point started_;

@@ -40,9 +40,9 @@ struct Crossing {
 /// One scan line, from the skin down.
 class ScanLine {
  public:
-  ScanLine(std::span<const std::shared_ptr<const effects::SolidLayer>> layers, std::vector<Crossing>& crossings,
+  ScanLine(std::span<const PlacedLayer> layers, const Vector3d& tissue_moved_m, std::vector<Crossing>& crossings,
            const BModeSettings& settings) noexcept
-      : layers_(layers), crossings_(crossings), settings_(settings) {
+      : layers_(layers), tissue_moved_m_(tissue_moved_m), crossings_(crossings), settings_(settings) {
     std::fill(crossings_.begin(), crossings_.end(), Crossing{});
   }
 
@@ -54,14 +54,15 @@ class ScanLine {
     started_ = true;
     const Echo& tissue = of(now);
     sent_dB_ -= 2.0 * 100.0 * step_m * (tissue.attenuation_dB_per_cm - settings_.tissue.attenuation_dB_per_cm);
+    const Vector3d grain = p - (now == kTissue ? tissue_moved_m_ : layers_[now].moved_m);
     const double grain_dB =
-        tissue.scatter > 0.0 ? kSpeckle_dB + 20.0 * std::log10(tissue.scatter) + speckle_dB(p) : -1e3;
+        tissue.scatter > 0.0 ? kSpeckle_dB + 20.0 * std::log10(tissue.scatter) + speckle_dB(grain) : -1e3;
     return std::max(echo_dB, sent_dB_ + grain_dB);
   }
 
  private:
   [[nodiscard]] const Echo& of(std::size_t layer) const noexcept {
-    return layer == kTissue ? settings_.tissue : layers_[layer]->echo;
+    return layer == kTissue ? settings_.tissue : layers_[layer].layer->echo;
   }
 
   /// The last layer that contains the point. A layer is asked again only where its distance no longer answers.
@@ -70,9 +71,9 @@ class ScanLine {
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       Crossing& crossing = crossings_[i];
       if (depth_m > crossing.known_to_m) {
-        const solids::SolidAt at = solids::solid_at(*layers_[i]->tree, p);
-        crossing = {depth_m + std::max(0.5 * step_m, std::abs(at.m) / layers_[i]->tree->steepest), at.m < 0.0,
-                    at.gradient};
+        const solids::SolidTree& tree = *layers_[i].layer->tree;
+        const solids::SolidAt at = solids::solid_at(tree, p - layers_[i].moved_m);
+        crossing = {depth_m + std::max(0.5 * step_m, std::abs(at.m) / tree.steepest), at.m < 0.0, at.gradient};
       }
       if (crossing.inside) fills = i;
     }
@@ -92,7 +93,8 @@ class ScanLine {
     return before_dB + echo_dB;
   }
 
-  std::span<const std::shared_ptr<const effects::SolidLayer>> layers_;
+  std::span<const PlacedLayer> layers_;
+  Vector3d tissue_moved_m_;
   std::vector<Crossing>& crossings_;
   const BModeSettings& settings_;
   double sent_dB_ = 0.0;
@@ -104,13 +106,21 @@ class ScanLine {
 
 BModeImage b_mode(std::span<const std::shared_ptr<const effects::SolidLayer>> layers, const ProbePose& probe,
                   const BModeSettings& settings) {
+  std::vector<PlacedLayer> placed;
+  for (const auto& layer : layers) placed.push_back({.layer = layer.get()});
+  return b_mode(placed, probe, settings);
+}
+
+BModeImage b_mode(std::span<const PlacedLayer> layers, const ProbePose& probe, const BModeSettings& settings) {
+  Vector3d tissue_moved_m = Vector3d::Zero();
+  for (const PlacedLayer& layer : layers) tissue_moved_m += layer.moved_m / static_cast<double>(layers.size());
   const auto side = static_cast<std::size_t>(settings.side_px);
   BModeImage image{.side_px = settings.side_px, .gray = std::vector<std::uint8_t>(side * side)};
   std::vector<Crossing> crossings(layers.size());
   const double step_m = settings.depth_m / settings.side_px;
   for (std::size_t u = 0; u < side; ++u) {
     const double x_m = ((static_cast<double>(u) + 0.5) / settings.side_px - 0.5) * settings.width_m;
-    ScanLine line(layers, crossings, settings);
+    ScanLine line(layers, tissue_moved_m, crossings, settings);
     for (std::size_t v = 0; v < side; ++v) {
       const double depth_m = (static_cast<double>(v) + 0.5) * step_m;
       const Vector3d p = probe.at + x_m * probe.across + depth_m * probe.into_body;

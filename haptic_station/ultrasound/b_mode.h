@@ -32,11 +32,22 @@ struct BModeImage {
   std::vector<std::uint8_t> gray;
 };
 
+/// A layer, and how far it has moved from the place that the scene gives it, with the skin above it. In H [m].
+struct PlacedLayer {
+  const effects::SolidLayer* layer = nullptr;
+  Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();
+};
+
 /// The B-mode image of the plane under the probe. Along each scan line: the echo of each boundary is ((Z1 - Z2) / (Z1 +
 /// Z2))^2 with the impedances Z of both sides; each tissue attenuates, so bone casts a shadow; the gain over depth
-/// compensates the attenuation of `tissue`; the speckle is Rayleigh-distributed and fixed to the body, so it moves with
-/// the body. Where layers overlap, the later one in `layers` counts. Not modelled: refraction, reverberation, the
-/// beam's width. Pure: the same input gives the same image.
+/// compensates the attenuation of `tissue`; the speckle is Rayleigh-distributed and fixed to its layer, so it moves
+/// with the layer; between the layers it moves by the mean of their movements. Where layers overlap, the later one in
+/// `layers` counts. Not modelled: refraction, reverberation, the beam's width. Pure: the same input gives the same
+/// image.
+[[nodiscard]] BModeImage b_mode(std::span<const PlacedLayer> layers, const ProbePose& probe,
+                                const BModeSettings& settings = {});
+
+/// The same with all layers where the scene places them.
 [[nodiscard]] BModeImage b_mode(std::span<const std::shared_ptr<const effects::SolidLayer>> layers,
                                 const ProbePose& probe, const BModeSettings& settings = {});
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <span>
 
 #include "haptic_station/device/breathing_plane.h"
+#include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/station/threads/bill.h"
 
 namespace telepalp::station {
@@ -60,6 +62,24 @@ std::vector<Cost> costs_on_the_path(effects::EffectBank& bank) {
   return costs;
 }
 
+/// Against the effect's formula, or its finest setting.
+std::string depth_error_of(const msg::Effect& effect, const effects::SolidLayer* layer) {
+  char words[64];
+  if (effect.has_cylinder()) return "0.5 % at its edges, which are rounded";
+  if (layer != nullptr && !layer->tree->lattices.empty()) {
+    std::snprintf(words, sizeof words, "a mesh in cells of %.3g mm", 1e3 * layer->tree->lattices.front()->spacing_m);
+    return words;
+  }
+  if (effect.has_organ()) {
+    const double cell_m = effect.organ().has_cell_m() ? effect.organ().cell_m() : organs::OrganShapeSettings{}.cell_m;
+    std::snprintf(words, sizeof words, "a mesh in cells of %.3g mm", 1e3 * cell_m);
+    return words;
+  }
+  if (layer == nullptr) return "none: a formula";
+  std::snprintf(words, sizeof words, "%.3g um at rest", 1e6 * solids::ProxySettings{}.tolerance_m);
+  return words;
+}
+
 }  // namespace
 
 std::vector<EffectPrice> price_of(const scenes::Scene& scene) {
@@ -70,11 +90,16 @@ std::vector<EffectPrice> price_of(const scenes::Scene& scene) {
     price.name = cost.so_far.name;
     price.mean_us = median(std::move(cost.parts_us));
     price.largest_us = static_cast<double>(cost.so_far.largest) / cycles_per_us();
-    for (const auto& layer : scene.layers) {
-      if (layer->name != price.name) continue;
-      price.shapes = layer->tree->shapes;
-      price.bytes = layer->tree->bytes();
-    }
+    const std::size_t effect = prices.size() - 1;
+    const auto at = std::ranges::find(scene.effect_of_layer, effect);
+    const effects::SolidLayer* layer =
+        at == scene.effect_of_layer.end()
+            ? nullptr
+            : scene.layers[static_cast<std::size_t>(at - scene.effect_of_layer.begin())].get();
+    price.depth_error = depth_error_of(scene.message.effects(static_cast<int>(effect)), layer);
+    if (layer == nullptr) continue;
+    price.shapes = layer->tree->shapes;
+    price.bytes = layer->tree->bytes();
   }
   return prices;
 }

@@ -13,8 +13,9 @@ struct EffectPrice {
   std::string name;
   double mean_us = 0.0;  ///< in a tick; the median over 20 parts of the path, so that another program does not raise it
   double largest_us = 0.0;
-  std::size_t shapes = 0;  ///< of a layer's tree; 0: not a layer
-  std::size_t bytes = 0;   ///< memory of that tree
+  std::size_t shapes = 0;   ///< of a layer's tree; 0: not a layer
+  std::size_t bytes = 0;    ///< memory of that tree
+  std::string depth_error;  ///< error of the felt depth, in words: see docs/accuracy.md
 };
 
 /// The cost of each effect of the scene, measured over 10 s of virtual time, while the device presses up to 40 mm deep

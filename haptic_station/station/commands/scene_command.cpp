@@ -69,11 +69,12 @@ Result<void> bill(const scenes::Scene& scene, const program::Arguments& argument
   const Result<scenes::Scene> again = scenes::read_scene(arguments.positional().back());
   const double start_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
   if (!again) return again.error();
-  std::printf("%-12s %10s %10s %8s %10s\n", "effect", "mean, us", "most, us", "shapes", "memory, B");
+  std::printf("%-12s %10s %10s %8s %10s  %s\n", "effect", "mean, us", "most, us", "shapes", "memory, B",
+              "error of the depth");
   double total_us = 0.0;
   for (const EffectPrice& price : price_of(scene)) {
-    std::printf("%-12s %10.3f %10.1f %8zu %10zu\n", price.name.c_str(), price.mean_us, price.largest_us, price.shapes,
-                price.bytes);
+    std::printf("%-12s %10.3f %10.1f %8zu %10zu  %s\n", price.name.c_str(), price.mean_us, price.largest_us,
+                price.shapes, price.bytes, price.depth_error.c_str());
     total_us += price.mean_us;
   }
   std::printf("%-12s %10.3f of a tick of 500 us; reading the scene took %.1f ms\n", "total", total_us, start_ms);

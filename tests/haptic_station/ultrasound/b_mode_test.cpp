@@ -54,7 +54,7 @@ TEST(BMode, ACystIsDarkAndWhatLiesBehindItIsEnhanced) {
 }
 
 TEST(BMode, TheGainOverDepthEvensOutHomogeneousTissue) {
-  const BModeImage image = b_mode({}, {});
+  const BModeImage image = b_mode(Layers{}, {});
   EXPECT_NEAR(mean(image, 0, 256, 0, 64), mean(image, 0, 256, 192, 256), 3.0);
 }
 
@@ -68,6 +68,16 @@ TEST(BMode, SpeckleIsFixedToTheBody) {
     for (std::size_t u = 0; u + 16 < 256; ++u)
       if (image.gray[v * 256 + u + 16] != moved.gray[v * 256 + u]) ++differ;
   EXPECT_LT(differ, 256 * 240 / 100) << "grains at whose border the last digit decides";
+}
+
+TEST(BMode, ALayerIsImagedWhereItHasMovedAndItsSpeckleGoesWithIt) {
+  const auto ball = layer("tr 0 -0.03 0 sphere 0.02", {.scatter = 0.9});
+  const BModeImage rested = b_mode(Layers{ball}, {.at = {0.0, 0.01, 0.0}});
+  const BModeImage moved = b_mode(std::vector<PlacedLayer>{{ball.get(), {0.0, -0.01, 0.0}}}, {});
+  int differ = 0;
+  for (std::size_t i = 0; i < rested.gray.size(); ++i)
+    if (rested.gray[i] != moved.gray[i]) ++differ;
+  EXPECT_LT(differ, 256 * 256 / 50) << "grains at whose border the last digit decides";
 }
 
 TEST(BMode, TheSameInputGivesTheSameImage) {

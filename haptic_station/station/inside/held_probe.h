@@ -1,0 +1,22 @@
+#pragma once
+
+#include "haptic_station/loop/tick_sample.h"
+#include "haptic_station/ultrasound/b_mode.h"
+#include "proto/words/frames.h"
+
+namespace telepalp::station {
+
+/// The ultrasound probe that the hand holds.
+struct HeldProbe {
+  bool on_skin = false;        ///< it is pressed on the skin and faces it, so that sound enters the body
+  ultrasound::ProbePose pose;  ///< in H; its face is at the proxy, on the skin
+};
+
+/// The probe at a tick. Its face looks out of the palm and its long side lies along the hand's x (paper S1 eq. 1,
+/// docs/sources.md: the attitude that the tracker's three wrist angles give). While no attitude is known, the probe
+/// stands upright on the skin, with its long side along the image's rows. A probe that is turned more than 60 degrees
+/// away from the skin is not on the skin. No allocation.
+[[nodiscard]] HeldProbe held_probe(const loop::TickSample& tick,
+                                   const Transform<HapticBase, DepthCamera>& haptic_from_camera) noexcept;
+
+}  // namespace telepalp::station

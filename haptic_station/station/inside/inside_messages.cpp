@@ -1,0 +1,120 @@
+#include "haptic_station/station/inside/inside_messages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "codec/color.h"
+#include "haptic_station/solids/solid_mesh.h"
+#include "proto/wire/inside/inside_message.h"
+#include "proto/wire/vector_message.h"
+
+namespace telepalp::station {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t kMostPoints = 24'000;  // of all layers: 0.5 MB, drawn by any computer
+constexpr double kFinestCell_m = 0.0015;
+constexpr int kJpegQuality = 80;
+
+void append_u16(std::string& bytes, std::uint32_t value) {
+  bytes.push_back(static_cast<char>(value & 0xff));
+  bytes.push_back(static_cast<char>(value >> 8));
+}
+
+/// Newton steps along the gradient, at most one cell: marching cubes leaves points up to a part of a cell off.
+Vector3d onto_surface(const solids::SolidTree& tree, const Vector3d& point, double cell_m) {
+  Vector3d at = point;
+  for (int step = 0; step < 3; ++step) {
+    const solids::SolidAt here = solids::solid_at(tree, at);
+    const double slope = here.gradient.squaredNorm();
+    if (!(slope > 1e-6)) return point;
+    at -= here.m / slope * here.gradient;
+  }
+  return (at - point).norm() < cell_m ? at : point;
+}
+
+/// The surface with at most `most_points` points: the cells grow until it fits.
+Result<solids::SolidMesh> fitting_mesh(const solids::SolidTree& tree, std::size_t most_points) {
+  const Vector3d size_m = tree.box().high - tree.box().low;
+  double cell_m = std::max(kFinestCell_m, size_m.maxCoeff() / 128.0);
+  for (int attempt = 0;; ++attempt) {
+    Result<solids::SolidMesh> mesh = solids::mesh_of(tree, cell_m);
+    if (!mesh) return mesh;
+    if (mesh->points.size() <= most_points) {
+      for (Vector3d& point : mesh->points) point = onto_surface(tree, point, cell_m);
+      return mesh;
+    }
+    if (attempt == 5)
+      return Error{.what = "its surface needs too many points", .where = "fitting_mesh", .fix = "simplify the solid"};
+    cell_m *= 1.05 * std::sqrt(static_cast<double>(mesh->points.size()) / static_cast<double>(most_points));
+  }
+}
+
+void pack(const solids::SolidMesh& mesh, msg::InnerStructure& structure) {
+  Vector3d least = mesh.points.front();
+  Vector3d most = least;
+  for (const Vector3d& point : mesh.points) {
+    least = least.cwiseMin(point);
+    most = most.cwiseMax(point);
+  }
+  const double step_m = std::max(1e-9, (most - least).maxCoeff() / 65535.0);
+  wire::set_vector(*structure.mutable_least(), least);
+  structure.set_step_m(step_m);
+  for (const Vector3d& point : mesh.points)
+    for (int axis = 0; axis < 3; ++axis)
+      append_u16(*structure.mutable_points(),
+                 static_cast<std::uint32_t>(std::clamp(std::lround((point - least)[axis] / step_m), 0L, 65535L)));
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t corner : triangle) append_u16(*structure.mutable_triangles(), corner);
+}
+
+void set_rotation(msg::Rotation& rotation, const Eigen::Quaterniond& q) {
+  wire::set_vector(rotation, q.vec());
+  rotation.set_w(q.w());
+}
+
+}  // namespace
+
+msg::InnerStructures inner_structures(std::span<const NumberedLayer> layers) {
+  msg::InnerStructures inside;
+  if (layers.empty()) return inside;
+  const std::size_t most_points = std::min(kMostPoints / layers.size(), wire::kMostStructurePoints);
+  for (const auto& [layer, effect] : layers) {
+    const Result<solids::SolidMesh> mesh = fitting_mesh(*layer->tree, most_points);
+    if (!mesh || mesh->points.empty()) continue;
+    msg::InnerStructure& structure = *inside.add_structures();
+    structure.set_name(layer->name);
+    structure.set_effect(effect);
+    pack(*mesh, structure);
+  }
+  return inside;
+}
+
+void set_place(msg::InnerStructures& inside, const Transform<HapticBase, DepthCamera>& haptic_from_camera) {
+  const Transform<DepthCamera, HapticBase> camera_from_haptic = haptic_from_camera.inverse();
+  wire::set_vector(*inside.mutable_haptic_origin_camera(), camera_from_haptic.iso.translation().eval());
+  set_rotation(*inside.mutable_camera_from_haptic(), Eigen::Quaterniond(camera_from_haptic.iso.linear()));
+}
+
+msg::UltrasoundImage probe_message(const HeldProbe& probe, const ultrasound::BModeSettings& settings,
+                                   const Transform<HapticBase, DepthCamera>& haptic_from_camera) {
+  const Transform<DepthCamera, HapticBase> camera_from_haptic = haptic_from_camera.inverse();
+  msg::UltrasoundImage message;
+  message.set_width_m(settings.width_m);
+  message.set_depth_m(settings.depth_m);
+  if (!probe.on_skin) return message;
+  const Eigen::Isometry3d& to_camera = camera_from_haptic.iso;
+  wire::set_vector(*message.mutable_face_camera(), (to_camera * probe.pose.at).eval());
+  wire::set_vector(*message.mutable_into_body_camera(), (to_camera.linear() * probe.pose.into_body).eval());
+  wire::set_vector(*message.mutable_across_camera(), (to_camera.linear() * probe.pose.across).eval());
+  return message;
+}
+
+void set_image(msg::UltrasoundImage& message, const ultrasound::BModeImage& image) {
+  message.set_on_skin(true);
+  message.set_jpeg(codec::encode_gray(image.gray, image.side_px, image.side_px, kJpegQuality));
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "haptic_station/effects/effect_bank.h"
+#include "haptic_station/station/inside/held_probe.h"
+#include "messages/inside.pb.h"
+#include "proto/words/frames.h"
+
+namespace telepalp::station {
+
+/// A layer of the scene, and the place of its effect in the scene's list.
+struct NumberedLayer {
+  std::shared_ptr<const effects::SolidLayer> layer;  // shared with the scene's effects
+  std::uint32_t effect = 0;
+};
+
+/// The surfaces of the layers by marching cubes, with the points moved onto the true surface, at most about 24 000
+/// points in all: the cells are as large as that needs. A layer without bounds is left out. Takes some 100 ms.
+[[nodiscard]] msg::InnerStructures inner_structures(std::span<const NumberedLayer> layers);
+
+/// Says where H is: the structures are displayed there.
+void set_place(msg::InnerStructures& inside, const Transform<HapticBase, DepthCamera>& haptic_from_camera);
+
+/// The message of /station/ultrasound without an image, with the probe's pose.
+[[nodiscard]] msg::UltrasoundImage probe_message(const HeldProbe& probe, const ultrasound::BModeSettings& settings,
+                                                 const Transform<HapticBase, DepthCamera>& haptic_from_camera);
+
+/// Adds the image as JPEG.
+void set_image(msg::UltrasoundImage& message, const ultrasound::BModeImage& image);
+
+}  // namespace telepalp::station

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <functional>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "haptic_station/loop/body_frame.h"
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/inside/inside_messages.h"
+
+namespace telepalp::station {
+
+/// The thread for what lies inside the body: it makes the surfaces of the scene's layers once, and then the image of
+/// the scene's ultrasound probe. A scene without layers and without a probe has no such thread. No other thread waits
+/// for it.
+class InsideThread {
+ public:
+  /// Both are called on this thread.
+  struct Handlers {
+    std::function<void(msg::InnerStructures)> on_structures;
+    std::function<void(msg::UltrasoundImage)> on_image;
+  };
+
+  InsideThread(const scenes::Scene& scene, Handlers handlers);
+  ~InsideThread();
+  InsideThread(const InsideThread&) = delete;
+  InsideThread& operator=(const InsideThread&) = delete;
+
+  [[nodiscard]] bool has_probe() const noexcept { return settings_.has_value(); }
+
+  /// The probe at a tick, and how far the layers have moved with the body.
+  struct View {
+    loop::TickSample tick;
+    Transform<HapticBase, DepthCamera> haptic_from_camera;
+    loop::ObjectPlacements objects;  ///< by effect
+  };
+  /// Asks for the image of a view; ignored while the last one is computed or without a probe. Network thread only.
+  void offer(const View& view);
+
+ private:
+  void compute(const View& view);
+
+  std::vector<NumberedLayer> layers_;
+  std::optional<ultrasound::BModeSettings> settings_;  // nullopt: the scene has no probe
+  Handlers handlers_;
+  std::atomic<bool> busy_{false};
+  boost::asio::io_context io_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> stay_;
+  std::thread thread_;
+};
+
+}  // namespace telepalp::station
