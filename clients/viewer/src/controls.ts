@@ -1,3 +1,4 @@
+import type {InsideView} from './inside/inside_view';
 import type {ViewerHandInput} from './viewer_hand';
 import type {SceneView} from './scene/scene_view';
 import type {ThemeSwitch} from './theme';
@@ -21,19 +22,22 @@ function button(id: string): HTMLButtonElement {
 
 /** Wires buttons and keys to the view. */
 export function wireControls(
-    view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch, theme: ThemeSwitch): void {
+    view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch, theme: ThemeSwitch, inside: InsideView): void {
   const help = document.getElementById('help') as HTMLDialogElement;
   const toggles: Toggle[] = [
-    {button: 'show-hand', key: 'h', apply: (shown) => view.hand.setShown(shown)},
+    {button: 'show-hand', key: 'h', apply: (shown) => view.setHandShown(shown)},
     {button: 'show-ball', key: 'b', apply: (shown) => view.probe.setBallVisible(shown)},
     {button: 'show-forces', key: 'f', apply: (shown) => view.probe.setForcesVisible(shown)},
     {button: 'show-halo', key: 'u', apply: (shown) => view.halo.setShown(shown)},
     {button: 'show-side', key: 'd', apply: (shown) => (document.body.dataset['side'] = shown ? 'open' : 'closed')},
     {button: 'show-color', key: 'c', apply: (shown) => view.surface.setColored(shown)},
+    {button: 'show-inside', key: 'i', apply: (shown) => inside.setTransparent(shown)},
+    {button: 'show-ultrasound', key: 'e', apply: (shown) => inside.setPanelShown(shown)},
     {button: 'show-stereo', key: 's', apply: (shown) => view.setStereo(shown)},
     {button: 'hold-hand', key: 't', apply: (held) => viewerHand.setHeld(held)},
   ];
   const flip = ({button: id, apply}: Toggle) => {
+    if (button(id).hidden) return;  // the station has nothing of the kind
     const shown = button(id).getAttribute('aria-pressed') !== 'true';
     button(id).setAttribute('aria-pressed', String(shown));
     apply(shown);

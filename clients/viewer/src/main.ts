@@ -13,6 +13,7 @@ import {TechnicianPanel} from './panel/technician/technician_panel';
 import {PlaybackLink} from './playback/playback_link';
 import {OverviewBand} from './playback/overview_band';
 import {TimelineBar} from './playback/timeline_bar';
+import {InsideView} from './inside/inside_view';
 import type {Instant} from './present/instant';
 import {showInstant} from './scene/show_instant';
 import {SceneView} from './scene/scene_view';
@@ -26,7 +27,10 @@ import {ViewSwitch} from './views/view_switch';
 const READOUTS_EVERY_MS = 100;
 /** What only one view shows. */
 const EXTRA: Record<View, Extra> = {
-  doctor: {topics: ['/station/compensation', '/station/surface'], light: false},
+  doctor: {
+    topics: ['/station/compensation', '/station/surface', '/station/ultrasound', '/station/inside'],
+    light: false,
+  },
   technician: {topics: [], light: true},
   qa: {topics: ['/station/events'], light: false},
 };
@@ -54,17 +58,21 @@ let coming: Instant | undefined;   // in the scene, but not drawn yet
 let drawing: Instant | undefined;  // being drawn
 
 const playback = new PlaybackLink(askServer('playback'));
-const link = new SiteLink(
-    (instant) => {
-      coming = instant;
-      state.taken(instant);
-      status.decode_ms = instant.picture?.decode_ms ?? status.decode_ms;
-      showInstant(view, instant);
-    },
-    (news) => {
-      state.news = news;
-      viewerHand.showHolder(news.holder, news.viewer);
-    });
+const inside = new InsideView(view, () => link.ask('probe'));
+const link = new SiteLink({
+  instant: (instant) => {
+    coming = instant;
+    state.taken(instant);
+    status.decode_ms = instant.picture?.decode_ms ?? status.decode_ms;
+    showInstant(view, instant);
+  },
+  news: (news) => {
+    state.news = news;
+    viewerHand.showHolder(news.holder, news.viewer);
+  },
+  probe: (probe) => inside.showProbe(probe, performance.now()),
+  inside: (structures) => inside.showStructures(structures),
+});
 
 const read = () => {
   state.holdsHand = viewerHand.held;
@@ -97,6 +105,8 @@ const status = publishStatus(() => ({
   drawn_ms: view.drawn_ms,
   coarseness: view.coarseness,
   view: views.view,
+  probeImages: inside.imagesShown,
+  innerTriangles: view.inner.triangles,
 }));
 
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
@@ -105,12 +115,13 @@ const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   qa: [new QaPanel(playback, new OverviewBand(playback), view)],
 };
 const views = new ViewSwitch((chosen) => link.setExtra(EXTRA[chosen]));
-wireControls(view, viewerHand, views, new ThemeSwitch(view));
+wireControls(view, viewerHand, views, new ThemeSwitch(view), inside);
 new TimelineBar(read, playback);
 void offerHeadset(view, (problem) => readouts.showBanner({level: 'warn', title: 'Headset', text: problem}));
 measureHeight('tools', '--tools');
 measureHeight('readings', '--readings');
 link.ask('instant');
+link.ask('probe');
 window.setInterval(() => {
   link.ask('news');
   const reading = read();
@@ -118,5 +129,6 @@ window.setInterval(() => {
   readouts.show(reading);
   steering.feel(reading.force_N);
   readouts.showDetail(view.detail);
+  inside.look(performance.now());
   for (const panel of panels[views.view]) panel.show(reading);
 }, READOUTS_EVERY_MS);

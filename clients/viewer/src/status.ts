@@ -9,6 +9,8 @@ interface Facts extends Reading {
   drawn_ms: number;
   coarseness: number;
   view: string;
+  probeImages: number;
+  innerTriangles: number;
 }
 
 /** The status in `window.telepalp`, for tests and for debugging; read-only. */
@@ -38,6 +40,8 @@ export interface ViewerStatus {
   readonly coarseness: number;
   readonly view: string;
   readonly role: string;
+  readonly probeImages: number;     // of the ultrasound probe, shown since the page was opened
+  readonly innerTriangles: number;  // of the layers below the skin
 }
 
 /** Sets `window.telepalp` to a live, read-only status. Returns an object for values that other code sets. */
@@ -71,6 +75,8 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       coarseness: now.coarseness,
       view: now.view,
       role: now.role,
+      probeImages: now.probeImages,
+      innerTriangles: now.innerTriangles,
     });
   };
   Object.defineProperty(window, 'telepalp', {get: snapshot, enumerable: true});

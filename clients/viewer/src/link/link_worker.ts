@@ -2,8 +2,9 @@
 // instant on request.
 
 import {DepthDecoder} from '../depth/depth_decoder';
+import {ProbeImages} from '../inside/probe_images';
 import type {FrameTimes} from '../present/time_account';
-import {type Arrival, type Chosen, type ColorPicture, Instants} from '../present/instants';
+import {type Arrival, type Chosen, Instants} from '../present/instants';
 import {LightMeter} from '../present/light_meter';
 import {StationPast} from '../present/station_past';
 import type {CompressedImage, StationState} from './messages';
@@ -33,15 +34,18 @@ function timesOf(arrival: Arrival | undefined): FrameTimes | undefined {
   return {captured_ms, published_ms, complete_ms: arrival.complete_ms ?? now_ms()};
 }
 
-async function bitmapOf(color: ColorPicture | undefined): Promise<ImageBitmap | undefined> {
-  if (color === undefined) return undefined;
+async function bitmapOf(topic: string, jpeg: Uint8Array): Promise<ImageBitmap | undefined> {
   try {
-    return await createImageBitmap(new Blob([color.data.slice()], {type: 'image/jpeg'}));
+    return await createImageBitmap(new Blob([jpeg.slice()], {type: 'image/jpeg'}));
   } catch (problem) {
-    console.warn(`/camera/color: ${String(problem)}`);
+    console.warn(`${topic}: ${String(problem)}`);
     return undefined;
   }
 }
+
+const probeImages = new ProbeImages(
+    (jpeg) => bitmapOf('/station/ultrasound', jpeg),
+    (probe) => post({probe}, probe.image === undefined ? [] : [probe.image]));
 
 async function present({decoded, station, color, arrival, trail: touches}: Chosen): Promise<void> {
   const times = timesOf(arrival);
@@ -49,7 +53,7 @@ async function present({decoded, station, color, arrival, trail: touches}: Chose
   const compensation = station && past.compensationAt(station.stampNs);
   const numbers = {station, compensation, trail, times};
   if (decoded === undefined || arrival === undefined) return post({instant: {picture: undefined, ...numbers}});
-  const bitmap = await bitmapOf(color);
+  const bitmap = color && await bitmapOf('/camera/color', color.data);
   if (bitmap !== undefined) lightMeter?.measure(bitmap, now_ms());
   const picture = {...decoded, captured_ns: arrival.captured_ns, color: bitmap, cameraMatrix};
   const own: Transferable[] = [decoded.frame.samples.buffer as ArrayBuffer];
@@ -105,6 +109,8 @@ const stream = new Stream(
       '/station/surface': (report) => {
         facts.surfaceReport = report;
       },
+      '/station/ultrasound': (image) => probeImages.came(image),
+      '/station/inside': (inside) => post({inside}),
       '/station/events': (event) => facts.eventCame(event),
       '/server/stats': (stats) => {
         facts.stats = stats;
@@ -113,7 +119,10 @@ const stream = new Stream(
         facts.holder = {viewer, asking};
       },
     },
-    {publishes: ['/viewer/hand'], onRequest: ['/station/compensation', '/station/surface', '/station/events']},
+    {
+      publishes: ['/viewer/hand'],
+      onRequest: ['/station/compensation', '/station/surface', '/station/events', '/station/ultrasound', '/station/inside'],
+    },
     {
       connected: () => {
         clock.restart();
@@ -151,6 +160,7 @@ onmessage = ({data}: MessageEvent<ToWorker>) => {
     lightMeter = data.extra.light ? lightMeter ?? new LightMeter() : undefined;
   }
   else if (data.ask === 'instant') instants.ask();
+  else if (data.ask === 'probe') probeImages.ask();
   else post({news: news()});
 };
 

@@ -1,6 +1,8 @@
 // The messages that the viewer reads, as @bufbuild/protobuf hands them over: field names in camelCase, 64-bit
 // integers as bigint, an absent message as undefined. The types are declared in proto/messages and proto/foxglove.
 
+import type {InnerStructures, ObjectPlacement, UltrasoundImage} from '../inside/inside_messages';
+
 export interface Vec3 {
   x: number;
   y: number;
@@ -135,6 +137,7 @@ export interface StationCompensation {
   dampingN: number;
   handExcessJ: number;
   driveJ: number;
+  objects: ObjectPlacement[];
 }
 
 /** The instants of one frame on its way to the hand, in session time. */
@@ -203,6 +206,8 @@ export interface Topics {
   '/station/stats': StationStats;
   '/station/compensation': StationCompensation;
   '/station/surface': SurfaceReport;
+  '/station/ultrasound': UltrasoundImage;
+  '/station/inside': InnerStructures;
   '/server/stats': ServerStats;
   '/viewer/hand_holder': HandHolder;
 }

@@ -1,23 +1,30 @@
+import type {InnerStructures, ProbeView} from '../inside/inside_messages';
 import type {Instant} from '../present/instant';
 import type {HandOver, LetGo, ViewerHand} from './messages';
-import type {Extra, FromWorker, News, ToWorker} from './worker_messages';
+import type {Asked, Extra, FromWorker, News, ToWorker} from './worker_messages';
 
 /** The page's interface to the link worker. Each request gets one answer, and it is not repeated before the answer. */
 export class SiteLink {
   private readonly worker = new Worker('link_worker.js', {type: 'module'});
-  private readonly owed = new Set<'instant' | 'news'>();
+  private readonly owed = new Set<Asked>();
 
-  constructor(onInstant: (instant: Instant) => void, onNews: (news: News) => void) {
+  constructor(on: {
+    instant: (instant: Instant) => void;
+    news: (news: News) => void;
+    probe: (probe: ProbeView) => void;
+    inside: (inside: InnerStructures) => void;
+  }) {
     this.worker.onmessage = ({data}: MessageEvent<FromWorker>) => {
-      const answered = 'news' in data ? 'news' : 'instant';
-      this.owed.delete(answered);
-      if ('news' in data) onNews(data.news);
-      else onInstant(data.instant);
+      if ('inside' in data) return on.inside(data.inside);
+      this.owed.delete('news' in data ? 'news' : 'probe' in data ? 'probe' : 'instant');
+      if ('news' in data) on.news(data.news);
+      else if ('probe' in data) on.probe(data.probe);
+      else on.instant(data.instant);
     };
   }
 
-  /** The answer comes later: for news at once, for an instant as soon as a new one can be presented. */
-  ask(what: 'instant' | 'news'): void {
+  /** The answer comes later: for news at once, for an instant or a probe's image as soon as there is a new one. */
+  ask(what: Asked): void {
     if (this.owed.has(what)) return;
     this.owed.add(what);
     this.say({ask: what});

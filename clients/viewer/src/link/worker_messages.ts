@@ -2,6 +2,7 @@
 // queue up for a busy page.
 
 import type {DepthFidelity} from '../depth/depth_fidelity';
+import type {InnerStructures, ProbeView} from '../inside/inside_messages';
 import type {FrameTimes} from '../present/time_account';
 import type {Instant, Light} from '../present/instant';
 import type {
@@ -44,5 +45,7 @@ export interface Extra {
   light: boolean;
 }
 
-export type ToWorker = {ask: 'instant' | 'news'} | {hand: ViewerHand | LetGo | HandOver} | {extra: Extra};
-export type FromWorker = {instant: Instant} | {news: News};
+export type Asked = 'instant' | 'news' | 'probe';
+export type ToWorker = {ask: Asked} | {hand: ViewerHand | LetGo | HandOver} | {extra: Extra};
+/** An answer to each request; the layers below the skin come without a request, once for a station. */
+export type FromWorker = {instant: Instant} | {news: News} | {probe: ProbeView} | {inside: InnerStructures};

@@ -36,6 +36,7 @@ uniform sampler2D colorPicture;
 uniform vec3 touchedAt;      // the proxy, in the scene
 uniform float touched;       // 0 untouched … 1 pressed hard
 uniform vec3 touchScreenColor;
+uniform float opacity;
 in vec2 at;
 in vec3 place;
 in vec3 base;
@@ -53,6 +54,6 @@ void main() {
   float glow = clamp(1.0 - away2 / 0.0012, 0.0, 1.0);
   float ring = clamp(1.0 - abs(away2 - 0.0009) / 0.00015, 0.0, 1.0);
   lit = mix(lit, touchScreenColor, touched * min(0.85, 0.55 * glow * glow + 0.6 * ring));
-  color = vec4(lit, 1.0);
+  color = vec4(lit, opacity);
 }
 `;

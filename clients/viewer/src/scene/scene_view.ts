@@ -23,8 +23,11 @@ import {drawsInSoftware, plainContext} from './graphics';
 import {Halo} from './halo';
 import {Hand} from './hand';
 import {Headset} from './headset';
+import {InnerStructuresView} from './inner_structures';
 import {Probe} from './probe';
+import {ProbePlane} from './probe_plane';
 import {Surface} from './surface';
+import {Transducer} from './transducer';
 
 /** Levels of detail, finest first, with a graphics card, and without one. */
 const DETAILS: readonly Detail[] = [
@@ -48,6 +51,9 @@ const EYE_DISTANCE_M = 0.063;  // the mean of adults
 export class SceneView {
   readonly surface: Surface;
   readonly hand = new Hand();
+  readonly transducer = new Transducer();
+  readonly inner = new InnerStructuresView();
+  readonly probePlane = new ProbePlane();
   readonly probe = new Probe();
   readonly halo = new Halo();
 
@@ -101,7 +107,8 @@ export class SceneView {
     lamp.position.set(-0.45, 0.65, 0.85);
     this.scene.add(this.world);
     this.world.add(
-        this.surface.mesh, this.hand.mesh, this.probe.group, this.halo.group, new HemisphereLight('#cfe3ff', '#3a2a22', 1.1),
+        this.surface.mesh, this.hand.mesh, this.transducer.group, this.inner.group, this.probePlane.mesh, this.probe.group,
+        this.halo.group, new HemisphereLight('#cfe3ff', '#3a2a22', 1.1),
         new AmbientLight('#ffffff', 0.25), lamp);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
@@ -141,6 +148,12 @@ export class SceneView {
     this.size = '';  // the headset's pictures had another size
     this.onHeadset(false);
     this.invalidate();
+  }
+
+  /** Shows the hand, or the probe that it holds. */
+  setHandShown(wanted: boolean): void {
+    this.hand.setShown(wanted);
+    this.transducer.setShown(wanted);
   }
 
   setBackground(color: string): void {

@@ -20,14 +20,16 @@ function showPicture(view: SceneView, {frame, summary, color, cameraMatrix}: Pic
 }
 
 function showStation(
-    {hand, probe, halo, surface}: SceneView, station: StationState, compensation: StationCompensation | undefined): void {
+    {hand, transducer, inner, probe, halo, surface}: SceneView, station: StationState, compensation: StationCompensation | undefined): void {
   const force_N = station.forceN === undefined ? 0 : length(station.forceN);
   const color = forceColor(force_N);
   const proxy = station.proxyCamera && fromCamera(station.proxyCamera);
   const at = shownHand(station);
   const attitude = station.handAttitudeCamera && rotationFromCamera(station.handAttitudeCamera);
-  hand.show(at && fromCamera(at), attitude, station.indentationM);
   const normal = station.normalCamera && fromCamera(station.normalCamera);
+  hand.show(transducer.isHeld ? undefined : at && fromCamera(at), attitude, station.indentationM);
+  transducer.show(at && (station.inBody && proxy !== undefined ? proxy : fromCamera(at)), attitude, normal);
+  if (compensation !== undefined) inner.move(compensation.objects);
   probe.show(
       {
         device: station.deviceCamera && fromCamera(station.deviceCamera),

@@ -71,6 +71,7 @@ export class Surface {
     touchColor: {value: new Color()},
     touchScreenColor: {value: new Color()},  // the same, encoded for the screen
     eye: {value: new Vector3()},
+    opacity: {value: 1},
   };
 
   private readonly coarse: CoarseSurface | undefined;  // undefined: a graphics card draws every pixel
@@ -161,6 +162,13 @@ export class Surface {
   setColored(wanted: boolean): void {
     this.showColor = wanted;
     this.applyColor();
+  }
+
+  /** 1: the skin hides everything below it; less: what lies below shows through. */
+  setOpacity(opacity: number): void {
+    this.uniforms.opacity.value = opacity;
+    this.mesh.material.transparent = opacity < 1;
+    this.mesh.renderOrder = opacity < 1 ? -1 : 0;  // before everything else that is translucent
   }
 
   /** Draws no surface any more; everything else goes on. */

@@ -81,6 +81,7 @@ uniform vec3 touchedAt;      // the proxy, in the scene
 uniform float touched;       // 0 untouched … 1 pressed hard
 uniform vec3 touchColor;
 uniform vec3 eye;
+uniform float opacity;
 in vec2 grid;
 in vec3 place;
 in vec3 facing;
@@ -117,6 +118,6 @@ void main() {
   float glow = touched * exp(-away_m * away_m / (2.0 * 0.016 * 0.016));
   float ring = touched * smoothstep(0.0025, 0.0, abs(away_m - 0.030));
   vec3 marked = mix(lit, touchColor, clamp(0.55 * glow + 0.6 * ring, 0.0, 0.85));
-  color = linearToOutputTexel(vec4(marked, 1.0));
+  color = linearToOutputTexel(vec4(marked, opacity));
 }
 `;

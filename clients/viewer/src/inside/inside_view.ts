@@ -1,0 +1,62 @@
+import {element} from '../page';
+import type {SceneView} from '../scene/scene_view';
+import type {InnerStructures, ProbeView} from './inside_messages';
+import {UltrasoundPanel} from './ultrasound_panel';
+
+const PROBE_GONE_MS = 2000;  // without an image for this long, the station has no probe any more
+
+/** What lies under the skin: the ultrasound panel, the probe and its image plane in the scene, the scene's layers. */
+export class InsideView {
+  private readonly panel = new UltrasoundPanel();
+  private readonly card = element('ultrasound');
+  private readonly panelButton = element<HTMLButtonElement>('show-ultrasound');
+  private readonly skinButton = element<HTMLButtonElement>('show-inside');
+  private panelWanted = true;
+  private probeHeard_ms = -Infinity;
+  private images = 0;
+
+  constructor(private readonly view: SceneView, private readonly askNext: () => void) {
+    view.probePlane.setPicture(this.panel.canvas);
+  }
+
+  /** Number of images shown since the page was opened. */
+  get imagesShown(): number {
+    return this.images;
+  }
+
+  showProbe(probe: ProbeView, now_ms: number): void {
+    this.probeHeard_ms = now_ms;
+    if (probe.image !== undefined) ++this.images;
+    this.panel.show(probe);
+    this.view.probePlane.show(probe);
+    if (this.view.probePlane.isShown) this.view.invalidate();
+    this.askNext();
+  }
+
+  showStructures(inside: InnerStructures): void {
+    this.view.inner.show(inside);
+    this.skinButton.hidden = inside.structures.length === 0;
+    this.view.invalidate();
+  }
+
+  /** Draws the skin translucent and the layers below it, or the skin alone. */
+  setTransparent(wanted: boolean): void {
+    this.view.surface.setOpacity(wanted ? 0.45 : 1);
+    this.view.inner.setShown(wanted);
+    this.view.probePlane.setShown(wanted);
+  }
+
+  setPanelShown(wanted: boolean): void {
+    this.panelWanted = wanted;
+    this.look(performance.now());
+  }
+
+  /** Shows the panel and the probe while the station has one. Called ten times a second. */
+  look(now_ms: number): void {
+    const there = now_ms - this.probeHeard_ms < PROBE_GONE_MS;
+    this.panelButton.hidden = !there;
+    this.card.hidden = !there || !this.panelWanted;
+    this.view.transducer.setHeld(there);
+    if (!there) this.view.probePlane.show(undefined);
+  }
+}

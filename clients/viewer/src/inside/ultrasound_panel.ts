@@ -1,0 +1,78 @@
+import {element, made, setText} from '../page';
+import {caliperAfter, marks_mm} from './depth_scale';
+import type {ProbeView} from './inside_messages';
+
+const KEYS = ['ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Escape'];
+
+/**
+ * The image under the ultrasound probe, with a scale of depth and a caliper: the pointer or the arrow keys move a line
+ * whose depth is read out.
+ */
+export class UltrasoundPanel {
+  readonly canvas = element<HTMLCanvasElement>('ultrasound-image');
+
+  private readonly frame = element('ultrasound-frame');
+  private readonly scale = element('ultrasound-scale');
+  private readonly line = element('ultrasound-line');
+  private readonly said = element('ultrasound-said');
+  private readonly context = this.canvas.getContext('2d', {alpha: false});
+  private depth_m = 0;
+  private caliper_mm: number | undefined;
+  private onSkin = false;
+
+  constructor() {
+    this.frame.addEventListener('pointermove', ({clientY}) => {
+      const {top, height} = this.canvas.getBoundingClientRect();
+      if (height > 0) this.setCaliper(Math.max(0, Math.min(1, (clientY - top) / height)) * 1000 * this.depth_m);
+    });
+    this.frame.addEventListener('pointerleave', () => this.setCaliper(undefined));
+    this.frame.addEventListener('keydown', (event) => {
+      if (!KEYS.includes(event.key)) return;
+      event.preventDefault();
+      this.setCaliper(caliperAfter(event.key, this.caliper_mm, this.depth_m));
+    });
+  }
+
+  show({image, depthM, widthM}: ProbeView): void {
+    if (depthM !== this.depth_m) this.layScale(depthM, widthM);
+    this.onSkin = image !== undefined;
+    if (image === undefined) this.blank();
+    else this.draw(image);
+    this.say();
+  }
+
+  private draw(image: ImageBitmap): void {
+    if (this.canvas.width !== image.width || this.canvas.height !== image.height)
+      [this.canvas.width, this.canvas.height] = [image.width, image.height];
+    this.context?.drawImage(image, 0, 0);
+    image.close();
+  }
+
+  private blank(): void {
+    if (this.context === null) return;
+    this.context.fillStyle = '#000';
+    this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+  }
+
+  private layScale(depth_m: number, width_m: number): void {
+    this.depth_m = depth_m;
+    this.frame.style.aspectRatio = String(width_m / depth_m);
+    this.scale.replaceChildren(...marks_mm(depth_m).map((mm) => {
+      const mark = made('span', '', `${mm}`);
+      mark.style.top = `${mm / (10 * depth_m)}%`;
+      return mark;
+    }));
+  }
+
+  private setCaliper(at_mm: number | undefined): void {
+    this.caliper_mm = at_mm;
+    this.line.hidden = at_mm === undefined;
+    if (at_mm !== undefined) this.line.style.top = `${at_mm / (10 * this.depth_m)}%`;
+    this.say();
+  }
+
+  private say(): void {
+    const at = this.caliper_mm === undefined ? '' : `${this.caliper_mm.toFixed(0)} mm deep`;
+    setText(this.said, this.onSkin ? at || 'Depth in mm' : 'Put the probe on the skin');
+  }
+}

@@ -1,0 +1,85 @@
+// What lies under the skin: node inside_test.mjs VIEWER_SOURCES VIEWER_WORK
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {marks_mm, caliperAfter} = await bundled('inside/depth_scale.ts');
+const {ProbeImages} = await bundled('inside/probe_images.ts');
+const {meshOf} = await bundled('scene/inner_structures.ts');
+const {uprightOn, inHand} = await bundled('scene/transducer.ts');
+
+test('the depth scale has at most six steps of 1, 2 or 5', () => {
+  assert.deepEqual(marks_mm(0.1), [0, 20, 40, 60, 80, 100]);
+  assert.deepEqual(marks_mm(0.06), [0, 10, 20, 30, 40, 50, 60]);
+  assert.deepEqual(marks_mm(0.3), [0, 50, 100, 150, 200, 250, 300]);
+  assert.deepEqual(marks_mm(0), []);
+  assert.deepEqual(marks_mm(NaN), []);
+});
+
+test('keys move the caliper within the image, and Escape removes it', () => {
+  assert.equal(caliperAfter('ArrowDown', undefined, 0.1), 1);
+  assert.equal(caliperAfter('PageDown', 95, 0.1), 100);
+  assert.equal(caliperAfter('PageUp', 3, 0.1), 0);
+  assert.equal(caliperAfter('Escape', 40, 0.1), undefined);
+  assert.equal(caliperAfter('a', 40, 0.1), 40);
+});
+
+test('of the images that came before the page asked, the newest alone is decoded', async () => {
+  const decoded = [];
+  const answers = [];
+  const images = new ProbeImages(async (jpeg) => (decoded.push(jpeg), 'bitmap'), (view) => answers.push(view));
+  const image = (stampNs) => ({stampNs, onSkin: true, widthM: 0.06, depthM: 0.1, jpeg: stampNs});
+  images.came(image(1n));
+  images.came(image(2n));
+  images.ask();
+  await new Promise(setImmediate);
+  images.came(image(3n));
+  assert.deepEqual(decoded, [2n]);
+  assert.deepEqual(answers.map(({stampNs}) => stampNs), [2n]);
+  images.ask();
+  await new Promise(setImmediate);
+  images.ask();
+  images.came({...image(4n), onSkin: false});
+  await new Promise(setImmediate);
+  assert.deepEqual(decoded, [2n, 3n]);
+  assert.equal(answers.at(-1).image, undefined);
+});
+
+const structure = (points, triangles) => ({
+  name: 'rib', effect: 1, least: {x: 1, y: 2, z: 3}, stepM: 0.5,
+  points: new Uint8Array(Uint16Array.from(points).buffer), triangles: new Uint8Array(Uint16Array.from(triangles).buffer),
+});
+
+test('a structure becomes points in metres', () => {
+  const {positions, corners} = meshOf(structure([0, 2, 4, 1, 1, 1, 2, 0, 0], [0, 1, 2]));
+  assert.deepEqual([...positions], [1, 3, 5, 1.5, 2.5, 3.5, 2, 2, 3]);
+  assert.deepEqual([...corners], [0, 1, 2]);
+});
+
+test('a structure that names points which it lacks is not drawn', () => {
+  assert.equal(meshOf(structure([0, 0, 0, 1, 1, 1], [0, 1, 2])), undefined);
+  assert.equal(meshOf(structure([0, 0], [])), undefined);
+  assert.equal(meshOf({...structure([], []), least: undefined}), undefined);
+});
+
+/** The vector `v` turned by the unit quaternion `q`. */
+function turned({x, y, z, w}, v) {
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const t = cross([x, y, z], v);
+  const u = cross([x, y, z], t);
+  return v.map((part, i) => part + 2 * (w * t[i] + u[i]));
+}
+const near = (a, b) => a.every((part, i) => Math.abs(part - b[i]) < 1e-9);
+
+test('a probe stands upright on the skin, its face along the picture’s rows', () => {
+  for (const [x, y, z] of [[0, 0, 1], [0.6, 0, 0.8], [1, 0, 0]])
+    assert.ok(near(turned(uprightOn({x, y, z}), [0, 1, 0]), [x, y, z]));
+  assert.ok(near(turned(uprightOn({x: 0, y: 0, z: 1}), [1, 0, 0]), [1, 0, 0]));
+});
+
+test('the probe’s cable leaves the hand at its back, and its long side lies across the hand', () => {
+  const hand = uprightOn({x: 0, y: 0, z: 1}).identity();  // the hand's axes are the scene's: z out of its back
+  assert.ok(near(turned(inHand(hand), [0, 1, 0]), [0, 0, 1]));
+  assert.ok(near(turned(inHand(hand), [1, 0, 0]), [1, 0, 0]));
+});
