@@ -20,6 +20,7 @@ struct Part {
 };
 constexpr Part kParts[] = {{"surface", surface_section},       {"patients", patients_section},
                            {"prediction", prediction_section}, {"organ", organ_section},
+                           {"solids", solids_section},         {"price", price_section},
                            {"z-width", z_width_section},       {"depth", depth_section}};
 
 /// All parts, or the part named on the command line.

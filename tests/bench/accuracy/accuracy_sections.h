@@ -22,6 +22,10 @@ struct Section {
 [[nodiscard]] Result<Section> prediction_section();
 /// The cell size of an organ: time that a coarser lattice saves, and error that it causes.
 [[nodiscard]] Result<Section> organ_section();
+/// The proxy of a layer of solids: error and cost over rounds, tolerance, size of the tree, skipping and blends.
+[[nodiscard]] Result<Section> solids_section();
+/// What each effect costs: time in a tick, memory, start-up, and the error of the felt depth.
+[[nodiscard]] Result<Section> price_section();
 /// The stiffest wall that the simulated device can show, over sampling rate and damping.
 [[nodiscard]] Result<Section> z_width_section();
 /// The depth codec's modes, and the force error that Bounded causes.

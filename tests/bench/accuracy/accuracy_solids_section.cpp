@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/solids/polish.h"
+#include "haptic_station/solids/solid_proxy.h"
+#include "support/plot/chart.h"
+#include "support/plot/palette.h"
+#include "tests/bench/accuracy/accuracy_sections.h"
+#include "tests/bench/distribution.h"
+#include "where.h"
+
+namespace telepalp::bench {
+namespace {
+
+using Eigen::Vector3d;
+using solids::ProxySettings;
+using solids::SolidTree;
+
+constexpr ProxySettings kFinest{.rounds = 60, .tolerance_m = 1e-10, .remembers = false};
+constexpr double kTip_m = 0.006;
+
+/// Places of a device that slides at up to 0.2 m/s over a solid and presses up to 8 mm into it.
+struct Path {
+  Vector3d middle = Vector3d::Zero();
+  Vector3d swing = Vector3d::Zero();
+};
+Vector3d place(const Path& path, int tick) {
+  const double t = 5e-4 * tick;
+  return path.middle +
+         Vector3d(path.swing.x() * std::sin(2.6 * t), path.swing.y() * std::sin(4.0 * t), path.swing.z() * std::sin(t));
+}
+
+struct ProxyPrice {
+  double rms_m = 0.0;  ///< distance from the proxy of the finest setting
+  double p99_m = 0.0;
+  Distribution step_us;
+};
+
+ProxyPrice price_of(const SolidTree& tree, const Path& path, const ProxySettings& settings) {
+  constexpr int kTicks = 20'000;
+  solids::SolidProxy proxy(settings);
+  solids::SolidProxy truth(kFinest);
+  ProxyPrice price;
+  Distribution errors;
+  double squares = 0.0;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    const Vector3d device = place(path, tick);
+    const auto before = std::chrono::steady_clock::now();
+    const solids::ProxyAt at = proxy.step(tree, device, kTip_m);
+    price.step_us.add(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
+    const solids::ProxyAt best = truth.step(tree, device, kTip_m);
+    if (best.depth_m <= 0.0 && at.depth_m <= 0.0) continue;
+    const double error_m = (at.at - best.at).norm();
+    errors.add(error_m);
+    squares += error_m * error_m;
+  }
+  price.rms_m = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(errors.count(), 1)));
+  price.p99_m = errors.count() > 0 ? errors.p99() : 0.0;
+  return price;
+}
+
+std::shared_ptr<const SolidTree> tree_of(const std::string& polish) {
+  return *solids::build_tree(*solids::parse_polish(polish, "bench"));
+}
+
+struct Tried {
+  std::string name;
+  ProxySettings settings;
+  ProxyPrice price;
+};
+
+/// Rounds and tolerance on the shipped ribs.
+std::vector<Tried> settings_tried(const SolidTree& ribs) {
+  const Path path{.middle = {0.05, -0.027, 0.0}, .swing = {0.02, 0.005, 0.1}};
+  std::vector<Tried> all;
+  for (const int rounds : {1, 2, 3, 4, 6, 10, 20})
+    all.push_back({std::to_string(rounds) + " rounds", {.rounds = rounds}, {}});
+  for (const double tolerance_m : {1e-3, 1e-4, 1e-5, 1e-7, 1e-8})
+    all.push_back({"within " + cell(1e6 * tolerance_m) + " µm", {.tolerance_m = tolerance_m}, {}});
+  all.push_back({"the whole tree each time", {.remembers = false}, {}});
+  for (Tried& one : all) one.price = price_of(ribs, path, one.settings);
+  return all;
+}
+
+PageTable settings_table(const std::vector<Tried>& all) {
+  PageTable table{.head = {"setting", "proxy error µm, RMS", "p99", "step µs, p50", "p99"}, .rows = {}};
+  for (const Tried& one : all) {
+    const bool usual = one.settings.rounds == ProxySettings{}.rounds && one.settings.remembers &&
+                       one.settings.tolerance_m == ProxySettings{}.tolerance_m;
+    table.rows.push_back({usual ? "**" + one.name + "** (default)" : one.name, cell(1e6 * one.price.rms_m),
+                          cell(1e6 * one.price.p99_m), cell(one.price.step_us.p50()), cell(one.price.step_us.p99())});
+  }
+  return table;
+}
+
+plot::Chart chart_of(const std::vector<Tried>& all) {
+  plot::Chart chart{.title = "Proxy error against time of a step, on 24 ribs with a fingertip of 6 mm",
+                    .x = {.label = "step, p50 [µs]", .logarithmic = true},
+                    .y = {.label = "RMS error [µm]", .logarithmic = true},
+                    .height_px = 420.0};
+  plot::Series dots{.name = {}, .x = {}, .y = {}, .color = std::string(plot::kBlue), .style = plot::Style::Dots};
+  for (const Tried& one : all) {
+    const double rms_um = std::max(1e-4, 1e6 * one.price.rms_m);
+    dots.x.push_back(one.price.step_us.p50());
+    dots.y.push_back(rms_um);
+    chart.marks.push_back({one.price.step_us.p50(), rms_um, one.name, std::string(plot::kGrey)});
+  }
+  chart.series.push_back(std::move(dots));
+  return chart;
+}
+
+/// `count` balls in rows, 30 mm apart, on whose tops the finger slides.
+std::string balls(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += std::string(i + 1 < count ? "+ " : "") + "tr " + std::to_string(0.03 * (i % 10) - 0.135) + " -0.02 " +
+            std::to_string(0.03 * ((i / 10) % 10) - 0.135) + " tr 0 " + std::to_string(-0.03 * (i / 100)) +
+            " 0 sphere 0.012 ";
+  return text;
+}
+
+/// Size of the tree, with and without skipping, and the width of a blend.
+PageTable trees_table(const SolidTree& ribs, std::vector<Row>& rows) {
+  const Path over{.middle = {0.0, -0.008, 0.0}, .swing = {0.1, 0.005, 0.1}};
+  const Path over_ribs{.middle = {0.05, -0.027, 0.0}, .swing = {0.02, 0.005, 0.1}};
+  PageTable table{.head = {"tree", "proxy error µm, RMS", "step µs, p50 / p99", "the same, the whole tree each time"},
+                  .rows = {}};
+  const auto add = [&](const std::string& name, const SolidTree& tree, const Path& path) {
+    const ProxyPrice usual = price_of(tree, path, {});
+    const ProxyPrice whole = price_of(tree, path, {.remembers = false});
+    rows.push_back(measured("proxy, " + name + ": error RMS", 1e6 * usual.rms_m, "um"));
+    rows.push_back(measured("proxy, " + name + ": step", usual.step_us.p50(), "us"));
+    table.rows.push_back({name, cell(1e6 * usual.rms_m), cell(usual.step_us.p50()) + " / " + cell(usual.step_us.p99()),
+                          cell(whole.step_us.p50()) + " / " + cell(whole.step_us.p99())});
+  };
+  add("24 ribs", ribs, over_ribs);
+  for (const int count : {1, 10, 100, 1000, 10'000})
+    add(std::to_string(count) + (count == 1 ? " ball" : " balls"), *tree_of(balls(count)), over);
+  for (const double width_m : {0.0, 0.005, 0.01, 0.02, 0.04}) {
+    const std::string two = " tr -0.015 -0.03 0 sphere 0.025 tr 0.015 -0.03 0 sphere 0.025";
+    const std::string blend = width_m > 0.0 ? "blend " + std::to_string(width_m) : "+";
+    add("two balls, blend of " + cell(1e3 * width_m) + " mm", *tree_of(blend + two),
+        {.middle = {0.0, -0.004, 0.0}, .swing = {0.03, 0.004, 0.01}});
+  }
+  return table;
+}
+
+}  // namespace
+
+Result<Section> solids_section() {
+  const auto scene = scenes::read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/ribs-ultrasound.scene.textproto");
+  if (!scene) return scene.error();
+  const SolidTree& ribs = *scene->layers.front()->tree;
+  const std::vector<Tried> all = settings_tried(ribs);
+  Section section;
+  for (const Tried& one : all) {
+    section.rows.push_back(measured("proxy on 24 ribs, " + one.name + ": error RMS", 1e6 * one.price.rms_m, "um"));
+    section.rows.push_back(measured("proxy on 24 ribs, " + one.name + ": step", one.price.step_us.p50(), "us"));
+  }
+  section.parts = {{"proxy", to_markdown(settings_table(all))},
+                   {"trees", to_markdown(trees_table(ribs, section.rows))}};
+  section.pictures = {{"accuracy/proxy.svg", plot::to_svg(chart_of(all))}};
+  return section;
+}
+
+}  // namespace telepalp::bench
