@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "haptic_station/solids/shapes/near_members.h"
+#include "haptic_station/solids/near_members.h"
 #include "haptic_station/solids/solid_tree.h"
 
 namespace telepalp::solids {

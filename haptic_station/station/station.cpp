@@ -1,5 +1,6 @@
 #include "haptic_station/station/station.h"
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <csignal>
 #include <cstdio>
@@ -329,9 +330,8 @@ void Station::publish_inside() {
 /// Asks for the next ultrasound image when it is due.
 void Station::look_inside() {
   const auto now = std::chrono::steady_clock::now();
-  if (!inside_thread_ || !haptic_from_camera_ || !telemetry_.has_ticked() || now - looked_inside_ < kImagePeriod)
-    return;
-  looked_inside_ = now;
+  if (!inside_thread_ || !haptic_from_camera_ || !telemetry_.has_ticked() || now < next_image_) return;
+  next_image_ = std::max(next_image_ + kImagePeriod, now);  // the period on average, however late the timer comes
   inside_thread_->offer({telemetry_.last(), *haptic_from_camera_, objects_});
 }
 

@@ -120,10 +120,10 @@ class Station {
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;
   FaultMonitor faults_;
-  std::optional<InsideThread> inside_thread_;            // only if the scene has layers or a probe
-  std::optional<msg::InnerStructures> inside_;           // once they are made
-  loop::ObjectPlacements objects_{};                     // of the newest compensation
-  std::chrono::steady_clock::time_point looked_inside_;  // when the last ultrasound image was asked for
+  std::optional<InsideThread> inside_thread_;         // only if the scene has layers or a probe
+  std::optional<msg::InnerStructures> inside_;        // once they are made
+  loop::ObjectPlacements objects_{};                  // of the newest compensation
+  std::chrono::steady_clock::time_point next_image_;  // when the next ultrasound image is due
   std::optional<CollisionThread> collision_;
   std::optional<SurfaceWorker> worker_;
   std::chrono::steady_clock::time_point started_;

@@ -7,7 +7,6 @@ import {mkdirSync, readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {fileURLToPath} from 'node:url';
 import {promisify} from 'node:util';
 
 import {openBrowser, status, untilStatus} from './browser.mjs';
@@ -24,12 +23,11 @@ const [binDir, viewer] = process.argv.slice(2);
 const place = new Workplace('views');
 const file = join(place.folder, 'session.mcap');
 const program = (name) => join(binDir, name);
-const SCENE = fileURLToPath(new URL('../../haptic_station/scenes/ribs-ultrasound.scene.textproto', import.meta.url));
 let browser, page, address, played;
 
 before(async () => {
   const live = await place.server(program('telepalp-server'), ['--viewer', viewer]);
-  const station = place.start(program('telepalp-station'), ['--connect', `127.0.0.1:${live.port}`, '--scene', SCENE]);
+  const station = place.start(program('telepalp-station'), ['--connect', `127.0.0.1:${live.port}`]);
   await promisify(execFile)(program('telepalp-record'), ['--connect', `127.0.0.1:${live.port}`, '--out', file, '--seconds', '10']);
   station.kill('SIGTERM');
   live.child.kill('SIGTERM');
@@ -74,25 +72,6 @@ test('the doctor sees the recorded station, and what it compensated', async () =
   await until('hand and skin are compensated', async () => /Hand predicted[\d.]+ ± [\d.]+ mm/.test(await text('compensated')));
   if (pictures !== undefined) await untilStatus(page, 'the hand presses', (now) => now.force_N > 0.3 && now.pictureAge_ms < 500);
   await keepPicture('doctor');
-});
-
-test('the doctor sees the ultrasound image with a depth, and the layers through a translucent skin', async () => {
-  await untilStatus(page, 'images come', (now) => now.probeImages > 2);
-  await page.waitForSelector('#ultrasound', {state: 'visible'});
-  assert.deepEqual(await page.locator('#ultrasound-scale span').allTextContents(), ['0', '20', '40', '60', '80', '100']);
-  await page.focus('#ultrasound-frame');
-  await page.keyboard.press('PageDown');
-  await page.keyboard.press('ArrowDown');
-  assert.match(await text('ultrasound-said'), /^(11 mm deep|Put the probe on the skin)$/);
-  await page.keyboard.press('Escape');
-  assert.ok((await status(page)).innerTriangles > 10_000, 'the ribs and the liver came');
-  await page.keyboard.press('i');
-  assert.equal(await page.getAttribute('#show-inside', 'aria-pressed'), 'true');
-  await keepPicture('doctor-inside');
-  await page.keyboard.press('i');
-  await page.keyboard.press('e');
-  await page.waitForSelector('#ultrasound', {state: 'hidden'});
-  await page.keyboard.press('e');
 });
 
 test('the technician sees the state of the picture, and the depth under the pointer', async () => {

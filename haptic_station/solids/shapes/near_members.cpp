@@ -1,4 +1,4 @@
-#include "haptic_station/solids/shapes/near_members.h"
+#include "haptic_station/solids/near_members.h"
 
 #include <cmath>
 

@@ -17,8 +17,9 @@ struct NumberedLayer {
   std::uint32_t effect = 0;
 };
 
-/// The surfaces of the layers by marching cubes, with the points moved onto the true surface, at most about 24 000
-/// points in all: the cells are as large as that needs. A layer without bounds is left out. Takes some 100 ms.
+/// The surfaces of the layers by marching cubes, thinned to one point for each place of a grid and moved onto the true
+/// surface: at most 36 000 points in all, and the grid is as wide as that needs. A layer without bounds is left out.
+/// Takes up to some seconds.
 [[nodiscard]] msg::InnerStructures inner_structures(std::span<const NumberedLayer> layers);
 
 /// Says where H is: the structures are displayed there.

@@ -38,8 +38,8 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 
 Result<Section> price_section() {
   Section section;
-  PageTable table{.head = {"effect, as in", "cost a tick, µs", "its dearest tick, µs", "memory of the tree, kB",
-                           "reading the scene, ms", "error of the depth"},
+  PageTable table{.head = {"effect, as in", "cost a tick, µs", "memory of the tree, kB", "reading its scene, ms",
+                           "error of the depth"},
                   .rows = {}};
   for (const Priced& priced : kPriced) {
     const auto start = std::chrono::steady_clock::now();
@@ -50,8 +50,8 @@ Result<Section> price_section() {
     for (const station::EffectPrice& price : station::price_of(*scene)) {
       if (price.name != priced.effect) continue;
       section.rows.push_back(measured(std::string("price of ") + priced.name, price.mean_us, "us"));
-      table.rows.push_back({priced.name, cell(price.mean_us), cell(price.largest_us),
-                            cell(1e-3 * static_cast<double>(price.bytes)), cell(read_ms), price.depth_error});
+      table.rows.push_back({priced.name, cell(price.mean_us), cell(1e-3 * static_cast<double>(price.bytes)),
+                            cell(read_ms), price.depth_error});
     }
   }
   section.parts = {{"price", to_markdown(table)}};

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "haptic_station/solids/near_members.h"
 #include "haptic_station/solids/polish.h"
-#include "haptic_station/solids/shapes/near_members.h"
 #include "tests/haptic_station/solids/random_solid.h"
 
 namespace telepalp::solids {

@@ -15,7 +15,7 @@ export class UltrasoundPanel {
   private readonly scale = element('ultrasound-scale');
   private readonly line = element('ultrasound-line');
   private readonly said = element('ultrasound-said');
-  private readonly context = this.canvas.getContext('2d', {alpha: false});
+  private readonly context = this.canvas.getContext('2d', {willReadFrequently: true});
   private depth_m = 0;
   private caliper_mm: number | undefined;
   private onSkin = false;
