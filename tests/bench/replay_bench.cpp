@@ -168,6 +168,7 @@ Result<void> add_live(const Scenario& scenario, double seconds, Report& report) 
   report.rows.push_back(measured("force RMSE in virtual time", 1e3 * there.force_rmse_N, "mN"));
   report.rows.push_back(
       measured("latest tick of the live run (late: the machine is too slow to compare)", 1e3 * both->latest_s, "ms"));
+  report.rows.push_back(measured("real-time priority of the live run", both->realtime ? 1.0 : 0.0, ""));
   return {};
 }
 
