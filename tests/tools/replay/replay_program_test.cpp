@@ -87,6 +87,9 @@ TEST_F(ReplayProgram, SaysWhatIsMisspeltBeforeItRuns) {
                                                 {"--depth-mode", "zip"},
                                                 {"more"},
                                                 {"--hand", "recorded"},
+                                                {"--junit", in("none/junit.xml"), "--assert", "frames>1"},
+                                                {"--sweep", "delay=0,50", "--check"},
+                                                {"--sweep", "delay=100:50:0"},
                                                 {"--scene", in("none.textproto")}}) {
     const auto [code, said] = replay(wrong);
     EXPECT_EQ(code, 2) << wrong.front() << said;
@@ -104,9 +107,18 @@ TEST_F(ReplayProgram, ASweepWhoseAssertIsMisspeltSaysSoBeforeItRuns) {
 }
 
 TEST_F(ReplayProgram, AStormRefusesWhatItWouldIgnore) {
-  const auto [code, said] = run("telepalp-replay", {"--storm", "1", "--assert", "frames>10"});
-  EXPECT_EQ(code, 2) << said;
-  EXPECT_NE(said.find("--assert"), std::string::npos) << said;
+  for (const std::vector<std::string>& ignored : {std::vector<std::string>{"--assert", "frames>10"},
+                                                  {"--delay-ms", "80"},
+                                                  {"--scene", "skin"},
+                                                  {"--seconds", "3"},
+                                                  {"--json"},
+                                                  {"synthetic:torso"}}) {
+    std::vector<std::string> words{"--storm", "1"};
+    words.insert(words.end(), ignored.begin(), ignored.end());
+    const auto [code, said] = run("telepalp-replay", words);
+    EXPECT_EQ(code, 2) << said;
+    EXPECT_NE(said.find(ignored.front()), std::string::npos) << said;
+  }
 }
 
 TEST_F(ReplayProgram, SweepsAGridIntoOneTable) {

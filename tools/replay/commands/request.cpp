@@ -101,6 +101,10 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
     return Error{
         .what = "'" + words.front() + "' follows the source", .where = "telepalp-replay", .fix = "leave it out"};
   }
+  if (request.check)
+    return Error{.what = "a sweep does not check the invariants",
+                 .where = "--check",
+                 .fix = "check one network at a time, without --sweep"};
   words.insert(words.begin(), arguments.text("sweep"));
   Result<std::vector<SweepAxis>> axes = parse_axes(words);
   if (!axes) return axes.error();
@@ -111,15 +115,26 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
   return {};
 }
 
-/// A storm draws its own sources.
+/// A storm draws its own sources and networks. An option that it would ignore is refused.
+Result<void> refuse_beside_storm(const program::Arguments& arguments) {
+  const auto refused = [](const std::string& where) {
+    return Error{.what = "a storm draws its own cases and judges its own invariants",
+                 .where = where,
+                 .fix = "leave it out, or leave --storm out and give a source"};
+  };
+  if (!arguments.positional().empty()) return refused(arguments.positional().front());
+  for (const program::Option& option : usage().options) {
+    const bool given =
+        arguments.has(option.name) && (option.initial.empty() || arguments.text(option.name) != option.initial);
+    if (given && option.name != "storm" && option.name != "seed" && option.name != "threads")
+      return refused("--" + std::string(option.name));
+  }
+  return {};
+}
+
 Result<void> read_storm(const program::Arguments& arguments, Request& request) {
-  request.check = arguments.has("check");
   if (!arguments.has("storm")) return {};
-  for (const char* other : {"assert", "check", "junit", "out", "sweep"})
-    if (arguments.has(other))
-      return Error{.what = "a storm draws its own cases and judges its own invariants",
-                   .where = std::string("--") + other,
-                   .fix = "leave it out, or give a source instead of --storm"};
+  if (const Result<void> alone = refuse_beside_storm(arguments); !alone) return alone;
   const Result<std::int64_t> seeds = arguments.whole("storm", 1, kMostSeeds);
   if (!seeds) return seeds.error();
   request.storm_seeds = static_cast<int>(*seeds);
@@ -133,11 +148,15 @@ Result<void> read_outputs(const program::Arguments& arguments, Request& request)
   request.out = arguments.text("out");
   request.junit = arguments.text("junit");
   request.json = arguments.has("json");
+  request.check = arguments.has("check");
   Result<std::vector<Assertion>> assertions = parse_assertions(arguments.text("assert"));
   if (!assertions) return assertions.error();
   request.assertions = std::move(*assertions);
   if (!request.junit.empty() && request.assertions.empty())
     return Error{.what = "a JUnit report needs assertions", .where = "--junit", .fix = "give --assert as well"};
+  const std::filesystem::path folder = request.junit.has_parent_path() ? request.junit.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder))
+    return Error{.what = folder.string() + " is not a folder", .where = "--junit", .fix = "make it, or name another"};
   return {};
 }
 

@@ -26,14 +26,24 @@ class Findings {
       error_ = outcome.error();
     else if (outcome->violation)
       fail(seed, *outcome->violation);
-    if (outcome) seconds_ += outcome->seconds;
+    if (outcome) sum_up(seed, *outcome);
     bar_.show(++done_, "seeds");
   }
   [[nodiscard]] const std::vector<std::uint64_t>& failed() const noexcept { return failed_; }
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
+  void print_ledgers() const {
+    std::printf("least display's ledger: %.1f mJ (seed %llu); most excess work on the hand: %.1f mJ (seed %llu)\n",
+                1e3 * least_passivity_J_.first, static_cast<unsigned long long>(least_passivity_J_.second),
+                1e3 * most_excess_J_.first, static_cast<unsigned long long>(most_excess_J_.second));
+  }
 
  private:
+  void sum_up(std::uint64_t seed, const StormOutcome& outcome) {
+    seconds_ += outcome.seconds;
+    least_passivity_J_ = std::min(least_passivity_J_, {outcome.ledgers.least_passivity_J, seed});
+    if (outcome.ledgers.most_excess_J > most_excess_J_.first) most_excess_J_ = {outcome.ledgers.most_excess_J, seed};
+  }
   void fail(std::uint64_t seed, const Invariants::Violation& violation) {
     failed_.push_back(seed);
     program::log(
@@ -44,6 +54,8 @@ class Findings {
   ProgressBar bar_;
   int done_ = 0;
   double seconds_ = 0.0;
+  std::pair<double, std::uint64_t> least_passivity_J_{};  // with its seed
+  std::pair<double, std::uint64_t> most_excess_J_{};
   std::vector<std::uint64_t> failed_;
   std::optional<Error> error_;
 };
@@ -77,6 +89,7 @@ Result<bool> run_storm(const Request& request) {
   for (const std::uint64_t seed : failed)
     if (const Result<void> printed = print_shrunk(seed); !printed) return printed.error();
   std::printf("%d seeds, %zu fail, %.0f s of session\n", seeds, failed.size(), findings.seconds());
+  findings.print_ledgers();
   const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
   char text[64];
   std::snprintf(text, sizeof text, "%.1f times real time", findings.seconds() / wall_s);

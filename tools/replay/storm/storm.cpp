@@ -28,7 +28,7 @@ Result<StormOutcome> run_case(const StormCase& storm, const Spoil& spoil) {
                     .publish = [&](const wire::Message& message) { invariants.add(message); },
                     .on_ticks = judge_ticks}});
   if (!results) return results.error();
-  return StormOutcome{invariants.violation(), results->seconds};
+  return StormOutcome{invariants.violation(), invariants.ledgers(), results->seconds};
 }
 
 namespace {

@@ -14,6 +14,7 @@ using Spoil = std::function<void(TickRecord&)>;
 /// The outcome of one case.
 struct StormOutcome {
   std::optional<Invariants::Violation> violation;
+  Invariants::Ledgers ledgers{};
   double seconds = 0.0;  ///< of session time
 };
 
