@@ -22,6 +22,14 @@ ImpairedLink::ImpairedLink(const Impairment& impairment, std::uint64_t seed, Tra
       random_(seed),
       loss_(impairment.loss, impairment.burst_packets) {}
 
+void ImpairedLink::change(Nanoseconds now, const Impairment& impairment) noexcept {
+  const auto waiting_B = static_cast<double>(queued_B(now));
+  impairment_ = bounded(impairment);
+  loss_.set(impairment_.loss, impairment_.burst_packets);
+  const double rate_B_per_s = impairment_.rate_B_per_s;
+  bottleneck_free_at_ = rate_B_per_s > 0.0 ? now + from_seconds(waiting_B / rate_B_per_s) : now;
+}
+
 double ImpairedLink::uniform() noexcept { return static_cast<double>(random_() >> 11U) * 0x1.0p-53; }
 
 void ImpairedLink::follow_trace(Nanoseconds now) noexcept {

@@ -41,6 +41,10 @@ class ImpairedLink {
  public:
   ImpairedLink(const Impairment& impairment, std::uint64_t seed, Trace trace = {});
 
+  /// Changes the impairments at `now`. Packets in the link arrive when they would have arrived before; the bytes in the
+  /// bottleneck's queue leave it at the new rate. A link with a trace keeps following the trace.
+  void change(Nanoseconds now, const Impairment& impairment) noexcept;
+
   void send(Nanoseconds now, Packet packet);
   /// The next packet that has arrived by `now`; nullopt: none.
   [[nodiscard]] std::optional<Packet> receive(Nanoseconds now);

@@ -208,5 +208,29 @@ TEST(ImpairedLink, EachProfileIsFoundByNameAndAnotherNameListsThem) {
   EXPECT_NE(unknown.error().fix.find("lan, lte, satellite, hostile"), std::string::npos);
 }
 
+TEST(ImpairedLink, AChangeActsOnLaterPacketsAndOnTheQueue) {
+  ImpairedLink link({.delay = 10ms, .rate_B_per_s = 12'000.0}, 1);  // 100 ms a packet
+  link.send(0ms, numbered(0));
+  link.send(0ms, numbered(1));
+  link.change(0ms, {.delay = 50ms, .rate_B_per_s = 120'000.0});
+  EXPECT_EQ(link.queued_B(0ms), 2 * kPacket_B) << "the queue keeps its bytes";
+  link.send(0ms, numbered(2));
+  ASSERT_EQ(link.next_arrival(), 80ms) << "20 ms for the queue, 10 ms for itself, 50 ms of delay";
+  EXPECT_TRUE(link.receive(80ms));
+  ASSERT_EQ(link.next_arrival(), 110ms) << "the first packet arrives as it would have before";
+  link.change(80ms, {});
+  link.send(80ms, numbered(3));
+  EXPECT_EQ(link.next_arrival(), 80ms) << "an unlimited link has no queue";
+}
+
+TEST(ImpairedLink, AChangeOfLossBeginsAtOnce) {
+  ImpairedLink link({}, 1);
+  (void)run(link, 1000);
+  EXPECT_EQ(link.statistics().lost, 0U);
+  link.change(1000ms, {.loss = 1.0});
+  for (std::uint32_t i = 0; i < 100; ++i) link.send(61s + i * 1ms, numbered(i));
+  EXPECT_GT(link.statistics().lost, 90U);
+}
+
 }  // namespace
 }  // namespace telepalp::impaired
