@@ -8,6 +8,8 @@
 #include "server/gateway/gateway.h"
 #include "server/pipeline/depth_options.h"
 #include "server/playback/session_events.h"
+#include "server/playback/session_network.h"
+#include "server/playback/session_notes.h"
 #include "server/playback/session_player.h"
 #include "server/recording/session_recorder.h"
 #include "server/server.h"
@@ -203,12 +205,25 @@ Result<Opened> open(const Asked& asked, const wire::SessionClock& clock) {
   return opened;
 }
 
-/// Lets the gateway's visitors see and control the playback.
+/// What visitors see of a played session, and change in it.
+struct PlayedSession {
+  playback::SessionEvents events;
+  playback::SessionNotes notes;
+};
+
+Result<std::unique_ptr<PlayedSession>> survey(const playback::SessionPlayer& player) {
+  const msg::PlaybackState state = player.state();
+  Result<playback::SessionNotes> notes = playback::SessionNotes::open(state.file(), state.duration_s());
+  if (!notes) return notes.error();
+  return std::unique_ptr<PlayedSession>(new PlayedSession{{state.file(), player.begin()}, std::move(*notes)});
+}
+
+/// Lets the gateway's visitors see, move, impair and note on the session.
 void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& player,
-                    const playback::SessionEvents& events) {
-  options.session_events = [&events] { return program::to_json(events.events()); };
-  options.playback_state = [&player] { return program::to_json(player.state()); };
-  options.playback_command = [&player](const std::string& json) -> Result<std::string> {
+                    playback::SessionNetwork& network, PlayedSession& session) {
+  options.session_events = [&session] { return program::to_json(session.events.events()); };
+  options.playback.state = [&player] { return program::to_json(player.state()); };
+  options.playback.change = [&player](const std::string& json, const std::string&) -> Result<std::string> {
     const Result<msg::PlaybackCommand> command = playback::read_command(json);
     if (!command) return command.error();
     if (const Result<void> applied = player.apply(*command); !applied) return applied.error();
@@ -219,6 +234,13 @@ void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& p
                              if (const Result<void> valid = playback::check(command); !valid) return valid;
                              return player.apply(command);
                            }};
+  options.network = {.state = [&network] { return network.state(); },
+                     .change = [&network](const std::string& json, const std::string&) { return network.apply(json); }};
+  options.notes = {.state = [&session] { return session.notes.json(); },
+                   .change =
+                       [&session](const std::string& json, const std::string& who) {
+                         return session.notes.apply(json, who, std::chrono::system_clock::now());
+                       }};
 }
 
 /// Where a recorder of this machine reaches the server: at its address, or on loopback when it listens everywhere.
@@ -258,16 +280,17 @@ int run(Asked asked) {
     if (!opens) return program::fail(opens.error());
     recorder = std::move(opens).value();
   }
-  std::unique_ptr<playback::SessionEvents> events;  // of the session that is played
+  std::unique_ptr<PlayedSession> session;
   std::unique_ptr<gateway::Gateway> gateway;
   if (asked.gateway) {
     asked.gateway->access = asked.server.access;
     asked.gateway->problem = [&server] { return server.problem(); };
     asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
     if (opened->player) {
-      const std::string file = opened->player->state().file();
-      events = std::make_unique<playback::SessionEvents>(file, opened->player->begin());
-      offer_playback(*asked.gateway, *opened->player, *events);
+      auto surveyed = survey(*opened->player);
+      if (!surveyed) return program::fail(surveyed.error());
+      session = std::move(surveyed).value();
+      offer_playback(*asked.gateway, *opened->player, server.network(), *session);
     }
     if (recorder) offer_recording(*asked.gateway, *recorder);
     auto listens = gateway::Gateway::open(

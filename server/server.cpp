@@ -57,7 +57,11 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
   return server;
 }
 
-Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_(std::move(options)), second_(io) {
+Server::Server(boost::asio::io_context& io, Options options)
+    : io_(io),
+      options_(std::move(options)),
+      second_(io),
+      network_(io, clock_, [this](wire::Message message) { publish_played(std::move(message)); }) {
   hub_.on_key_frame_request([this](std::string_view topic) {
     if (capture_ && topic == wire::kCameraDepth.name) capture_->request_key_frame();
     if (player_ && topic == wire::kCameraDepth.name) player_->show_again();
@@ -79,15 +83,24 @@ void Server::play(std::unique_ptr<playback::SessionPlayer> player, std::function
   player_ = std::move(player);
   player_->start(io_, {.on_message =
                            [this](wire::Message message) {
-                             const bool is_of_station = message.topic.name.starts_with("/station/");
-                             if (!is_of_station || listener_->stations() == 0) publish(std::move(message));
+                             // A topic without a subscriber, such as the ticks, must not fill an impaired network.
+                             if (hub_.is_wanted(message.topic.name))
+                               network_.send(std::move(message));
+                             else
+                               publish_played(std::move(message));
                            },
                        .on_end = std::move(on_end)});
   publish_every_second();
 }
 
+void Server::publish_played(wire::Message message) {
+  const bool is_of_station = message.topic.name.starts_with("/station/");
+  if (!is_of_station || listener_->stations() == 0) publish(std::move(message));
+}
+
 void Server::stop(const std::string& reason) {
   stopped_ = true;
+  network_.stop();
   if (capture_) capture_->stop();
   if (player_) player_->stop();
   second_.cancel();

@@ -15,6 +15,7 @@
 #include "server/hub/hub.h"
 #include "server/hub/peer_listener.h"
 #include "server/pipeline/capture_thread.h"
+#include "server/playback/session_network.h"
 #include "server/playback/session_player.h"
 
 namespace telepalp::server {
@@ -45,6 +46,9 @@ class Server {
   /// The player; nullptr unless play() was called.
   [[nodiscard]] playback::SessionPlayer* player() noexcept { return player_.get(); }
 
+  /// The network that play() lets the session cross; it passes all on until it is told to impair.
+  [[nodiscard]] playback::SessionNetwork& network() noexcept { return network_; }
+
   /// Stops capturing, sends queued messages and a Goodbye with `reason`. io.run() then returns within 1 s.
   void stop(const std::string& reason);
 
@@ -63,6 +67,7 @@ class Server {
  private:
   Server(boost::asio::io_context& io, Options options);
   void publish(wire::Message message);
+  void publish_played(wire::Message message);
   [[nodiscard]] std::uint64_t frames() const;  ///< captured or played
   void publish_every_second();
   void show_newcomers_the_picture();
@@ -85,6 +90,7 @@ class Server {
   std::size_t most_waiting_bytes_ = 0;  // peak of the hub's queues since memory was last released
   std::chrono::steady_clock::time_point started_{};
   std::unique_ptr<pipeline::CaptureThread> capture_;
+  playback::SessionNetwork network_;                 // between player_ and the hub
   std::unique_ptr<playback::SessionPlayer> player_;  // instead of capture_
 };
 

@@ -26,6 +26,13 @@
 
 namespace telepalp::gateway {
 
+/// A part of the played session that visitors read with GET and change with POST, as JSON of Protobuf messages.
+struct JsonResource {
+  std::function<std::string()> state{};  ///< unset: no session is played
+  /// Carries out `command` for the visitor `who`, and returns the new state; set when `state` is.
+  std::function<Result<std::string>(const std::string& command, const std::string& who)> change{};
+};
+
 struct GatewayOptions {
   std::string address = "127.0.0.1";
   std::uint16_t port = 8080;             ///< 0: any free port; Gateway::port() returns it
@@ -35,11 +42,11 @@ struct GatewayOptions {
   std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
   std::function<std::string()> problem{};            ///< why the health check fails; empty: healthy
   std::function<hub::DatagramCounts()> datagrams{};  ///< counts of datagrams that arrived at the UDP port
-  std::function<std::string()> playback_state{};     ///< JSON of msg::PlaybackState; unset: nothing is played
-  /// Carries out the JSON of a msg::PlaybackCommand and returns the new state; set when playback_state is.
-  std::function<Result<std::string>(const std::string& json)> playback_command{};
-  foxglove::PlaybackPort playback_port{};          ///< the same for the WebSocket's playback control
-  std::function<std::string()> session_events{};   ///< JSON of msg::SessionEvents; set when playback_state is
+  JsonResource playback{};                           ///< msg::PlaybackState and msg::PlaybackCommand
+  foxglove::PlaybackPort playback_port{};            ///< the same for the WebSocket's playback control
+  JsonResource network{};                            ///< msg::NetworkState and msg::NetworkCommand
+  JsonResource notes{};                              ///< msg::SessionNotes and msg::NoteCommand
+  std::function<std::string()> session_events{};     ///< JSON of msg::SessionEvents; set when playback is
   std::function<std::string()> recording_state{};  ///< JSON of msg::RecordingState; unset: nothing can be recorded here
   /// Carries out the JSON of a msg::RecordingCommand and returns the new state; set when recording_state is.
   std::function<Result<std::string>(const std::string& json)> recording_command{};

@@ -81,7 +81,9 @@ std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
   const std::string_view target = path_of(view(request.target()));
   const bool has_keys = context_.options.access->has_keys();
   if (target == kMetricsTarget) return metrics(request);
-  if (target == kPlaybackTarget) return playback(request);
+  if (target == kPlaybackTarget) return played(request, context_.options.playback);
+  if (target == kNetworkTarget) return played(request, context_.options.network);
+  if (target == kNotesTarget) return played(request, context_.options.notes);
   if (target == kEventsTarget) return session_events(request);
   if (target == kRecordingTarget) return recording(request);
   if (!has_keys) return std::nullopt;
@@ -149,15 +151,15 @@ std::optional<HttpReply> Visit::refusal_to_command(const HttpRequest& request, c
   return std::nullopt;
 }
 
-/// Moving the session changes what all viewers see: it is for technicians and QA.
-HttpReply Visit::playback(const HttpRequest& request) const {
-  constexpr CommandRight kMove{.operation = keys::Operation::Play,
-                               .people = "moving a session is for technicians and QA",
-                               .pages = "pages from that origin may not move the session"};
-  if (std::optional<HttpReply> refusal = refusal_to_command(request, kMove)) return std::move(*refusal);
-  const GatewayOptions& options = context_.options;
-  if (!options.playback_state) return refuse(request, http::status::not_found, kNoSession);
-  return answer_state(request, options.playback_state, options.playback_command);
+/// Moving, impairing or noting on the session changes what all viewers see: it is for technicians and QA.
+HttpReply Visit::played(const HttpRequest& request, const JsonResource& part) const {
+  constexpr CommandRight kChange{.operation = keys::Operation::Play,
+                                 .people = "changing a played session is for technicians and QA",
+                                 .pages = "pages from that origin may not change the session"};
+  if (std::optional<HttpReply> refusal = refusal_to_command(request, kChange)) return std::move(*refusal);
+  if (!part.state) return refuse(request, http::status::not_found, kNoSession);
+  return answer_state(request, part.state,
+                      [&](const std::string& json) { return part.change(json, describe(visitor_->who)); });
 }
 
 HttpReply Visit::session_events(const HttpRequest& request) const {

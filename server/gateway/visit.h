@@ -15,6 +15,12 @@ inline constexpr std::string_view kPlaybackTarget = "/playback";
 /// Path of the played session's events, of all its length: GET alone.
 inline constexpr std::string_view kEventsTarget = "/playback/events";
 
+/// Path of the network that impairs the played session: GET returns it and its counts; POST changes it.
+inline constexpr std::string_view kNetworkTarget = "/playback/network";
+
+/// Path of the notes on the played session: GET returns them; POST adds or removes one.
+inline constexpr std::string_view kNotesTarget = "/playback/notes";
+
 /// Path of the recording at the server's machine: GET returns its state; POST begins or ends it.
 inline constexpr std::string_view kRecordingTarget = "/recording";
 
@@ -51,7 +57,7 @@ class Visit {
   [[nodiscard]] HttpReply sign_in(const HttpRequest& request);
   [[nodiscard]] HttpReply sign_out(const HttpRequest& request);
   [[nodiscard]] HttpReply metrics(const HttpRequest& request) const;
-  [[nodiscard]] HttpReply playback(const HttpRequest& request) const;
+  [[nodiscard]] HttpReply played(const HttpRequest& request, const JsonResource& part) const;
   [[nodiscard]] HttpReply session_events(const HttpRequest& request) const;
   [[nodiscard]] HttpReply recording(const HttpRequest& request) const;
   [[nodiscard]] std::optional<HttpReply> refusal_to_watch(const HttpRequest& request) const;

@@ -1,11 +1,11 @@
 #include "server/playback/playback_command.h"
 
-#include <google/protobuf/util/json_util.h>
-
 #include <boost/algorithm/string.hpp>
 #include <charconv>
 #include <cmath>
 #include <optional>
+
+#include "server/playback/json_text.h"
 
 namespace telepalp::playback {
 namespace {
@@ -13,11 +13,9 @@ namespace {
 constexpr double kLongest_s = 1e7;
 constexpr std::uint32_t kMostSteps = 100;
 
-Error wrong(std::string what) {
-  return {.what = std::move(what),
-          .where = "playback",
-          .fix = "send JSON such as {\"seek_s\": 12.5, \"speed\": 0.5, \"play\": true}"};
-}
+constexpr const char* kExample = "send JSON such as {\"seek_s\": 12.5, \"speed\": 0.5, \"play\": true}";
+
+Error wrong(std::string what) { return {.what = std::move(what), .where = "playback", .fix = kExample}; }
 
 std::optional<double> number(std::string_view text) {
   double value = 0.0;
@@ -49,8 +47,7 @@ bool set(PlaybackSpec& spec, std::string_view key, std::string_view value) {
 
 Result<msg::PlaybackCommand> read_command(const std::string& json) {
   msg::PlaybackCommand command;
-  const auto parsed = google::protobuf::util::JsonStringToMessage(json, &command);
-  if (!parsed.ok()) return wrong("the command cannot be read: " + std::string(parsed.message()));
+  if (const Result<void> read = read_json(json, command, kExample); !read) return read.error();
   if (const Result<void> valid = check(command); !valid) return valid.error();
   return command;
 }

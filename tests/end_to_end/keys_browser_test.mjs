@@ -199,12 +199,14 @@ test('metrics are for technician and QA, health is for everyone', async () => {
   assert.ok(!/vera|quinn|127\.0\.0\.1/.test(metrics.text), 'no person and no address');
 });
 
-test('moving a played session is for technician and QA, and is refused where none is played', async () => {
-  const move = (name) => ask('/playback', {method: 'POST', headers: {authorization: `Bearer ${tokenOf(name)}`}});
-  assert.equal((await ask('/playback')).status, 401);
-  assert.equal((await move('vera')).status, 403);
-  assert.equal((await move('dora')).status, 403, 'a doctor touches, and does not move what others see');
-  assert.equal((await move('quinn')).status, 404, 'this server captures');
+test('moving, impairing or noting on a played session is for technician and QA, and is refused where none is played', async () => {
+  for (const path of ['/playback', '/playback/network', '/playback/notes']) {
+    const change = (name) => ask(path, {method: 'POST', headers: {authorization: `Bearer ${tokenOf(name)}`}});
+    assert.equal((await ask(path)).status, 401, path);
+    assert.equal((await change('vera')).status, 403, path);
+    assert.equal((await change('dora')).status, 403, `${path}: a doctor touches, and does not change what others see`);
+    assert.equal((await change('quinn')).status, 404, `${path}: this server captures`);
+  }
 });
 
 test('bad input 22 to 28: the doctor who feels the patient meanwhile is not disturbed, and the server stays small', async () => {

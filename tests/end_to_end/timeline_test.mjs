@@ -1,11 +1,12 @@
 // node timeline_test.mjs BIN_DIR VIEWER_FILES: a browser moves a session that the real server plays, by the page's timeline.
 import assert from 'node:assert/strict';
 import {execFile} from 'node:child_process';
+import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {promisify} from 'node:util';
 
-import {openBrowser, untilStatus} from './browser.mjs';
+import {openBrowser, status, untilStatus} from './browser.mjs';
 import {sleep, until, Workplace} from './running_program.mjs';
 
 const [binDir, viewer] = process.argv.slice(2);
@@ -100,6 +101,81 @@ test('speed, loop and play are reached by Tab, with a name and a visible focus',
   await page.locator('#timeline-play').click();
   const {position_s} = await state();
   await untilState('it plays on', (now) => now.playing && now.position_s !== position_s);
+});
+
+const part = async (name) => (await fetch(`http://127.0.0.1:${played.http_port}/playback/${name}`)).json();
+const text = (id) => browser.page.textContent(`#${id}`);
+
+test('QA impairs the network by mouse and by keyboard, and page and counts show what it does', async () => {
+  const {page} = browser;
+  await page.keyboard.press('3');
+  if (!(await page.isVisible('#side'))) await page.keyboard.press('d');
+  await page.locator('#impaired').waitFor();
+  assert.match(await text('impaired-rows'), /In effectnone/);
+  await page.locator('#timeline-play').click();
+  await untilState('it is paused', ({playing}) => !playing);
+  const {position_s} = await state();
+  await page.locator('#impaired-delay_ms').focus();
+  await page.keyboard.press('End');
+  await until('the longest delay is in effect', async () => (await part('network')).delay_ms === 600);
+  await page.keyboard.press('ArrowLeft');
+  await until('one step less', async () => (await part('network')).delay_ms === 595);
+  assert.equal((await state()).position_s, position_s, 'the arrow moved the slider, and not the session');
+  await page.locator('#timeline-play').click();
+  await until('images arrive late', async () => (await part('network')).image_delay_ms >= 595);
+  await untilStatus(page, 'the picture is that old', (now) => now.pictureAge_ms >= 595);
+  await page.locator('#impaired-loss_percent').click();  // in its middle
+  const {loss_percent} = await until('loss is in effect', async () => {
+    const now = await part('network');
+    return now.loss_percent > 10 && now.loss_percent < 20 ? now : undefined;
+  });
+  await until('packets are lost', async () => Number((await part('network')).packets_lost) > 20);
+  await until('the page counts them', async () => /Packets\d+, [1-9][\d.]* % lost/.test(await text('impaired-rows')));
+  assert.match(await text('impaired-rows'), /In effectnone, changed/);
+  assert.equal(await page.getAttribute('#impaired-loss_percent', 'aria-valuetext'), `${loss_percent} %`);
+  await page.locator('#impaired-profile').selectOption('lte');
+  await until('the profile is in effect', async () => (await part('network')).delay_ms === 25);
+  await until('the slider follows', async () => (await page.getAttribute('#impaired-delay_ms', 'aria-valuetext')) === '25 ms');
+  await page.locator('#impaired-profile').selectOption('none');
+  await until('nothing is impaired', async () => /In effectnone: messages/.test(await text('impaired-rows')));
+  const {frames} = await status(page);
+  await untilStatus(page, 'pictures come again', (now) => now.frames > frames + 2);
+});
+
+test('QA notes a moment: it is kept beside the session, drawn, listed, shared, and removed', async () => {
+  const {page} = browser;
+  await page.locator('#timeline-play').click();
+  await untilState('it is paused', ({playing}) => !playing);
+  await page.locator('#timeline-slider').fill('5');
+  await untilState('5 s are reached', ({position_s}) => position_s === 5);
+  await until('the card knows', async () => (await text('note-at')) === '0:05.0');
+  await page.locator('#note-text').focus();
+  await page.keyboard.type('rebound, d. here');  // keys that move the session elsewhere
+  await page.keyboard.press('Enter');
+  const [note] = await until('the server has it', async () => {
+    const {notes} = await part('notes');
+    return notes.length === 1 ? notes : undefined;
+  });
+  assert.equal(note.text, 'rebound, d. here');
+  assert.equal(note.at_s, 5);
+  assert.deepEqual([(await state()).playing, (await state()).position_s], [false, 5]);
+  assert.deepEqual(JSON.parse(readFileSync(`${file}.notes.json`, 'utf8')).notes, [note]);
+  await until('it is on the timeline', async () => (await page.locator('#overview b.note').count()) === 1);
+  await page.locator('#timeline-slider').fill('9');
+  await untilState('it is elsewhere', ({position_s}) => position_s === 9);
+  await page.locator('#notes .event').click();
+  await untilState('the note leads back', ({position_s}) => position_s === 5);
+  await until('the card knows it too', async () => (await text('moment')).startsWith('0:05.0'));
+  await page.click('#share');
+  await until('the address has moment and note', async () => new URL(page.url()).search === `?view=qa&at_s=5.00&note=${note.number}`);
+  await page.reload();
+  if (!(await page.isVisible('#side'))) await page.keyboard.press('d');
+  await page.locator('#notes li[aria-current]').waitFor();
+  assert.match(await page.locator('#notes li[aria-current]').textContent(), /rebound, d. here/);
+  await page.locator('#notes .remove').focus();
+  await page.keyboard.press('Enter');
+  await until('it is removed', async () => (await part('notes')).notes.length === 0);
+  await until('and gone from the timeline', async () => (await page.locator('#overview b.note').count()) === 0);
 });
 
 test('a refused command and a server that does not answer are explained on the page', async () => {

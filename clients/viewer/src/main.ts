@@ -11,6 +11,8 @@ import {QaPanel} from './panel/qa/qa_panel';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
 import {PlaybackLink} from './playback/playback_link';
+import {PlayedPart} from './playback/played_part';
+import {type Note, type NoteCommand, readNotes} from './playback/session_notes';
 import {OverviewBand} from './playback/overview_band';
 import {TimelineBar} from './playback/timeline_bar';
 import {InsideView} from './inside/inside_view';
@@ -58,6 +60,7 @@ let coming: Instant | undefined;   // in the scene, but not drawn yet
 let drawing: Instant | undefined;  // being drawn
 
 const playback = new PlaybackLink(askServer('playback'));
+const notes = new PlayedPart<Note[], NoteCommand>(askServer('playback/notes'), readNotes, (_, next) => next);
 const inside = new InsideView(view, () => link.ask('probe'));
 const link = new SiteLink({
   instant: (instant) => {
@@ -112,7 +115,7 @@ const status = publishStatus(() => ({
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   doctor: [new DoctorPanel()],
   technician: [new TechnicianPanel(view, canvas)],
-  qa: [new QaPanel(playback, new OverviewBand(playback), view)],
+  qa: [new QaPanel(playback, new OverviewBand(playback, notes), notes, view)],
 };
 const views = new ViewSwitch((chosen) => link.setExtra(EXTRA[chosen]));
 wireControls(view, viewerHand, views, new ThemeSwitch(view), inside);

@@ -5,10 +5,12 @@ export function momentInAddress(search: string): number | undefined {
   return Number(asked);
 }
 
-/** The address that shows `position_s` to QA: to be shared. */
-export function addressOfMoment(page: string, position_s: number): string {
+/** The address that shows `position_s` to QA, and marks a note of this number: to be shared. */
+export function addressOfMoment(page: string, position_s: number, note?: number): string {
   const address = new URL(page);
-  address.search = new URLSearchParams({view: 'qa', at_s: position_s.toFixed(2)}).toString();
+  const query = new URLSearchParams({view: 'qa', at_s: position_s.toFixed(2)});
+  if (note !== undefined) query.set('note', String(note));
+  address.search = query.toString();
   address.hash = '';
   return address.href;
 }

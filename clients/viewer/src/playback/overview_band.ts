@@ -1,21 +1,23 @@
 import {element, made} from '../page';
 import {toneOf} from '../panel/qa/event_log';
 import {lookOf} from '../panel/phases';
+import type {PlayedPart} from './played_part';
 import type {PlaybackLink} from './playback_link';
 import {seekTo} from './playback_state';
+import type {Note} from './session_notes';
 import {marksOf, readOverview, type SessionOverview, spansOf} from './session_overview';
 import {clock} from './timeline_words';
 
 const ASK_EVERY_MS = 1000;
 
-/** The whole played session above the timeline's slider: its phases as a band, faults and missed deadlines as marks. */
+/** The whole played session above the timeline's slider: its phases as a band; faults, missed deadlines and notes as marks. */
 export class OverviewBand {
   overview: SessionOverview | undefined;
 
   private readonly band = element('overview');
   private drawn = '';
 
-  constructor(private readonly link: PlaybackLink) {
+  constructor(private readonly link: PlaybackLink, private readonly notes: Pick<PlayedPart<Note[], object>, 'state'>) {
     this.band.addEventListener('click', (event) => this.seek(event));
     window.setInterval(() => void this.look(), ASK_EVERY_MS);
   }
@@ -27,14 +29,15 @@ export class OverviewBand {
     this.draw();
   }
 
-  private draw(): void {
+  draw(): void {
     const duration_s = this.link.state?.duration_s ?? 0;
-    const drawn = `${this.overview?.events.length ?? 0} in ${duration_s}`;
+    const notes = duration_s > 0 ? this.notes.state ?? [] : [];
+    const drawn = `${this.overview?.events.length ?? 0} in ${duration_s}, ${notes.map(({number}) => number).join()}`;
     if (drawn === this.drawn) return;
     this.drawn = drawn;
     const spans = this.overview === undefined || duration_s <= 0 ? [] : spansOf(this.overview, duration_s);
     const marks = this.overview === undefined || duration_s <= 0 ? [] : marksOf(this.overview);
-    this.band.hidden = spans.length === 0 && marks.length === 0;
+    this.band.hidden = spans.length + marks.length + notes.length === 0;
     const place = (part: HTMLElement, from_s: number, to_s: number) => {
       part.style.left = `${(100 * from_s) / duration_s}%`;
       part.style.width = `${(100 * (to_s - from_s)) / duration_s}%`;
@@ -50,6 +53,11 @@ export class OverviewBand {
         }),
         ...marks.map(({at_s, kind, text}) => {
           const part = place(made('b', toneOf(kind)), at_s, at_s);
+          part.title = `${clock(at_s)}: ${text}`;
+          return part;
+        }),
+        ...notes.map(({at_s, text}) => {
+          const part = place(made('b', 'note'), at_s, at_s);
           part.title = `${clock(at_s)}: ${text}`;
           return part;
         }));

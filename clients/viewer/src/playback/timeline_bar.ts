@@ -99,6 +99,7 @@ export class TimelineBar {
 
 function focusOf(target: EventTarget | null): Focus {
   if (target instanceof HTMLSelectElement) return 'choice';
+  if (target instanceof HTMLInputElement && target.id !== 'timeline-slider') return 'choice';  // moved or written by its own keys
   if (target instanceof HTMLButtonElement) return 'button';
   return target instanceof HTMLCanvasElement ? 'scene' : 'other';
 }

@@ -7,19 +7,25 @@ import {clock} from '../../playback/timeline_words';
 import type {SceneView} from '../../scene/scene_view';
 import type {Reading} from '../../viewer_state';
 import {EventLog, type LoggedEvent, toneOf} from './event_log';
+import {NetworkCard} from './network_card';
+import {type Notes, NotesCard} from './notes_card';
 
 const MOST_LINES = 400;
 
-/** QA's cards: the moment, to be shared or kept as a picture, and the events of the session. */
+/** QA's cards: the moment, to be shared or kept as a picture, notes, the impaired network, and the session's events. */
 export class QaPanel {
   private readonly log = new EventLog();
   private readonly list = element('events');
   private readonly said = element('moment-said');
+  private readonly network = new NetworkCard();
+  private readonly notesCard: NotesCard;
   private shown = '';
   private asked_s = momentInAddress(location.search);  // to be shown once the session can be moved
 
   constructor(
-      private readonly playback: PlaybackLink, private readonly whole: OverviewBand, private readonly view: SceneView) {
+      private readonly playback: PlaybackLink, private readonly whole: OverviewBand, notes: Notes,
+      private readonly view: SceneView) {
+    this.notesCard = new NotesCard(playback, notes, () => whole.draw());
     element('share').addEventListener('click', () => void this.share());
     element('snapshot').addEventListener('click', () => void this.snapshot());
   }
@@ -27,6 +33,8 @@ export class QaPanel {
   show({connected, events, sessionNow_ns}: Reading): void {
     const {state} = this.playback;
     this.showAskedMoment();
+    this.network.show(state !== undefined);
+    this.notesCard.show();
     setText(element('moment'), state === undefined ? 'live' : `${clock(state.position_s)} of ${clock(state.duration_s)}`);
     element<HTMLButtonElement>('share').disabled = state === undefined;
     if (!connected) this.log.forget();
@@ -73,7 +81,7 @@ export class QaPanel {
   private async share(): Promise<void> {
     const {state} = this.playback;
     if (state === undefined) return;
-    const address = addressOfMoment(location.href, state.position_s);
+    const address = addressOfMoment(location.href, state.position_s, this.notesCard.numberAt(state.position_s));
     history.replaceState(null, '', address);
     try {
       await navigator.clipboard.writeText(address);

@@ -1,0 +1,88 @@
+import {element, made, setText} from '../../page';
+import type {PlaybackLink} from '../../playback/playback_link';
+import {seekTo} from '../../playback/playback_state';
+import type {PlayedPart} from '../../playback/played_part';
+import {type Note, type NoteCommand, noteInAddress} from '../../playback/session_notes';
+import {clock} from '../../playback/timeline_words';
+
+const LOOK_EVERY = 30;  // calls of `show`, which come about ten times a second
+const SAME_S = 0.006;   // an address rounds moments to 0.01 s
+
+export type Notes = PlayedPart<Note[], NoteCommand>;
+
+/** QA's notes on the played session: written at the shown moment, listed, and pressed to go there. */
+export class NotesCard {
+  private readonly card = element('notes-card');
+  private readonly form = element<HTMLFormElement>('note-form');
+  private readonly text = element<HTMLInputElement>('note-text');
+  private readonly list = element('notes');
+  private chosen = noteInAddress(location.search);
+  private noted_s: number | undefined;  // the moment at which the writing began
+  private shows = 0;
+  private shown = '';
+
+  constructor(private readonly playback: PlaybackLink, private readonly notes: Notes, private readonly redrawn: () => void) {
+    this.text.addEventListener('input', () => {
+      if (this.text.value === '') this.noted_s = undefined;
+      else this.noted_s ??= this.playback.state?.position_s;
+    });
+    this.form.addEventListener('submit', (event) => {
+      event.preventDefault();
+      void this.add();
+    });
+  }
+
+  show(): void {
+    const {state} = this.playback;
+    this.card.hidden = state === undefined || this.notes.state === undefined;
+    if (state === undefined) return this.notes.forget();
+    if (this.shows++ % LOOK_EVERY === 0) void this.notes.look().then(() => this.write());
+    setText(element('note-at'), clock(this.noted_s ?? state.position_s));
+  }
+
+  /** The chosen note, if the session stands at its moment. */
+  numberAt(position_s: number): number | undefined {
+    const note = this.notes.state?.find(({number}) => number === this.chosen);
+    return note !== undefined && Math.abs(note.at_s - position_s) < SAME_S ? note.number : undefined;
+  }
+
+  private async add(): Promise<void> {
+    const text = this.text.value.trim();
+    const at_s = this.noted_s ?? this.playback.state?.position_s;
+    if (text === '' || at_s === undefined) return;
+    if (await this.notes.command({at_s, text})) {
+      this.text.value = '';
+      this.noted_s = undefined;
+    }
+    this.write();
+  }
+
+  private write(): void {
+    setText(element('notes-said'), this.notes.problem);
+    this.redrawn();
+    const notes = this.notes.state ?? [];
+    const shown = `${this.chosen} ${notes.map(({number}) => number).join()}`;
+    if (shown === this.shown) return;
+    this.shown = shown;
+    this.list.replaceChildren(...notes.map((note) => this.line(note)));
+  }
+
+  private line({number, at_s, text, who, written}: Note): HTMLElement {
+    const line = made('li', 'note');
+    if (number === this.chosen) line.setAttribute('aria-current', 'true');
+    const go = made('button', 'event', text);
+    go.prepend(made('b', '', clock(at_s)));
+    go.title = `${who}, ${written}`;
+    go.addEventListener('click', () => {
+      this.chosen = number;
+      if (this.playback.state !== undefined) void this.playback.command({...seekTo(this.playback.state, at_s), play: false});
+      this.write();
+    });
+    const remove = made('button', 'remove', '×');
+    remove.setAttribute('aria-label', `Remove the note ${text}`);
+    remove.title = 'Remove the note';
+    remove.addEventListener('click', () => void this.notes.command({remove: number}).then(() => this.write()));
+    line.append(go, remove);
+    return line;
+  }
+}

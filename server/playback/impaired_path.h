@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "proto/impaired/impaired_link.h"
+#include "proto/impaired/profiles.h"
+#include "proto/link/datagram_link.h"
+#include "proto/wire/datagram_message.h"
+
+namespace telepalp::playback {
+
+/// The messages of a played session on their way through an impaired network. Those of the deadline topics
+/// (datagram_message.h) cross it as sealed datagrams, with the repair of telepalp's own link; the others as segments of
+/// one TCP stream. Pure: time is an argument and never decreases. Owner: the network thread.
+class ImpairedPath {
+ public:
+  /// Messages of the TCP stream that wait here take at most this much; further ones are dropped.
+  static constexpr std::size_t kMostWaiting_B = std::size_t{8} << 20U;
+
+  ImpairedPath(SessionTime now, const impaired::Profile& network, std::uint64_t seed);
+
+  /// Changes the impairments of both directions. The datagram link begins a new session, as after a reconnect, so that
+  /// its estimate of the path is not that of the path before; its datagrams on the way are lost. The TCP stream goes
+  /// on.
+  void change(SessionTime now, const impaired::Profile& network);
+  /// Takes a message. `sequence` of a deadline topic counts its messages without a gap.
+  void send(SessionTime now, wire::Message message);
+  /// The messages that have arrived by `now`. A predicted depth image arrives only after the image before it.
+  [[nodiscard]] std::vector<wire::Message> receive(SessionTime now);
+  /// When to call receive() again; nullopt: only after send().
+  [[nodiscard]] std::optional<SessionTime> due(SessionTime now) const;
+
+  /// Ends the TCP stream: returns its messages that have not arrived, in order. The datagrams on the way are lost.
+  [[nodiscard]] std::vector<wire::Message> end();
+
+  /// Counts of the direction from the patient's site.
+  [[nodiscard]] const impaired::LinkStatistics& statistics() const noexcept { return down_.statistics(); }
+  [[nodiscard]] std::uint64_t late_images() const noexcept { return late_images_; }
+
+ private:
+  struct Segmented {
+    wire::Message message;
+    std::size_t unsent_B;
+    std::size_t missing_B;  ///< not arrived yet
+  };
+  using Waiting = std::deque<wire::Message>;
+  [[nodiscard]] Nanoseconds since_begin(SessionTime now) const noexcept { return now - begin_; }
+  void begin_link_session();
+  void wait_for_link(wire::Message message);
+  [[nodiscard]] bool offer_next(SessionTime now);
+  void transmit(SessionTime now);
+  void send_segments(SessionTime now);
+  void deliver(SessionTime now, std::vector<wire::Message>& arrived);
+  void deliver_segment(std::size_t bytes, std::vector<wire::Message>& arrived);
+
+  const SessionTime begin_;
+  impaired::ImpairedLink down_;  // from the patient's site
+  impaired::ImpairedLink up_;    // feedback and requests for repair
+  std::uint32_t link_session_ = 0;
+  std::optional<link::DatagramLink> server_;                   // set always
+  std::optional<link::DatagramLink> client_;                   // set always
+  std::array<Waiting, wire::kDeadlineTopics.size()> waiting_;  // by datagram channel
+  std::deque<Segmented> stream_;
+  std::size_t stream_B_ = 0;
+  std::uint64_t late_images_ = 0;
+};
+
+}  // namespace telepalp::playback

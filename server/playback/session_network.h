@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "proto/wire/session_clock.h"
+#include "server/playback/impaired_path.h"
+#include "server/playback/network_command.h"
+
+namespace telepalp::playback {
+
+/// Stands between a played session and its publication, and impairs its messages as a network would. Without a network
+/// it passes them on at once. Owner: the network thread, whose timer it uses.
+class SessionNetwork {
+ public:
+  /// `publish` takes each message that has arrived.
+  SessionNetwork(boost::asio::io_context& io, wire::SessionClock clock, std::function<void(wire::Message)> publish);
+
+  void send(wire::Message message);
+  /// Carries out the JSON of a msg::NetworkCommand, and returns the new state as JSON.
+  [[nodiscard]] Result<std::string> apply(const std::string& json);
+  [[nodiscard]] std::string state() const;  ///< msg::NetworkState as JSON
+  void stop();
+
+ private:
+  void pump();
+  void wake_when_due();
+  void arrive(wire::Message message);
+  [[nodiscard]] bool is_decodable(const wire::Message& message);
+  void begin_counts();
+
+  wire::SessionClock clock_;
+  std::function<void(wire::Message)> publish_;
+  boost::asio::steady_timer timer_;
+  bool stopped_ = false;
+  ChosenNetwork chosen_;
+  std::optional<ImpairedPath> path_;                                     // set while the network impairs
+  std::array<std::uint64_t, wire::kDeadlineTopics.size()> sequences_{};  // of the last message taken, by channel
+  std::uint64_t last_image_ = 0;                                         // sequence of the depth image published last
+
+  // Counts since the last change of the settings are differences to these values.
+  impaired::LinkStatistics packets_before_{};
+  std::uint64_t late_before_ = 0;
+  std::uint64_t images_before_ = 0;  // sequence of the last depth image taken before the change
+  std::uint64_t images_arrived_ = 0;
+  Nanoseconds image_delay_{0};
+};
+
+}  // namespace telepalp::playback

@@ -1,0 +1,120 @@
+#include "server/playback/session_notes.h"
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "server/playback/json_text.h"
+#include "support/program/files/whole_file.h"
+#include "support/program/message_json.h"
+
+namespace telepalp::playback {
+namespace {
+
+constexpr std::uintmax_t kMostFile_B = std::uintmax_t{4} << 20U;  // more than kMostNotes of the longest notes take
+constexpr const char* kExample = "send JSON such as {\"at_s\": 12.5, \"text\": \"rebound here\"} or {\"remove\": 3}";
+
+Error wrong(std::string what) { return {.what = std::move(what), .where = "playback/notes", .fix = kExample}; }
+
+Error unreadable(const std::filesystem::path& file, std::string what) {
+  return {.what = std::move(what),
+          .where = file.string(),
+          .fix = "move the file away, or mend it: it is the reply of GET /playback/notes"};
+}
+
+std::string utc(std::chrono::system_clock::time_point at) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
+  std::tm date{};
+  char text[32];
+  gmtime_r(&seconds, &date);
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &date)};
+}
+
+bool is_one_line(std::string_view text) {
+  return std::none_of(text.begin(), text.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; });
+}
+
+Result<msg::SessionNotes> read(const std::filesystem::path& file) {
+  std::error_code problem;
+  msg::SessionNotes notes;
+  if (!std::filesystem::exists(file, problem)) return notes;
+  if (std::filesystem::file_size(file, problem) > kMostFile_B || problem)
+    return unreadable(file, "this is no file of notes: it is no regular file, or larger than 4 MiB");
+  std::ifstream in(file, std::ios::binary);
+  const std::string json{std::istreambuf_iterator<char>(in), {}};
+  if (!in) return unreadable(file, "the notes cannot be read");
+  if (const Result<void> parsed = read_json(json, notes, ""); !parsed) return unreadable(file, parsed.error().what);
+  if (notes.notes_size() > SessionNotes::kMostNotes) return unreadable(file, "it has more than 1000 notes");
+  return notes;
+}
+
+void insert(msg::SessionNotes& notes, msg::SessionNotes::Note note) {
+  *notes.add_notes() = std::move(note);
+  for (int at = notes.notes_size() - 1; at > 0 && notes.notes(at).at_s() < notes.notes(at - 1).at_s(); --at)
+    notes.mutable_notes()->SwapElements(at, at - 1);
+}
+
+std::optional<int> place_of(const msg::SessionNotes& notes, std::uint64_t number) {
+  for (int at = 0; at < notes.notes_size(); ++at)
+    if (notes.notes(at).number() == number) return at;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<SessionNotes> SessionNotes::open(const std::filesystem::path& session, double duration_s) {
+  std::filesystem::path file = session;
+  file += ".notes.json";
+  Result<msg::SessionNotes> notes = read(file);
+  if (!notes) return notes.error();
+  return SessionNotes(std::move(file), duration_s, std::move(*notes));
+}
+
+SessionNotes::SessionNotes(std::filesystem::path file, double duration_s, msg::SessionNotes notes)
+    : file_(std::move(file)), duration_s_(duration_s), notes_(std::move(notes)) {}
+
+Result<void> SessionNotes::check(const msg::NoteCommand& command) const {
+  if (command.has_remove() && !place_of(notes_, command.remove())) return wrong("no note has this number");
+  if (command.has_at_s() != command.has_text()) return wrong("a note needs both at_s and text");
+  if (!command.has_at_s()) return {};
+  if (!(command.at_s() >= 0.0 && command.at_s() <= duration_s_))
+    return wrong("at_s is not from 0 to the session's end, " + std::to_string(duration_s_) + " s");
+  if (command.text().empty() || command.text().size() > kMostText_B)
+    return wrong("text is not from 1 to 500 bytes long");
+  if (!is_one_line(command.text())) return wrong("text is not one line");
+  if (notes_.notes_size() >= kMostNotes) return wrong("the session has 1000 notes, as many as it may have");
+  return {};
+}
+
+Result<std::string> SessionNotes::apply(const std::string& json, const std::string& who,
+                                        std::chrono::system_clock::time_point now) {
+  msg::NoteCommand command;
+  if (const Result<void> read = read_json(json, command, kExample); !read) return read.error();
+  if (const Result<void> checked = check(command); !checked) return checked.error();
+  if (!command.has_remove() && !command.has_at_s()) return this->json();
+  msg::SessionNotes changed = notes_;
+  if (command.has_remove()) changed.mutable_notes()->DeleteSubrange(*place_of(changed, command.remove()), 1);
+  if (command.has_at_s()) {
+    msg::SessionNotes::Note note;
+    note.set_number(changed.last_number() + 1);
+    note.set_at_s(command.at_s());
+    note.set_text(command.text());
+    note.set_who(who);
+    note.set_written(utc(now));
+    changed.set_last_number(note.number());
+    insert(changed, std::move(note));
+  }
+  const std::string text = program::to_json(changed);
+  if (text == "{}") return wrong("the writer's name is not UTF-8");  // such a file would have lost all notes
+  const Result<void> written = program::write_whole_file(file_, text, program::Readers::Group);
+  if (!written) return written.error();
+  notes_ = std::move(changed);
+  return this->json();
+}
+
+std::string SessionNotes::json() const { return program::to_json(notes_); }
+
+}  // namespace telepalp::playback

@@ -1,0 +1,108 @@
+// node played_session_test.mjs VIEWER_SOURCES VIEWER_WORK: what the page knows of the impaired network and the notes.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {PlayedPart} = await bundled('playback/played_part.ts');
+const {joined, networkRows, placeOf, readNetwork, SLIDERS, textOf} = await bundled('playback/network_state.ts');
+const {noteInAddress, readNotes} = await bundled('playback/session_notes.ts');
+const {addressOfMoment} = await bundled('playback/moment.ts');
+
+const STATE = {
+  profile: 'lte', changed: false, delay_ms: 25, jitter_ms: 8, loss_percent: 0.5, burst_packets: 3, rate_Mbit_per_s: 40,
+  packets_sent: '1000', packets_delivered: '990', packets_lost: '8', images_arrived: '90', images_late: '4', images_lost: '6',
+  image_delay_ms: 31.4,
+};
+const state = (changes = {}) => readNetwork(JSON.stringify({...STATE, ...changes}));
+const slider = (field) => SLIDERS.find((one) => one.field === field);
+
+/** A part whose server answers only when told to. */
+function slowPart() {
+  const asked = [];
+  const answers = [];
+  const part = new PlayedPart((command) => {
+    asked.push(command);
+    return new Promise((answer) => answers.push(answer));
+  }, (text) => (text === '' ? undefined : text), (first, then) => ({...first, ...then}));
+  const answer = async (reply) => {
+    answers.shift()(reply);
+    await new Promise((wake) => setTimeout(wake));
+  };
+  return {part, asked, answer};
+}
+
+test('while a command is on its way, later ones become one', async () => {
+  const {part, asked, answer} = slowPart();
+  const first = part.command({delay: 1});
+  void part.command({delay: 2});
+  void part.command({delay: 3, loss: 1});
+  assert.deepEqual(asked, [{delay: 1}]);
+  await answer({status: 200, text: 'one'});
+  assert.deepEqual(asked, [{delay: 1}, {delay: 3, loss: 1}]);
+  await answer({status: 200, text: 'three'});
+  assert.equal(await first, true);
+  assert.equal(part.state, 'three');
+});
+
+test('a state that was asked for before a command is not shown after it', async () => {
+  const {part, answer} = slowPart();
+  void part.look();
+  void part.command({delay: 1});
+  await answer({status: 200, text: 'old'});
+  assert.equal(part.state, undefined);
+  await answer({status: 200, text: 'new'});
+  assert.equal(part.state, 'new');
+});
+
+test('a refused command and a server that is away are explained, and the state stays', async () => {
+  const {part, answer} = slowPart();
+  const refused = part.command({delay: 1});
+  await answer({status: 400, text: 'delay_ms is not from 0 to 1000'});
+  assert.equal(await refused, false);
+  assert.match(part.problem, /delay_ms is not from 0 to 1000/);
+  void part.command({delay: 1});
+  await answer(undefined);
+  assert.match(part.problem, /does not answer/);
+  void part.command({delay: 1});
+  await answer({status: 200, text: 'well'});
+  assert.equal(part.problem, '');
+});
+
+test('a reply that is none is none', () => {
+  for (const text of ['', '[]', 'null', '{}', '{"profile": 3}', JSON.stringify({...STATE, delay_ms: 'x'})])
+    assert.equal(readNetwork(text), undefined, text);
+  for (const text of ['', '{}', 'null', '{"notes": 3}']) assert.equal(readNotes(text), undefined, text);
+});
+
+test('the card says what is in effect and what it did', () => {
+  const said = (changes) => networkRows(state(changes)).map(({name, value}) => `${name}: ${value}`);
+  assert.deepEqual(said({}), ['In effect: lte', 'Packets: 1000, 0.8 % lost', 'Images: 90 of 100 arrived',
+                              'too late: 4', 'lost: 6', 'Image delay: 31 ms']);
+  assert.equal(said({changed: true})[0], 'In effect: lte, changed');
+  assert.deepEqual(said({profile: 'none'}), ['In effect: none: messages as recorded']);
+  assert.equal(said({packets_sent: 0, packets_lost: 0})[1], 'Packets: 0, 0 % lost');
+});
+
+test('a slider stands at the nearest of its values and says it with its unit', () => {
+  for (const one of SLIDERS)
+    for (const [at, value] of one.values.entries()) assert.equal(placeOf(one, value), at, `${one.field} ${value}`);
+  assert.equal(slider('delay_ms').values[placeOf(slider('delay_ms'), 900)], 600);
+  assert.equal(textOf(slider('rate_Mbit_per_s'), 0), 'unlimited');
+  assert.equal(textOf(slider('burst_packets'), 1), '1 packet');
+  assert.equal(textOf(slider('delay_ms'), 0.2), '0.2 ms');
+});
+
+test('a profile replaces what waits before it, numbers are joined', () => {
+  assert.deepEqual(joined({profile: 'lte', delay_ms: 5}, {delay_ms: 7, loss_percent: 1}), {profile: 'lte', delay_ms: 7, loss_percent: 1});
+  assert.deepEqual(joined({delay_ms: 5}, {profile: 'none'}), {profile: 'none'});
+});
+
+test('an address names a moment and a note', () => {
+  const {search} = new URL(addressOfMoment('https://site.example/?view=doctor&note=1', 5, 17));
+  assert.equal(search, '?view=qa&at_s=5.00&note=17');
+  assert.equal(noteInAddress(search), 17);
+  for (const wrong of ['', '?note=', '?note=-1', '?note=x', '?note=1e3']) assert.equal(noteInAddress(wrong), undefined, wrong);
+  const [note] = readNotes('{"notes":[{"number":"3","at_s":1.5,"text":"<b>","who":"Ada","written":"2026-03-01T12:00:00Z"}]}');
+  assert.deepEqual(note, {number: 3, at_s: 1.5, text: '<b>', who: 'Ada', written: '2026-03-01T12:00:00Z'});
+});

@@ -1,0 +1,98 @@
+// Notes on a session are kept in a file beside it, which each change replaces as a whole.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "server/playback/session_notes.h"
+
+namespace telepalp::playback {
+namespace {
+
+constexpr std::chrono::system_clock::time_point kNow{std::chrono::seconds(1'772'366'400)};  // 2026-03-01 12:00 UTC
+
+struct Notes : ::testing::Test {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("telepalp_notes_" + std::to_string(::getpid()));
+  const std::filesystem::path session = folder / "a.mcap";
+  const std::filesystem::path file = folder / "a.mcap.notes.json";
+
+  void SetUp() override { std::filesystem::create_directories(folder); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  SessionNotes open() const {
+    auto notes = SessionNotes::open(session, 60.0);
+    EXPECT_TRUE(notes) << to_string(notes.error());
+    return *notes;
+  }
+  void write(const std::string& text) const { std::ofstream(file) << text; }
+};
+
+TEST_F(Notes, AreInOrderOfTimeAndOpenAgainFromTheFile) {
+  SessionNotes notes = open();
+  EXPECT_FALSE(std::filesystem::exists(file)) << "looking writes nothing";
+  ASSERT_TRUE(notes.apply(R"({"at_s": 12.5, "text": "rebound here"})", "\"Ada\" (qa)", kNow));
+  ASSERT_TRUE(notes.apply(R"({"at_s": 3, "text": "<b>5 \u00b5m</b>"})", "Bo", kNow));
+  const std::string json = open().json();
+  EXPECT_EQ(json, notes.json());
+  EXPECT_LT(json.find("5 µm"), json.find("rebound"));
+  EXPECT_NE(json.find(R"("written":"2026-03-01T12:00:00Z")"), std::string::npos) << json;
+  EXPECT_NE(json.find("Ada"), std::string::npos);
+}
+
+TEST_F(Notes, ARemovedNotesNumberIsNotGivenAgain) {
+  SessionNotes notes = open();
+  ASSERT_TRUE(notes.apply(R"({"at_s": 1, "text": "one"})", "", kNow));
+  ASSERT_TRUE(notes.apply(R"({"at_s": 2, "text": "two"})", "", kNow));
+  ASSERT_TRUE(notes.apply(R"({"remove": 2})", "", kNow));
+  ASSERT_TRUE(open().apply(R"({"at_s": 2, "text": "three"})", "", kNow));
+  const std::string json = open().json();
+  EXPECT_EQ(json.find("two"), std::string::npos);
+  EXPECT_NE(json.find(R"("number":"3")"), std::string::npos) << json;
+}
+
+TEST_F(Notes, WrongCommandsAreNamedAndChangeNothing) {
+  SessionNotes notes = open();
+  const std::string long_text(SessionNotes::kMostText_B + 1, 'x');
+  for (const std::string& wrong :
+       {std::string("nonsense"), std::string(R"({"at_s": 1})"), std::string(R"({"text": "no time"})"),
+        std::string(R"({"at_s": 61, "text": "behind the end"})"), std::string(R"({"at_s": -1, "text": "before"})"),
+        std::string(R"({"at_s": "NaN", "text": "never"})"), std::string(R"({"at_s": 1, "text": ""})"),
+        std::string(R"({"at_s": 1, "text": "two\nlines"})"), std::string(R"({"remove": 1})"),
+        R"({"at_s": 1, "text": ")" + long_text + R"("})"})
+    EXPECT_FALSE(notes.apply(wrong, "", kNow)) << wrong;
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_TRUE(notes.apply("{}", "", kNow)) << "an empty command asks for the notes";
+}
+
+TEST_F(Notes, AreBoundedInNumber) {
+  std::string full = R"({"notes": [)";
+  for (int number = 1; number <= SessionNotes::kMostNotes; ++number)
+    full += (number > 1 ? "," : "") + (R"({"number": ")" + std::to_string(number)) + R"(", "at_s": 1, "text": "x"})";
+  write(full + "]}");
+  SessionNotes notes = open();
+  const auto refused = notes.apply(R"({"at_s": 1, "text": "one more"})", "", kNow);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().what.find("1000"), std::string::npos);
+}
+
+TEST_F(Notes, AFileThatHoldsNoNotesIsNamedAndNotOverwritten) {
+  for (const std::string& wrong : {std::string("{\"notes\": 3}"), std::string(5'000'000, ' ')}) {
+    write(wrong);
+    const auto opened = SessionNotes::open(session, 60.0);
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().where.find("a.mcap.notes.json"), std::string::npos);
+    EXPECT_EQ(std::filesystem::file_size(file), wrong.size());
+  }
+}
+
+TEST_F(Notes, AnUnwritableFolderLeavesTheNotesAsTheyWere) {
+  auto notes = SessionNotes::open(folder / "missing" / "a.mcap", 60.0);
+  ASSERT_TRUE(notes);
+  const std::string before = notes->json();
+  EXPECT_FALSE(notes->apply(R"({"at_s": 1, "text": "one"})", "", kNow));
+  EXPECT_EQ(notes->json(), before);
+}
+
+}  // namespace
+}  // namespace telepalp::playback
