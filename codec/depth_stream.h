@@ -62,7 +62,7 @@ struct DecodedDepth {
 
 /// Decodes some frames of a stream and skips others: read() or skip() is called for each packet, in the stream's order.
 /// A skipped frame is decoded only if a frame that is read depends on it, or if over 32 frames or 16 MiB were skipped
-/// since the last key frame. So skipping key frames costs nothing.
+/// since the last key frame or decoded frame. A skipped key frame discards the frames skipped before it.
 class DepthReader {
  public:
   DepthReader();

@@ -28,8 +28,8 @@ inline LaneShares leading_zeros16(LaneShares numbers) {
   return 15 + 127 - (reinterpret_cast<LaneShares>(floats) >> 23);
 }
 
-/// Encodes a step (rank minus predicted rank) beyond kLargestStep: its size and sign. The escape symbol kFarther
-/// precedes it.
+/// Encodes a step beyond kLargestStep: its size and sign. A step is a pixel's rank (palette index of its depth) minus
+/// the predicted rank. The escape symbol kFarther precedes it.
 [[gnu::noinline]] void encode_far(RangeEncoder& coder, Model& model, int step) {
   const int size = step < 0 ? -step : step;
   encode_number(coder, model, static_cast<uint32_t>(size - kLargestStep - 1));

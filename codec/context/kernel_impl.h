@@ -24,7 +24,7 @@ struct RowPlan {
   uint32_t* context = nullptr;
   uint16_t* predicted = nullptr;
   uint16_t* symbol = nullptr;
-  uint16_t* before_class = nullptr;  // class by reference frame (contexts.h); unused in key frames
+  uint16_t* before_class = nullptr;  // before_class() of codec/model/contexts.h; unused in key frames
 };
 
 template <bool kDependent, class Coder>

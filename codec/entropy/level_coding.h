@@ -10,8 +10,8 @@
 #include "codec/entropy/range_coder.h"
 #include "codec/levels/disparity_law.h"
 
-// Range coding of the levels of a palette: the distinct depths of a frame, ascending. Internal linkage: several
-// instruction sets compile this header.
+// Range coding of the levels of a palette: the distinct depths of a frame, ascending. Internal linkage, as in
+// range_coder.h, whose types the functions use.
 
 namespace telepalp::codec {
 namespace {
@@ -96,7 +96,8 @@ std::optional<Levels> decode_steps(RangeDecoder& coder) {
   return levels;
 }
 
-/// Codes the levels along the law's steps, farthest first. `law_levels` receives the levels that are coded in this way.
+/// Codes one symbol for each disparity step of `law`, farthest first. `law_levels` receives the levels that the symbols
+/// express.
 void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& levels, Levels& law_levels) {
   encode_bytes(coder, law.farthest, 6);
   encode_bytes(coder, law.step, 4);
@@ -108,7 +109,7 @@ void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& l
   for (std::uint32_t n = 0; n <= last; ++n) {
     const auto lawful = static_cast<std::int64_t>(law.level_at(n));
     int symbol = kAbsent;
-    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // a second level at one step stays for encode_steps()
+    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // encode_steps() codes a second level at one step
       const std::int64_t miss = *level - lawful;
       if (symbol != kAbsent || miss < -kLargestMiss || miss > kLargestMiss) continue;
       symbol = kOnLaw + static_cast<int>(miss);

@@ -218,20 +218,20 @@ struct RangeDecoder {
   }
 };
 
-/// The largest number that encode_number() can encode: value + 1 is at most 2^14 + 2^16 - 1, because the greatest of
-/// the 15 length symbols has 16 bits below it.
+/// The largest number that encode_number() can encode: value + 1 is at most 2^14 + 2^16 - 1, because 16 lower bits
+/// follow the greatest of the 15 length symbols.
 constexpr uint32_t kLargestNumber = 81'918;
 static_assert(kLargestNumber + 1 == (1U << (kSymbols - 1)) + 0xffffU);
 
 /// Encodes a number of at most kLargestNumber: one symbol for the bit length of value + 1, then its lower bits.
 inline void encode_number(RangeEncoder& coder, Model& length_model, uint32_t value) {
-  if (value > kLargestNumber) __builtin_trap();  // demand() needs the C++ library
+  if (value > kLargestNumber) __builtin_trap();  // not demand(), the usual check: it needs the C++ library
   int length = 0;
   while (((value + 1) >> (length + 1)) != 0 && length < kSymbols - 1) ++length;
   coder.encode(length_model, length);
   learn<4>(length_model, length);
   const uint32_t below = value + 1 - (uint32_t{1} << length);
-  const int bits = length == kSymbols - 1 ? 16 : length;  // the greatest length symbol has 16 bits
+  const int bits = length == kSymbols - 1 ? 16 : length;  // 16 lower bits follow the greatest length symbol
   if (bits > 8) coder.encode_bits(below >> 8, bits - 8);
   coder.encode_bits(below & (bits > 8 ? 0xffU : (uint32_t{1} << bits) - 1), bits > 8 ? 8 : bits);
 }

@@ -14,8 +14,8 @@ namespace telepalp::codec {
 /// are right, and how the next pixel differs from its prediction: byte = min(run, 31) * 8 + TokenKind. The kind of the
 /// previous token selects one of four streams, so that zstd's Huffman coder adapts to that kind. Longer runs and larger
 /// steps continue in `extra` as varints. A pixel that is measured where a gap is predicted has its rank in `entries`,
-/// as the zigzag-coded difference from the previous entry. An entry does not refer to a neighbouring pixel, so that the
-/// reader knows each token's pixel before any rank, and then computes the ranks of several rows at once.
+/// as the zigzag-coded difference from the previous entry. An entry does not depend on a neighbouring pixel's rank, so
+/// that the reader finds the pixel of each token before it computes ranks, and then computes several rows at once.
 struct TokenStreams {
   std::array<std::string, 4> tokens;
   std::string extra;

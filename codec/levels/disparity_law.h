@@ -13,8 +13,8 @@ struct DisparityLaw {
   static constexpr std::uint64_t kOne = std::uint64_t{1} << 40;
   static constexpr std::uint32_t kMostSteps = 65535;
 
-  std::uint64_t farthest = kOne;  ///< kOne / z of step 0, the farthest level; from 1 to kOne
-  std::uint32_t step = 1;         ///< above 0
+  std::uint64_t farthest = kOne;  ///< kOne / z at step 0, the farthest level [z: units of a sample]; 1 to kOne
+  std::uint32_t step = 1;         ///< by which kOne / z grows from one step to the next; above 0
 
   /// z of the level that is `n` steps nearer than the farthest one, rounded.
   [[nodiscard]] std::uint64_t level_at(std::uint32_t n) const noexcept {

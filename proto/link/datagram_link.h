@@ -17,7 +17,7 @@ enum class End { Client, Server };
 struct DatagramLinkSettings {
   SealSettings seal;
   Nanoseconds deadline =
-      std::chrono::milliseconds(100);  ///< longest repair after the capture, longest assembly after the 1st fragment
+      std::chrono::milliseconds(100);  ///< limit of a frame's repair (from capture) and assembly (from 1st fragment)
   bool takes_frames = true;            ///< false: fragments from the peer are ignored, and take no memory
   std::size_t most_assembling_B = FrameReceiver::kMostAssembling_B;  ///< bound on the memory of incomplete frames [B]
 };

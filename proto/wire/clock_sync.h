@@ -50,8 +50,8 @@ class ClockSync {
 
   /// The slewed estimate of session minus local time; nullopt before the first sample.
   [[nodiscard]] const std::optional<SlewedOffset>& offset() const noexcept { return given_; }
-  /// Bound on the error of offset()->at(local_now) on any path, symmetric or not: from the bounds that requests and
-  /// replies give, widened since then by the largest drift of oscillators, and with what is not yet slewed. Without
+  /// Bound on the error of offset()->at(local_now), whether or not the path is symmetric: the bound from requests and
+  /// replies, widened by the largest oscillator drift since then, plus the correction that is not yet slewed. Without
   /// samples Nanoseconds::max().
   [[nodiscard]] Nanoseconds uncertainty(Nanoseconds local_now) const noexcept;
   /// Number of corrections of 1 s or more, upward or downward. The first estimate does not count.

@@ -59,7 +59,7 @@ class AuditLog {
   keys::AuditPosition position_;
   std::function<void(const std::string&)> say_;
   std::uint64_t not_written_ = 0;
-  std::uint64_t missing_said_ = 0;  // of these, the lines that a later line counts
+  std::uint64_t missing_said_ = 0;  // part of not_written_ that a later line has reported
   keys::WallTime refusals_since_{};
   std::uint64_t strangers_ = 0;  // number of refused strangers in the present 10 s
   std::uint64_t others_ = 0;

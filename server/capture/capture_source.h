@@ -14,7 +14,7 @@ namespace telepalp::capture {
 /// State of a capture source, as shown to the technician. Equals msg.CaptureState.
 enum class CaptureState { Waiting, Live, Lost, Ended };
 
-/// The images of a frame as a session holds them.
+/// The images of a frame as a session file stores them.
 struct CompressedFrame {
   std::string depth;         ///< a packet of the depth codec
   std::string depth_format;  ///< name of its codec mode

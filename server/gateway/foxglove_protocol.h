@@ -15,7 +15,8 @@
 
 namespace telepalp::gateway::foxglove {
 
-/// The supported subprotocols. The parts that telepalp uses are equal in both, but playback control is of the first.
+/// The supported subprotocols. telepalp uses parts that are equal in both, and playback control, which only the first
+/// has.
 inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1", "foxglove.websocket.v1"};
 
 /// The first supported subprotocol in the client's Sec-WebSocket-Protocol header; nullopt if there is none.
@@ -26,7 +27,7 @@ inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1"
 
 /// Text messages from the server. `session_id` differs for each start of the server, `viewer` for each client. `role`
 /// is the name of the client's role; telepalp's viewer shows the view for this role, and leaves out what the role may
-/// not do. `played`: the session that the client may move; nullopt: none.
+/// not do. `played`: the session whose playback the client may control; nullopt: none.
 [[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer,
                                       std::string_view role, const std::optional<msg::PlaybackState>& played = {});
 [[nodiscard]] std::string advertise_all_topics();

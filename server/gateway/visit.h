@@ -12,7 +12,7 @@ namespace telepalp::gateway {
 /// Path of session playback: GET returns its state; POST carries out a command, such as a seek or a pause.
 inline constexpr std::string_view kPlaybackTarget = "/playback";
 
-/// Path of the played session's events, of all its length: GET alone.
+/// Path of the events of the whole played session: only GET is allowed.
 inline constexpr std::string_view kEventsTarget = "/playback/events";
 
 /// Path of the network that impairs the played session: GET returns it and its counts; POST changes it.
@@ -30,7 +30,7 @@ struct Visitor {
   std::string cookie;  ///< of the browser's session; empty: the request has a token, or the server has no keys
 };
 
-/// Who may send a command by POST, and what others read.
+/// The permission that a command by POST needs, and the replies to clients that may not send it.
 struct CommandRight {
   keys::Operation operation;
   std::string_view people;  ///< "… is for …": reply to a visitor without the right

@@ -22,7 +22,7 @@ struct TimeMap {
   }
 };
 
-/// Added to the sender numbers of recorded stations, so that the recorded station and the same one live again differ.
+/// Added to the sender numbers of recorded stations, so that they differ from those of connected stations.
 inline constexpr std::uint32_t kRecordedSenders = 1000;
 
 /// `recorded` with each instant in it (a field NAME_ns of type fixed64 that is not 0, or a Timestamp) mapped by `map`.

@@ -78,14 +78,14 @@ class SessionPlayer {
   bool color_registered_ = true;
   bool ended_ = false;
   bool picture_shown_ = false;  // since the last seek
-  TimeMap picture_map_;         // by which the newest picture was published
+  TimeMap picture_map_;         // map of times with which the newest picture was published
   SessionTime status_at_{};
   std::optional<std::string> status_;  // text of the status published last
   SessionTime repeated_at_{};
 
   boost::asio::io_context* network_ = nullptr;
   Handlers handlers_;
-  mutable std::mutex mutex_;  // guards commands_, state_ and stopping_
+  mutable std::mutex mutex_;  // guards commands_, again_, state_ and stopping_
   std::condition_variable changed_;
   std::vector<msg::PlaybackCommand> commands_;
   bool again_ = false;  // show_again() was called

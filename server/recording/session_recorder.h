@@ -14,8 +14,8 @@
 namespace telepalp::recording {
 
 /// Records what a server publishes into files of one folder, one file at a time. The recorder is telepalp-record, which
-/// connects to the server like any other, so a full disk never delays the patient's stream. Owner: the server's network
-/// thread; no call blocks but the destructor.
+/// connects to the server like any recorder, so a full disk never delays the patient's stream. Owner: the server's
+/// network thread; no call blocks but the destructor.
 class SessionRecorder {
  public:
   struct Options {

@@ -4,8 +4,8 @@
 
 namespace telepalp::bench {
 
-/// telepalp-replay: its speed on a session, a simulated patient and an .oni, what a grid costs beside one run, whether
-/// threads change anything, and how closely the same run between real sockets agrees.
+/// Measures telepalp-replay: its speed on a session, a simulated patient and an .oni recording, the cost of a sweep
+/// relative to one run, whether the number of threads changes results, and how closely a run over real sockets agrees.
 [[nodiscard]] Result<Report> run_replay(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

@@ -17,7 +17,7 @@ struct Comparison {
   Run b;
   std::vector<Setting> settings;
   TickComparison ticks;
-  bool messages_compared = false;              ///< true: session times overlap; equal runs have equal messages
+  bool messages_compared = false;              ///< true: session times overlap, so messages are comparable
   std::optional<std::string> first_message{};  ///< the first message in which they differ, in words
   std::vector<MetricPair> metrics;
   std::vector<MetricPair> replay_metrics;

@@ -17,7 +17,7 @@ namespace telepalp::report {
 struct ReplayFacts {
   std::string network;  ///< network and faults in words; "none": no delay, loss or fault
   std::string seed;
-  std::string hand;                       ///< "recorded" or "examine"
+  std::string hand;                       ///< "recorded", or the script: "examine", "tap", "search"
   std::map<std::string, double> figures;  ///< by metric (docs/replay.md); metrics without a value are missing
 };
 

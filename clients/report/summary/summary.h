@@ -58,7 +58,7 @@ struct Summary {
   Quantiles capture_to_touchable_ms;
   double object_unseen_share = 0.0;        ///< share of time: an inner object stays put, as the skin above is not seen
   double object_slide_unseen_share = 0.0;  ///< share of time: an inner object ignores a slide that cannot be measured
-  double unmodelled_share = 0.0;           ///< share of time: the patient moves unlike before, and predictions are cut
+  double unmodelled_share = 0.0;           ///< share of time: predictions are reduced; the patient moves unlike before
   Quantiles surface_carried_mm, hand_carried_mm;  ///< magnitude of the predicted displacement
   /// The loosest bound of the depth that the station touched; without a station, that of the recorded images.
   wire::DepthFidelity depth;

@@ -38,7 +38,7 @@ class FrameReceiver {
   [[nodiscard]] std::optional<Frame> take();
 
   /// Gives up frames `deadline` after their first fragment, and complete frames whose reference frame is lost. Call it
-  /// at each step of time.
+  /// before missing().
   void step(SessionTime now);
   /// Blocks that lack shards although all fragments of their frame should have arrived; by channel, then oldest frame
   /// first; at most kMostMissing.

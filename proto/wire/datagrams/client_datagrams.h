@@ -49,7 +49,7 @@ class ClientDatagrams {
   boost::asio::ip::udp::socket socket_;
   DatagramEnd end_;
   std::array<std::byte, link::kDatagramBytes + 1> buffer_{};  // one byte more, to recognise datagrams that are too long
-  std::uint64_t socket_number_ = 0;                           // identifies and ignores reads of a replaced socket
+  std::uint64_t socket_number_ = 0;                           // of socket_; reads of an earlier socket are ignored
   bool closed_ = false;
   std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending reads hold weak_ptrs to it
 };

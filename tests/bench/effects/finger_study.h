@@ -15,7 +15,7 @@ struct RibCount {
 };
 
 /// A finger presses beside the breastbone between two ribs, slides along the chest, and lifts between two others. It
-/// has a tremor. `seed` chooses side, place, depth, speed, both ends and the tremor.
+/// has a tremor. `seed` chooses side, place, depth, speed, start and end of the slide, and the tremor.
 [[nodiscard]] RibCount count_ribs(const scenes::Scene& scene, std::uint64_t seed);
 
 struct Mass {

@@ -6,7 +6,7 @@
 
 namespace telepalp::bench {
 
-/// Turns of each kind, of equal length.
+/// Number of turns with a recorder, and of turns without one. All have equal length.
 inline constexpr int kRecordingTurns = 5;
 
 /// What recording a live session costs. Shares are of one core.

@@ -22,7 +22,7 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> inner_rows();
 /// Objects inside a body that a camera sees move.
 [[nodiscard]] std::vector<HardCase> body_rows();
-/// Workspace indexing: the device leaves its touch cylinder and returns.
+/// Workspace indexing: the device leaves the cylinder in which it touches the body, and returns.
 [[nodiscard]] std::vector<HardCase> indexing_rows();
 
 }  // namespace telepalp::hard_cases

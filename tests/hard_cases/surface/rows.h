@@ -20,7 +20,7 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> return_rows();
 /// The displayed surface's approach to the newest one.
 [[nodiscard]] std::vector<HardCase> follow_rows();
-/// Patients whose motion a prediction does not know.
+/// Patients whose motion the surface's prediction does not model.
 [[nodiscard]] std::vector<HardCase> prediction_rows();
 /// Frames that are late, early, old, or do not come.
 [[nodiscard]] std::vector<HardCase> time_rows();

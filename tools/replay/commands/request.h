@@ -21,7 +21,7 @@ struct Request {
   surface::SurfaceSettings surface;
   Scenario scenario;
   TapeSettings tape;
-  RecordedHand recorded;  ///< empty: the simulated hand examining_hand()
+  RecordedHand recorded;  ///< empty: the simulated hand repeats scenario.hand
   double seconds = 0.0;
   int threads = 1;
   std::filesystem::path out;  ///< empty: no files

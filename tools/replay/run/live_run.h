@@ -6,7 +6,7 @@
 
 namespace telepalp::replay {
 
-/// A network of the caller's, and the time in which it lives.
+/// A network that the caller provides, and its clock.
 struct LiveNetwork {
   Wires wires;
   std::function<void(Nanoseconds)> await;  ///< returns when this time since the session's start has come

@@ -36,7 +36,7 @@ struct RunResults {
   double seconds = 0.0;  ///< of session time
 };
 
-/// The scene's place in the first of `frames` that shows the patient; nullopt: none does.
+/// The camera's pose in H that places the scene, from the first of `frames` that shows the patient; nullopt: none does.
 [[nodiscard]] std::optional<Transform<HapticBase, DepthCamera>> first_placement(const scenes::Scene& scene,
                                                                                 const TapeFrames& frames);
 [[nodiscard]] Error nowhere_to_place();

@@ -42,7 +42,7 @@ class Stopwatch {
   }
 
  private:
-  /// Three frames take 200 ticks. This is prime to 200, so that the ticks of a frame are measured equally often.
+  /// Three frames take 200 ticks. 17 and 200 are coprime, so that all ticks of these frames are measured equally often.
   static constexpr std::int64_t kSampled = 17;
 
   class Booking {

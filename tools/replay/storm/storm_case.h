@@ -11,7 +11,7 @@ namespace telepalp::replay {
 struct StormCase {
   std::string motion = "regular";
   std::uint64_t patient_seed = 1;
-  int width_px = 320;          ///< of the camera; few pixels, so that a night sees more seeds
+  int width_px = 320;          ///< of the camera; few pixels, so that more seeds run in a night
   std::string scene = "skin";  ///< name of a scene that ships
   Scenario scenario{};
   double seconds = 10.0;
