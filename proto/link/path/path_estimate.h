@@ -81,7 +81,7 @@ class PathEstimate {
   double burst_packets_ = 1.0;
   double rate_B_per_s_ = 0.0;
   WindowedMaximum<double> rates_;
-  double best_rate_B_per_s_ = 0.0;  ///< best of the last 1 s, or 2 round trips if longer; keeps through pauses
+  double best_rate_B_per_s_ = 0.0;  ///< best of 1 s, or of 2 round trips if longer: pauses in sending do not lower it
   std::uint64_t limit_B_ = std::uint64_t{1} << 20U;
 };
 
