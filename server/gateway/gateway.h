@@ -85,7 +85,7 @@ class Connection {
   virtual void check_access() {}
   /// Sends the client the state of the played session; called each second.
   virtual void send_playback_state() {}
-  /// True when the connection is a viewer that has subscribed to nothing, so that it may be closed to make room for
+  /// True when the connection is a viewer without a subscription and without the hand: it may be closed to make room for
   /// another one.
   [[nodiscard]] virtual bool is_idle() const { return false; }
 

@@ -23,7 +23,7 @@ struct NamedDepth {
 /// or binary PGM; a directory of such files, searched recursively, in order of path, without its colour images; or a
 /// .oni, .pcd or .mcap recording. `unit_m`: the unit of image files, which do not state it. Samples are passed on
 /// unchanged. `pass_over` is called with an error for each undecodable image of a .mcap, and once for all damage of a
-/// .oni; if it is empty, such an error ends the call.
+/// .oni; if it is empty, such an error ends the call. A .oni without a readable image is always an error.
 [[nodiscard]] Result<void> for_each_depth(const std::filesystem::path& input, double unit_m,
                                           const std::function<Result<void>(NamedDepth)>& visit,
                                           const std::function<void(const Error&)>& pass_over = {});

@@ -7,7 +7,7 @@
 
 namespace telepalp::replay {
 
-/// One run of a storm (a series of random runs): a patient, a scene, a network and faults.
+/// One run of a storm (a series of random runs): a patient, a scene, a hand's script, a network and faults.
 struct StormCase {
   std::string motion = "regular";
   std::uint64_t patient_seed = 1;
@@ -26,7 +26,7 @@ struct StormCase {
 [[nodiscard]] std::string command_line(const StormCase& storm);
 
 /// Makes a case simpler by one part: no fault of one kind, one network impairment removed, a patient who breathes
-/// regularly, patient seed 1, or the scene "skin".
+/// regularly, the script HandScript::Examine, patient seed 1, or the scene "skin".
 using Simplification = void (*)(StormCase& storm);
 [[nodiscard]] std::span<const Simplification> simplifications() noexcept;
 
