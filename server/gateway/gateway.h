@@ -85,8 +85,8 @@ class Connection {
   virtual void check_access() {}
   /// Sends the client the state of the played session; called each second.
   virtual void send_playback_state() {}
-  /// True when the connection is a viewer without a subscription and without the hand: it may be closed to make room for
-  /// another one.
+  /// True when the connection is a viewer that has subscribed to nothing and does not hold the hand, so that it may be
+  /// closed to make room for another one.
   [[nodiscard]] virtual bool is_idle() const { return false; }
 
  protected:

@@ -60,7 +60,8 @@ class PeerListener {
   /// Connected peers that may publish /station/...
   [[nodiscard]] std::size_t stations() const { return taken(PlaceKind::Station); }
   [[nodiscard]] DatagramCounts datagram_counts() const noexcept;
-  /// True if depth images may depend on each other: lost datagrams of every peer are repaired in time.
+  /// True if depth images may depend on each other: each peer gets them over TCP, or by a path that loses hardly any
+  /// datagram or repairs lost ones in time.
   [[nodiscard]] bool references_arrive() const noexcept;
 
   /// Stops listening, and sends every peer its queued messages and a Goodbye. Within 1 s no work is left in the
