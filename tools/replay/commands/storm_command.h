@@ -4,8 +4,9 @@
 
 namespace telepalp::replay {
 
-/// Runs a storm on all threads: the random cases (patient, scene, network, faults) of the seeds 1 to N. Shrinks each
-/// case that fails, and prints the command line of the shrunk case. True: the invariants held in all cases.
+/// Runs a storm on `request.threads` threads: the random cases (patient, scene, hand's script, network, faults) of
+/// successive seeds, the first of which is that of the scenario. Shrinks each case that fails, and prints the command
+/// line of the shrunk case. True: the invariants held in all cases.
 [[nodiscard]] Result<bool> run_storm(const Request& request);
 
 }  // namespace telepalp::replay
