@@ -12,7 +12,7 @@ namespace telepalp::capture {
 /// The frames of an .oni recording: each depth image with the colour image nearest in time, at most 0.2 s apart.
 class OniFrames final : public RecordedFrames {
  public:
-  /// Error: not an .oni recording, or no depth image can be decoded.
+  /// Error: not an .oni recording, or none of its first ten depth images can be decoded.
   [[nodiscard]] static Result<std::unique_ptr<OniFrames>> open(const std::string& file);
 
   std::optional<SessionTime> peek() override;

@@ -5,9 +5,9 @@
 
 namespace telepalp::replay {
 
-/// Runs the source over the network of each cell (a combination of the axes' values), on all threads; prints the table,
-/// and writes sweep.txt, sweep.csv, sweep.json, heat maps (two axes or more) and cells/NNN.json to --out. True: the
-/// assertions hold in every cell.
+/// Runs the source over the network of each cell (a combination of the axes' values), on `request.threads` threads;
+/// prints the table, and writes sweep.txt, sweep.csv, sweep.json, heat maps (two axes or more) and cells/NNN.json to
+/// --out. True: the assertions hold in every cell.
 [[nodiscard]] Result<bool> run_sweep(const Request& request, const std::vector<SweepAxis>& axes,
                                      const std::vector<SweepCell>& cells);
 
