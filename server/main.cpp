@@ -243,7 +243,7 @@ void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& p
                        }};
 }
 
-/// Where a recorder of this machine reaches the server: at its address, or on loopback when it listens everywhere.
+/// Where a recorder on this machine reaches the server: at its address, or on loopback when it listens everywhere.
 std::string own_address(const std::string& bind, std::uint16_t port) {
   const std::string host = bind == "0.0.0.0" ? "127.0.0.1" : bind == "::" ? "::1" : bind;
   return program::to_text({host, port});

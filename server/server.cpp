@@ -132,7 +132,7 @@ void Server::publish_every_second() {
   });
 }
 
-/// A paused session publishes nothing by itself, so a subscriber that came later lacks the picture.
+/// Repeats the picture of a paused session for a subscriber that came after its publication.
 void Server::show_newcomers_the_picture() {
   if (player_ && !player_->state().playing() && hub_.is_missed(wire::kCameraDepth.name)) player_->show_again();
 }
@@ -143,7 +143,7 @@ void Server::publish_clock_and_stats() {
   hub_.publish(wire::make_message(wire::kServerStats, now, hub::server_stats(hub_, datagram_counts(), now)));
 }
 
-/// One encoding serves all subscribers, so the worst path decides.
+/// All subscribers get the same encoding, so depth is predicted only while every path delivers the reference frames.
 void Server::choose_prediction() {
   const codec::DepthMode mode = options_.encode.depth.mode;
   const bool in_groups = mode == codec::DepthMode::Temporal || mode == codec::DepthMode::Bounded;

@@ -59,8 +59,8 @@ void EncounteredController::enter_phase(Event event, const ControlInput& in) noe
   if (phases_.phase() == Phase::OutBody) position_control_.begin(in, plane_.target_height_m());
 }
 
-/// True when the skin gives force: inside the body, and in Body to plane while the hand is still inside; never while
-/// workspace indexing moves the body past the device.
+/// True when the skin gives force: in the phases inside the body, and in Body to plane while the device is in the body;
+/// never while workspace indexing moves the body past the device (`interacts` is false).
 bool EncounteredController::feels_skin(const ControlInput& in) const noexcept {
   const bool may_feel = is_inside(phases_.phase()) || phases_.phase() == Phase::BodyToPlane;
   return may_feel && in.interacts && in.contact.valid && in.contact.in_body;
@@ -73,9 +73,9 @@ bool EncounteredController::inputs_are_stale(const ControlInput& in) const noexc
   return surface_is_stale(in, settings_.ages) || (!holds && hand_is_lost(in, settings_.ages.tracker_s));
 }
 
-/// The largest force that the skin can give now. After letting go, the station owes the hand only the force that still
-/// fades: the ledger at the hand would else count the force that the skin would give as missing, and a released device
-/// that does no work would appear to give energy to a hand that presses on.
+/// The largest force of the displayed and of the measured skin now [N]. After a release, it is the fading force of the
+/// device. With a larger bound, the hand ledger would book the work of the measured skin against a device that gives no
+/// force, and count energy given to a hand that presses on.
 double EncounteredController::owed_N() const noexcept {
   return has_let_go(phases_.phase()) ? force_control_.given_N() : limiter_.bound_N();
 }

@@ -358,13 +358,13 @@ void Station::every_10_ms() {
   });
 }
 
-/// A model is captured by this computer's own clock.
+/// A static model has this computer's own time stamps, so the clock error is 0.
 void Station::look_at_clock() {
   const Nanoseconds bound = options_.model ? Nanoseconds{0} : link_.clock_uncertainty();
   clock_error_s_ = bound == Nanoseconds::max() ? std::numeric_limits<double>::infinity() : to_seconds(bound);
 }
 
-/// Of a server that restarts, the clock may step by as much as the wall clock of its computer was set.
+/// When a server restarts, the session clock may step by as much as the wall clock of its computer was changed.
 void Station::say_clock_step() {
   const Nanoseconds stepped = link_.clock_stepped();
   const Nanoseconds by = stepped - std::exchange(clock_stepped_, stepped);

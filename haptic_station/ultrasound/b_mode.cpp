@@ -80,7 +80,7 @@ class ScanLine {
     return fills;
   }
 
-  /// Brightness of the boundary between the last layer and this one.
+  /// Echo level of the boundary between the layers `last_` and `now`.
   [[nodiscard]] double boundary_dB(std::size_t now, const Vector3d& along) {
     const double z1 = of(last_).impedance_MRayl;
     const double z2 = of(now).impedance_MRayl;
@@ -88,7 +88,7 @@ class ScanLine {
     const Vector3d& normal = crossings_[now != kTissue ? now : last_].gradient;
     const double cosine = std::min(1.0, std::abs(normal.dot(along)));
     const double echo_dB = 10.0 * std::log10(reflected * std::pow(cosine, settings_.specular_power) + 1e-12);
-    const double before_dB = sent_dB_;                      // the boundary's own echo does not pass it
+    const double before_dB = sent_dB_;                      // its echo does not cross the boundary
     sent_dB_ += 20.0 * std::log10(1.0 - reflected + 1e-6);  // both ways through the boundary
     return before_dB + echo_dB;
   }

@@ -289,8 +289,8 @@ void ClientLink::on_datagram_offer(const msg::DatagramOffer& offer) {
   start_datagrams();
 }
 
-/// Session time without the steps since the datagrams began: their intervals are measured by it, and last on when the
-/// clock steps.
+/// Session time without the clock's steps since the datagrams began, so that a step does not change the time-outs and
+/// ages that are measured by it.
 SessionTime ClientLink::datagram_now() const noexcept {
   return clock().now() - (clock_sync_.stepped() - stepped_before_datagrams_);
 }

@@ -104,7 +104,7 @@ Result<std::unique_ptr<AuditLog>> AuditLog::open(const fs::path& file,
 
 AuditLog::AuditLog(fs::path file, keys::AuditPosition position, std::function<void(const std::string&)> say)
     : file_(std::move(file)), position_(std::move(position)), say_(std::move(say)) {
-  stream_.rdbuf()->pubsetbuf(nullptr, 0);  // a line that could not be written must not be written later
+  stream_.rdbuf()->pubsetbuf(nullptr, 0);  // unbuffered: a line whose write failed must not come later
   stream_.open(file_, std::ios::app | std::ios::binary);
 }
 

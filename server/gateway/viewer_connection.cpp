@@ -301,7 +301,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics or kViewTopics
   ViewerCommands commands_;
   std::optional<SessionTime> untaken_warned_;
-  std::deque<Said> said_;  // texts and playback states, to write before messages
+  std::deque<Said> said_;  // replies and playback states, to write before messages of topics
   bool writing_ = false;
   std::optional<wire::Message> message_;  // the message that is being written
   std::deque<std::uint32_t> to_;          // subscriptions to which the message is still to be written

@@ -139,8 +139,8 @@ std::optional<HttpReply> Visit::refusal_to_watch(const HttpRequest& request) con
   return std::nullopt;
 }
 
-/// Everyone who may watch may GET a state. A POST changes something for all, so it needs a right of its own, and a page
-/// of this server or a program must send it.
+/// Everyone who may watch may GET a state. A POST changes something for all visitors, so it needs its own right, and
+/// must come from a page of this server, a page of an origin in --allow-origin, or a trusted program.
 std::optional<HttpReply> Visit::refusal_to_command(const HttpRequest& request, const CommandRight& right) const {
   if (std::optional<HttpReply> refusal = refusal_to_watch(request)) return refusal;
   if (request.method() != http::verb::post) return std::nullopt;
@@ -178,7 +178,7 @@ HttpReply Visit::recording(const HttpRequest& request) const {
   if (std::optional<HttpReply> refusal = refusal_to_command(request, kRecord)) return std::move(*refusal);
   const GatewayOptions& options = context_.options;
   const bool commands = request.method() == http::verb::post;
-  // A browser logs each 404 as an error of the page, so a page that only asks gets an empty state.
+  // A browser logs each 404 as an error of the page, so a GET gets an empty state instead.
   if (!options.recording_state)
     return commands ? refuse(request, http::status::not_found,
                              "this server records nothing by itself. fix: telepalp-server --record-dir DIR")

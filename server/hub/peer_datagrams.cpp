@@ -59,7 +59,7 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
   return made;
 }
 
-/// TCP, which carries the images in the other phases, loses nothing.
+/// True in each phase except Up, because TCP then carries the images and loses nothing.
 bool PeerDatagrams::references_arrive() const noexcept {
   return end_->phase() != wire::DatagramPhase::Up ||
          link::references_arrive(end_->link().path(), link::DatagramLinkSettings{}.deadline);

@@ -125,7 +125,7 @@ void PeerListener::accept() {
   });
 }
 
-/// Called once for each time that accepting fails after it worked.
+/// Called at the first failure to accept after a success, not at the failures that follow it.
 void PeerListener::note_pause(const error_code& why) {
   const std::string text = "no connection can be accepted (" + why.message() + "): accepting pauses and is tried again";
   options_.access->note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(text));

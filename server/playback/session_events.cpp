@@ -37,7 +37,7 @@ void SessionEvents::read(const std::filesystem::path& file, SessionTime begin) {
   events_.set_complete(true);
 }
 
-/// A damaged chunk loses its events alone: the player counts it, and reading goes on behind it.
+/// A damaged chunk costs only its own events: reading continues after it. SessionPlayer counts the damaged chunks.
 void SessionEvents::read_events(const std::filesystem::path& file, SessionTime begin) {
   Result<wire::McapReader> reader = wire::McapReader::open(file);
   if (!reader) return;

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr int kMostOnTheWay = 64;  // messages; reading pauses while the network thread has more unhandled ones
 constexpr Nanoseconds kStatusEvery = 1s;
-constexpr Nanoseconds kRepeatedEvery = 1s;  // a picture, while paused
+constexpr Nanoseconds kRepeatedEvery = 1s;  // least time between two repeats of the picture while paused
 /// A player that is later than this (slow disk, computer was asleep) continues at normal speed instead of catching up.
 constexpr Nanoseconds kLatest = 500ms;
 constexpr Nanoseconds kBetweenRounds{33'333'333};  // from the last message to the repeated first one
@@ -166,7 +166,7 @@ void SessionPlayer::go_to(SessionTime at) {
   for (const wire::Message& message : needed) publish(message);
 }
 
-/// A position before the first picture shows that one, so that a paused session is never empty.
+/// At a position before the first picture, goes on to that picture, so that a paused session is never empty.
 void SessionPlayer::show_first_picture() {
   if (picture_shown_) return;
   const SessionTime at = position_;
@@ -174,8 +174,8 @@ void SessionPlayer::show_first_picture() {
   if (!picture_shown_) go_to(at);
 }
 
-/// Publishes what a receiver needs at the present position. The picture keeps its first time stamp: if it became
-/// younger, a station would touch a patient who does not move.
+/// Publishes the messages that a receiver needs at the present position. The picture keeps the time stamp of its first
+/// publication: with a newer one, a station would let the hand touch a picture that stands still.
 void SessionPlayer::repeat_picture() {
   if (clock_.now() - repeated_at_ < kRepeatedEvery) return;
   repeated_at_ = clock_.now();

@@ -13,7 +13,7 @@
 namespace telepalp::recording {
 namespace {
 
-constexpr int kNotStarted = 127;  // as a shell says it
+constexpr int kNotStarted = 127;  // exit code of a shell whose command cannot be started
 
 Error cannot_start(const std::filesystem::path& program, int code) {
   return {.what = "the recorder cannot be started: " + std::string(std::strerror(code)),
@@ -27,7 +27,7 @@ Error cannot_write(const std::filesystem::path& log, int code) {
           .fix = "free space on the disk, or name another folder by --record-dir"};
 }
 
-/// Runs in the child of a process with threads: only calls that are safe in a signal handler are allowed here.
+/// Runs in the child between fork() and execv(). The parent has threads, so only async-signal-safe calls are allowed.
 [[noreturn]] void become(const char* program, char* const* arguments, int log) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   sigset_t none;

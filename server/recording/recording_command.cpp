@@ -16,7 +16,7 @@ Error wrong(std::string what) {
           .fix = "send {\"record\":true,\"consent\":\"signed form, study 17\"} to begin, {\"record\":false} to end"};
 }
 
-/// True for bytes that do not belong into one line of text.
+/// True for control characters, which one line of text must not contain.
 bool is_control(char letter) { return std::iscntrl(static_cast<unsigned char>(letter)) != 0; }
 
 }  // namespace

@@ -152,7 +152,8 @@ Result<void> add_sources(const Scenario& scenario, double seconds, Report& repor
   return {};
 }
 
-/// How closely the same replay between real sockets agrees. At least ten seconds, so that a frame is less than a point.
+/// Differences between a replay in virtual time and the same replay over real sockets. At least 10 s long, so that one
+/// frame is less than 1 % of the frames.
 Result<void> add_live(const Scenario& scenario, double seconds, Report& report) {
   const Result<scenes::Scene> scene = palpation();
   if (!scene) return scene.error();

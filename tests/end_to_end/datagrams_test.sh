@@ -30,7 +30,7 @@ start() { # NAME COMMAND…
   "$@" >"$work/$name.log" 2>&1 &
   background+=($!)
 }
-images() { # FILE: the depth images of a recording, and those that were published meanwhile; a busy server publishes fewer
+images() { # FILE: prints how many depth images the recording has, and how many the server published meanwhile
   telepalp-record info "$1" | awk '$1 == "/camera/depth" {print $3, $3 + $NF}'
 }
 

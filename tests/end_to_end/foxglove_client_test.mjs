@@ -229,7 +229,7 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
   }
 });
 
-/** Topics on which nothing comes while nothing happens: a viewer's hand and its holder, an event of the station. */
+/** Topics with messages only on occasions: while a viewer holds or asks for the hand, and at events of the station. */
 const ON_OCCASION = ['/viewer/hand', '/viewer/hand_holder', '/station/events'];
 
 test('each advertised topic is received by a page of an allowed origin, and decoded by the schema that comes along', async () => {

@@ -1,5 +1,5 @@
-// node recording_test.mjs BIN_DIR VIEWER_FILES: the technician records from the page, at the server's machine: not without
-// the tick for consent, and the file is complete, names the consent, and plays.
+// node recording_test.mjs BIN_DIR VIEWER_FILES: the technician's page begins and ends a recording on the server's
+// machine. It needs the tick for consent. The file is complete, names the consent, and can be played.
 import assert from 'node:assert/strict';
 import {execFile} from 'node:child_process';
 import {mkdirSync, readdirSync} from 'node:fs';

@@ -91,7 +91,7 @@ TEST_F(StationProgram, KeepsItsSceneWhileANewOneIsRefused) {
                        folder_.path() / "check.log");
   EXPECT_EQ(refused.wait(10s), 1);
   EXPECT_NE(text_of(folder_.path() / "check.log").find("radius_m of sphere is -1"), std::string::npos);
-  server_->signal(SIGKILL);  // what the station holds does not depend on its files, even over a new connection
+  server_->signal(SIGKILL);  // the station keeps its scene over a new connection, though the file is bad
   ASSERT_TRUE(hears(log(), "link lost")) << text_of(log());
   ASSERT_EQ(start_server(port), port);
   ASSERT_TRUE(hears(log(), "link connected", 2)) << text_of(log());

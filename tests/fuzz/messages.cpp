@@ -15,7 +15,7 @@ namespace {
 
 using namespace telepalp;
 
-/// What the hub takes from a station, it passes on with the sender's own number and still readable.
+/// A message that the hub takes from a station stays readable after the hub has written the sender's number into it.
 void publish(const wire::Topic& topic, const std::string& payload) {
   const wire::Message message{topic, {}, std::make_shared<const std::string>(payload)};
   if (!hub::is_valid_upstream(message)) return;
@@ -26,7 +26,7 @@ void publish(const wire::Topic& topic, const std::string& payload) {
   demand(sender.ParseFromString(*sent.payload) && sender.sender() == 7, "a peer cannot choose its number");
 }
 
-/// A viewer's hand is near the camera.
+/// A viewer's hand that is accepted is finite and at most 10 m from the camera along each axis.
 void move_hand(const std::string& payload) {
   const auto hand = wire::read_viewer_hand(payload);
   if (!hand) return;
@@ -34,7 +34,7 @@ void move_hand(const std::string& payload) {
     demand(std::isfinite(at_m) && std::abs(at_m) <= 10.0, "a hand is within 10 m");
 }
 
-/// A control message that is read is written back as a message that is read.
+/// A control message keeps its kind when it is parsed, serialised and parsed again.
 void control(const std::string& payload) {
   msg::Control read;
   if (!read.ParseFromString(payload)) return;

@@ -1,5 +1,5 @@
 // What a browser or a stranger sends to the web port: a request with its headers, token and cookie, as the upgrade to a
-// WebSocket has them, and the texts and data of the Foxglove protocol after it. The first byte of the input chooses.
+// WebSocket has them, and the texts and data of the Foxglove protocol after it. The first byte chooses the kind.
 #include <boost/asio/buffer.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>

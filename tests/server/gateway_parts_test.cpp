@@ -254,7 +254,7 @@ TEST(FoxgloveProtocol, RequestsAreReadAndOtherOperationsAreNamedInTheRefusal) {
   EXPECT_NE(to_string(other.error()).find("'setParameters'"), std::string::npos);
 }
 
-/// 03 | command | f32 speed | seek | u64 time | u32 length | id
+/// Layout: opcode 03 | command | f32 speed | seek, 0 or 1 | u64 time [ns] | u32 length of id | id
 std::string playback_request(char command, float speed, std::optional<std::uint64_t> seek_ns, const std::string& id) {
   std::string bytes{'\x03', command};
   const auto append = [&](std::uint64_t value, int size) {

@@ -54,7 +54,7 @@ export class ViewerHandInput {
   private stepped_ms = 0;
   private holder: HandHolder = {viewer: 0n, asking: []};
   private mine = false;  // true: this viewer holds the hand
-  /** Where a headset tracks the user's hand, in the scene's frame; undefined: nowhere. It comes before the pointer. */
+  /** The hand that a headset tracks, in the scene's frame [m]; undefined: none. It overrides the pointer. */
   tracked: Vector3 | undefined;
   /** Keys and gamepad that steer the hand; set once, after construction. */
   steering: HandSteering | undefined;

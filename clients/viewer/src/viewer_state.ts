@@ -57,7 +57,7 @@ export class ViewerState {
   news: News | undefined;
   holdsHand = false;
   graphicsLost = false;
-  paused = false;  // the played session
+  paused = false;  // true: the played session is paused
   frames = 0;
 
   private coming: Instant | undefined;  // taken by the page, not drawn yet

@@ -29,11 +29,11 @@ struct Waiting {
   double squared_m2;
 };
 constexpr std::size_t kMostWaiting =
-    64;  // the hierarchy quarters its members: 16 levels leave 3 each, and 4 at the end
+    64;  // at most 16 levels of 4 children: each leaves 3 boxes waiting, the last one 4
 
 using Lanes = std::array<double, BoxNode::kWidth>;
 
-/// Squared distances of the children's boxes [m^2]. The compiler computes the lanes together.
+/// Squared distances of the children's boxes [m^2], one lane per child, so that the compiler can vectorise.
 Lanes squared_distances(const BoxNode& node, const Vector3d& p) noexcept {
   Lanes sum{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -46,7 +46,7 @@ Lanes squared_distances(const BoxNode& node, const Vector3d& p) noexcept {
   return sum;
 }
 
-/// The nearest box first, so that its value rules out the others.
+/// Visits the nearest box first, so that its value rules out boxes that are farther away.
 void evaluate_bounded(const SolidTree& tree, std::uint32_t hierarchy, const Vector3d& p, Least& least) noexcept {
   std::array<Waiting, kMostWaiting> waiting;
   std::size_t count = 0;

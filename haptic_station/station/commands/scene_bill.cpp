@@ -28,7 +28,7 @@ Point<HapticBase> pressed_at(double time_s) {
   return {{0.12 * std::sin(0.7 * time_s), -depth_m, 0.12 * std::sin(1.1 * time_s + 0.4)}};
 }
 
-/// Mean costs of an effect in parts of the path, and its dearest tick.
+/// Cost of one effect: its bill so far, and its mean cost per tick in each part of the path [us].
 struct Cost {
   effects::EffectBill so_far;
   std::vector<double> parts_us{};

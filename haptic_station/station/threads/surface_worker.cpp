@@ -14,7 +14,8 @@ constexpr double kReach_m = 0.16;
 constexpr int kMostWaiting = 300;
 constexpr std::size_t kMostWaitingBytes = 32U << 20U;
 
-// A session clock that is corrected by less is slewed, and never goes back (proto/wire/clock_sync.h).
+// The session clock steps by at least this. Smaller corrections are slewed, so it never runs back in between
+// (proto/wire/clock_sync.h).
 constexpr Nanoseconds kClockStep = std::chrono::seconds(1);
 
 Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
@@ -130,9 +131,9 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   return report;
 }
 
-/// If the session clock has stepped back, the last image was captured at a time that is still to come, and would make
-/// each later image seem older. An image that was overtaken is dropped all the same, because the last image is then not
-/// ahead of the clock.
+/// After the session clock stepped back, the last image's capture time lies in the future, so each new image would
+/// count as older and be dropped: the builder begins anew. An image that a newer one has overtaken is still dropped,
+/// because the capture time of the newer one is not in the future.
 void SurfaceWorker::begin_anew_if_clock_went_back(SessionTime captured, SessionTime now) {
   if (captured > last_captured_ || last_captured_ <= now + kClockStep) return;
   builder_.restart();

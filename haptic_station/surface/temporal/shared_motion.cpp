@@ -28,7 +28,7 @@ constexpr double kPaceOver_s = 10.0;
 constexpr double kPaceAhead_s = 0.1;  // an acceleration counts as the speed that it adds in this time
 constexpr double kUnusual = 4.0;      // ratio to the mean pace; a breath's largest pace is about twice its mean
 constexpr double kLeastUnusual_m_per_s = 0.02;  // a patient at rest does not breathe faster
-constexpr double kUnmodelledFor_s = 1.0;        // so that a display can show what lasts a few frames
+constexpr double kUnmodelledFor_s = 1.0;        // `unmodelled_` falls from 1 to 0 in this time, so that it can be seen
 constexpr double kLately_s = 0.5;
 constexpr double kLateDoubt_m2 = 1e-4;  // prior of (10 mm)²: a shorter shift ends before its speed is used
 

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t kMostKept = 32;  ///< started frames that can be repaired
+constexpr std::size_t kMostKept = 32;  ///< started frames that are kept for repair requests
 
 }  // namespace
 

@@ -126,7 +126,7 @@ void measure_growth(Report& report) {
 
 /// Difference between the gradient and central differences, the smallest over four step sizes. A wrong gradient is
 /// wrong at each of them. Wide steps may straddle a place where the gradient has a kink, narrow ones suffer from
-/// rounding. Infinite at a tie, where the steps reach another part.
+/// rounding. Infinite if each step size reaches another part or a kink.
 double gradient_error(const SolidTree& tree, const Vector3d& p) {
   const solids::SolidAt at = solids::solid_at(tree, p);
   double least = HUGE_VAL;

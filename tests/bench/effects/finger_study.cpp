@@ -174,7 +174,7 @@ RibCount count_ribs(const scenes::Scene& scene, std::uint64_t seed) {
 MassSearch search_mass(const std::optional<Mass>& mass, std::uint64_t seed) {
   constexpr double kPress_N = 8.0;
   constexpr double kGrid_m = 0.01;
-  constexpr double kShallower_m = 0.001;  // ten times the scatter of the depths
+  constexpr double kShallower_m = 0.001;  // over a mass, depth is less by this: 10 times the scatter
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> place(-0.035, 0.035);
   Vector3d at(place(random), 0.0, place(random));

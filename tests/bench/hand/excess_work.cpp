@@ -107,7 +107,7 @@ struct Drawn {
   std::uint64_t seed;
   device::Random random;
   std::shared_ptr<const capture::SyntheticPatient> patient = torso(Sensor::Kinect, capture::Motion::Irregular);
-  double begins_s;  ///< another interval of the same patient's breathing
+  double begins_s;  ///< start in the patient's breathing: each run has another interval of it [s]
   Shifts shifts;
   double one_way_s;
   double depth_m;
@@ -147,7 +147,7 @@ enum class Knows {
   NewestImage,   ///< the true shape at the capture of the newest received image, nothing newer
 };
 
-/// The contacts at such a display, which gives the law's force at once.
+/// The contacts at a display that applies the force law to what it knows, without delay.
 std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& arrivals, Knows knows) {
   const Transform<HapticBase, DepthCamera> placed = haptic_from_camera(*drawn.patient, drawn.spot);
   const Transform<DepthCamera, HapticBase> camera_from_haptic = placed.inverse();

@@ -60,7 +60,7 @@ class TickListener {
     while (work_us_.count() == 0 && Clock::now() < until) io_.run_for(50ms);
     return work_us_.count() > 0;
   }
-  /// The time spent in each tick that comes within `seconds`.
+  /// Receives ticks for `seconds`. Returns the computing time of each [us].
   Distribution ticks_of(double seconds) {
     work_us_ = {};
     io_.run_for(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(seconds)));
@@ -78,7 +78,7 @@ class TickListener {
   Distribution work_us_;
 };
 
-/// Sums over the turns of one kind.
+/// Sums over the turns with a recorder, or over those without. `p999_us`: the 99.9th percentile of each turn's ticks.
 struct Turns {
   double seconds = 0.0;
   double server_s = 0.0;

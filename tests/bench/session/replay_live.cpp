@@ -64,7 +64,7 @@ class ProxyThread {
   std::thread thread_;
 };
 
-/// The sockets of both ends.
+/// The UDP sockets of the server and of the station.
 struct Ends {
   boost::asio::io_context io;
   udp::socket server{io, udp::endpoint(boost::asio::ip::address_v4::loopback(), 0)};
@@ -125,7 +125,7 @@ Result<void> introduce(Ends& ends, const udp::endpoint& proxy) {
       .what = "no datagram passed the proxy in 2 s", .where = "telepalp-bench replay", .fix = "allow UDP on loopback"};
 }
 
-/// Waits for real time, and notes how late it was.
+/// Sleeps until a real time, and keeps the largest lateness.
 struct Pace {
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
   Nanoseconds latest{0};
@@ -161,7 +161,7 @@ Result<LiveComparison> compare_live(const std::string& source, const scenes::Sce
       .wires = {.down = std::make_unique<SocketWire>(ends, ends->server, ends->station, ends->station_at_server),
                 .up = std::make_unique<SocketWire>(ends, ends->station, ends->server, front)},
       .await = [&](Nanoseconds since) {
-        if (!pace) pace.emplace();  // reading the tape took its time
+        if (!pace) pace.emplace();  // begins after the tape was read
         pace->await(since);
       }};
   bool realtime = false;

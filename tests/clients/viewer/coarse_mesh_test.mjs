@@ -26,7 +26,7 @@ test('a plane is covered completely, lies where the camera saw it, and is lit ev
   const vertex = mesh.columns + 2;  // pixel (8, 4)
   const [x, y, z] = mesh.positions.slice(3 * vertex, 3 * vertex + 3);
   assert.ok(Math.abs(x - ((8 - 32) / 60) * 0.8) < 1e-6 && Math.abs(y + ((4 - 24) / 60) * 0.8) < 1e-6 && Math.abs(z + 0.8) < 1e-6);
-  for (const lamp of mesh.lamp) assert.ok(Math.abs(lamp - 0.682) < 1e-3, `${lamp}`);  // the lamp's share along the axis
+  for (const lamp of mesh.lamp) assert.ok(Math.abs(lamp - 0.682) < 1e-3, `${lamp}`);  // cosine of lamp and camera axis
 });
 
 test('each triangle faces the camera', () => {

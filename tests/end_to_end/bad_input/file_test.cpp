@@ -25,7 +25,7 @@ class FileTest : public ::testing::Test {
   static RunningSession& session() { return SharedByTests<RunningSession>::get(); }
 
  protected:
-  /// The programs inherit this, so that a limit on a file's size fails a write instead of ending them.
+  /// The programs inherit the ignored SIGXFSZ, so that a limit on a file's size fails a write instead of ending them.
   static void SetUpTestSuite() { std::signal(SIGXFSZ, SIG_IGN); }
   static fs::path key() {
     static const fs::path file = session().ring().write(
@@ -93,12 +93,12 @@ class BadInput30 : public FileTest {};
 TEST_F(BadInput30, WhenTheDiskIsFullServerAndRecorderRaiseAnAlarmAndTheDoctorsSessionGoesOn) {
   const fs::path audit = session().file("audit.log");
   const fs::path log = session().file("server.log");
-  for (int i = 0; i < 200 && bytes_in(audit) < bytes_in(log) + 4'000; ++i) visit();  // so that the log still grows
+  for (int i = 0; i < 200 && bytes_in(audit) < bytes_in(log) + 4'000; ++i) visit();  // the limit leaves room in the log
   session().expect_undisturbed_by([&] {
     const FullDiskOf full(session().server().pid(), bytes_in(audit));
     visit();
     EXPECT_TRUE(comes(log, "ALARM: the audit log")) << text_of(log);
-    // 1 MB of each of its files fits on the recorder's disk.
+    // Each file of the recorder can grow to 1 MB, as on a disk that is nearly full.
     support::ChildProcess recorder("/bin/bash",
                                    {"-c", "ulimit -f 1000; exec " + (kPrograms / "telepalp-record").string() +
                                               " --connect 127.0.0.1:" + std::to_string(session().port()) + " --key " +
@@ -136,13 +136,13 @@ std::uint64_t number_at(const std::string& bytes, std::size_t at) {
   return number;
 }
 
-/// Each chunk index of a session file says that its chunk begins at `offset`. Returns the number of changed indexes.
+/// Makes each chunk index of a session file name `offset` as its chunk's begin. Returns the number of changed indexes.
 /// The layout is MCAP's: the footer is the last record, and opcode 0x08 is a chunk index.
 int lie_about_chunks(const fs::path& file, std::uint64_t offset) {
   constexpr std::size_t kMagic = 8, kHeader = 9, kFooter = kHeader + 20;
   std::string bytes = text_of(file);
   const std::size_t footer = bytes.size() - kMagic - kFooter;
-  for (std::size_t i = 0; i < 4; ++i) bytes[footer + kHeader + 16 + i] = 0;  // no CRC of the summary
+  for (std::size_t i = 0; i < 4; ++i) bytes[footer + kHeader + 16 + i] = 0;  // 0: the summary has no CRC
   int changed = 0;
   for (std::size_t at = number_at(bytes, footer + kHeader); at < footer; at += kHeader + number_at(bytes, at + 1)) {
     if (bytes[at] != 0x08) continue;

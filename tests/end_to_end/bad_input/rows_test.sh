@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# rows_test.sh SOURCES: docs/bad-input.md has the rows 1 to 36; each names a test that carries its number, and every test that
-# a row names exists.
+# rows_test.sh SOURCES: docs/bad-input.md has the rows 1 to 36; each row names a test that carries its number, and every
+# test that a row names exists.
 set -euo pipefail
 cd "$1"
 page=docs/bad-input.md

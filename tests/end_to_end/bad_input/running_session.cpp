@@ -194,7 +194,7 @@ Felt RunningSession::during(const std::function<void()>& attack) {
 void RunningSession::expect_undisturbed_by(const std::function<void()>& attack) {
   const Felt felt = during(attack);
   const double usually =
-      felt.seconds / usual_.seconds / 3.0;  // a busy machine has fewer of both, also without an attack
+      felt.seconds / usual_.seconds / 3.0;  // a busy machine has fewer states and surfaces even without an attack
   EXPECT_GT(static_cast<double>(felt.states), usually * static_cast<double>(usual_.states)) << "the station ticks";
   EXPECT_GT(static_cast<double>(felt.surfaces), usually * static_cast<double>(usual_.surfaces))
       << "images still become touchable";

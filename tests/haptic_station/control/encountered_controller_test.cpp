@@ -186,7 +186,7 @@ TEST(EncounteredController, AReleasedDeviceGivesNoEnergyToAHandThatPressesOn) {
   Fed fed;
   ASSERT_GT(fed.into_body().force.N.norm(), 0.9);
   ControlOutput out;
-  for (int i = 0; i < 1000; ++i) {  // 50 mm deeper in 0.5 s, after the last surface
+  for (int i = 0; i < 1000; ++i) {  // 50 mm deeper in 0.5 s, on a surface above its age limit of 1 s
     fed.in.device.m.y() -= 5e-5;
     fed.in.contact = fed.skin(fed.in.device, 0.0);
     fed.in.contact.age_s = 1.0001;

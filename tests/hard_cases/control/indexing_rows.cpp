@@ -15,10 +15,10 @@ constexpr double kDepth_m = 0.02;
 constexpr double kPressed_s = 2.0;  // from here on the finger is kDepth_m deep
 constexpr double kStep_N = 0.0601;  // the damping of a sliding finger begins with 0.06 N, anywhere on the skin
 
-/// The finger's distance from the device's axis, along the body.
+/// The finger's distance from the device's axis, along the body [m].
 using Along = std::function<double(double now_s)>;
 
-/// From `from` to `to`, between the times `begin_s` and `end_s`.
+/// A smooth step from `from` to `to`, between the times `begin_s` and `end_s`.
 double eased(double now_s, double begin_s, double end_s, double from, double to) {
   return from + (to - from) * smooth_step(std::clamp((now_s - begin_s) / (end_s - begin_s), 0.0, 1.0));
 }
@@ -26,7 +26,7 @@ double eased(double now_s, double begin_s, double end_s, double from, double to)
 /// Figures of a run in which a finger holds the device on a path, whatever the force.
 struct Indexing {
   Felt felt;
-  double farthest_m = 0.0;          ///< of the patient's shift
+  double farthest_m = 0.0;          ///< largest shift of the patient by the indexing
   double body_N_while_off = 0.0;    ///< force out of the body, 0.2 s or more after the touch ended
   double body_N_at_re_entry = 0.0;  ///< force out of the body in the first 20 ms after a re-entry
   double last_N = 0.0;              ///< force out of the body at the end

@@ -59,7 +59,7 @@ AssertionResult let_go_as_it_sinks() {
     if (control::is_inside(act.control.phase)) seen_J = act.control.hand_excess_J;
   };
   const Felt felt = feel(scene);
-  // The spring of the skin before it sank, minus that of the skin after: the hand had put it there.
+  // The energy that the hand put into the skin's spring before it sank, minus the energy in the spring after it sank.
   const double above_m = std::max(0.0, deepest_m - 0.01);
   const double stored_J = 0.5 * kSkin_N_per_m * (deepest_m * deepest_m - above_m * above_m);
   return all_of({above("the hand had stored", stored_J, 0.001, 1e3, "mJ"),

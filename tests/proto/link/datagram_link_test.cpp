@@ -146,7 +146,7 @@ TEST(PathEstimate, TellsJitterFromAQueue) {
   EXPECT_GE(longest_queue(40ms), 30ms);
 }
 
-/// A path that was measured for 10 s: `packets_lost` of each thousand packets, alone.
+/// A path that was measured for 10 s: `packets_lost` of each thousand packets are lost, each as a burst of one.
 PathEstimate measured(Nanoseconds round_trip, std::uint32_t packets_lost) {
   PathEstimate path;
   for (std::uint64_t i = 0; i < 10'000; ++i) {

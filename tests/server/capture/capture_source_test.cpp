@@ -158,7 +158,7 @@ TEST(SyntheticSource, ACameraWithFewerPixelsSeesTheSameAngles) {
   EXPECT_EQ(camera.height, 240);
   EXPECT_EQ(half.last->depth.samples.size(), 320U * 240U);
   const Intrinsics& full = whole.last->camera.depth;
-  EXPECT_DOUBLE_EQ((camera.cx + 0.5) / camera.fx, (full.cx + 0.5) / full.fx);     // the slant of the left edge
+  EXPECT_DOUBLE_EQ((camera.cx + 0.5) / camera.fx, (full.cx + 0.5) / full.fx);     // same view to the left edge
   EXPECT_NEAR(half.last->depth.at(160, 120), whole.last->depth.at(320, 240), 8);  // two disparity steps [mm]
 }
 

@@ -87,7 +87,7 @@ Result<void> Tape::State::encode(const RgbdFrame& frame, TapeFrame& taped) {
   return {};
 }
 
-/// Keeps the depth as a message of the replay's session time.
+/// Keeps the depth as a message with time stamps in the replay's session time.
 void Tape::State::keep(const RgbdFrame& frame, codec::EncodedDepth encoded, TapeFrame& taped) const {
   msg::DepthImage message = pipeline::depth_message(frame, std::move(encoded));
   message.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(frame.captured + settings.encode_time)));

@@ -3,7 +3,7 @@ export type Answer = {status: number; text: string} | undefined;
 
 const PATIENCE_MS = 3000;
 
-/** Asks the server that the page comes from for the state at `path`, or sends it a command there. */
+/** Sends the page's server a GET for the state at `path`, or a POST of `command`. */
 export const askServer = (path: string) => async (command?: object): Promise<Answer> => {
   const options = command === undefined ? {} : {method: 'POST', body: JSON.stringify(command)};
   try {

@@ -90,7 +90,7 @@ export interface StationState {
   inBody: boolean;
   surfaceStale: boolean;
   limited: boolean;
-  unmodelled: number;          // 1: the patient has just moved unlike before, 0: as before
+  unmodelled: number;          // 1: the patient just moved unlike in the seconds before; then falls to 0 within 1 s
   objectUnseen: boolean;       // an object inside the body stays put: the skin above it is not seen
   objectSlideUnseen: boolean;  // an object does not follow the body along its skin
   passivityJ: number;          // energy taken from the hand less energy stored

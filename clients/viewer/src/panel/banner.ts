@@ -14,7 +14,7 @@ export interface Health extends TouchHealth {
   station_ms: number | undefined;
   surfaceStale: boolean;
   surface_ms: number | undefined;
-  paused: boolean;           // the session that is played stands still, as somebody asked
+  paused: boolean;           // the played session is paused
   graphicsLost: boolean;     // the browser has lost its graphics context, and draws nothing
   phase: Phase;
   yields_s: number | undefined;  // until warm motors lower the force in contact; undefined: they do not

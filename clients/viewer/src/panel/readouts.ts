@@ -13,7 +13,7 @@ const milliseconds = (ms: number | undefined) =>
     ms === undefined ? '–' : ms < 10_000 ? `${Math.max(0, Math.round(ms))} ms` : `${(ms / 1000).toFixed(0)} s`;
 
 const OLD_MS = 250;
-const PLOTS_EVERY = 2;  // calls of show: five times a second, because plotting is most of its work
+const PLOTS_EVERY = 2;  // the plots are drawn at each 2nd call of show(), 5 times a second: they cost the most
 
 /** Writes the readings that every view has. */
 export class Readouts {

@@ -17,7 +17,7 @@ export interface TouchHealth {
   handShown: boolean | undefined;  // undefined: no station sends messages
   holdsHand: boolean;              // "Touch" is on in this page
   untaken: boolean;                // the server reports that no station uses this page's hand
-  unmodelled: boolean;             // the patient has just moved unlike before: the surface is predicted less
+  unmodelled: boolean;             // the patient just moved unlike in the seconds before: the station predicts less
   objectUnseen: boolean;           // an object inside the body stays put: the skin above it is not seen
   objectSlideUnseen: boolean;      // an object does not follow the body along its skin
 }
@@ -37,7 +37,7 @@ export function touchAdvice(health: TouchHealth): Banner | undefined {
       : {level: 'wait', title: 'No hand', text: 'Press Touch (T) to hold it here, if the station runs with --tracker browser.'};
 }
 
-/** The patient moves in a way that the station's prediction does not know; undefined while it knows. */
+/** Says that the patient's motion does not fit the station's prediction; undefined while it fits. */
 function motionAdvice({unmodelled}: TouchHealth): Banner | undefined {
   return unmodelled
       ? {level: 'wait', title: 'Patient moves unlike before', text: 'The force follows the newest image. It may lag behind the patient.'}

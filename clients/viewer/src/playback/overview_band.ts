@@ -10,7 +10,10 @@ import {clock} from './timeline_words';
 
 const ASK_EVERY_MS = 1000;
 
-/** The whole played session above the timeline's slider: its phases as a band; faults, missed deadlines and notes as marks. */
+/**
+ * The played session above the timeline's slider: phases as a band; faults, missed deadlines, heat, link and notes as
+ * marks.
+ */
 export class OverviewBand {
   overview: SessionOverview | undefined;
 

@@ -5,7 +5,7 @@ export interface SessionEvent {
   at_s: number;
   kind: EventKind;
   text: string;
-  to: Phase;  // of a change of phase
+  to: Phase;  // the new phase, if `kind` is Phase
 }
 
 export interface SessionOverview {
@@ -24,11 +24,11 @@ const KINDS = ['UNSPECIFIED', 'PHASE', 'LINK', 'FAULT', 'DEADLINE', 'SCENE', 'HE
 const PHASES = ['UNSPECIFIED', 'IN_BODY', 'BODY_TO_PLANE', 'OUT_BODY', 'PLANE_TO_BODY', 'CYLINDER_LATERAL', 'AROUND_CYLINDER',
                 'CYLINDER_UPPER', 'RELEASED', 'FAULTED'];
 
-/** The number of an enum's value, which Protobuf's JSON names; 0 for a name of a newer server. */
+/** The number of an enum value, which Protobuf's JSON gives by name; 0 for a name that only a newer server has. */
 const numberOf = (names: readonly string[], prefix: string, name: unknown) =>
     Math.max(0, names.findIndex((known) => name === prefix + known));
 
-/** Reads the reply to GET /playback/events; undefined when it is none. */
+/** Reads the reply to GET /playback/events; undefined if it cannot be read. */
 export function readOverview(text: string): SessionOverview | undefined {
   try {
     const {events, complete} = JSON.parse(text) as {events?: Record<string, unknown>[]; complete?: boolean};
@@ -44,14 +44,14 @@ export function readOverview(text: string): SessionOverview | undefined {
   }
 }
 
-/** The phases from the first change of phase to the session's end. The phase before that change is unknown, so no span covers it. */
+/** The phases from the first phase change to the session's end. No span covers the unknown phase before. */
 export function spansOf({events}: SessionOverview, duration_s: number): OverviewSpan[] {
   const changes = events.filter(({kind}) => kind === EventKind.Phase);
   return changes.map(({at_s, to}, at) => ({phase: to, from_s: at_s, to_s: changes[at + 1]?.at_s ?? duration_s}))
       .filter(({from_s, to_s}) => to_s > from_s);
 }
 
-/** The events that matter in an overview: faults, missed deadlines, heat, lost links. */
+/** The events to mark: faults, missed deadlines, warm motors, and all events of the link to the server. */
 export function marksOf({events}: SessionOverview): SessionEvent[] {
   return events.filter(({kind}) => kind === EventKind.Fault || kind === EventKind.Deadline || kind === EventKind.Heat || kind === EventKind.Link);
 }

@@ -61,7 +61,7 @@ function place({columns, rows, stride, positions}: CoarseMesh, frame: DepthFrame
     }
 }
 
-/** The mean of the neighbours on the same surface [m], for display only; 0 where nothing was measured. */
+/** The mean depth of a pixel and its neighbours on the same surface [m], for display only; 0: not measured. */
 function smoothDepth({width, height, samples, unit_m}: DepthFrame, column: number, row: number): number {
   const own = samples[row * width + column]!;
   if (own === 0) return 0;
@@ -77,7 +77,7 @@ function smoothDepth({width, height, samples, unit_m}: DepthFrame, column: numbe
   return (sum / count) * unit_m;
 }
 
-/** The lamp on each vertex, from the neighbours on the same surface. */
+/** Fills `lamp`: the light on each vertex, by the normal through its neighbours on the same surface. */
 function light({columns, rows, stride, positions, lamp}: CoarseMesh): void {
   const depthAt = (vertex: number) => -positions[3 * vertex + 2]!;
   for (let row = 0, at = 0; row < rows; ++row)
@@ -90,7 +90,7 @@ function light({columns, rows, stride, positions, lamp}: CoarseMesh): void {
     }
 }
 
-/** The cosine of the lamp's direction with the normal that two differences of places span. */
+/** The cosine between the lamp's direction and the normal to the lines left–right and above–below. */
 function facing(at: Float32Array, left: number, right: number, above: number, below: number): number {
   const [ax, ay, az] = [at[right]! - at[left]!, at[right + 1]! - at[left + 1]!, at[right + 2]! - at[left + 2]!];
   const [bx, by, bz] = [at[below]! - at[above]!, at[below + 1]! - at[above + 1]!, at[below + 2]! - at[above + 2]!];

@@ -1,5 +1,5 @@
 // The surface for browsers without a graphics card: light and colour by depth are computed for each vertex, and a pixel
-// costs one texture look-up. All colours are encoded as on the screen (sRGB), because conversion costs a power for each.
+// costs one texture look-up. All colours stay encoded for the screen (sRGB): conversion would cost each pixel a pow().
 
 import {DEPTH_COLOR_GLSL} from './depth_color';
 

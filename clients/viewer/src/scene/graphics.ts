@@ -8,7 +8,7 @@ export function drawsInSoftware(): boolean {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
 }
 
-/** A context without what costs time when a processor draws: smoothed edges, a transparent canvas. */
+/** A context without the features that cost a software renderer time: antialiasing, a transparent canvas, a stencil. */
 export function plainContext(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   const context = canvas.getContext('webgl2', {alpha: false, antialias: false, stencil: false});
   if (context === null) throw new Error('this browser has no WebGL 2');

@@ -24,7 +24,7 @@ export async function headsetIsThere(): Promise<boolean> {
  * camera's axis points down, so that the patient's front is up.
  */
 export class Headset {
-  /** The user's hand or controller in the scene's frame [m], at each frame; undefined: none is tracked. */
+  /** Gets the place of the user's hand or controller in the scene's frame [m] at each frame; undefined: untracked. */
   onHand: (at: Vector3 | undefined) => void = () => undefined;
   private session: XRSession | undefined;
 
@@ -51,7 +51,7 @@ export class Headset {
     this.world.rotation.set(-Math.PI / 2, 0, 0);
     this.world.position.copy(PATIENT_AT).sub(middle.clone().applyEuler(this.world.rotation));
     this.renderer.setAnimationLoop((_time, frame?: XRFrame) => {
-      if (frame === undefined) return;  // three.js's loop of the window, which goes on beside that of the headset
+      if (frame === undefined) return;  // three.js also calls this for the window, without an XRFrame
       this.onHand(this.handIn(frame, session));
       this.draw();
     });

@@ -44,7 +44,7 @@ const SOFTWARE_DETAILS: readonly Detail[] = [
   {stride: 6, pixelRatio: 0.5},
   {stride: 8, pixelRatio: 0.4},
 ];
-const SOFTWARE_LEVEL = 2;  // where a browser without a graphics card begins
+const SOFTWARE_LEVEL = 2;  // the first level without a graphics card: an index into SOFTWARE_DETAILS
 const EYE_DISTANCE_M = 0.063;  // the mean of adults
 
 /** The 3D view: its objects, its camera, and its drawing, which happens only after a change. */
@@ -81,7 +81,7 @@ export class SceneView {
   private readonly home = {target: new Vector3(0, 0, -1), distance_m: 0.9};
   private placed = false;
   private size = '';
-  private box = {width: 0, height: 0};  // of the canvas on the page [CSS pixels], as observed: reading it would lay out the page
+  private box = {width: 0, height: 0};  // of the canvas [CSS pixels], by a ResizeObserver: clientWidth forces a layout
   private drawingVertices = 0;
   private readonly details: readonly Detail[];
   private readonly pacer: FramePacer;

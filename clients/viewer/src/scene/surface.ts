@@ -69,7 +69,7 @@ export class Surface {
     touchedAt: {value: new Vector3()},
     touched: {value: 0},
     touchColor: {value: new Color()},
-    touchScreenColor: {value: new Color()},  // the same, encoded for the screen
+    touchScreenColor: {value: new Color()},  // touchColor, encoded for the screen (sRGB)
     eye: {value: new Vector3()},
     opacity: {value: 1},
   };

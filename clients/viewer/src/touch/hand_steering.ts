@@ -3,15 +3,15 @@ import {type Box, type Intent, intentOfGamepad, intentOfKeys, isAtRest, type Poi
 
 const LOOK_EVERY_MS = 50;
 const RUMBLE_MS = 150;  // longer than the time between two calls of feel()
-const TOUCH_BUTTON = 0;  // A, or the cross
+const TOUCH_BUTTON = 0;  // A on an Xbox gamepad, the cross on a PlayStation's
 
-/** A doctor without a device steers the hand by a gamepad, or by Shift, arrows and Enter. A gamepad also shakes with the force. */
+/** Steers a doctor's hand without a device: by a gamepad, which rumbles with the force, or by Shift, arrows, Enter. */
 export class HandSteering {
   private readonly keys = new Set<string>();
   private pointer: Pointer | undefined;
   private pressedBefore = false;
 
-  /** `flipTouch`: begins or ends the touch, as its button does. */
+  /** `flipTouch`: begins or ends the touch, as the page's Touch button does. */
   constructor(private readonly canvas: HTMLElement, private readonly held: () => boolean, private readonly flipTouch: () => void) {
     window.addEventListener('keydown', (event) => this.keyDown(event), {capture: true});
     window.addEventListener('keyup', ({key}) => {
@@ -19,11 +19,11 @@ export class HandSteering {
       this.keys.delete(key);
     });
     window.addEventListener('blur', () => this.keys.clear());
-    canvas.addEventListener('pointermove', () => (this.pointer = undefined));  // the mouse takes the hand back
+    canvas.addEventListener('pointermove', () => (this.pointer = undefined));  // a moved mouse ends the steering
     window.setInterval(() => this.lookAtButton(), LOOK_EVERY_MS);
   }
 
-  /** Where the hand is steered to; undefined while nobody steers, and the mouse or a finger holds it. */
+  /** The place of the steered hand; undefined until keys or a gamepad steer it, and again once the mouse moves. */
   move(step_s: number): Pointer | undefined {
     const intent = this.intent();
     if (this.pointer === undefined && isAtRest(intent)) return undefined;
@@ -33,7 +33,7 @@ export class HandSteering {
     return this.pointer;
   }
 
-  /** Lets a gamepad feel the force; call it about ten times a second. */
+  /** Makes the gamepad rumble with the force; call it about ten times a second. */
   feel(force_N: number | undefined): void {
     const strength = this.held() && this.pointer !== undefined ? rumbleOf(force_N, FULL_SCALE_N) : 0;
     const actuator = gamepad()?.vibrationActuator;
@@ -48,7 +48,7 @@ export class HandSteering {
     return byPad === undefined || isAtRest(byPad) ? intentOfKeys(this.keys) : byPad;
   }
 
-  /** Shift tells the hand's arrows from those that turn the view. */
+  /** With Shift, the arrows move the hand; without it, they turn the view. */
   private keyDown(event: KeyboardEvent): void {
     if (!this.held() || !event.shiftKey || !(event.key.startsWith('Arrow') || event.key === 'Enter')) return;
     if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement) return;

@@ -1,4 +1,4 @@
-/** What keys or a gamepad ask of the hand: a direction on the screen, each -1 to 1, and how hard to press, 0 to 1. */
+/** What keys or a gamepad ask of the hand: speed right and down on the screen, -1 to 1, and pressure, 0 to 1. */
 export interface Intent {
   right: number;
   down: number;
@@ -19,9 +19,9 @@ export interface Box {
   height: number;
 }
 
-/** The speed of a hand that is steered at full deflection: across the picture's shorter side in this time. */
+/** Time in which a key or a fully deflected stick moves the hand across the picture's shorter side [s]. */
 const ACROSS_S = 3;
-/** A stick at rest is off its middle by up to this. */
+/** Dead zone: a released stick is off its middle by up to this share of its full deflection. */
 const DEAD = 0.15;
 
 const within = (value: number, least: number, most: number) => Math.min(most, Math.max(least, value));

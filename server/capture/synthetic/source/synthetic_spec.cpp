@@ -50,7 +50,7 @@ bool set_motion(std::string_view text, SyntheticSettings& settings) {
   return motion.has_value();
 }
 
-/// A Kinect's camera with fewer pixels: the same angles, 4:3.
+/// Sets a Kinect's camera with this many columns, the same field of view, and the aspect ratio 4:3.
 bool set_width(std::string_view text, SyntheticSettings& settings) {
   constexpr double kMostWidth = 640.0;
   const std::optional<double> width = number(text);

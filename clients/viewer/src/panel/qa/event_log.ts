@@ -36,7 +36,7 @@ export class EventLog {
     if (this.events.length > MOST_KEPT) this.events.length = MOST_KEPT;
   }
 
-  /** The events of the whole session are known: they take the place of those that were heard. */
+  /** Replaces the events received so far by those of the whole session. */
   know(whole: readonly SessionEvent[]): void {
     if (whole.length === 0 || whole === this.whole) return;
     this.whole = whole;

@@ -14,10 +14,10 @@ export interface RecordingState {
   problem: string;
 }
 
-const LOOK_EVERY = 10;  // calls of `look`
+const LOOK_EVERY = 10;  // the state is asked for at each 10th call of `look`
 const MOST_NOTE = 120;
 
-/** Reads the server's reply; undefined when it is none. Numbers of 64 bits come as text in Protobuf's JSON. */
+/** Reads the server's reply; undefined if it cannot be read. Protobuf's JSON writes 64-bit numbers as text. */
 export function readRecording(text: string): RecordingState | undefined {
   try {
     const {phase, file, seconds, bytes, problem} = JSON.parse(text) as Record<string, unknown>;
@@ -46,7 +46,7 @@ export function recordingRows({phase, file, seconds, bytes}: RecordingState): Ro
   ];
 }
 
-/** The recording at the server's machine. `look` is called on a steady beat, and asks about once a second. */
+/** The recording at the server's machine. Call `look` ten times a second: it asks about once a second. */
 export class RecordingLink {
   state: RecordingState | undefined;  // undefined: this server offers no recording, or it is not known yet
   problem = '';                       // a sentence for the technician; empty: all is well
@@ -59,7 +59,7 @@ export class RecordingLink {
 
   async look(connected: boolean): Promise<void> {
     if (!connected) {
-      this.offered = true;  // another server may come
+      this.offered = true;  // the next server may offer recording
       this.state = undefined;
       this.looks = 0;
       return;
@@ -77,7 +77,7 @@ export class RecordingLink {
     this.asking = true;
     const answer = await this.ask(command);
     this.asking = false;
-    if (answer === undefined) return;  // the link says that the server is away
+    if (answer === undefined) return;  // the page's WebSocket reports a lost server
     const state = answer.status === 200 ? readRecording(answer.text) : undefined;
     if (state !== undefined) this.state = state;
     else if (command !== undefined) this.problem = answer.text.trim();

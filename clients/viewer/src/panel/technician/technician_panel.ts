@@ -8,7 +8,7 @@ import {pictureRows} from './picture_problems';
 import {PointReadout} from './point_readout';
 import {RecordingCard} from './recording_card';
 
-/** The technician's cards: how good the picture is, depth under the pointer, range and histogram, the recording, and the network. */
+/** The technician's cards: picture quality, depth under the pointer, depth range and histogram, recording, network. */
 export class TechnicianPanel {
   private readonly picture = new RowList(element('picture-problems'));
   private readonly network = new RowList(element('network'));
