@@ -86,7 +86,7 @@ class ChestPath {
     const auto uniform = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
     const double side = uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0;
     x_m_ = side * uniform(0.025, 0.045);
-    depth_m_ = 0.0155 + 0.5 * x_m_ * x_m_ / 0.13 + uniform(0.0, 0.002);  // a third of a rib's width deep in it
+    depth_m_ = 0.0155 + 0.5 * x_m_ * x_m_ / 0.13 + uniform(0.0, 0.002);  // 3.5 to 5.5 mm below the top of a rib
     speed_m_per_s_ = uniform(0.02, 0.04);
     from_m_ = gap_after(ribs, uniform(-0.2, -0.1));
     to_m_ = gap_after(ribs, uniform(0.0, 0.1));
@@ -101,7 +101,7 @@ class ChestPath {
  private:
   static constexpr double kPress_s = 0.5;
 
-  /// The next place between two ribs, where an examiner sets a finger.
+  /// The next z that is 5 mm or more from each rib: the finger is set between two ribs [m].
   [[nodiscard]] double gap_after(const solids::SolidTree& ribs, double z_m) const {
     while (solids::solid_at(ribs, {x_m_, -depth_m_, z_m}).m < 0.005) z_m += 0.001;
     return z_m;

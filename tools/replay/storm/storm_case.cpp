@@ -17,7 +17,7 @@ constexpr auto kMotions =
     std::to_array<std::string_view>({"regular", "irregular", "cough", "hold", "speech", "shift", "drift", "sit-up"});
 constexpr auto kScenes = std::to_array<std::string_view>({"skin", "palpation", "skin_sliding", "sphere", "friction"});
 
-/// Every fourth case taps. No case searches: see docs/replay.md, "Open findings".
+/// Every fourth case taps, the others examine. No case draws HandScript::Search.
 constexpr std::array kHands{HandScript::Examine, HandScript::Examine, HandScript::Tap, HandScript::Examine};
 
 /// Draws from std::mt19937_64, whose numbers the standard defines; its distributions are not.

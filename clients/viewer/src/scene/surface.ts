@@ -81,7 +81,7 @@ export class Surface {
     return Math.round(this.measured / this.stride ** 2);
   }
 
-  /** `software`: the browser has no graphics card, so the surface is drawn with as little work per pixel as possible. */
+  /** `software`: the browser has no graphics card, so the surface is drawn with little work per pixel. */
   constructor(software: boolean) {
     this.color.colorSpace = software ? NoColorSpace : SRGBColorSpace;
     this.color.flipY = false;

@@ -52,7 +52,7 @@ export function intentOfKeys(down: ReadonlySet<string>): Intent {
 
 export const isAtRest = ({right, down, press}: Intent) => right === 0 && down === 0 && press === 0;
 
-/** The strength of a gamepad's rumble, 0 to 1: the force's share of the device's peak, and 0 below what one can feel. */
+/** The strength of a gamepad's rumble, 0 to 1: the force's share of `peak_N`, and 0 below 2 %, which cannot be felt. */
 export function rumbleOf(force_N: number | undefined, peak_N: number): number {
   const share = (force_N ?? 0) / peak_N;
   return share < 0.02 ? 0 : within(share, 0, 1);
