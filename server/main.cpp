@@ -50,13 +50,13 @@ program::Usage usage() {
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: those built beside this program"},
                       {"record-dir", "DIR", "where recordings from the web page go; default: none"},
-                      {"record-key", "FILE", "key file of that recorder, needed with --key"},
+                      {"record-key", "FILE", "key file with which such recordings connect; needed with --key"},
                       {"ready-file", "FILE", "file to write the ports to once it listens"},
                       {"depth-mode", "MODE",
                        "fast, intra, temporal (lossless) or bounded (near-lossless, for display only)", "fast"},
                       {"depth-bound", "LEAST,PER_M2",
                        "bounded: a depth of z m moves by max(LEAST, PER_M2 z²) mm at most [1,2.85]"},
-                      {"key-every", "N", "temporal, bounded: frames from key frame to key frame", "12"},
+                      {"key-every", "N", "temporal, bounded: distance between key frames, in frames", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},
                       {"name", "NAME", "name shown to peers", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};
@@ -129,10 +129,10 @@ Result<std::optional<recording::SessionRecorder::Options>> recorder_options(cons
                  "add --record-dir DIR, or leave it out");
   }
   if (!arguments.has("http-port"))
-    return wrong("only the web viewer begins such recordings", "--record-dir",
+    return wrong("recordings in this folder are begun from the web page, which is not served", "--record-dir",
                  "add --http-port PORT, or run telepalp-record");
   if (arguments.has("key") && !arguments.has("record-key"))
-    return wrong("a server with keys admits no recorder without one", "--record-dir",
+    return wrong("this server requires keys, so the recorder needs one, too", "--record-dir",
                  "add --record-key FILE, made by telepalp-keys client --role technician");
   return std::optional(recording::SessionRecorder::Options{.folder = arguments.text("record-dir"),
                                                            .program = program::sibling_program("telepalp-record"),

@@ -150,8 +150,8 @@ void Server::choose_prediction() {
   const bool may = listener_->references_arrive();
   if (!capture_ || !in_groups || std::exchange(predicts_, may) == may) return;
   capture_->let_predict(may);
-  log(may ? "depth is predicted again: each path repairs lost images in time"
-          : "depth in key frames alone: a path cannot repair a lost image in time");
+  log(may ? "depth images are predicted from earlier ones again: each path repairs a loss before the deadline"
+          : "depth is sent as key frames only: a path cannot repair a loss before the deadline");
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.

@@ -168,7 +168,7 @@ std::string to_html(std::span<const TrialResult> results) {
            plot::readable(f.most_force_N) + " N, largest step " + plot::readable(f.worst_force_step_N) +
            " N a tick, end-effector jump at transitions " + plot::readable(f.worst_jump_m * 1e3) + " mm, " +
            plot::readable(f.contact_s) + " s in contact, " + plot::readable(f.unfelt_s) +
-           " s in the true skin without force</p>\n";
+           " s inside the true skin without force</p>\n";
     for (const plot::Chart& chart : charts_of(result)) out += plot::to_svg(chart);
   }
   return out + "</html>\n";

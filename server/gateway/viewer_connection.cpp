@@ -137,7 +137,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   }
 
   void move_playback(const std::string& bytes) {
-    if (!controls_playback_) return warn("moving a session is for technicians and QA");
+    if (!controls_playback_) return warn("only technicians and QA may play, pause or seek a session");
     const foxglove::PlaybackPort& port = context()->options.playback_port;
     const msg::PlaybackState before = port.state();
     const Result<foxglove::PlaybackRequest> request = foxglove::read_playback_request(bytes, before);

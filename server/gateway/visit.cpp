@@ -154,7 +154,7 @@ std::optional<HttpReply> Visit::refusal_to_command(const HttpRequest& request, c
 /// Moving, impairing or noting on the session changes what all viewers see: it is for technicians and QA.
 HttpReply Visit::played(const HttpRequest& request, const JsonResource& part) const {
   constexpr CommandRight kChange{.operation = keys::Operation::Play,
-                                 .people = "changing a played session is for technicians and QA",
+                                 .people = "only technicians and QA may change a played session",
                                  .pages = "pages from that origin may not change the session"};
   if (std::optional<HttpReply> refusal = refusal_to_command(request, kChange)) return std::move(*refusal);
   if (!part.state) return refuse(request, http::status::not_found, kNoSession);
@@ -181,7 +181,7 @@ HttpReply Visit::recording(const HttpRequest& request) const {
   // A browser logs each 404 as an error of the page, so a GET gets an empty state instead.
   if (!options.recording_state)
     return commands ? refuse(request, http::status::not_found,
-                             "this server records nothing by itself. fix: telepalp-server --record-dir DIR")
+                             "recording from the web page is off on this server. fix: telepalp-server --record-dir DIR")
                     : json_reply(request, "{}");
   if (commands)
     note(access::AuditEvent::Records,

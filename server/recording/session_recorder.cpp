@@ -49,7 +49,7 @@ std::string last_line(const fs::path& log) {
 Result<std::unique_ptr<SessionRecorder>> SessionRecorder::open(Options options) {
   std::error_code none;
   if (!fs::is_directory(options.folder, none) || ::access(options.folder.c_str(), W_OK) != 0)
-    return Error{.what = options.folder.string() + " is no folder that can be written to",
+    return Error{.what = options.folder.string() + " is not a folder that can be written to",
                  .where = "--record-dir",
                  .fix = "make it: mkdir -p " + options.folder.string()};
   return std::unique_ptr<SessionRecorder>(new SessionRecorder(std::move(options)));
@@ -113,7 +113,7 @@ void SessionRecorder::look_at_process() {
   if (*code == 0)
     fs::remove(log_file(), ignored);
   else
-    state_.set_problem("telepalp-record left with code " + std::to_string(*code) + ": " + last_line(log_file()));
+    state_.set_problem("telepalp-record ended with exit code " + std::to_string(*code) + ": " + last_line(log_file()));
 }
 
 fs::path SessionRecorder::log_file() const { return options_.folder / (state_.file() + ".log"); }

@@ -94,7 +94,7 @@ TEST(SessionRecorder, AFailureIsToldInTheRecordersOwnWords) {
   Recorder it("echo 'error: the disk is full. fix: make room' >&2; exit 1");
   ASSERT_TRUE(it.recorder->apply(begin(), kNoon).ok());
   const msg::RecordingState over = it.over();
-  EXPECT_EQ(over.problem(), "telepalp-record left with code 1: error: the disk is full. fix: make room");
+  EXPECT_EQ(over.problem(), "telepalp-record ended with exit code 1: error: the disk is full. fix: make room");
   ASSERT_TRUE(it.recorder->apply(begin(), kNoon + 1s).ok()) << "and a new attempt may begin";
   EXPECT_EQ(it.recorder->state().file(), "session_20261122_120001.mcap");
 }

@@ -17,7 +17,7 @@ program::Usage usage() {
       .positional = {},
       .options =
           {{"mode", "MODE", "fast, intra, temporal (lossless) or bounded (near-lossless)", "temporal"},
-           {"key-every", "N", "temporal, bounded: frames from key frame to key frame", "30"},
+           {"key-every", "N", "temporal, bounded: distance between key frames, in frames", "30"},
            {"unit-mm", "MM", "depth unit of images that do not state one", "1"},
            {"bound", "LEAST,PER_M2",
             "largest error of depth z m: max(LEAST, PER_M2 z²) mm; encode: bounded [1,2.85]; compare: beyond it, fail"},

@@ -24,7 +24,7 @@ const std::vector<Figure>& figures() {
       {{"burst-packets", "N", "mean length of a loss burst"},
        1e4,
        [](Impairment& i, double v) { i.burst_packets = v; }},
-      {{"reorder-percent", "P", "packets delivered after later ones"},
+      {{"reorder-percent", "P", "share of the packets that is reordered"},
        100,
        [](Impairment& i, double v) { i.reorder = v * 1e-2; }},
       {{"duplicate-percent", "P", "packets that arrive twice"},

@@ -30,7 +30,7 @@ std::vector<std::string> differing(const std::vector<Setting>& settings) {
 
 std::string settings_sentence(const Comparison& comparison) {
   const std::vector<std::string> names = differing(comparison.settings);
-  if (names.empty()) return "All settings that the sessions state are equal.";
+  if (names.empty()) return "The sessions record the same settings.";
   return "These settings differ: " + joined(names) + ".";
 }
 

@@ -63,7 +63,7 @@ std::string settings_section(const Comparison& comparison) {
               rows + "</tbody></table>\n";
   if (!same.empty()) content += "<p>The same in both: " + escaped(same) + "</p>\n";
   return section("Settings",
-                 rows.empty() ? "All settings that the sessions state are equal."
+                 rows.empty() ? "The sessions record the same settings."
                               : "First the settings that differ, then those that are equal.",
                  content);
 }

@@ -51,7 +51,7 @@ void add_objects(const Session& session, std::vector<Chart>& charts) {
                      [](Object o) { return std::hypot(o.moved().x(), o.moved().z()) * 1e3; }),
          over_object(session, at, "uncertainty along the skin, 1 sigma", plot::kGrey,
                      [](Object o) { return o.sigma_slide_m() * 1e3; }),
-         over_object(session, at, "-1: motion along the skin unknown, -2: skin not seen", plot::kBlack, [](Object o) {
+         over_object(session, at, "0: followed, -1: motion along the skin unknown, -2: skin not seen", plot::kBlack, [](Object o) {
            return o.unseen() ? -2.0 : o.slide_unseen() ? -1.0 : 0.0;
          })}));
 }
@@ -80,8 +80,8 @@ std::vector<Chart> compensation(const Session& session) {
            over_time(session, "uncertainty, 1 sigma", plot::kGrey, [](Sample t) { return t.hand_sigma_m() * 1e3; })})};
   if (std::any_of(session.compensations.begin(), session.compensations.end(),
                   [](Sample t) { return t.unmodelled() > 0.5; }))
-    charts.push_back(chart_of("Motion of the patient that the prediction does not know",
-                              "0: as before, 1: unlike before",
+    charts.push_back(chart_of("Motion of the patient that the prediction does not model",
+                              "0: as in the last seconds, 1: unlike them",
                               {over_time(session, "", plot::kBlue, [](Sample t) { return t.unmodelled(); })}));
   add_objects(session, charts);
   return charts;

@@ -66,7 +66,7 @@ Result<Measured> from_offset(const program::Arguments& arguments) {
   if (!device) return device.error();
   Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {}, within);
   if (!tracker) return tracker.error();
-  std::fprintf(stderr, "rest the hand on the end-effector, at the height of the skin to be palpated\n");
+  std::fprintf(stderr, "rest the hand on the end-effector, at the height at which the patient's skin will be\n");
   const Result<calibration::OffsetCalibration> fit =
       calibration::calibrate_offset(take_touches(**device, **tracker, *seconds));
   if (!fit) return fit.error();

@@ -93,7 +93,7 @@ std::string description_of(const SampledMesh& sampled) {
     description += text;
   }
   if (sampled.fidelity.missing > 0.001) {
-    std::snprintf(text, sizeof text, "; in %.1f %% of the places there is nothing to touch",
+    std::snprintf(text, sizeof text, "; in %.1f %% of the tested places on the mesh no contact is felt",
                   100.0 * sampled.fidelity.missing);
     description += text;
   }

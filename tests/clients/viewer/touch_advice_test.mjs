@@ -40,6 +40,6 @@ test('an inner object that is not followed is told of, after all that matters mo
 
 test('a patient who moves unlike before is told of, after the inner objects', () => {
   const moves = {handShown: true, holdsHand: false, untaken: false, objectUnseen: false, objectSlideUnseen: false, unmodelled: true};
-  assert.equal(touchAdvice(moves).title, 'Patient moves unlike before');
+  assert.equal(touchAdvice(moves).title, 'Unusual motion of the patient');
   assert.equal(touchAdvice({...moves, objectUnseen: true}).title, 'Inner object not seen');
 });

@@ -118,7 +118,7 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
 /// A storm draws its own sources and networks. An option that it would ignore is refused.
 Result<void> refuse_beside_storm(const program::Arguments& arguments) {
   const auto refused = [](const std::string& where) {
-    return Error{.what = "a storm draws its own cases and judges its own invariants",
+    return Error{.what = "this cannot be combined with --storm, which draws its own cases",
                  .where = where,
                  .fix = "leave it out, or leave --storm out and give a source"};
   };

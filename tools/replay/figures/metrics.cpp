@@ -25,7 +25,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {"surface_age_p99_s", "age of the touched surface, 99th percentile", &Figures::surface_age_p99_s},
     {"energy_J", "least balance of the display's ledger; below 0 it gave energy", &Figures::energy_J},
     {"hand_excess_J", "largest excess work on the hand in one contact", &Figures::hand_excess_J},
-    {"frames", "frames given to the network whose deadline has passed", &Figures::frames},
+    {"frames", "frames that were sent and whose deadline lies within the run", &Figures::frames},
     {"frames_in_time_pct", "frames complete by their deadline", &Figures::frames_in_time_pct},
     {"frames_touched_pct", "frames that became a surface", &Figures::frames_touched_pct},
     {"network_p50_s", "encoded to received, median", &Figures::network_p50_s},

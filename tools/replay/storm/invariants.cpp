@@ -104,7 +104,7 @@ void Invariants::add(const TickRecord& tick) {
 void Invariants::add(const wire::Message& message) {
   SessionTime& newest = published_[message.topic.name];
   if (message.published < newest)
-    violated(std::string(message.topic.name) + " has a message that is older than the one before");
+    violated(std::string(message.topic.name) + " has a message with an earlier publication time than the one before it");
   newest = std::max(newest, message.published);
   if (message.topic.name != wire::kStationTicks.name) return;
   msg::StationTicks ticks;

@@ -40,7 +40,7 @@ struct Share {
 };
 const std::vector<Share>& shares() {
   static const std::vector<Share> all{{{"loss", "P", "packets lost: 5% or 0.05"}, &Impairment::loss},
-                                      {{"reorder", "P", "packets delivered after later ones"}, &Impairment::reorder}};
+                                      {{"reorder", "P", "share of the packets that is reordered"}, &Impairment::reorder}};
   return all;
 }
 
@@ -98,7 +98,7 @@ std::vector<program::Option> network_options() {
   options.insert(options.end(), {{"outage", "10s+500ms", "nothing crosses the network; several with commas"},
                                  {"restart", "10s+2s", "the server is away"},
                                  {"tracker-lost", "10s+2s", "the tracker gives no samples"},
-                                 {"glitch", "10s+4ms:MM", "the device's encoder is wrong by MM mm"},
+                                 {"glitch", "10s+4ms:MM", "in this window, the device position has an error of MM mm"},
                                  {"clock-step", "10s+2s:60ms", "the station's clock is wrong by this"},
                                  {"deadline-ms", "MS", "deadline of a frame; default: 100 + delay"},
                                  {"seed", "N", "seed of network and tracker; first seed of a storm", "1"}});

@@ -40,7 +40,7 @@ export function touchAdvice(health: TouchHealth): Banner | undefined {
 /** Says that the patient's motion does not fit the station's prediction; undefined while it fits. */
 function motionAdvice({unmodelled}: TouchHealth): Banner | undefined {
   return unmodelled
-      ? {level: 'wait', title: 'Patient moves unlike before', text: 'The force follows the newest image. It may lag behind the patient.'}
+      ? {level: 'wait', title: 'Unusual motion of the patient', text: 'The force follows the newest image. It may lag behind the patient.'}
       : undefined;
 }
 
