@@ -20,7 +20,7 @@ struct ProbeCalibration {
   /// One per pose: distance between the hand's position from the device (haptic_from_probe * probe_from_hand) and from
   /// the tracker (haptic_from_tracker * tracker_from_hand), both in the haptic base's frame.
   Residuals residuals;
-  std::vector<double> angles_rad;  ///< one per pose: angle between these two attitudes
+  std::vector<double> angles_rad;  ///< one per pose: angle between the hand's attitudes from device and tracker
 };
 
 struct ProbeSettings {

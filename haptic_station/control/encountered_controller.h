@@ -60,7 +60,7 @@ class EncounteredController {
   DisplayedHand displayed_hand_;
   ForceLimiter limiter_;
   HeatWarning heat_warning_;
-  Point<HapticBase> target_;  ///< in Out body: the target p_t of S1 eq. (5) at the last tick; else: the end-effector
+  Point<HapticBase> target_;  ///< at the last tick; in Out body: p_t of S1 eq. (5), else: the end-effector's position
 };
 
 }  // namespace telepalp::control

@@ -28,8 +28,8 @@ struct FeltSolid {
 /// gradient of 1/2 k s^2 (envelope theorem). It is thus conservative, and before the middle it equals the k times depth
 /// of paper S1 (docs/sources.md). The side of entry may change only while the device has not passed the middle, where a
 /// change alters neither force nor energy: a device that slides round a shape within 2 mm of its surface feels S1's
-/// force on all sides. Once the device has left through the far face, the force fades within 0.1 s and the side is
-/// forgotten: that takes energy out.
+/// force on all sides. Once the device has left through the far face, the force fades within 0.1 s, which
+/// dissipates energy, and the side is forgotten.
 class EntrySide {
  public:
   /// Contact with the skin begins.
@@ -61,7 +61,7 @@ class EntrySide {
   static constexpr double kLetGo_s = 0.1;
   static constexpr double kShallow_m = 0.002;  ///< a device less deep than this slides on the surface
   static constexpr double kLeash_m = 0.005;    ///< length of path over which the direction of a push is measured
-  static constexpr double kOblique = 0.5;      ///< least cosine between `face_` and the side from which a push comes
+  static constexpr double kOblique = 0.5;      ///< least cosine between `face_` and the entry side of a deep device
   static constexpr double kSearch_m =
       0.004;  ///< half range of the search about the last proxy; enough for speeds up to 8 m/s
   static constexpr int kHalvings = 14;  ///< bisections of the search: to 0.5 um

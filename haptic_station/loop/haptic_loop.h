@@ -62,8 +62,8 @@ class HapticLoop {
   };
   /// Runs one tick. `now` may stand still or go back by up to 50 ms. A larger step back means that another session has
   /// begun: surface and hand samples are then discarded, and the controller gives no force (phase Released) until new
-  /// ones come. `device`: in the device's own frame. The Act is in H, which workspace indexing shifts against that
-  /// frame.
+  /// ones come. `device`: in the device's own frame. The returned Act is in H; workspace indexing moves H relative
+  /// to that frame.
   [[nodiscard]] Act tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept;
 
   /// The delay compensation of the last tick. The caller sets its time stamp.
@@ -72,11 +72,12 @@ class HapticLoop {
   /// Where the objects inside the body are displayed, and how well that is known.
   [[nodiscard]] ObjectPlacements objects() const noexcept;
 
-  /// A position of the device's own frame in H, as of the last tick. Without workspace indexing they are the same.
+  /// Converts a position from the device's own frame to H, with the last tick's shift. Without workspace indexing the
+  /// two frames are the same.
   [[nodiscard]] Point<HapticBase> in_patient_frame(const Point<HapticBase>& at) const noexcept {
     return {at.m + indexing_.now().shift.v};
   }
-  /// The contact as devices and simulated persons see it, in the device's own frame.
+  /// Converts `contact` from H to the device's own frame, for devices and simulated persons.
   [[nodiscard]] ports::SurfaceContact in_device_frame(ports::SurfaceContact contact) const noexcept {
     contact.proxy.m -= indexing_.now().shift.v;
     return contact;
@@ -97,7 +98,7 @@ class HapticLoop {
   tracking::AttitudeEstimate attitude_;
   control::EncounteredController controller_;
   WorkspaceIndexing indexing_;
-  bool anchor_lost_ = false;  ///< the body was shifted under this contact: the place where it began does not count
+  bool anchor_lost_ = false;  ///< the body was shifted during this contact: the place where it began is not used
   Transform<HapticBase, DepthCamera> haptic_from_camera_;
   Transform<DepthCamera, HapticBase> camera_from_haptic_;
   Eigen::Quaterniond camera_turn_ = Eigen::Quaterniond::Identity();  ///< rotation of `camera_from_haptic_`

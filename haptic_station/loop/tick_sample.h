@@ -13,13 +13,13 @@ struct TickSample {
   std::uint64_t tick = 0;         ///< number since start
   std::int64_t stamp_ns = 0;      ///< session time of the tick's deadline
   std::uint32_t late_ns = 0;      ///< delay from the deadline to the wake-up
-  float work_us = 0.0F;           ///< time spent in the tick, without the sending of the force
+  float work_us = 0.0F;           ///< computing time of the tick; the sending of the force is not included
   std::uint8_t phase = 0;         ///< control::Phase, as in msg.Phase
   std::uint8_t fault = 0;         ///< control::FaultCause that led to the phase Faulted
   std::uint8_t fault_stands = 0;  ///< control::FaultCause that persists and blocks re-arming
   bool in_body = false;
   bool contact_unknown = false;      ///< no contact can be computed: the surface is stale or not near the device
-  bool limited = false;              ///< the limiter changed the force
+  bool limited = false;              ///< the limiter changed the force, or the contact fades
   bool object_unseen = false;        ///< an object inside the body stays where it is: the skin above it is not seen
   bool object_slide_unseen = false;  ///< the skin's tangential motion (slide) above an object cannot be measured
   bool indexing = false;             ///< workspace indexing moves the body past the device, which gives no force
@@ -39,9 +39,9 @@ struct TickSample {
   float distance_m = 0.0F;     ///< signed distance of the device point from the skin; negative inside
   float passivity_J = 0.0F;    ///< PassivityController::balance_J(); negative: the display is active
   float hand_excess_J = 0.0F;  ///< work on the hand in this contact minus the measured skin's on the same path
-  float unmodelled = 0.0F;     ///< 1: the patient has just moved unlike before, and predictions are cut; 0: as before
+  float unmodelled = 0.0F;     ///< 1: motion much faster than usual, or a pushed camera; then falls to 0 within 1 s
   float yields_in_s = 0.0F;    ///< time until the motors' heat lowers the contact force; infinite: never
-  float device_age_s = 0.0F;   ///< this and the next two: ages of the inputs that the controller used
+  float device_age_s = 0.0F;   ///< this and the next two: ages of the inputs of the controller at this tick
   float hand_age_s = 0.0F;
   float surface_age_s = 0.0F;
   std::int64_t surface_captured_ns = 0;

@@ -15,16 +15,16 @@ struct Indexed {
 
 /// Workspace indexing (paper S2 III.B, docs/sources.md): a small device explores a large body. Inside an upright
 /// cylinder about the device's middle the hand touches the body. Beyond it the hand feels a force back to the cylinder,
-/// proportional to the distance from it and bounded. Meanwhile the patient is shifted in the horizontal plane against
-/// this force, at a speed proportional to it. The paper states neither a bound nor a hysteresis; here the interaction
-/// resumes 2 mm inside the cylinder, so that a hand at its border does not switch at each tremor. Owner: haptic thread.
-/// Nothing here allocates, locks or throws.
+/// proportional to the distance from it and bounded. Meanwhile the patient moves in the horizontal plane in the
+/// direction of this force, at a speed proportional to it, so that what lay beyond comes into the cylinder. The paper
+/// states neither a bound nor a hysteresis; here the interaction resumes 2 mm inside the cylinder, so that a hand at
+/// its border does not switch at each tremor. Owner: haptic thread. Nothing here allocates, locks or throws.
 class WorkspaceIndexing {
  public:
   explicit WorkspaceIndexing(const control::IndexingSettings& settings = {}) noexcept : settings_(settings) {}
 
-  /// One tick. `device`: position in the device's own frame. A position that is not finite leaves all as it is and
-  /// gives no force. `dt_s` is limited to [0, 0.01] s.
+  /// One tick. `device`: position in the device's own frame. A position that is not finite changes neither `shift`
+  /// nor `interacts` and gives no force. `dt_s` is limited to [0, 0.01] s.
   const Indexed& step(const Point<HapticBase>& device, double dt_s) noexcept;
 
   [[nodiscard]] const Indexed& now() const noexcept { return now_; }

@@ -6,16 +6,17 @@ namespace telepalp::ports {
 
 /// The contact of the device point with the surface at one tick. The haptic loop fills it from `surface::Touch`. The
 /// controller and the effects learn of the surface only through this value. The displayed surface is the one that the
-/// hand feels: the newest measured surface, predicted to now. It changes gradually when a newer surface arrives.
+/// hand feels. It follows the newest measured surface, predicted to now, with a lag: when a newer surface arrives, it
+/// changes gradually.
 struct SurfaceContact {
-  Point<HapticBase> proxy;    ///< the device point outside the body, else the point on the surface that holds it
+  Point<HapticBase> proxy;    ///< outside the body: the device point; in it: see `support`
   Vector<HapticBase> normal;  ///< unit normal of the surface at the proxy, out of the body
   double distance_m = 0.0;    ///< signed distance of the device point from the surface; negative inside the body
   bool in_body = false;       ///< the device point is in the body; i_b of paper S1 (docs/sources.md)
   bool valid = false;         ///< false: no surface near the device point, and only age_s has a meaning
   double surface_speed_m_per_s = 0.0;  ///< of the displayed surface along the normal; continuous
-  /// 1 well inside the known surface, 0 where it ends or is stale. The distance from the device point to `proxy` is
-  /// already multiplied by it.
+  /// 1 well inside the known surface, 0 where it ends or is stale. In the body, `proxy` lies this share of the way from
+  /// the device point to the surface point nearest to it: on the surface if 1, at the device if 0.
   double support = 1.0;
   double measured_above_m = 0.0;         ///< height of the newest measured surface over the displayed one
   double measured_speed_m_per_s = 0.0;   ///< speed of the measured surface along the normal

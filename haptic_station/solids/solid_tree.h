@@ -22,15 +22,15 @@ struct Box {
   }
 };
 
-/// Where the value of a solid is the distance to its surface; Bound: guaranteed nowhere. Where it is not guaranteed,
-/// the value has the right sign and is at most the distance in size.
+/// Where the value of a solid is guaranteed to be the distance to its surface: everywhere, outside the solid, or (for
+/// Bound) nowhere. Elsewhere the value has the right sign, and its magnitude is at most the distance.
 enum class Exactness : std::uint8_t { Everywhere, Outside, Bound };
 
 /// Value of a solid at a point.
 struct SolidAt {
   double m;                  ///< negative inside; see Exactness
   Eigen::Vector3d gradient;  ///< of `m`; its length is at most SolidTree::steepest, and 0 where opposite parts tie
-  std::uint32_t part;        ///< node of the shape, blend or clip that gives `m`, first of ties; kNothing: a box does
+  std::uint32_t part;        ///< shape, blend or clip node that gives `m`; the first at a tie; kNothing: a bounding box
 };
 
 /// A node that can be evaluated. Its placement maps its own frame to the frame of the operator that contains it:
@@ -59,7 +59,7 @@ struct alignas(64) BoxNode {  // two cache lines
   static constexpr std::uint32_t kMember = 0x80000000;  ///< flag of a child that is a member, not a BoxNode
 
   std::array<std::array<float, kWidth>, 3> low{};   ///< per axis, then per child; rounded outwards
-  std::array<std::array<float, kWidth>, 3> high{};  ///< infinitely far from each point where there is no child
+  std::array<std::array<float, kWidth>, 3> high{};  ///< a lane without a child is infinitely far from each point
   std::array<std::uint32_t, kWidth> child{kNothing, kNothing, kNothing, kNothing};
 };
 

@@ -39,9 +39,9 @@ enum class Taken { Used, Restarted, NotFinite, OutOfOrder, Jump };
 /// and the velocity's time constant from the recent movements (VelocityPersistence). With a tracker that smooths its
 /// samples, the filter extrapolates the straight line through the last two samples, at a velocity that decays with that
 /// time constant; with a noisy tracker it averages. It uses the time stamp of each sample, so jitter, gaps and bursts
-/// cause no model error. The restart after a gap bounds its covariance. A sample that implies an impossible speed is
-/// rejected, and the estimate continues from the accepted ones. Axes are independent and share one covariance. No
-/// allocation. Owner: haptic thread.
+/// cause no model error. After a gap longer than restart_after_s it restarts, so its covariance stays bounded. A sample
+/// that implies an impossible speed is rejected, and the estimate continues from the accepted ones. Axes are
+/// independent and share one covariance. No allocation. Owner: haptic thread.
 class HandEstimate {
  public:
   explicit HandEstimate(const HandEstimateSettings& settings = {}) noexcept

@@ -21,7 +21,7 @@ struct BModeSettings {
   int side_px = 256;
   double width_m = 0.06;
   double depth_m = 0.10;
-  double range_dB = 60.0;       ///< echo level from black to white
+  double range_dB = 60.0;       ///< dynamic range: difference of echo level between black and white
   effects::Echo tissue{};       ///< around and between the layers
   double specular_power = 4.0;  ///< a boundary's echo falls with this power of the cosine of incidence
 };

@@ -5,12 +5,12 @@
 
 namespace telepalp::control {
 
-/// Computes where the viewer draws the hand (paper S1 II.E, docs/sources.md). While the hand is in the body, that is
-/// the proxy; otherwise it is the tracked position. When the hand enters or leaves the body, the offset between the two
-/// decays exponentially, so that the drawn hand does not jump. Owner: haptic thread.
+/// Computes where the viewer draws the hand (paper S1 II.E, docs/sources.md). While the hand is in the body, it is
+/// drawn at the proxy; otherwise at the tracked position. When the hand enters or leaves the body, the offset between
+/// the two decays exponentially, so that the drawn hand does not jump. Owner: haptic thread.
 class DisplayedHand {
  public:
-  /// `fade_s`: time constant of that offset's decay.
+  /// `fade_s`: time constant with which the offset between proxy and tracked position decays.
   explicit DisplayedHand(double fade_s) noexcept : fade_s_(fade_s) {}
 
   /// Computes one tick. `inside`: the hand is in the body. `contact`: contact with the displayed skin.

@@ -12,7 +12,7 @@ class SinkIn {
  public:
   /// Contact begins `depth_m` below the skin.
   void begin(double depth_m) noexcept;
-  /// Lets the displayed body rise for one tick.
+  /// Lets the displayed body rise towards its true place for one tick.
   void step(double dt_s) noexcept;
 
   /// `contact`, converted to the contact with the lowered body.

@@ -12,11 +12,12 @@ class WaitingPlane {
  public:
   explicit WaitingPlane(const PlaneSettings& settings) noexcept : settings_(settings) {}
 
-  /// Computes one tick. The first tick sets the height at once; later ticks move it at the bounded speed.
+  /// Moves the plane for one tick, to the skin's height plus the clearance, or to its least height if that is greater.
+  /// The first call sets the height at once; later calls move it by at most PlaneSettings::speed_m_per_s * dt_s.
   void move(const Point<HapticBase>& device, const ports::SurfaceContact& contact, double dt_s) noexcept;
 
   [[nodiscard]] double height_m() const noexcept { return height_m_; }
-  /// Height at which the end-effector is held: the plane plus delta_o of S1 eq. (5).
+  /// Height at which position control holds the end-effector: the plane's height plus delta_o of S1 eq. (5).
   [[nodiscard]] double target_height_m() const noexcept { return height_m_ + settings_.offset_m; }
 
  private:

@@ -7,7 +7,7 @@
 namespace telepalp::control {
 
 /// The phases of Fig. 4 of paper S1 (docs/sources.md), and two phases without force that S1 does not have. The values
-/// are those of telepalp.msg.Phase. The numbers in brackets are S1's s_f.
+/// are those of telepalp.msg.Phase. The numbers in brackets are the values of S1's state variable s_f.
 enum class Phase : std::uint8_t {
   InBody = 1,         ///< force control: the hand feels the skin (0)
   BodyToPlane = 2,    ///< a gentle lift carries the end-effector away from the body (1)
@@ -21,11 +21,11 @@ enum class Phase : std::uint8_t {
 };
 
 enum class Event : std::uint8_t {
-  FromBody,    ///< the device point is outside the body: S1's i_b is false; at any distance from the surface
-  ToPlane,     ///< S1: the end-effector has reached the height of the waiting plane
+  FromBody,    ///< the device point has left the body, to any distance from the surface: S1's i_b becomes false
+  ToPlane,     ///< S1: the end-effector has reached its target height, just above the waiting plane
   UnderPlane,  ///< S1: the hand has pushed the end-effector below the plane
   HandRose,    ///< the hand left the waiting end-effector and is above the plane
-  IntoBody,    ///< the device point has entered the body: S1's i_b is true
+  IntoBody,    ///< the device point has entered the body: S1's i_b becomes true
   NearObject,  ///< the device point is within an inner object's margin
   AwayFromObject,
   TouchUpper,    ///< pressing an inner object, its upper face nearest
@@ -42,7 +42,7 @@ enum class FaultCause : std::uint8_t {
   DeviceSilent,       ///< the last reading of the device is older than its limit
   NotFinite,          ///< a number in the input or in the force is NaN or infinite
   DeviceImplausible,  ///< the device reports impossibly fast movements for longer than AgeLimits::implausible_s
-  HandImplausible,    ///< the same for the hand tracker, while the hand is not in contact
+  HandImplausible,    ///< the hand tracker reports them for longer than AgeLimits::hand_implausible_s, out of contact
 };
 
 struct Row {

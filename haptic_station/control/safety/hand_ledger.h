@@ -7,8 +7,8 @@ namespace telepalp::control {
 /// The force that the device applies over a tick, split by cause [N]. The sum of the parts is the limiter's output.
 struct HeldForce {
   Eigen::Vector3d skin = Eigen::Vector3d::Zero();   ///< effects, damping, heat warning, and the limiter's change
-  Eigen::Vector3d fade = Eigen::Vector3d::Zero();   ///< what remains of the force difference at the last transition
-  Eigen::Vector3d drive = Eigen::Vector3d::Zero();  ///< lift and position control of the free end-effector
+  Eigen::Vector3d fade = Eigen::Vector3d::Zero();   ///< remaining force difference from the last phase transition
+  Eigen::Vector3d drive = Eigen::Vector3d::Zero();  ///< lift, position control, and recall of workspace indexing
 };
 
 /// Compares the work of the device on the hand since the contact began with the work that a reference skin would have
@@ -35,7 +35,7 @@ class HandLedger {
   /// zero, the display gave the hand energy that the reference skin would not have given.
   [[nodiscard]] double excess_J() const noexcept { return skin_J_ + fades_J_; }
   [[nodiscard]] double fades_J() const noexcept { return fades_J_; }
-  [[nodiscard]] double drive_J() const noexcept { return drive_J_; }  ///< work of lift and position control
+  [[nodiscard]] double drive_J() const noexcept { return drive_J_; }  ///< work of HeldForce::drive
 
  private:
   Eigen::Vector3d reference_N_ = Eigen::Vector3d::Zero();

@@ -9,7 +9,7 @@ struct CouplingSettings {
   bool enabled = true;
   double device_damping_N_s_per_m = 1.0;
   double tick_s = 0.0005;
-  double margin = 0.5;  ///< stiffness used / largest stable one in theory; the damping to spare dissipates energy
+  double margin = 0.5;  ///< used / largest passive stiffness; at 0.5, half of the device's damping stays in reserve
 };
 
 /// The stiffest spring that a device with damping b can display without creating energy, when its force is held over a

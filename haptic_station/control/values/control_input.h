@@ -20,9 +20,9 @@ struct ControlInput {
   double hand_implausible_s = 0.0;     ///< how long the tracker has reported impossibly fast movements; 0: plausible
   ports::SurfaceContact contact;       ///< contact of `device`; its age_s is valid even if no surface is near
   effects::Placements placements{};    ///< displacements of the objects inside the body
-  bool interacts = true;               ///< false: the body gives no force, because it moves past the device
-  Force<HapticBase> recall;            ///< of workspace indexing, added to the force of the phase
-  Vector<HapticBase> reindexed;  ///< part of the device's motion since the last tick that is the patient's shift [m]
+  bool interacts = true;               ///< false: the body gives no force, because workspace indexing shifts it
+  Force<HapticBase> recall;            ///< force of workspace indexing; added to the force of the phase
+  Vector<HapticBase> reindexed;  ///< shift by workspace indexing in this tick, contained in the motion of `device` [m]
   bool rearm = false;            ///< true on the tick at which an operator asks to re-arm
 };
 

@@ -16,9 +16,9 @@ struct PlaneSettings {
 struct TransitionSettings {
   double dwell_s = 0.3;              ///< time that a phase must last before a transition that waits for it (S1)
   double offset_fade_s = 0.15;       ///< decay time constant of S1's Delta p (eq. 5) and of the displayed hand's offset
-  double hand_rose_m = 0.02;         ///< the hand has left when it is this far above plane and end-effector
-  double force_fade_N_per_s = 40.0;  ///< rate at which the force difference at a transition fades
-  double contact_release_s = 2.0;    ///< fade time of the skin's force after AgeLimits::tracker_in_contact_s
+  double hand_rose_m = 0.02;         ///< a hand this far above both the plane and the end-effector has left it
+  double force_fade_N_per_s = 40.0;  ///< rate at which the force difference from a transition decreases to zero
+  double contact_release_s = 2.0;    ///< time in which the skin's force fades after tracker_in_contact_s
 };
 
 /// The low-level position control of the free end-effector, and the lift away from the body.
@@ -32,10 +32,11 @@ struct PositionControlSettings {
   double lift_most_N = 1.0;
 };
 
-/// Greatest ages. Contact ends when tracker or surface is older; the station faults when the device is.
+/// Greatest ages of the inputs. When the tracker's sample or the surface is older, the station releases the force
+/// (phase Released); when the device's reading is older, it faults.
 struct AgeLimits {
-  double tracker_s = 0.1;             ///< out of contact, where the end-effector follows the tracked hand
-  double tracker_in_contact_s = 3.0;  ///< in contact, where the skin's force depends on the device alone
+  double tracker_s = 0.1;             ///< limit out of contact, where the end-effector follows the tracked hand
+  double tracker_in_contact_s = 3.0;  ///< limit in contact, where the skin's force needs no tracker; then it fades
   double surface_s = 1.0;
   double device_s = 0.1;
   double implausible_s = 0.008;      ///< longest run of impossibly fast device readings; a longer one is a fault
@@ -46,12 +47,12 @@ struct AgeLimits {
 /// which reaches 0.13 m about its axis, and a body of 1.8 m.
 struct IndexingSettings {
   bool on = false;
-  double touch_radius_m = 0.1;  ///< of the cylinder inside which the hand touches the body
+  double touch_radius_m = 0.1;  ///< radius of the cylinder inside which the hand touches the body
   double center_x_m = 0.0;      ///< the cylinder's axis, in the device's own frame
   double center_z_m = 0.0;
   double recall_N_per_m = 150.0;  ///< force for each metre beyond the cylinder
   double recall_most_N = 3.0;
-  double shift_m_per_s_per_N = 0.05;  ///< speed of the patient for each newton of that force
+  double shift_m_per_s_per_N = 0.05;  ///< speed of the patient's shift for each newton of the recall
   double most_shift_x_m = 0.3;
   double most_shift_z_m = 0.9;
 };

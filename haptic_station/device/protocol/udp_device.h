@@ -18,7 +18,7 @@ struct Command {
   bool in_body = false;        ///< the device point is inside the body; the flag of paper S1 (docs/sources.md) II.C
   bool surface_valid = false;
   bool let_go = false;        ///< the device must neither push nor hold a position
-  Point<HapticBase> proxy{};  ///< the device point outside the body, else on the surface; S1 II.C
+  Point<HapticBase> proxy{};  ///< S1 II.C: the device point outside the body, else on the surface; at rims between both
   double distance_m = 0.0;    ///< of the device point from the surface, negative in the body; S1 II.C
   Vector<HapticBase> normal{};
   Force<HapticBase> force{};  ///< after the station's force limiter

@@ -12,7 +12,7 @@ namespace telepalp::solids {
 
 /// The smallest box that contains both.
 [[nodiscard]] Box joined(const Box& a, const Box& b) noexcept;
-/// The intersection; `a` if the boxes do not meet, because the intersection of their solids is then empty.
+/// The intersection; `a` if the boxes do not meet: the solids' intersection is then empty, and any box contains it.
 [[nodiscard]] Box common(const Box& a, const Box& b) noexcept;
 /// `box` extended by `by_m` on each side.
 [[nodiscard]] Box widened(const Box& box, double by_m) noexcept;

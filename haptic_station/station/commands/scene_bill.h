@@ -8,10 +8,10 @@
 
 namespace telepalp::station {
 
-/// The computation cost of one effect of a scene, for each tick.
+/// The computing time of one effect of a scene in one tick.
 struct EffectPrice {
   std::string name;
-  double mean_us = 0.0;  ///< in a tick; the median over 20 parts of the path, so that another program does not raise it
+  double mean_us = 0.0;  ///< median of the means of 20 parts of the path, so that another program does not raise it
   double largest_us = 0.0;
   std::size_t shapes = 0;   ///< of a layer's tree; 0: not a layer
   std::size_t bytes = 0;    ///< memory of that tree

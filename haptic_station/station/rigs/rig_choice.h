@@ -44,8 +44,8 @@ inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser"
 [[nodiscard]] Result<DeviceChoice> read_device_choice(const std::string& text);
 [[nodiscard]] Result<TrackerChoice> read_tracker_choice(const std::string& text);
 
-/// Parses both options. Error: an unknown value, a simulated or a browser's hand with a real device, or a held
-/// end-effector with a simulated device.
+/// Parses the values of `--device` and `--tracker`. Error: an unknown value, a simulated or a browser's hand with a
+/// real device, or a held end-effector with a simulated device.
 [[nodiscard]] Result<RigChoice> read_rig_choice(const std::string& device, const std::string& tracker);
 
 /// How long a device or tracker may take to answer at the start, unless the operator asks for another time.

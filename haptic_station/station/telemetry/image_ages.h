@@ -7,13 +7,13 @@
 
 namespace telepalp::station {
 
-/// Accumulates the time from each image's capture at the server to its surface under the hand, for the log. Owner:
-/// network thread.
+/// Accumulates, for the log, the time from each image's capture at the server to when its surface is ready for touch at
+/// this station. Owner: network thread.
 class ImageAges {
  public:
   void add(const msg::SurfaceReport& report);
   /// Such as "843 images touchable 61 ms (p50) and 97 ms (p99) after capture, each known within 3.2 ms"; empty without
-  /// images. The bound is the largest of the session clock since the start.
+  /// images. 3.2 ms: the largest bound on the session clock's error in any report so far.
   [[nodiscard]] std::string in_words() const;
 
  private:

@@ -24,8 +24,7 @@ class CloudOrientation {
   [[nodiscard]] bool is_closed() const noexcept { return closed_; }
 
   /// The winding number below the surface plus the one above it, with the signs that propagation gives the normals: 1
-  /// for a closed surface with outward normals, -1 with
-  /// inward ones, 0 for a plane, in between for a dome or a bowl.
+  /// for a closed surface with outward normals, -1 with inward ones, 0 for a plane, in between for a dome or a bowl.
   [[nodiscard]] double turns() const noexcept { return turns_; }
 
   /// Share of the normals of `cloud` that point against this orientation.

@@ -19,8 +19,8 @@ struct SampledMesh {
 /// Samples `mesh`, in metres relative to its centre. `settings` give the number of points or their spacing. If they
 /// give neither, the spacing is reduced until the surface lies within kFaithful_m of the mesh and gives no contact in
 /// free air, until a reduction leaves more than 70 % of the error, or until kMostSamples is reached. `side` -1 reverses
-/// all normals. Parts of the mesh that lie inside other parts are left out: no finger
-/// reaches them, and they would pull the surface inwards and make it jump from wall to wall.
+/// all normals. Parts of the mesh that lie inside other parts are left out: no finger reaches them, and they would pull
+/// the surface inwards and make it jump from wall to wall.
 [[nodiscard]] SampledMesh sample_mesh(const models::PointModel& mesh, const StaticModelSettings& settings,
                                       const Eigen::Vector3d& origin_m, float side);
 

@@ -36,10 +36,10 @@ struct GridLayout {
 /// samples there.
 ///
 /// Each node's tangent plane is averaged with the mean plane: f = Σ w ½(n_i + n̄)·(x − p_i) / Σ w, with the query x,
-/// the node i at p_i with normal n_i and weight w, and n̄ the weighted mean normal. On any quadric this
-/// is exact to third order, while the node planes or the mean plane alone err by curvature × support² / 4. Why: on
-/// a sphere, the line from p_i to a surface point x is perpendicular to the sum of the normals at p_i and x, and n̄
-/// approximates the normal at x. f is C1: the weights fade smoothly in the image plane, whose coordinates are smooth
+/// the node i at p_i with normal n_i and weight w, and n̄ the weighted mean normal. On any quadric this is exact to
+/// third order, while the node planes or the mean plane alone err by curvature × support² / 4. The reason: on a sphere,
+/// the line from p_i to a surface point x is perpendicular to the sum of the normals at p_i and x, and n̄ approximates
+/// the normal at x. f is C1: the weights fade smoothly in the image plane, whose coordinates are smooth
 /// functions of x.
 ///
 /// Does not own `nodes`; the derived class keeps them alive.

@@ -39,7 +39,7 @@ struct MotionModel {
   double linear_fade_s = 0.3;                    ///< time constant with which a velocity decays
   double freeze_from_s = 0.6;   ///< from this age the predicted motion slows down; it stops at twice this age
   double spread_m_per_s = 0.0;  ///< growth of the prediction's standard deviation with age
-  double unmodelled = 0.0;      ///< 1: the body has just moved unlike before, and predictions are cut; 0: as before
+  double unmodelled = 0.0;      ///< 1: motion much faster than usual, or a pushed camera; then falls to 0 within 1 s
 };
 
 /// Basis at `age_s` after the capture; all zero at age 0. Value and rate are continuous in age.

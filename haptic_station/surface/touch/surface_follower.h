@@ -40,7 +40,7 @@ class SurfaceFollower {
  public:
   explicit SurfaceFollower(const FollowLimits& limits) noexcept : limits_(limits) {}
 
-  /// The position, relative to the newest surface, that is displayed at `shown`.
+  /// The point of the newest surface's space that is displayed at `shown`: `shown` moved by the lag and the tilt.
   [[nodiscard]] Eigen::Vector3d on_newest(const Eigen::Vector3d& shown) const noexcept;
   /// The sample of the displayed surface at a point, given `newest`, the sample of the newest surface at on_newest() of
   /// that point.
@@ -48,8 +48,8 @@ class SurfaceFollower {
 
   /// Sets the lag to zero. The displayed surface moves at `speed_m_per_s` along `normal`.
   void follow_at_once(const Eigen::Vector3d& normal, double speed_m_per_s) noexcept;
-  /// Call when a newer surface replaces the last one. Its point `there`, with `newest_normal`, corresponds to the
-  /// displayed `foot`, with `normal`. The displayed position, normal and speed do not change.
+  /// Call when a newer surface replaces the last one. The newer surface's point `there`, with `newest_normal`, is
+  /// displayed at `foot`, with `normal`. The displayed position, normal and speed do not change.
   void take_over(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, const Eigen::Vector3d& there,
                  const Eigen::Vector3d& newest_normal) noexcept;
   /// Advances the displayed surface by `dt_s`, while the newest surface moves at `newest_speed_m_per_s` along `normal`
