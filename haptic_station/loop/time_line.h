@@ -4,8 +4,8 @@
 
 namespace telepalp::loop {
 
-/// Largest step back of the session clock within a session: smaller corrections are slewed, and a tick may read the
-/// clock a moment before another thread.
+/// Largest step back of the session clock within a session. Corrections below 1 s are slewed, so the clock itself does
+/// not step back by less; but another thread may have read it a moment later than this tick.
 inline constexpr std::chrono::milliseconds kSameSession{50};
 
 /// True if the session clock, which read `latest` before, has stepped back to `now`: another session has begun, so that

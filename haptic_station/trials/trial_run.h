@@ -30,7 +30,7 @@ struct Transition {
 struct TrialFigures {
   std::array<int, control::kPhaseCount> entries{};
   double worst_force_step_N = 0.0;  ///< largest change of force between two ticks
-  double worst_jump_m = 0.0;        ///< largest change of the end-effector's motion per tick at a transition
+  double worst_jump_m = 0.0;        ///< largest end-effector motion in a transition's tick beyond velocity × tick
   double worst_speed_jump_m_per_s = 0.0;  ///< largest change of the end-effector's speed in the tick of a transition
   double worst_shown_step_m = 0.0;        ///< largest displacement of the displayed hand in one tick
   double most_force_N = 0.0;

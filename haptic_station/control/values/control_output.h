@@ -17,8 +17,8 @@ struct ControlOutput {
   double plane_height_m = 0.0;       ///< y of the plane on which the device waits above the skin
   double passivity_J = 0.0;          ///< PassivityController::balance_J(); negative: the display is active
   double hand_excess_J = 0.0;  ///< work on the hand in this contact minus the measured skin's; HandLedger::excess_J()
-  double drive_J = 0.0;  ///< work on the hand since this contact began by the lift from the body, by the position
-                         ///< control outside the body, and by the recall of workspace indexing
+  double drive_J = 0.0;  ///< work on the hand since this contact began by the lift, which raises the end-effector from
+                         ///< the body, by the position control outside the body and by the recall of workspace indexing
   double yields_in_s = 0.0;             ///< time until the motors' heat lowers the contact force; infinite: never
   Force<HapticBase> damping;            ///< the part of `force` that the passivity controller added
   double surface_speed_m_per_s = 0.0;   ///< speed of the displayed skin along its normal
