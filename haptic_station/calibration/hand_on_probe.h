@@ -31,8 +31,8 @@ struct ProbeSettings {
 /// Finds the tracker's pose in the haptic base's frame from poses of a hand that lies on the probe in the known pose
 /// `probe_from_hand` (paper S2, docs/sources.md, II.C). The tracker may be worn on the head or fixed. One pose is
 /// enough; several are averaged: chordal mean of the rotations, mean of the hand's positions. Error: no pose, a number
-/// that is not finite, a matrix that is not a rotation (mirrored or scaled), rotations whose mean is undefined, or a
-/// pose whose residual or angle exceeds `settings`.
+/// that is not finite or beyond 10 m, a matrix that is not a rotation (mirrored or scaled), rotations whose mean is
+/// undefined, or a pose whose residual or angle exceeds `settings`.
 [[nodiscard]] Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> poses,
                                                                const Eigen::Isometry3d& probe_from_hand,
                                                                const ProbeSettings& settings = {});

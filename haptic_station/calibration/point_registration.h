@@ -28,7 +28,7 @@ enum class RotationBy {
 struct RegistrationSettings {
   RotationBy rotation_by = RotationBy::Covariance;
   double least_spread_m = 0.005;     ///< least standard deviation along a direction that counts for the rank
-  double least_spread_share = 0.02;  ///< the same limit as a share of the one along the widest direction
+  double least_spread_share = 0.02;  ///< the same / that along the widest direction; the greater limit counts
   double largest_rms_share = 0.1;    ///< largest rms residual / standard deviation along the widest direction
 };
 

@@ -38,7 +38,7 @@ struct TouchSample {
   Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< of the displayed skin where contact began
   double uncertainty_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
   double support = 0.0;        ///< displayed share of the contact; 0 where the known surface ends or is stale
-  double unmodelled = 0.0;     ///< MotionModel::unmodelled of the newest snapshot; set even if not valid
+  double unmodelled = 0.0;     ///< MotionModel::unmodelled of the newest snapshot; set even without a contact
   double age_s = 0.0;          ///< time since the snapshot's capture or its adoption, whichever is longer
 };
 
@@ -69,7 +69,7 @@ class Touch {
   /// Forgets the snapshot and ends the contact at once.
   void release() noexcept;
   /// The touch of `device` at `now`, `dt_s` after the last step. A position that is not finite moves nothing and gives
-  /// valid = false. If `now` goes back, the latest `now` so far is used.
+  /// an empty sample, as does a step without a snapshot. If `now` goes back, the latest `now` so far is used.
   [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s) noexcept;
 
   /// The displacement after the last step. Evaluates the surface twice; zero without a foot.

@@ -16,9 +16,9 @@ class ViewerHandTracker final : public ports::Tracker {
 
   enum class Taken {
     Followed,
-    /// The hand passed from one viewer to another less than 0.3 s ago. No hand is followed for that time, so the
-    /// station releases its force. It then follows the new hand like a first hand, without a jump between the two
-    /// places.
+    /// The message comes from another viewer than the followed one, which was heard less than 0.3 s ago. For that time
+    /// no hand is followed, so the station releases its force. It then follows the new hand like a first hand, without
+    /// a jump between the two places.
     Passing,
     OutOfReach,  ///< further than 0.5 m from the origin of the haptic base's frame
   };
