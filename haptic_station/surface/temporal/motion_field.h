@@ -48,7 +48,7 @@ class MotionField {
     double velocity_m_per_s = 0.0;  ///< beyond the cell's share of the motion common to the body (SharedMotion)
     double energy = 0.0;  ///< running mean of the squared velocity; sets this cell's weight in the breathing model
     double frames = 0.0;
-    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation minus SharedMotion's; not 0: the filter lags
+    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation minus SharedMotion's; not 0: it lags
   };
 
   void update_moving(const std::vector<CellInnovation>& seen);
