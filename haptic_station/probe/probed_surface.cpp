@@ -87,7 +87,7 @@ std::shared_ptr<const surface::SurfaceSnapshot> still(const DepthField& depth, c
   return snapshot;
 }
 
-/// About ten thousand finite points at most, evenly picked.
+/// Finite points, evenly picked: fewer than 40 000.
 std::vector<Eigen::Vector3d> some_of(const std::vector<Eigen::Vector3f>& points) {
   constexpr std::size_t kSome = 20'000;
   std::vector<Eigen::Vector3d> some;

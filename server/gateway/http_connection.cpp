@@ -114,7 +114,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     if (!origin_is_allowed(policy, view(request[http::field::origin]), host, visit_->is_from_trusted_program()))
       return write(
           refuse(request, http::status::forbidden,
-                 "web pages from that origin may not open the stream: the server's option --allow-origin permits it"));
+                 "web pages from that origin may not open the stream. fix: telepalp-server --allow-origin ORIGIN"));
     const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));
     if (!subprotocol)
       return write(refuse(request, http::status::bad_request,

@@ -137,8 +137,9 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   }
 
   void move_playback(const std::string& bytes) {
-    if (!controls_playback_) return warn("only technicians and QA may play, pause or seek a session");
     const foxglove::PlaybackPort& port = context()->options.playback_port;
+    if (!port) return warn("this server plays no session");
+    if (!controls_playback_) return warn("only technicians and QA may play, pause or seek a session");
     const msg::PlaybackState before = port.state();
     const Result<foxglove::PlaybackRequest> request = foxglove::read_playback_request(bytes, before);
     if (!request) return warn(to_string(request.error()));

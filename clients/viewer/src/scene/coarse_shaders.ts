@@ -8,7 +8,7 @@ in vec2 pixel;
 in float lamp;
 uniform vec2 size;
 uniform vec2 range_m;        // near, far, for colour by depth
-uniform bool plain;          // by depth in the colours of skin: no colour picture has come
+uniform bool plain;          // true until a colour picture comes: colour by depth, in skin tones
 uniform float colored;
 out vec2 at;
 out vec3 place;              // in the scene [m]

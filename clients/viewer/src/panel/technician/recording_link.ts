@@ -36,8 +36,8 @@ export function consentText(role: string, note: string): string {
 
 /** The state as rows of a card. */
 export function recordingRows({phase, file, seconds, bytes}: RecordingState): Row[] {
-  if (file === '') return [{name: 'Now', value: 'not recorded'}];
-  const now = {PHASE_IDLE: 'not recorded', PHASE_RECORDING: 'recorded', PHASE_COMPLETING: 'completing the file'}[phase];
+  if (file === '') return [{name: 'Now', value: 'not recording'}];
+  const now = {PHASE_IDLE: 'not recording', PHASE_RECORDING: 'recording', PHASE_COMPLETING: 'completing the file'}[phase];
   const minutes = Math.floor(seconds / 60);
   return [
     {name: 'Now', value: now ?? phase, level: phase === 'PHASE_RECORDING' ? 'alarm' : undefined},
