@@ -369,8 +369,10 @@ void Station::say_clock_step() {
   const Nanoseconds stepped = link_.clock_stepped();
   const Nanoseconds by = stepped - std::exchange(clock_stepped_, stepped);
   if (by == Nanoseconds{0}) return;
-  char text[80];
-  std::snprintf(text, sizeof text, "the session clock stepped by %+.1f s; the contact ends, and can begin again with the next image", to_seconds(by));
+  char text[128];
+  std::snprintf(text, sizeof text,
+                "the session clock stepped by %+.1f s; the contact ends, and can begin again with the next image",
+                to_seconds(by));
   say(text);
   telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, text);
 }
