@@ -33,7 +33,7 @@ test('the state is read each tenth look, with numbers of 64 bits', async () => {
   for (let look = 0; look < 20; ++look) await it.look(true);
   assert.equal(asked.length, 2);
   assert.equal(it.state.bytes, 2_500_000);
-  assert.deepEqual(recordingRows(it.state).map(({value}) => value), ['recorded', 'session_a.mcap', '1:15, 2.5 MB']);
+  assert.deepEqual(recordingRows(it.state).map(({value}) => value), ['recording', 'session_a.mcap', '1:15, 2.5 MB']);
 });
 
 test('a refusal is told in the server\'s words, and the next command clears it', async () => {

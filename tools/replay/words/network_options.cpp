@@ -98,7 +98,7 @@ std::vector<program::Option> network_options() {
   options.insert(options.end(), {{"outage", "10s+500ms", "nothing crosses the network; several with commas"},
                                  {"restart", "10s+2s", "the server is away"},
                                  {"tracker-lost", "10s+2s", "the tracker gives no samples"},
-                                 {"glitch", "10s+4ms:MM", "in this window, the device position has an error of MM mm"},
+                                 {"glitch", "10s+4ms:MM", "the device position errs by MM mm meanwhile"},
                                  {"clock-step", "10s+2s:60ms", "the station's clock is wrong by this"},
                                  {"deadline-ms", "MS", "deadline of a frame; default: 100 + delay"},
                                  {"seed", "N", "seed of network and tracker; first seed of a storm", "1"}});
