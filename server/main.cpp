@@ -56,7 +56,7 @@ program::Usage usage() {
                        "fast, intra, temporal (lossless) or bounded (near-lossless, for display only)", "fast"},
                       {"depth-bound", "LEAST,PER_M2",
                        "bounded: a depth of z m moves by max(LEAST, PER_M2 z²) mm at most [1,2.85]"},
-                      {"key-every", "N", "temporal, bounded: a key frame at least this often", "12"},
+                      {"key-every", "N", "temporal, bounded: each Nth frame is a key frame", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},
                       {"name", "NAME", "name shown to peers", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};

@@ -5,6 +5,7 @@ import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {dirname, join} from 'node:path';
 import test from 'node:test';
+import {fileURLToPath} from 'node:url';
 
 import {until, Workplace} from './running_program.mjs';
 
@@ -229,6 +230,9 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
   }
 });
 
+/** A scene with an ultrasound probe and layers below the skin. */
+const RIBS = fileURLToPath(new URL('../../haptic_station/scenes/ribs-ultrasound.scene.textproto', import.meta.url));
+
 /** Topics with messages only on occasions: while a viewer holds or asks for the hand, and at events of the station. */
 const ON_OCCASION = ['/viewer/hand', '/viewer/hand_holder', '/station/events'];
 
@@ -237,7 +241,7 @@ test('each advertised topic is received by a page of an allowed origin, and deco
   try {
     const origin = 'https://studio.example';
     const {port, http_port} = await workplace.server(server, ['--source', 'synthetic', '--viewer', viewer, '--allow-origin', origin]);
-    workplace.start(station, ['--connect', `127.0.0.1:${port}`]);
+    workplace.start(station, ['--connect', `127.0.0.1:${port}`, '--scene', RIBS]);  // a scene for each topic
     const page = connect(http_port, origin);
     await until('the topics are advertised', () => page.heard.channels.length > 0);
     const topics = page.heard.channels.map(({topic}) => topic);
