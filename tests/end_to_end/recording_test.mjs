@@ -56,7 +56,7 @@ test('the technician ticks the consent, records, and ends it; the file is whole'
   await page.check('#consent-given');
   await page.click('#record');
   await until('it records', async () => (await state()).phase === 'PHASE_RECORDING' && Number((await state()).bytes) > 100_000);
-  await until('the page says so', async () => (await page.textContent('#recording-rows')).includes('Nowrecorded'));
+  await until('the page says so', async () => (await page.textContent('#recording-rows')).includes('Nowrecording'));
   const second = await ask({record: true, consent: 'x'});
   assert.match(second.text, /a recording is under way/);
   await page.focus('#record');

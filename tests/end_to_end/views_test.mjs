@@ -93,7 +93,8 @@ test('the technician sees the state of the picture, and the depth under the poin
 
 test('QA shares a moment, and the address brings another visitor to it', async () => {
   await page.keyboard.press('3');
-  assert.deepEqual(await cardTitles(), ['Moment', 'Notes', 'Impaired network', 'Events']);
+  await until('the cards of a played session come', async () =>
+    (await cardTitles()).join() === 'Moment,Notes,Impaired network,Events');
   await until('events of the session come', async () => (await page.locator('#events li').count()) > 0);
   await until('the whole session has its phases in a band', async () => (await page.locator('#overview i').count()) > 2);
   const {events, complete} = await (await fetch(`${address}playback/events`)).json();
