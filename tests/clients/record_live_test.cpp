@@ -15,6 +15,7 @@
 #include "clients/record/unfinished.h"
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
+#include "messages/inside.pb.h"
 #include "proto/wire/mcap/reader.h"
 #include "tests/clients/recorder_stage.h"
 
@@ -89,6 +90,27 @@ TEST_F(LiveRecorder, EachPartOfASplitRecordingIsASessionOfItsOwn) {
     }
   }
   EXPECT_EQ(depth_images, 120u) << "no image is lost between two parts";
+}
+
+TEST_F(LiveRecorder, ALatchedMessageOfAnHourAgoDoesNotMakeTheSessionAnHourLong) {
+  Server server;
+  const SessionTime hour_ago = session_time(kStart_ns - 3'600'000'000'000);
+  server.publish(wire::make_message(wire::kStationInside, hour_ago, msg::InnerStructures()));
+  server.publish(depth_in_groups(1).front());  // a camera model, which a server sends each second
+  const auto recorder = start(server, {"--split", "1s"});
+  for (const wire::Message& message : depth_in_groups(60)) {
+    server.publish(message);
+    std::this_thread::sleep_for(10ms);
+  }
+  EXPECT_EQ(end(*recorder), 0) << log();
+  ASSERT_GE(parts().size(), 2u) << log();
+  for (const auto& file : parts()) {
+    auto reader = wire::McapReader::open(file);
+    ASSERT_TRUE(reader) << file;
+    const wire::mcap::Statistics& statistics = reader->summary().statistics;
+    EXPECT_LT(statistics.message_end_time - statistics.message_start_time, 10'000'000'000u) << file;
+    EXPECT_EQ(reader->summary().channels.all().size(), 3u) << "camera model, depth, inside: " << file;
+  }
 }
 
 TEST_F(LiveRecorder, ASplitBySizeKeepsFilesNearThatSize) {

@@ -25,6 +25,14 @@ bool is_key_frame(const wire::Message& message) {
   return image.ParseFromString(*message.payload) && codec::is_key_frame(std::as_bytes(std::span(image.data())));
 }
 
+/// `latched`, which is still valid, as a message of `now` if it is older than 5 s. With its own time, a file that
+/// begins with it would seem to begin when it was published. Camera models come each second and keep their time, so
+/// that a merge of parts finds them equal.
+wire::Message as_of(SessionTime now, wire::Message latched) {
+  if (now - latched.published > Nanoseconds(5s)) latched.published = now;
+  return latched;
+}
+
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
@@ -56,7 +64,7 @@ Result<void> SessionFiles::begin_part() {
   for (const wire::mcap::Attachment& attachment : plan_.attachments)
     if (written) written = writer->add(attachment);
   for (const auto& [topic, message] : latched_)
-    if (written) written = writer->write(message);
+    if (written) written = writer->write(as_of(newest_, message));
   if (!written) {
     writer->discard();
     return written;
@@ -78,7 +86,9 @@ Result<void> SessionFiles::end_part(const wire::mcap::Metadata* notes) {
   return done ? closed : done;
 }
 
-void SessionFiles::write(const wire::Message& message) {
+void SessionFiles::write(const wire::Message& published) {
+  // The server gives a new subscriber the last message of a latched topic, perhaps of an hour ago. It is valid now.
+  const wire::Message message = wire::is_latched(published.topic.name) ? as_of(newest_, published) : published;
   newest_ = std::max(newest_, message.published);
   has_depth_ = has_depth_ || message.topic.name == wire::kCameraDepth.name;
   if (!writer_ || is_full(message)) go_on_in_new_part(message);
