@@ -176,7 +176,8 @@ test('a lost graphics context is said, and the picture comes back', async () => 
   const {frames} = await status(page);
   await page.evaluate(() => window.lose.restoreContext());
   await untilStatus(page, 'pictures are drawn again', (now) => now.frames > frames && now.meshVertices > 200);
-  assert.ok(!/No picture/.test(await page.evaluate(() => document.querySelector('#banner:not([hidden])')?.textContent ?? '')));
+  await until('the banner is gone', () => page.evaluate(() =>
+    !/No picture/.test(document.querySelector('#banner:not([hidden])')?.textContent ?? '')));
   assert.deepEqual(browser.problems, []);
 });
 
