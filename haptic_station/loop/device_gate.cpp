@@ -38,8 +38,7 @@ void DeviceGate::accept(const ports::DeviceReading& reading, double since_s, dou
     offset_m_ *= offset_m < 1e-7 ? 0.0 : 1.0 - absorbed_m / offset_m;
   }
   const Vector3d at_m = reading.at.m + offset_m_;
-  speed_ += ((at_m - at_m_) / since_s - speed_) *
-            (1.0 - speed_left_.of(-kSpeedFilter_rad_per_s * since_s, [](double x) noexcept { return std::exp(x); }));
+  speed_ += ((at_m - at_m_) / since_s - speed_) * (1.0 - speed_left_.of(-kSpeedFilter_rad_per_s * since_s));
   at_m_ = at_m;
   implausible_s_ = 0.0;
 }

@@ -53,7 +53,7 @@ class DeviceGate {
   Eigen::Vector3d speed_ = Eigen::Vector3d::Zero();      ///< velocity of `at_m_` [m/s], low-pass filtered
   Eigen::Vector3d raw_speed_ = Eigen::Vector3d::Zero();  ///< velocity from the last two readings [m/s]
   Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();   ///< returned minus read position, while a slip is removed
-  LastResult speed_left_;                                ///< weight of the older readings in `speed_` after a reading
+  LastExp speed_left_;                                   ///< weight of the older readings in `speed_` after a reading
   double implausible_s_ = 0.0;
   double agree_s_ = 0.0;  ///< how long consecutive readings have been consistent with each other
   std::uint64_t jumps_ = 0;

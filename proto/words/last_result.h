@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 namespace telepalp {
@@ -21,6 +22,17 @@ class LastResult {
  private:
   double x_ = std::numeric_limits<double>::quiet_NaN();  // unequal to every argument
   double result_ = 0.0;
+};
+
+/// exp(x) by LastResult: the share that is left of a value after a step of its exponential decay.
+class LastExp {
+ public:
+  [[nodiscard]] double of(double x) noexcept {
+    return last_.of(x, [](double y) noexcept { return std::exp(y); });
+  }
+
+ private:
+  LastResult last_;
 };
 
 }  // namespace telepalp

@@ -11,7 +11,7 @@ Point<HapticBase> DisplayedHand::step(const ControlInput& in, const ports::Surfa
   if (inside != inside_) offset_m_ = at_.m - base;
   inside_ = inside;
   if (!inside && !in.hand_valid) offset_m_.setZero();
-  offset_m_ *= left_.of(-dt_s / fade_s_, [](double x) noexcept { return std::exp(x); });
+  offset_m_ *= left_.of(-dt_s / fade_s_);
   at_.m = base + offset_m_;
   return at_;
 }

@@ -23,7 +23,7 @@ class DisplayedHand {
   Point<HapticBase> last_proxy_;
   Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();
   bool inside_ = false;
-  LastResult left_;  ///< share of the offset that is left after a tick
+  LastExp left_;  ///< share of the offset that is left after a tick
 };
 
 }  // namespace telepalp::control

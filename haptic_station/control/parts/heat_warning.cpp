@@ -17,8 +17,7 @@ constexpr double kSmooth_s = 0.2;
 
 Eigen::Vector3d HeatWarning::step(const Eigen::Vector3d& force_N, const ForceLimiter& limiter, double dt_s) noexcept {
   const double norm_N = force_N.norm();
-  smooth_N_ +=
-      (norm_N - smooth_N_) * (1.0 - smooth_left_.of(-dt_s / kSmooth_s, [](double x) noexcept { return std::exp(x); }));
+  smooth_N_ += (norm_N - smooth_N_) * (1.0 - smooth_left_.of(-dt_s / kSmooth_s));
   yields_in_s_ = limiter.holds_for_s(smooth_N_);
   const double wanted_N = yields_in_s_ < kAnnounced_s ? kAmplitude_N : 0.0;
   const double most_N = kRises_N_per_s * dt_s;

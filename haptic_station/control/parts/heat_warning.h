@@ -22,7 +22,7 @@ class HeatWarning {
   double smooth_N_ = 0.0;     ///< low-pass filtered force, without the vibration and the hand's tremor
   double amplitude_N_ = 0.0;  ///< amplitude of the vibration; it changes gradually
   double turns_ = 0.0;        ///< phase of the vibration in turns, 0 to 1
-  LastResult smooth_left_;    ///< weight of the older forces in smooth_N_ after a tick
+  LastExp smooth_left_;       ///< weight of the older forces in smooth_N_ after a tick
 };
 
 }  // namespace telepalp::control

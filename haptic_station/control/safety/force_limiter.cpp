@@ -47,8 +47,7 @@ Force<HapticBase> ForceLimiter::limit(const Force<HapticBase>& wanted, double dt
   const Eigen::Vector3d change = shortened(target - given_.N, limits_.slew_N_per_s * dt);
   given_.N += change;
   limited_ = !finite || (given_.N - wanted.N).squaredNorm() > 1e-18;
-  heat_N2_ += (given_.N.squaredNorm() - heat_N2_) *
-              (1.0 - heat_left_.of(-dt / limits_.thermal_time_s, [](double x) noexcept { return std::exp(x); }));
+  heat_N2_ += (given_.N.squaredNorm() - heat_N2_) * (1.0 - heat_left_.of(-dt / limits_.thermal_time_s));
   return given_;
 }
 

@@ -36,7 +36,7 @@ class ForceLimiter {
   ForceLimits limits_;
   Force<HapticBase> given_;
   double heat_N2_ = 0.0;
-  LastResult heat_left_;  ///< share of the heat that is left after a tick
+  LastExp heat_left_;  ///< share of the heat that is left after a tick
   bool limited_ = false;
   bool faulted_ = false;
 };
