@@ -251,8 +251,8 @@ std::string own_address(const std::string& bind, std::uint16_t port) {
 
 /// Lets the gateway's visitors begin and end recordings.
 void offer_recording(gateway::GatewayOptions& options, recording::SessionRecorder& recorder) {
-  options.recording_state = [&recorder] { return program::to_json(recorder.state()); };
-  options.recording_command = [&recorder](const std::string& json) -> Result<std::string> {
+  options.recording.state = [&recorder] { return program::to_json(recorder.state()); };
+  options.recording.change = [&recorder](const std::string& json, const std::string&) -> Result<std::string> {
     const Result<msg::RecordingCommand> command = recording::read_command(json);
     if (!command) return command.error();
     if (const Result<void> applied = recorder.apply(*command, std::chrono::system_clock::now()); !applied)

@@ -4,6 +4,7 @@
 
 #include "messages/foxglove_websocket.pb.h"
 #include "proto/wire/mcap/format/schemas.h"
+#include "proto/words/demand.h"
 #include "server/gateway/foxglove/playback_control.h"
 #include "server/views/view_topics.h"
 #include "support/program/message_json.h"
@@ -13,6 +14,12 @@ namespace {
 
 namespace json = google::protobuf::util;
 namespace texts = telepalp::foxglove_websocket;
+
+std::string our_json(const google::protobuf::Message& message) {
+  std::string json = program::to_json(message);
+  demand(json != "{}", "our own messages can be written as JSON");
+  return json;
+}
 
 Error refused(std::string what) {
   return {.what = std::move(what),
@@ -78,7 +85,7 @@ std::string server_info(std::string_view name, std::string_view session_id, std:
     *info.mutable_datastarttime() = time_of(played->begin_ns());
     *info.mutable_dataendtime() = time_of(end_ns(*played));
   }
-  return program::to_json(info);
+  return our_json(info);
 }
 
 std::string advertise_all_topics() {
@@ -86,7 +93,7 @@ std::string advertise_all_topics() {
   advertise.set_op("advertise");
   for (const wire::Topic& topic : wire::kTopics) add_channel(advertise, topic, *wire::descriptor_of(topic));
   for (const wire::Topic& topic : views::kViewTopics) add_channel(advertise, topic, *views::descriptor_of_view(topic));
-  return program::to_json(advertise);
+  return our_json(advertise);
 }
 
 std::string status(Level level, std::string_view text) {
@@ -94,7 +101,7 @@ std::string status(Level level, std::string_view text) {
   status.set_op("status");
   status.set_level(static_cast<std::uint32_t>(level));
   status.set_message(std::string(text));
-  return program::to_json(status);
+  return our_json(status);
 }
 
 std::array<std::uint8_t, kMessageHeaderBytes> message_header(std::uint32_t subscription, SessionTime at) {

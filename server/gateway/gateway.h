@@ -26,9 +26,9 @@
 
 namespace telepalp::gateway {
 
-/// A part of the played session that visitors read with GET and change with POST, as JSON of Protobuf messages.
+/// A state that visitors read with GET and change with POST, as JSON of Protobuf messages.
 struct JsonResource {
-  std::function<std::string()> state{};  ///< unset: no session is played
+  std::function<std::string()> state{};  ///< unset: the server has no such state
   /// Carries out `command` for the visitor `who`, and returns the new state; set when `state` is.
   std::function<Result<std::string>(const std::string& command, const std::string& who)> change{};
 };
@@ -47,9 +47,7 @@ struct GatewayOptions {
   JsonResource network{};                            ///< msg::NetworkState and msg::NetworkCommand
   JsonResource notes{};                              ///< msg::SessionNotes and msg::NoteCommand
   std::function<std::string()> session_events{};     ///< JSON of msg::SessionEvents; set when playback is
-  std::function<std::string()> recording_state{};  ///< JSON of msg::RecordingState; unset: nothing can be recorded here
-  /// Carries out the JSON of a msg::RecordingCommand and returns the new state; set when recording_state is.
-  std::function<Result<std::string>(const std::string& json)> recording_command{};
+  JsonResource recording{};  ///< msg::RecordingState and msg::RecordingCommand; unset: nothing can be recorded here
   std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
   std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request's headers

@@ -25,7 +25,7 @@ namespace http = beast::http;
 using boost::asio::ip::tcp;
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
-constexpr std::uint64_t kMaxBodyBytes = 1024;  // of a token at the sign-in, or of a command to play or to record
+constexpr std::uint64_t kMaxBodyBytes = 1024;  // of a token at the sign-in, or of a command by POST
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 

@@ -41,12 +41,11 @@ HttpReply json_reply(const HttpRequest& request, const std::string& json) {
 }
 
 /// GET answers the state; POST carries out a command and answers the state after it.
-HttpReply answer_state(const HttpRequest& request, const std::function<std::string()>& state,
-                       const std::function<Result<std::string>(const std::string&)>& command) {
-  if (request.method() == http::verb::get) return json_reply(request, state());
+HttpReply answer_state(const HttpRequest& request, const JsonResource& resource, const std::string& who) {
+  if (request.method() == http::verb::get) return json_reply(request, resource.state());
   if (request.method() != http::verb::post)
     return refuse(request, http::status::method_not_allowed, "GET the state, or POST a command");
-  const Result<std::string> after = command(request.body());
+  const Result<std::string> after = resource.change(request.body(), who);
   return after ? json_reply(request, *after) : refuse(request, http::status::bad_request, to_string(after.error()));
 }
 
@@ -158,8 +157,7 @@ HttpReply Visit::played(const HttpRequest& request, const JsonResource& part) co
                                  .pages = "pages from that origin may not change the session"};
   if (std::optional<HttpReply> refusal = refusal_to_command(request, kChange)) return std::move(*refusal);
   if (!part.state) return refuse(request, http::status::not_found, kNoSession);
-  return answer_state(request, part.state,
-                      [&](const std::string& json) { return part.change(json, describe(visitor_->who)); });
+  return answer_state(request, part, describe(visitor_->who));
 }
 
 HttpReply Visit::session_events(const HttpRequest& request) const {
@@ -176,17 +174,17 @@ HttpReply Visit::recording(const HttpRequest& request) const {
                                  .people = "recording is for doctors, technicians and QA",
                                  .pages = "pages from that origin may not record"};
   if (std::optional<HttpReply> refusal = refusal_to_command(request, kRecord)) return std::move(*refusal);
-  const GatewayOptions& options = context_.options;
+  const JsonResource& recording = context_.options.recording;
   const bool commands = request.method() == http::verb::post;
   // A browser logs each 404 as an error of the page, so a GET gets an empty state instead.
-  if (!options.recording_state)
+  if (!recording.state)
     return commands ? refuse(request, http::status::not_found,
                              "recording from the web page is off on this server. fix: telepalp-server --record-dir DIR")
                     : json_reply(request, "{}");
   if (commands)
     note(access::AuditEvent::Records,
          "who=" + describe(visitor_->who) + " asked=" + access::audit_text(request.body()));
-  return answer_state(request, options.recording_state, options.recording_command);
+  return answer_state(request, recording, describe(visitor_->who));
 }
 
 void Visit::note(access::AuditEvent event, const std::string& text) const {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "server/playback/json_text.h"
+#include "support/program/message_json.h"
 
 namespace telepalp::playback {
 namespace {
@@ -36,7 +36,8 @@ void set(impaired::Impairment& impairment, const msg::NetworkCommand& command) {
 
 Result<msg::NetworkCommand> read_network_command(const std::string& json) {
   msg::NetworkCommand command;
-  if (const Result<void> read = read_json(json, command, kExample); !read) return read.error();
+  if (const Result<void> read = program::read_json(json, command, "playback/network", kExample); !read)
+    return read.error();
   const double rate = command.rate_mbit_per_s();
   const std::array numbers{
       Bounded{"delay_ms is not from 0 to 1000", command.has_delay_ms(), command.delay_ms(), 0.0, 1000.0},

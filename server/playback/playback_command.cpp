@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "server/playback/json_text.h"
+#include "support/program/message_json.h"
 
 namespace telepalp::playback {
 namespace {
@@ -47,7 +47,7 @@ bool set(PlaybackSpec& spec, std::string_view key, std::string_view value) {
 
 Result<msg::PlaybackCommand> read_command(const std::string& json) {
   msg::PlaybackCommand command;
-  if (const Result<void> read = read_json(json, command, kExample); !read) return read.error();
+  if (const Result<void> read = program::read_json(json, command, "playback", kExample); !read) return read.error();
   if (const Result<void> valid = check(command); !valid) return valid.error();
   return command;
 }

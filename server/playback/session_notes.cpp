@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "server/playback/json_text.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/message_json.h"
 
@@ -46,7 +45,8 @@ Result<msg::SessionNotes> read(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   const std::string json{std::istreambuf_iterator<char>(in), {}};
   if (!in) return unreadable(file, "the notes cannot be read");
-  if (const Result<void> parsed = read_json(json, notes, ""); !parsed) return unreadable(file, parsed.error().what);
+  if (const Result<void> parsed = program::read_json(json, notes, file.string(), ""); !parsed)
+    return unreadable(file, parsed.error().what);
   if (notes.notes_size() > SessionNotes::kMostNotes) return unreadable(file, "it has more than 1000 notes");
   return notes;
 }
@@ -92,7 +92,8 @@ Result<void> SessionNotes::check(const msg::NoteCommand& command) const {
 Result<std::string> SessionNotes::apply(const std::string& json, const std::string& who,
                                         std::chrono::system_clock::time_point now) {
   msg::NoteCommand command;
-  if (const Result<void> read = read_json(json, command, kExample); !read) return read.error();
+  if (const Result<void> read = program::read_json(json, command, "playback/notes", kExample); !read)
+    return read.error();
   if (const Result<void> checked = check(command); !checked) return checked.error();
   if (!command.has_remove() && !command.has_at_s()) return this->json();
   msg::SessionNotes changed = notes_;

@@ -1,20 +1,20 @@
 #include "server/recording/recording_command.h"
 
-#include <google/protobuf/util/json_util.h>
-
 #include <algorithm>
 #include <cctype>
+
+#include "support/program/message_json.h"
 
 namespace telepalp::recording {
 namespace {
 
 constexpr std::size_t kLongestConsent = 200;  // bytes
 
-Error wrong(std::string what) {
-  return {.what = std::move(what),
-          .where = "POST /recording",
-          .fix = "send {\"record\":true,\"consent\":\"signed form, study 17\"} to begin, {\"record\":false} to end"};
-}
+constexpr const char* kWhere = "POST /recording";
+constexpr const char* kExample =
+    "send {\"record\":true,\"consent\":\"signed form, study 17\"} to begin, {\"record\":false} to end";
+
+Error wrong(std::string what) { return {.what = std::move(what), .where = kWhere, .fix = kExample}; }
 
 /// True for control characters, which one line of text must not contain.
 bool is_control(char letter) { return std::iscntrl(static_cast<unsigned char>(letter)) != 0; }
@@ -23,8 +23,7 @@ bool is_control(char letter) { return std::iscntrl(static_cast<unsigned char>(le
 
 Result<msg::RecordingCommand> read_command(const std::string& json) {
   msg::RecordingCommand command;
-  const auto parsed = google::protobuf::util::JsonStringToMessage(json, &command);
-  if (!parsed.ok()) return wrong("the command cannot be read: " + std::string(parsed.message()));
+  if (const Result<void> read = program::read_json(json, command, kWhere, kExample); !read) return read.error();
   if (!command.has_record()) return wrong("the command neither begins nor ends a recording");
   const std::string& consent = command.consent();
   if (command.record() && std::all_of(consent.begin(), consent.end(), [](char letter) { return letter == ' '; }))

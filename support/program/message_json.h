@@ -4,10 +4,17 @@
 
 #include <string>
 
+#include "proto/words/result.h"
+
 namespace telepalp::program {
 
 /// A message as one line of Protobuf's JSON: names as in the .proto file, and values that equal their default as well,
 /// because readers in browsers expect every member. "{}" if a text in the message is not UTF-8, such as a file's name.
 [[nodiscard]] std::string to_json(const google::protobuf::Message& message);
+
+/// Reads Protobuf's JSON into `message`. Error: it is not JSON, or has an unknown field or a value of the wrong type;
+/// `where` and `fix` are those of the error.
+[[nodiscard]] Result<void> read_json(const std::string& json, google::protobuf::Message& message, std::string where,
+                                     std::string fix);
 
 }  // namespace telepalp::program
