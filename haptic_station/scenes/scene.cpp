@@ -155,10 +155,7 @@ effects::Organ read_organ(FieldCheck& check, const msg::OrganEffect& message, co
 }
 
 bool add_layer(const effects::Solid& layer, Scene& scene) {
-  if (layer.layer()) {
-    scene.layers.push_back(layer.layer());
-    scene.effect_of_layer.push_back(scene.effects.size());
-  }
+  if (layer.layer()) scene.layers.push_back({layer.layer(), static_cast<std::uint32_t>(scene.effects.size())});
   return scene.effects.add(layer);
 }
 
@@ -305,6 +302,12 @@ Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& 
   const Result<program::NumberPlaces> parsed = program::parse_text_format(text, name.string(), message);
   if (!parsed) return parsed.error();
   return make_scene(message, name, *parsed);
+}
+
+std::vector<std::shared_ptr<const effects::SolidLayer>> Scene::solids() const {
+  std::vector<std::shared_ptr<const effects::SolidLayer>> solids;
+  for (const SceneLayer& layer : layers) solids.push_back(layer.solid);
+  return solids;
 }
 
 Result<Scene> read_scene(const std::filesystem::path& file) {

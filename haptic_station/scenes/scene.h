@@ -22,6 +22,12 @@ struct Probe {
   double depth_m = 0.10;
 };
 
+/// A layer of the scene's solids.
+struct SceneLayer {
+  std::shared_ptr<const effects::SolidLayer> solid;  ///< shared with its effect
+  std::uint32_t effect = 0;                          ///< place of that effect in Scene::effects
+};
+
 /// A checked scene in plain values. `message` is the parsed file: it is recorded, and message.surface() selects the
 /// surface settings.
 struct Scene {
@@ -30,9 +36,8 @@ struct Scene {
   bool center_on_surface = false;
   Transform<HapticBase, HandTracker> haptic_from_tracker;
   effects::EffectBank effects;
-  std::vector<std::shared_ptr<const effects::SolidLayer>> layers;  ///< of the solid effects, for pictures and meshes
-  std::vector<std::size_t> effect_of_layer;  ///< for each of `layers`: the place of its effect in `effects`
-  std::optional<Probe> probe;                ///< nullopt: the tool is the hand
+  std::vector<SceneLayer> layers;  ///< of the solid effects, for pictures and meshes
+  std::optional<Probe> probe;      ///< nullopt: the tool is the hand
   control::ControlSettings control;
   device::SimulatedDeviceSettings simulated_device;
   device::SimulatedHandSettings simulated_hand;
@@ -40,6 +45,9 @@ struct Scene {
   std::optional<std::filesystem::path> hand_trace;  ///< file of a recorded hand, which replaces the trial
   double trace_deepest_m = 0.04;                    ///< depth of the recorded hand's lowest point below the skin
   msg::Scene message;
+
+  /// The solids of `layers`.
+  [[nodiscard]] std::vector<std::shared_ptr<const effects::SolidLayer>> solids() const;
 };
 
 /// Reads and checks a *.scene.textproto. Error: an unknown field, reported with line and column, or a value out of its

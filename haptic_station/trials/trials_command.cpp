@@ -43,7 +43,8 @@ void run_all(const VirtualStationSettings& settings, double breathing_m, bool by
     result.surface = by_camera ? "camera" : "plane";
     const TrialFigures& f = result.figures;
     std::printf(
-        "%-38s on the %-6s %3zu transitions, %5.2f s in contact, %4.2f s inside the true skin without force, force at most "
+        "%-38s on the %-6s %3zu transitions, %5.2f s in contact, %4.2f s inside the true skin without force, force at "
+        "most "
         "%5.2f N, its largest step %.3f N\n",
         title(trial), result.surface, result.transitions.size(), f.contact_s, f.unfelt_s, f.most_force_N,
         f.worst_force_step_N);

@@ -11,23 +11,14 @@ using Eigen::Vector3d;
 
 bool is_union(const SolidTree& tree) noexcept { return !tree.nodes.empty() && tree.nodes[tree.root].op == Op::Union; }
 
-double squared_distance_m2(const BoxNode& node, std::size_t lane, const Vector3d& p) noexcept {
-  double sum = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double at = p[static_cast<Eigen::Index>(axis)];
-    const double gap = std::max({double{node.low[axis][lane]} - at, at - double{node.high[axis][lane]}, 0.0});
-    sum += gap * gap;
-  }
-  return sum;
-}
-
 /// Calls `take` with each bounded member whose box is at most `within_m` away, until it returns false.
 template <class Take>
 bool for_each_near(const SolidTree& tree, std::uint32_t box, const Vector3d& p, double within_m, Take&& take) noexcept {
   const BoxNode& node = tree.boxes[box];
+  const Lanes squared_m2 = squared_distances(node, p);
   for (std::size_t i = 0; i < BoxNode::kWidth; ++i) {
     const std::uint32_t child = node.child[i];
-    if (child == kNothing || squared_distance_m2(node, i, p) > within_m * within_m) continue;
+    if (child == kNothing || squared_m2[i] > within_m * within_m) continue;
     const bool goes_on = (child & BoxNode::kMember) != 0 ? take(child & ~BoxNode::kMember)
                                                          : for_each_near(tree, child, p, within_m, take);
     if (!goes_on) return false;

@@ -31,21 +31,6 @@ struct Waiting {
 constexpr std::size_t kMostWaiting =
     64;  // at most 16 levels of 4 children: each leaves 3 boxes waiting, the last one 4
 
-using Lanes = std::array<double, BoxNode::kWidth>;
-
-/// Squared distances of the children's boxes [m^2], one lane per child, so that the compiler can vectorise.
-Lanes squared_distances(const BoxNode& node, const Vector3d& p) noexcept {
-  Lanes sum{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double at = p[static_cast<Eigen::Index>(axis)];
-    for (std::size_t i = 0; i < BoxNode::kWidth; ++i) {
-      const double gap = std::max(std::max(double{node.low[axis][i]} - at, at - double{node.high[axis][i]}), 0.0);
-      sum[i] += gap * gap;
-    }
-  }
-  return sum;
-}
-
 /// Visits the nearest box first, so that its value rules out boxes that are farther away.
 void evaluate_bounded(const SolidTree& tree, std::uint32_t hierarchy, const Vector3d& p, Least& least) noexcept {
   std::array<Waiting, kMostWaiting> waiting;

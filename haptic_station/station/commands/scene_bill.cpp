@@ -91,11 +91,8 @@ std::vector<EffectPrice> price_of(const scenes::Scene& scene) {
     price.mean_us = median(std::move(cost.parts_us));
     price.largest_us = static_cast<double>(cost.so_far.largest) / cycles_per_us();
     const std::size_t effect = prices.size() - 1;
-    const auto at = std::ranges::find(scene.effect_of_layer, effect);
-    const effects::SolidLayer* layer =
-        at == scene.effect_of_layer.end()
-            ? nullptr
-            : scene.layers[static_cast<std::size_t>(at - scene.effect_of_layer.begin())].get();
+    const auto at = std::ranges::find(scene.layers, effect, &scenes::SceneLayer::effect);
+    const effects::SolidLayer* const layer = at == scene.layers.end() ? nullptr : at->solid.get();
     price.depth_error = depth_error_of(scene.message.effects(static_cast<int>(effect)), layer);
     if (layer == nullptr) continue;
     price.shapes = layer->tree->shapes;

@@ -110,7 +110,7 @@ Result<void> show(const scenes::Scene& scene, const program::Arguments& argument
     return Error{.what = "the scene has no solid to draw", .where = scene.name, .fix = "add effects { solid { ... } }"};
   std::vector<solids::PaintedSolid> painted;
   for (const auto& layer : scene.layers)
-    painted.push_back({layer->tree.get(), kColors[painted.size() % kColors.size()]});
+    painted.push_back({layer.solid->tree.get(), kColors[painted.size() % kColors.size()]});
   return write(images::encode_png(solids::picture_of(painted, *view)), *out);
 }
 
@@ -132,7 +132,7 @@ Result<void> image(const scenes::Scene& scene, const program::Arguments& argumen
   if (!out) return out.error();
   const Result<ultrasound::ProbePose> probe = probe_of(arguments);
   if (!probe) return probe.error();
-  const ultrasound::BModeImage seen = ultrasound::b_mode(scene.layers, *probe);
+  const ultrasound::BModeImage seen = ultrasound::b_mode(scene.solids(), *probe);
   ColorImage color{.width = seen.side_px, .height = seen.side_px, .rgb = {}};
   for (const std::uint8_t gray : seen.gray) color.rgb.insert(color.rgb.end(), 3, gray);
   return write(images::encode_png(color), *out);
@@ -148,13 +148,13 @@ Result<void> mesh(const scenes::Scene& scene, const program::Arguments& argument
   if (!cell_mm) return cell_mm.error();
   const std::string name = arguments.text("layer");
   const auto layer =
-      std::ranges::find_if(scene.layers, [&](const auto& one) { return name.empty() || one->name == name; });
+      std::ranges::find_if(scene.layers, [&](const auto& one) { return name.empty() || one.solid->name == name; });
   if (layer == scene.layers.end())
     return Error{
         .what = "no layer '" + name + "' in the scene", .where = "--layer", .fix = "telepalp-station scene check"};
-  const Result<solids::SolidMesh> made = solids::mesh_of(*(*layer)->tree, 1e-3 * *cell_mm);
+  const Result<solids::SolidMesh> made = solids::mesh_of(*layer->solid->tree, 1e-3 * *cell_mm);
   if (!made) return made.error();
-  std::printf("%s: %zu points, %zu triangles, %zu open edges\n", (*layer)->name.c_str(), made->points.size(),
+  std::printf("%s: %zu points, %zu triangles, %zu open edges\n", layer->solid->name.c_str(), made->points.size(),
               made->triangles.size(), solids::open_edges(*made));
   return write(as_obj ? solids::to_obj(*made) : solids::to_ply(*made), *out);
 }

@@ -105,7 +105,7 @@ void set_rotation(msg::Rotation& rotation, const Eigen::Quaterniond& q) {
 
 }  // namespace
 
-msg::InnerStructures inner_structures(std::span<const NumberedLayer> layers) {
+msg::InnerStructures inner_structures(std::span<const scenes::SceneLayer> layers) {
   msg::InnerStructures inside;
   if (layers.empty()) return inside;
   const std::size_t most_points = std::min(kMostPoints / layers.size(), wire::kMostStructurePoints);

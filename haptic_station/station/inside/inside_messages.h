@@ -4,23 +4,17 @@
 #include <memory>
 #include <span>
 
-#include "haptic_station/effects/effect_bank.h"
+#include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/inside/held_probe.h"
 #include "messages/inside.pb.h"
 #include "proto/words/frames.h"
 
 namespace telepalp::station {
 
-/// A layer of the scene, and the place of its effect in the scene's list.
-struct NumberedLayer {
-  std::shared_ptr<const effects::SolidLayer> layer;  // shared with the scene's effects
-  std::uint32_t effect = 0;
-};
-
 /// The surfaces of the layers by marching cubes, thinned to one point for each place of a grid and moved onto the true
 /// surface: at most 36 000 points in all, and the grid is as wide as that needs. A layer without bounds is left out.
 /// Takes up to some seconds.
-[[nodiscard]] msg::InnerStructures inner_structures(std::span<const NumberedLayer> layers);
+[[nodiscard]] msg::InnerStructures inner_structures(std::span<const scenes::SceneLayer> layers);
 
 /// Says where H is: the structures are displayed there.
 void set_place(msg::InnerStructures& inside, const Transform<HapticBase, DepthCamera>& haptic_from_camera);

@@ -7,13 +7,6 @@
 namespace telepalp::station {
 namespace {
 
-std::vector<NumberedLayer> layers_of(const scenes::Scene& scene) {
-  std::vector<NumberedLayer> layers;
-  for (std::size_t i = 0; i < scene.layers.size(); ++i)
-    layers.push_back({scene.layers[i], static_cast<std::uint32_t>(scene.effect_of_layer[i])});
-  return layers;
-}
-
 std::optional<ultrasound::BModeSettings> settings_of(const scenes::Scene& scene) {
   if (!scene.probe) return std::nullopt;
   return ultrasound::BModeSettings{.width_m = scene.probe->width_m, .depth_m = scene.probe->depth_m};
@@ -27,7 +20,7 @@ Eigen::Vector3d moved_m(const loop::ObjectPlacements& objects, std::uint32_t eff
 }  // namespace
 
 InsideThread::InsideThread(const scenes::Scene& scene, Handlers handlers)
-    : layers_(layers_of(scene)),
+    : layers_(scene.layers),
       settings_(settings_of(scene)),
       handlers_(std::move(handlers)),
       stay_(boost::asio::make_work_guard(io_)),
@@ -57,7 +50,7 @@ void InsideThread::compute(const View& view) {
   message.set_surface_captured_ns(static_cast<std::uint64_t>(view.tick.surface_captured_ns));
   if (probe.on_skin) {
     std::vector<ultrasound::PlacedLayer> placed;
-    for (const auto& [layer, effect] : layers_) placed.push_back({layer.get(), moved_m(view.objects, effect)});
+    for (const auto& [solid, effect] : layers_) placed.push_back({solid.get(), moved_m(view.objects, effect)});
     set_image(message, ultrasound::b_mode(placed, probe.pose, *settings_));
     message.set_compute_ms(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count());
   }

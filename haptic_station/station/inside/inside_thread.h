@@ -44,7 +44,7 @@ class InsideThread {
  private:
   void compute(const View& view);
 
-  std::vector<NumberedLayer> layers_;
+  std::vector<scenes::SceneLayer> layers_;
   std::optional<ultrasound::BModeSettings> settings_;  // nullopt: the scene has no probe
   Handlers handlers_;
   std::atomic<bool> busy_{false};

@@ -219,7 +219,7 @@ void measure_image(const scenes::Scene& scene, Report& report) {
   for (int i = 0; i < 40; ++i) {
     const double before = thread_us();
     const ultrasound::ProbePose probe{.at = {0.03, 0.0, 0.004 * i - 0.08}};
-    if (ultrasound::b_mode(scene.layers, probe).gray.empty()) return;
+    if (ultrasound::b_mode(scene.solids(), probe).gray.empty()) return;
     ms.add(1e-3 * (thread_us() - before));
   }
   report.rows.push_back(at_most("B-mode image 256x256, processor time, p50", ms.p50(), "ms", 15.0));
@@ -238,7 +238,7 @@ Result<Report> run_effects(const program::Arguments&) {
   Report report{.bench = "effects", .rows = {}, .notes = {}};
   const auto scene = scenes::read_scene(std::string(kScenes) + "ribs-ultrasound.scene.textproto");
   if (!scene) return scene.error();
-  const SolidTree& ribs = *scene->layers.front()->tree;
+  const SolidTree& ribs = *scene->layers.front().solid->tree;
   measure_proxy(ribs, report);
   measure_growth(report);
   measure_gradient(ribs, report);

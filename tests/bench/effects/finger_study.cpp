@@ -144,7 +144,7 @@ effects::EffectBank belly_with(const std::optional<Mass>& mass, const Vector3d& 
 
 RibCount count_ribs(const scenes::Scene& scene, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const solids::SolidTree& ribs = *scene.layers.front()->tree;
+  const solids::SolidTree& ribs = *scene.layers.front().solid->tree;
   const ChestPath finger(ribs, random);
   const Tremor tremor(random);
   std::normal_distribution<double> noise(0.0, kNoise_N);

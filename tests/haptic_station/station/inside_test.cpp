@@ -90,8 +90,8 @@ std::uint32_t u16(const std::string& bytes, std::size_t i) {
 }
 
 TEST(InnerStructures, LieOnTheLayersAndFitTheirMessage) {
-  const std::vector<NumberedLayer> layers{{layer("tr 0.02 -0.05 0.01 sphere 0.03"), 1},
-                                          {layer("+ torusz 0.1 0.008 tr 0 -0.1 0 torusx 0.08 0.005"), 3}};
+  const std::vector<scenes::SceneLayer> layers{{layer("tr 0.02 -0.05 0.01 sphere 0.03"), 1},
+                                               {layer("+ torusz 0.1 0.008 tr 0 -0.1 0 torusx 0.08 0.005"), 3}};
   msg::InnerStructures inside = inner_structures(layers);
   ASSERT_EQ(inside.structures_size(), 2);
   set_place(inside, camera_above());
@@ -108,14 +108,14 @@ TEST(InnerStructures, LieOnTheLayersAndFitTheirMessage) {
           structure.step_m() * Vector3d(u16(structure.points(), 3 * at), u16(structure.points(), 3 * at + 1),
                                         u16(structure.points(), 3 * at + 2));
       furthest_m =
-          std::max(furthest_m, std::abs(solids::solid_at(*layers[static_cast<std::size_t>(i)].layer->tree, point).m));
+          std::max(furthest_m, std::abs(solids::solid_at(*layers[static_cast<std::size_t>(i)].solid->tree, point).m));
     }
     EXPECT_LT(furthest_m, 20e-6) << "the points are moved onto the surface";
   }
 }
 
 TEST(InnerStructures, ALayerWithoutBoundsIsLeftOut) {
-  const std::vector<NumberedLayer> layers{{layer("plane 0 1 0 -0.05"), 0}, {layer("sphere 0.03"), 1}};
+  const std::vector<scenes::SceneLayer> layers{{layer("plane 0 1 0 -0.05"), 0}, {layer("sphere 0.03"), 1}};
   const msg::InnerStructures inside = inner_structures(layers);
   ASSERT_EQ(inside.structures_size(), 1);
   EXPECT_EQ(inside.structures(0).effect(), 1U);
