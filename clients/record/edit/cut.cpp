@@ -77,15 +77,14 @@ std::vector<KeptMessage> prelude(wire::McapReader& reader, std::uint64_t from, c
   }
   KeptByTopic kept;
   keep_newest(reader, std::move(recent), from > kPreludeNs ? from - kPreludeNs : 0, from, kept, damages);
-  KeptByTopic kept_once;
-  keep_newest(reader, std::move(once), 0, from, kept_once, damages);
+  keep_newest(reader, std::move(once), 0, from, kept, damages);
   std::vector<KeptMessage> all;
-  for (auto& [topic, messages] : kept_once)
+  for (auto& [topic, messages] : kept)
     for (KeptMessage& message : messages) {
-      message.place_not_before(from);  // with its own time the cut would begin long before `from`
-      all.push_back(message);
+      // With a time of its own from before the prelude, the cut would seem to begin then.
+      if (message.log_time() + kPreludeNs < from) message.place_at(from);
+      all.push_back(std::move(message));
     }
-  for (auto& [topic, messages] : kept) all.insert(all.end(), messages.begin(), messages.end());
   std::stable_sort(all.begin(), all.end(),
                    [](const KeptMessage& a, const KeptMessage& b) { return a.log_time() < b.log_time(); });
   return all;

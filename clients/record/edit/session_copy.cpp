@@ -1,13 +1,8 @@
 #include "clients/record/edit/session_copy.h"
 
-#include <algorithm>
-
 namespace telepalp::record {
 
-void KeptMessage::place_not_before(std::uint64_t time) noexcept {
-  record_.log_time = std::max(record_.log_time, time);
-  record_.publish_time = std::max(record_.publish_time, time);
-}
+void KeptMessage::place_at(std::uint64_t time) noexcept { record_.log_time = record_.publish_time = time; }
 
 Result<void> KeptMessage::copy_to(wire::McapWriter& writer) const {
   wire::mcap::MessageRecord record = record_;

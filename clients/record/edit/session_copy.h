@@ -14,8 +14,8 @@ class KeptMessage {
       : channel_(stored.channel), record_(stored.record), data_(stored.record.data) {}
 
   [[nodiscard]] std::uint64_t log_time() const noexcept { return record_.log_time; }
-  /// A message from before `time` gets this time [ns of the session clock] instead of its own.
-  void place_not_before(std::uint64_t time) noexcept;
+  /// Replaces the message's time by `time` [ns of the session clock].
+  void place_at(std::uint64_t time) noexcept;
   [[nodiscard]] std::size_t bytes() const noexcept { return data_.size(); }
   [[nodiscard]] Result<void> copy_to(wire::McapWriter& writer) const;
 

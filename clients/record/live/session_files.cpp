@@ -87,7 +87,7 @@ Result<void> SessionFiles::end_part(const wire::mcap::Metadata* notes) {
 }
 
 void SessionFiles::write(const wire::Message& published) {
-  // The server gives a new subscriber the last message of a latched topic, perhaps of an hour ago. It is valid now.
+  // To a new subscriber the server sends the last message of each latched topic, which may be an hour old.
   const wire::Message message = wire::is_latched(published.topic.name) ? as_of(newest_, published) : published;
   newest_ = std::max(newest_, message.published);
   has_depth_ = has_depth_ || message.topic.name == wire::kCameraDepth.name;

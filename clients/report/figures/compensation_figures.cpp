@@ -51,9 +51,10 @@ void add_objects(const Session& session, std::vector<Chart>& charts) {
                      [](Object o) { return std::hypot(o.moved().x(), o.moved().z()) * 1e3; }),
          over_object(session, at, "uncertainty along the skin, 1 sigma", plot::kGrey,
                      [](Object o) { return o.sigma_slide_m() * 1e3; }),
-         over_object(session, at, "0: followed, -1: motion along the skin unknown, -2: skin not seen", plot::kBlack, [](Object o) {
-           return o.unseen() ? -2.0 : o.slide_unseen() ? -1.0 : 0.0;
-         })}));
+         over_object(session, at, "0: followed, -1: motion along the skin unknown, -2: skin not seen", plot::kBlack,
+                     [](Object o) { return o.unseen()         ? -2.0
+                                           : o.slide_unseen() ? -1.0
+                                                              : 0.0; })}));
 }
 
 }  // namespace

@@ -50,8 +50,8 @@ std::vector<Check> deadline_checks(const Summary& s) {
   const double timer = of_the_timer_percent(s);
   const std::string watched = std::to_string(s.idle_timer->missed) + " of " + std::to_string(s.idle_timer->wakeups);
   return {
-      {"late ticks, less those that the computer's timer explains, of ticks", missed_percent(s) - timer, kBudget, "%", true,
-       late + ", beyond the wake-ups that this computer's timer misses without work (" + watched + ")"},
+      {"late ticks, less those that the computer's timer explains, of ticks", missed_percent(s) - timer, kBudget, "%",
+       true, late + ", beyond the wake-ups that this computer's timer misses without work (" + watched + ")"},
       {"late ticks that the computer's timer explains, of ticks", timer, kBudget, "%", true,
        "its timer misses wake-ups without any work: " + watched + " while the station only waited; " + what_to_do(s),
        true}};

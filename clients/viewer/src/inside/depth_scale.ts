@@ -11,6 +11,7 @@ export function marks_mm(depth_m: number, most = 6): number[] {
 export function caliperAfter(key: string, at_mm: number | undefined, depth_m: number): number | undefined {
   const moves: Record<string, number> = {ArrowUp: -1, ArrowDown: 1, PageUp: -10, PageDown: 10};
   const by_mm = moves[key];
-  if (key === 'Escape' || by_mm === undefined) return key === 'Escape' ? undefined : at_mm;
+  if (key === 'Escape') return undefined;
+  if (by_mm === undefined) return at_mm;
   return Math.min(1000 * depth_m, Math.max(0, Math.round((at_mm ?? 0) + by_mm)));
 }
