@@ -35,8 +35,9 @@ class Access : public std::enable_shared_from_this<Access> {
   [[nodiscard]] static Result<std::shared_ptr<Access>> with_key(Options options);
 
   [[nodiscard]] bool has_keys() const noexcept { return key_.has_value(); }
-  /// TLS for stations and recorders, and for browsers; null without keys.
+  /// TLS for stations and recorders; null without keys.
   [[nodiscard]] const wire::TlsSettings& tls() const noexcept { return tls_; }
+  /// TLS for browsers; null without keys.
   [[nodiscard]] const wire::TlsSettings& web_tls() const noexcept { return web_tls_; }
   /// Names and addresses under which clients reach this server, from its key.
   [[nodiscard]] const std::vector<std::string>& hosts() const;

@@ -10,20 +10,20 @@
 namespace telepalp::playback {
 
 /// What people noted about moments of a session. The notes are kept in the file SESSION.mcap.notes.json beside it,
-/// which is replaced as a whole with each change. Owner: the network thread, which each change stops until the disk has
-/// it.
+/// which is replaced as a whole with each change. Owner: the network thread, which waits at each change until the file
+/// is on the disk.
 class SessionNotes {
  public:
   static constexpr int kMostNotes = 1000;
   static constexpr std::size_t kMostText_B = 500;
 
-  /// Reads the notes beside `session`; without such a file there is none yet. `duration_s`: the session's length.
-  /// Error: the file cannot be read, or holds no notes.
+  /// Reads the notes beside `session`; without a file of notes the list is empty. `duration_s`: the session's length.
+  /// Error: the file cannot be read, or is no list of at most kMostNotes notes.
   [[nodiscard]] static Result<SessionNotes> open(const std::filesystem::path& session, double duration_s);
 
-  /// Carries out the JSON of a msg::NoteCommand, writes the file, and returns all notes as JSON. Without a field it
-  /// changes nothing. `who`: the writer. `now`: the date of the note. Error: the command is wrong, or the file cannot
-  /// be written; the notes are then as before.
+  /// Carries out the JSON of a msg::NoteCommand, writes the file, and returns all notes as JSON. A command without
+  /// fields changes nothing. `who`: the writer. `now`: the date of the note. Error: the command is wrong, or the file
+  /// cannot be written; the notes are then as before.
   [[nodiscard]] Result<std::string> apply(const std::string& json, const std::string& who,
                                           std::chrono::system_clock::time_point now);
   [[nodiscard]] std::string json() const;  ///< msg::SessionNotes as JSON

@@ -13,12 +13,14 @@ struct PlaneSettings {
   double speed_m_per_s = 0.1;  ///< greatest speed at which the plane itself rises and sinks
 };
 
+/// Times and rates of the phase transitions. The drawn hand's offset is its distance from the tracked hand: in the body
+/// the hand is drawn at the proxy, elsewhere at the tracked position.
 struct TransitionSettings {
-  double dwell_s = 0.3;              ///< time that a phase must last before a transition that waits for it (S1)
-  double offset_fade_s = 0.15;       ///< decay time constant of S1's Delta p (eq. 5) and of the displayed hand's offset
+  double dwell_s = 0.3;              ///< least duration of a phase before a transition marked waits_for_dwell (phase.h)
+  double offset_fade_s = 0.15;       ///< decay time constant of S1's Delta p (eq. 5), and of the drawn hand's offset
   double hand_rose_m = 0.02;         ///< a hand this far above both the plane and the end-effector has left it
   double force_fade_N_per_s = 40.0;  ///< rate at which the force difference from a transition decreases to zero
-  double contact_release_s = 2.0;    ///< time in which the skin's force fades after tracker_in_contact_s
+  double contact_release_s = 2.0;    ///< time in which the skin's force fades after AgeLimits::tracker_in_contact_s
 };
 
 /// The low-level position control of the free end-effector, and the lift away from the body.
@@ -47,7 +49,7 @@ struct AgeLimits {
 /// which reaches 0.13 m about its axis, and a body of 1.8 m.
 struct IndexingSettings {
   bool on = false;
-  double touch_radius_m = 0.1;  ///< radius of the cylinder inside which the hand touches the body
+  double touch_radius_m = 0.1;  ///< radius of an upright cylinder; only a hand inside it feels the body
   double center_x_m = 0.0;      ///< the cylinder's axis, in the device's own frame
   double center_z_m = 0.0;
   double recall_N_per_m = 150.0;  ///< force for each metre beyond the cylinder

@@ -10,8 +10,8 @@
 
 namespace telepalp::station {
 
-/// Reads the ring of ticks and publishes messages: all ticks in batches, a state at 100 Hz, an event at each phase
-/// change, and the totals. Owner: network thread.
+/// Reads the ring of ticks and publishes messages: all ticks in batches, the station's state at 100 Hz, an event at
+/// each phase change, and the run's totals (StationStats). Owner: network thread.
 class TelemetryPublisher {
  public:
   using Publish = std::function<void(wire::Message)>;
@@ -32,8 +32,8 @@ class TelemetryPublisher {
   /// Publishes an event.
   void publish_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
-  /// Warns when warm motors are about to lower the force in contact. It warns again only after the force has been
-  /// low enough to be held without time limit.
+  /// Publishes a warning 4 s before warm motors lower the contact force. The next warning comes only after the
+  /// contact has ended, or its force has been at a level that the motors hold without time limit.
   void watch_heat(SessionTime now);
 
   void frame_received() noexcept { totals_.frame_received(); }

@@ -31,20 +31,21 @@ struct RunResult {
 };
 
 struct RunResults {
-  std::vector<RunResult> runs;  ///< in the order of the orders; the first is the unimpaired one
+  std::vector<RunResult> runs;  ///< one per RunOrder, in the same order; the first is the unimpaired run
   Stopwatch tape_costs;
   double seconds = 0.0;  ///< of session time
 };
 
-/// The camera's pose in H that places the scene, from the first of `frames` that shows the patient; nullopt: none does.
+/// The camera's pose in the haptic base's frame, from the first of `frames` in which the scene can be placed: one whose
+/// depth is measured around the image centre. nullopt: no such frame.
 [[nodiscard]] std::optional<Transform<HapticBase, DepthCamera>> first_placement(const scenes::Scene& scene,
                                                                                 const TapeFrames& frames);
 [[nodiscard]] Error nowhere_to_place();
 
 /// Runs the source's frames (`tape`) over the networks of `orders`, side by side, in windows of time: the tape is read
 /// once, and memory holds a few windows at any length. The other runs are compared with that of the first order.
-/// `progress`: called after each window with the session time replayed so far [s]. Error: the source has no frame in
-/// which the scene can be placed, or cannot be read.
+/// `progress`: called after each window with the session time replayed so far [s]. Error: the scene
+/// can be placed in no frame of the source's first 10 s, or the source cannot be read.
 [[nodiscard]] Result<RunResults> run_session(Tape& tape, const RunSettings& settings, std::vector<RunOrder> orders,
                                              const std::function<void(double seconds)>& progress = {});
 
