@@ -53,7 +53,7 @@ class EffectBank {
   [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
   /// Upper bound of the combined stiffness of all effects, at forces up to `most_N`.
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;
-  [[nodiscard]] ObjectTouch touch() const noexcept;  ///< greatest over all objects; Upper: an object pressed from above
+  [[nodiscard]] ObjectTouch touch() const noexcept;  ///< the greatest value of all objects, in the enumerators' order
   [[nodiscard]] const Skin* skin() const noexcept;   ///< the first skin effect; nullptr without a skin
   /// The indentation of skin(), paper S1 (docs/sources.md) eq. (8) [m]; zero without a skin.
   [[nodiscard]] Vector<HapticBase> indentation() const noexcept;

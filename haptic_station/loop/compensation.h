@@ -24,15 +24,15 @@ struct Compensation {
   // The surface: predicted from its capture to now. Displacements are along its normal, positive out of the body.
   double surface_age_s = 0.0;
   double surface_carried_m = 0.0;
-  double unmodelled = 0.0;       ///< 1: motion much faster than usual, or a pushed camera; then falls to 0 within 1 s
+  double unmodelled = 0.0;       ///< 1: motion much faster than usual, or a pushed camera; after it, falls to 0 in 1 s
   double surface_sigma_m = 0.0;  ///< standard deviation of its position, from noise, fit and prediction
   double slewed_m = 0.0;         ///< offset that hides the step from one snapshot to the next; decays to 0
   double support = 0.0;          ///< displayed share of the contact force; 0 at rims and on a stale surface
 
   // The displayed hand, the energy at the hand and the passivity controller.
   double shown_offset_m = 0.0;  ///< from the tracked hand to the displayed hand (S1 II.E)
-  double hand_excess_J = 0.0;   ///< work on the hand in this contact, minus what the measured skin would do on its path
-  double drive_J = 0.0;         ///< work on the hand by HeldForce::drive since the contact began
+  double hand_excess_J = 0.0;   ///< work on the hand in this contact without drive_J, minus the measured skin's
+  double drive_J = 0.0;         ///< work on the hand by lift, position control and indexing's recall in this contact
   double damping_N = 0.0;       ///< magnitude of the passivity controller's damping force
 
   // Counts since the start: jumps of the device's readings that were bridged by extrapolation; samples of the hand that

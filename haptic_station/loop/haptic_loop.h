@@ -98,7 +98,7 @@ class HapticLoop {
   tracking::AttitudeEstimate attitude_;
   control::EncounteredController controller_;
   WorkspaceIndexing indexing_;
-  bool anchor_lost_ = false;  ///< the body was shifted during this contact: the place where it began is not used
+  bool anchor_lost_ = false;  ///< indexing shifted the body in this contact: the anchor's motion is not used
   Transform<HapticBase, DepthCamera> haptic_from_camera_;
   Transform<DepthCamera, HapticBase> camera_from_haptic_;
   Eigen::Quaterniond camera_turn_ = Eigen::Quaterniond::Identity();  ///< rotation of `camera_from_haptic_`

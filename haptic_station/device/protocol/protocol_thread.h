@@ -29,13 +29,14 @@ class ProtocolThread {
     if (thread_.joinable()) thread_.join();
   }
 
-  /// Called on the thread when the service has given its first valid answer.
+  /// Called on the thread at each valid answer of the device or tracker; the first one ends wait_for_answer().
   void answered() {
     if (has_answered_.exchange(true)) return;
     const std::lock_guard lock(mutex_);
     changed_.notify_all();
   }
-  /// Called on the thread to store why no answer has come yet; the starting thread reports it when its wait times out.
+  /// Called on the thread to store why no valid answer has come yet; the starting thread reports it when its wait times
+  /// out.
   void obstacle(std::string what) {
     const std::lock_guard lock(mutex_);
     obstacle_ = std::move(what);
