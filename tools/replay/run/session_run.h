@@ -36,16 +36,16 @@ struct RunResults {
   double seconds = 0.0;  ///< of session time
 };
 
-/// The camera's pose in the haptic base's frame, from the first of `frames` in which the scene can be placed: one whose
-/// depth is measured around the image centre. nullopt: no such frame.
+/// The camera's pose in the haptic base's frame, from the first of `frames` in which the scene can be placed; a scene
+/// that asks for centring needs measured depth around the image centre. nullopt: no such frame.
 [[nodiscard]] std::optional<Transform<HapticBase, DepthCamera>> first_placement(const scenes::Scene& scene,
                                                                                 const TapeFrames& frames);
 [[nodiscard]] Error nowhere_to_place();
 
 /// Runs the source's frames (`tape`) over the networks of `orders`, side by side, in windows of time: the tape is read
 /// once, and memory holds a few windows at any length. The other runs are compared with that of the first order.
-/// `progress`: called after each window with the session time replayed so far [s]. Error: the scene
-/// can be placed in no frame of the source's first 10 s, or the source cannot be read.
+/// `progress`: called after each window with the session time replayed so far [s]. Error: the scene can be placed in no
+/// frame of the source's first 10 s, or the source cannot be read.
 [[nodiscard]] Result<RunResults> run_session(Tape& tape, const RunSettings& settings, std::vector<RunOrder> orders,
                                              const std::function<void(double seconds)>& progress = {});
 
