@@ -35,7 +35,7 @@ program::Usage usage() {
                       {"stats", "", "print rates, bytes, ages and losses by topic"},
                       {"json", "", "with --stats: print JSON"},
                       {"seconds", "S", "with --stats: how long to listen", "5"},
-                      program::patience_option("how long to wait for the server, a picture and a station", "10")},
+                      program::patience_option("how long to wait for the server and its images", "10")},
           .example = "telepalp-view --connect 127.0.0.1 --snapshot view.png"};
 }
 
@@ -114,9 +114,14 @@ class View {
   void on_message(const wire::Message& message) {
     if (asked_.stats) return figures_.add(message, link_.clock().now());
     if (instant_.take(message) == view::NewestInstant::Taken::NeedsKeyFrame) link_.request_key_frame(message);
-    if (instant_.is_complete(true)) stop(save());
+    if (instant_.is_complete(true)) return stop(save());
+    // A connected station publishes its state 100 times a second, so a longer wait would show no hand either.
+    constexpr std::chrono::seconds kTimeForAState{2};
+    if (instant_.is_complete(false) && !std::exchange(waits_for_state_, true))
+      wait(kTimeForAState, [this] { lose_patience(); });
   }
-  /// Called when the time is over: saves the patient without a hand if no station came, else ends with an error.
+  /// Called when the time is over: saves the patient without a hand if no station's state came, else ends with an
+  /// error.
   void lose_patience() {
     if (!asked_.stats && instant_.is_complete(false)) {
       program::log(kProgram, "no station touches this patient: the picture has no hand");
@@ -161,6 +166,7 @@ class View {
   view::NewestInstant instant_;
   view::LiveFigures figures_;
   bool connected_ = false;
+  bool waits_for_state_ = false;  ///< the patient can be drawn, the hand not yet
   bool stopping_ = false;
   Result<void> outcome_;
   wire::ClientLink link_;
