@@ -58,8 +58,8 @@ class EffectBank {
   /// The indentation of skin(), paper S1 (docs/sources.md) eq. (8) [m]; zero without a skin.
   [[nodiscard]] Vector<HapticBase> indentation() const noexcept;
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
-  /// The name that the scene gives to a layer of solids; for other effects, the name of their kind. Valid as long as
-  /// the effect.
+  /// For a Solid, the layer's name in the scene; for other effects, the name of their kind. Valid as long as the
+  /// effect.
   [[nodiscard]] static const char* name(const Effect& effect) noexcept;
 
  private:

@@ -23,7 +23,7 @@ struct BModeSettings {
   double depth_m = 0.10;
   double range_dB = 60.0;       ///< dynamic range: difference of echo level between black and white
   effects::Echo tissue{};       ///< around and between the layers
-  double specular_power = 4.0;  ///< a boundary's echo falls with this power of the cosine of incidence
+  double specular_power = 4.0;  ///< a boundary's echo is proportional to cos(incidence) to this power
 };
 
 /// Brightness of each pixel, rows from the skin down.

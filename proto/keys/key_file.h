@@ -36,7 +36,7 @@ struct KeyFile {
 /// checked here.
 [[nodiscard]] Result<KeyFile> read_key(std::string_view text, const std::string& file);
 
-/// Reads a key file of this machine. Error: other users of the machine may read it, it is no key file, or it has
+/// Reads a key file from the disk. Error: other users of the machine may read it, it is no key file, or it has
 /// expired at `now`.
 [[nodiscard]] Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now);
 

@@ -26,7 +26,7 @@ class TelemetryPublisher {
   void publish_totals(SessionTime now, double clock_error_s, const HapticCounts& counts, std::uint64_t frames_dropped,
                       bool realtime, const std::vector<msg::EffectCost>& bill);
 
-  /// Adds to the totals how late this computer wakes a thread that only waits; see watch_idle_timer().
+  /// Adds to the totals the wake-up latency of an otherwise idle thread on this computer; see watch_idle_timer().
   void set_idle_timer(const msg::TimerCheck& check) { idle_timer_ = check; }
 
   /// Publishes an event.
