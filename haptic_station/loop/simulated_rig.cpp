@@ -5,7 +5,10 @@
 namespace telepalp::loop {
 
 SimulatedRig::SimulatedRig(const Settings& settings, Person person) noexcept
-    : pair_(settings.device, settings.hand), tracker_(settings.tracker, settings.seed), person_(std::move(person)) {
+    : pair_(settings.device, settings.hand),
+      tracker_(settings.tracker, settings.seed),
+      wrist_(settings.wrist),
+      person_(std::move(person)) {
   pair_.place(settings.rest, settings.rest);
 }
 
@@ -16,8 +19,14 @@ ports::DeviceReading SimulatedRig::read() noexcept {
 std::optional<ports::HandSample> SimulatedRig::hand(SessionTime now) noexcept {
   const std::optional<Point<HapticBase>> sample = tracker_.sample(time_s_, pair_.true_hand());
   if (!sample) return std::nullopt;
-  const auto* recorded = std::get_if<tracking::RecordedIntention>(&person_);
-  return ports::HandSample{now, *sample, recorded != nullptr ? recorded->attitude(time_s_) : std::nullopt};
+  return ports::HandSample{now, *sample, attitude()};
+}
+
+std::optional<Eigen::Quaterniond> SimulatedRig::attitude() const noexcept {
+  if (const auto* recorded = std::get_if<tracking::RecordedIntention>(&person_))
+    if (const auto measured = recorded->attitude(time_s_)) return measured;
+  if (!wrist_) return std::nullopt;
+  return device::wrist_attitude(*wrist_, time_s_);
 }
 
 void SimulatedRig::apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept {

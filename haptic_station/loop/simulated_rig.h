@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "haptic_station/device/simulated_pair.h"
 #include "haptic_station/device/simulated_tracker.h"
+#include "haptic_station/device/simulated_wrist.h"
 #include "haptic_station/device/trial.h"
 #include "haptic_station/ports/rig.h"
 #include "haptic_station/tracking/hand_trace.h"
@@ -11,7 +13,7 @@
 namespace telepalp::loop {
 
 /// A simulated device, a simulated hand that holds it, and a simulated tracker that observes the hand. The hand follows
-/// the scripted path of a trial or repeats a recorded movement. In the station it runs on the haptic thread; tests step
+/// the scripted path of a trial or repeats a recorded movement. A recorded attitude takes precedence over `wrist`. In the station it runs on the haptic thread; tests step
 /// it in virtual time.
 class SimulatedRig final : public ports::Rig {
  public:
@@ -19,6 +21,7 @@ class SimulatedRig final : public ports::Rig {
     device::SimulatedDeviceSettings device;
     device::SimulatedHandSettings hand;
     device::SimulatedTrackerSettings tracker;
+    std::optional<device::SimulatedWristSettings> wrist = {};  ///< nullopt: its attitude is not measured
     Point<HapticBase> rest;  ///< start position of device and hand
     std::uint64_t seed = 1;
   };
@@ -33,8 +36,11 @@ class SimulatedRig final : public ports::Rig {
   [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
 
  private:
+  [[nodiscard]] std::optional<Eigen::Quaterniond> attitude() const noexcept;
+
   device::SimulatedPair pair_;
   device::SimulatedTracker tracker_;
+  std::optional<device::SimulatedWristSettings> wrist_;
   Person person_;
   double time_s_ = 0.0;
 };

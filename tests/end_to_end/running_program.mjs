@@ -1,6 +1,6 @@
 // Starts the real programs for tests that look at them from outside, and ends only those.
 import {spawn} from 'node:child_process';
-import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
@@ -13,6 +13,20 @@ export async function until(what, look, timeout_ms = 60_000) {
     if (found !== undefined && found !== false) return found;
   }
   throw new Error(`${what}: not within ${timeout_ms / 1000} s`);
+}
+
+const STEADY = 'timestamp_us,palm_x_mm,palm_y_mm,palm_z_mm\n0,0,-100,0\n1000000,0,-100,0\n3000000,0,0,0\n23000000,0,0,1\n';
+
+/**
+ * Writes the scene ribs-ultrasound of the folder `scenes` to `folder`, with a hand that comes down, keeps the probe on
+ * the skin for 40 s, goes up and repeats it: a hand that misses the device on a busy machine meets it the next time.
+ */
+export function sceneOfASteadyProbe(scenes, folder) {
+  const shipped = readFileSync(join(scenes, 'ribs-ultrasound.scene.textproto'), 'utf8');
+  const file = join(folder, 'steady.scene.textproto');
+  writeFileSync(file, shipped.replace(/^hand \{.*\}$/m, 'hand { trace { file: "steady.csv" deepest_m: 0.02 } }'));
+  writeFileSync(join(folder, 'steady.csv'), STEADY);
+  return file;
 }
 
 /** A folder for one test, and the programs that run in it. `end` stops them and removes it. */

@@ -61,7 +61,6 @@ let drawing: Instant | undefined;  // being drawn
 
 const playback = new PlaybackLink(askServer('playback'));
 const notes = new PlayedPart<Note[], NoteCommand>(askServer('playback/notes'), readNotes, (_, next) => next);
-const inside = new InsideView(view, () => link.ask('probe'));
 const link = new SiteLink({
   instant: (instant) => {
     coming = instant;
@@ -76,6 +75,7 @@ const link = new SiteLink({
   probe: (probe) => inside.showProbe(probe, performance.now()),
   inside: (structures) => inside.showStructures(structures),
 });
+const inside = new InsideView(view, () => link.ask('probe'), (canvas) => link.drawUltrasoundOn(canvas));
 
 const read = () => {
   state.holdsHand = viewerHand.held;

@@ -132,7 +132,9 @@ Result<void> image(const scenes::Scene& scene, const program::Arguments& argumen
   if (!out) return out.error();
   const Result<ultrasound::ProbePose> probe = probe_of(arguments);
   if (!probe) return probe.error();
-  const ultrasound::BModeImage seen = ultrasound::b_mode(scene.solids(), *probe);
+  const scenes::Probe size = scene.probe.value_or(scenes::Probe{});
+  const ultrasound::BModeImage seen =
+      ultrasound::b_mode(scene.solids(), *probe, {.width_m = size.width_m, .depth_m = size.depth_m});
   ColorImage color{.width = seen.side_px, .height = seen.side_px, .rgb = {}};
   for (const std::uint8_t gray : seen.gray) color.rgb.insert(color.rgb.end(), 3, gray);
   return write(images::encode_png(color), *out);

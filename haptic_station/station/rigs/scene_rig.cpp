@@ -16,9 +16,11 @@ loop::SimulatedRig::Person person_of(const scenes::Scene& scene, const std::opti
 }  // namespace
 
 std::unique_ptr<ports::Rig> rig_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
+  const auto wrist = scene.probe ? std::optional(device::SimulatedWristSettings{}) : std::nullopt;
   return std::make_unique<loop::SimulatedRig>(loop::SimulatedRig::Settings{.device = scene.simulated_device,
                                                                            .hand = scene.simulated_hand,
                                                                            .tracker = {},
+                                                                           .wrist = wrist,
                                                                            .rest = {{0.0, kRestHeight_m, 0.0}}},
                                               person_of(scene, trace));
 }

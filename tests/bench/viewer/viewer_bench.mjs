@@ -1,13 +1,13 @@
 // What the viewer does on this computer: node tests/bench/viewer/viewer_bench.mjs BIN_DIR VIEWER_FILES [--json] [--seconds S]
-// Server, station and Chromium without a graphics card run side by side, once with the mesh and once without it, as the
-// bound. Prints rows {name, value, unit, reach, holds} like telepalp-bench. Give it a machine that does nothing else.
+// Server, station and Chromium without a graphics card run side by side: with the mesh, without it as the bound, and with
+// an ultrasound probe on the skin, which the station images 25 times a second. Prints rows {name, value, unit, reach, holds} like telepalp-bench. Give it a machine that does nothing else.
 import {readdirSync, readFileSync, statSync} from 'node:fs';
 import {loadavg} from 'node:os';
 import {join} from 'node:path';
 import {gzipSync} from 'node:zlib';
 
 import {openBrowser, status, untilStatus} from '../../end_to_end/browser.mjs';
-import {sleep, Workplace} from '../../end_to_end/running_program.mjs';
+import {sceneOfASteadyProbe, sleep, Workplace} from '../../end_to_end/running_program.mjs';
 
 const [binDir, viewer, ...options] = process.argv.slice(2);
 if (viewer === undefined) {
@@ -16,6 +16,7 @@ if (viewer === undefined) {
 }
 const asJson = options.includes('--json');
 const seconds = Number(options[options.indexOf('--seconds') + 1]) || 20;
+const SCENES = new URL('../../../haptic_station/scenes', import.meta.url).pathname;
 const SIZE = {width: 1280, height: 800};
 const TOGETHER_MS = 5.001;  // half a period of /station/state
 
@@ -38,22 +39,31 @@ function watch() {
 
 const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))] ?? NaN;
 
-async function measure(query) {
+/** `withProbe`: the hand holds an ultrasound probe on the skin. */
+async function measure(query, withProbe = false) {
   const place = new Workplace('viewer_bench');
   let browser;
   try {
     const {port, http_port} = await place.server(join(binDir, 'telepalp-server'), ['--source', 'synthetic', '--viewer', viewer]);
-    place.start(join(binDir, 'telepalp-station'), ['--connect', `127.0.0.1:${port}`]);
+    const scene = withProbe ? ['--scene', sceneOfASteadyProbe(SCENES, place.folder)] : [];
+    place.start(join(binDir, 'telepalp-station'), ['--connect', `127.0.0.1:${port}`, ...scene]);
     browser = await openBrowser(place.folder, SIZE);
     const {page} = browser;
     await page.addInitScript(watch);
     await page.goto(`http://127.0.0.1:${http_port}/${query}`);
     await untilStatus(page, 'a picture with a hand', (now) => now.frames > 3 && now.handPosition_m !== undefined);
+    if (withProbe) await untilStatus(page, 'an ultrasound image', (now) => now.probeImages > 3);
     const before = await status(page);
+    const began_ms = performance.now();
     await page.evaluate(() => (window.seen.longTasks.length = window.seen.ages_ms.length = window.seen.apart_ms.length = 0));
     await sleep(1000 * seconds);
     const after = await status(page);
-    return {...(await page.evaluate(() => window.seen)), pictures_per_s: (after.frames - before.frames) / seconds};
+    const took_s = (performance.now() - began_ms) / 1000;
+    return {
+      ...(await page.evaluate(() => window.seen)),
+      pictures_per_s: (after.frames - before.frames) / took_s,
+      images_per_s: (after.probeImages - before.probeImages) / took_s,
+    };
   } finally {
     await browser?.context.close();
     await place.end();
@@ -74,6 +84,7 @@ function weight() {
 
 const bound = await measure('?mesh=off');
 const meshed = await measure('');
+const probing = await measure('', true);
 const row = (name, value, unit, reach, holds) =>
   ({name, value: Number.isFinite(value) ? Number(value.toFixed(2)) : null, unit, reach, holds});
 const most = (name, value, unit, limit) => row(name, value, unit, limit, Number.isFinite(value) && value <= limit);
@@ -82,6 +93,8 @@ const rows = [
   row('pictures', meshed.pictures_per_s, '1/s', 15, meshed.pictures_per_s >= 15),
   row('pictures without the mesh', bound.pictures_per_s, '1/s', null, true),
   row('pictures, share of those without the mesh', meshed.pictures_per_s / bound.pictures_per_s, '', null, true),
+  row('ultrasound images drawn in the panel', probing.images_per_s, '1/s', 20, probing.images_per_s >= 20),
+  row('pictures beside the ultrasound panel', probing.pictures_per_s, '1/s', null, true),
   row('load of the machine, mean of a minute', loadavg()[0], 'processes', null, true),
   most('decode p50', quantile(meshed.decodes_ms, 0.5), 'ms', 12),
   most('main thread blocked, longest', Math.max(0, ...meshed.longTasks), 'ms', 50),

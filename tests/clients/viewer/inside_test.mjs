@@ -25,25 +25,47 @@ test('keys move the caliper within the image, and Escape removes it', () => {
   assert.equal(caliperAfter('a', 40, 0.1), 40);
 });
 
-test('of the images that came before the page asked, the newest alone is decoded', async () => {
-  const decoded = [];
+const image = (stampNs) => ({stampNs, onSkin: true, widthM: 0.06, depthM: 0.1, jpeg: stampNs});
+
+test('each image is drawn as it comes, also while the page asks for nothing', async () => {
+  const drawn = [];
   const answers = [];
-  const images = new ProbeImages(async (jpeg) => (decoded.push(jpeg), 'bitmap'), (view) => answers.push(view));
-  const image = (stampNs) => ({stampNs, onSkin: true, widthM: 0.06, depthM: 0.1, jpeg: stampNs});
-  images.came(image(1n));
-  images.came(image(2n));
+  const images = new ProbeImages(async (jpeg) => `bitmap ${jpeg}`, (bitmap) => drawn.push(bitmap), (view) => answers.push(view));
+  for (const stampNs of [1n, 2n, 3n]) {
+    images.came(image(stampNs));
+    await new Promise(setImmediate);
+  }
+  assert.deepEqual(drawn, ['bitmap 1', 'bitmap 2', 'bitmap 3']);
+  assert.deepEqual(answers, []);
   images.ask();
-  await new Promise(setImmediate);
-  images.came(image(3n));
-  assert.deepEqual(decoded, [2n]);
-  assert.deepEqual(answers.map(({stampNs}) => stampNs), [2n]);
+  assert.deepEqual(answers.map(({stampNs, drawn: count, onSkin}) => [stampNs, count, onSkin]), [[3n, 3, true]]);
   images.ask();
-  await new Promise(setImmediate);
-  images.ask();
+  assert.equal(answers.length, 1, 'the same pose is not sent twice');
   images.came({...image(4n), onSkin: false});
   await new Promise(setImmediate);
-  assert.deepEqual(decoded, [2n, 3n]);
-  assert.equal(answers.at(-1).image, undefined);
+  assert.equal(drawn.at(-1), undefined, 'off the skin it is black');
+  assert.deepEqual([answers.at(-1).onSkin, answers.at(-1).drawn], [false, 3]);
+});
+
+test('of the images that come while one is decoded, the newest alone is decoded', async () => {
+  const decoded = [];
+  const ends = [];
+  const images = new ProbeImages(
+      (jpeg) => (decoded.push(jpeg), new Promise((end) => ends.push(end))), () => undefined, () => undefined);
+  for (const stampNs of [1n, 2n, 3n]) images.came(image(stampNs));
+  assert.deepEqual(decoded, [1n]);
+  ends[0]('bitmap');
+  await new Promise(setImmediate);
+  assert.deepEqual(decoded, [1n, 3n]);
+});
+
+test('a damaged image counts as none', async () => {
+  const answers = [];
+  const images = new ProbeImages(async () => undefined, () => undefined, (view) => answers.push(view));
+  images.ask();
+  images.came(image(1n));
+  await new Promise(setImmediate);
+  assert.deepEqual([answers[0].onSkin, answers[0].drawn], [false, 0]);
 });
 
 const structure = (points, triangles) => ({

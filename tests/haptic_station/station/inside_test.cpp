@@ -6,8 +6,10 @@
 #include <numbers>
 
 #include "codec/color.h"
+#include "haptic_station/scenes/scene.h"
 #include "haptic_station/solids/polish.h"
 #include "haptic_station/station/inside/inside_messages.h"
+#include "haptic_station/station/rigs/scene_rig.h"
 #include "proto/wire/inside/inside_message.h"
 
 namespace telepalp::station {
@@ -78,6 +80,37 @@ TEST(HeldProbe, OneThatIsInTheAirOrTurnedAwayIsNotOnTheSkin) {
         Eigen::Quaterniond(Eigen::AngleAxisd(turned_deg * std::numbers::pi / 180.0, Vector3d::UnitX()) * palm_down()));
     EXPECT_EQ(held_probe(tick, camera_above()).on_skin, turned_deg < 60.0) << turned_deg;
   }
+}
+
+/// The attitudes that the tracker of a scene's simulated hand reports in 20 s, in H.
+std::vector<std::optional<Eigen::Quaterniond>> attitudes_of(const scenes::Scene& scene) {
+  std::vector<std::optional<Eigen::Quaterniond>> attitudes;
+  const auto rig = rig_of(scene, std::nullopt);
+  for (int tick = 0; tick < 40'000; ++tick) {
+    if (const auto sample = rig->hand(SessionTime{std::chrono::microseconds{500 * tick}}))
+      attitudes.push_back(sample->attitude);
+    rig->apply({Vector3d::Zero()}, {}, 5e-4);
+  }
+  return attitudes;
+}
+
+TEST(SimulatedRig, ItsWristTiltsAProbeThatStaysOnTheSkin) {
+  scenes::Scene scene;
+  EXPECT_EQ(attitudes_of(scene).front(), std::nullopt) << "a hand without a probe";
+  scene.probe = scenes::Probe{};
+  const auto attitudes = attitudes_of(scene);
+  ASSERT_GT(attitudes.size(), 1500U);
+  double most_deg = 0.0;
+  for (const auto& attitude : attitudes) {
+    ASSERT_TRUE(attitude);
+    loop::TickSample tick = pressed();
+    tick.hand_attitude_camera = in_camera(*attitude);
+    const HeldProbe probe = held_probe(tick, camera_above());
+    EXPECT_TRUE(probe.on_skin);
+    most_deg = std::max(most_deg, std::acos(-probe.pose.into_body.y()) * 180.0 / std::numbers::pi);
+  }
+  EXPECT_GT(most_deg, 14.0) << "it fans by 15 degrees and rocks by 8";
+  EXPECT_LT(most_deg, 18.0);
 }
 
 std::shared_ptr<const effects::SolidLayer> layer(const std::string& polish) {

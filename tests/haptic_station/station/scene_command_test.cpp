@@ -67,6 +67,39 @@ TEST_F(SceneCommand, ShowAndImageWritePicturesThatAreNotEmpty) {
   }
 }
 
+/// The brightest row of the image's middle, as a share of its height.
+double brightest_row(const ColorImage& image) {
+  int brightest = 0;
+  int most = -1;
+  for (int row = 0; row < image.height; ++row) {
+    int sum = 0;
+    for (int column = image.width / 2 - 4; column < image.width / 2 + 4; ++column)
+      sum += image.rgb[3 * static_cast<std::size_t>(row * image.width + column)];
+    if (sum > most) brightest = row;
+    most = std::max(most, sum);
+  }
+  return static_cast<double>(brightest) / image.height;
+}
+
+TEST_F(SceneCommand, TheImageHasTheSizeOfTheScenesProbe) {
+  const std::string body = kCamera +
+                           "name: \"deep\" effects { solid { name: \"bone\" polish: \"tr 0 -0.04 0 sphere 0.01\" "
+                           "echo { impedance_MRayl: 6 } } } ";
+  struct Case {
+    const char* probe;
+    double depth_m;
+  };
+  for (const Case& c : {Case{"", 0.1}, Case{"probe {}", 0.1}, Case{"probe { depth_m: 0.05 width_m: 0.04 }", 0.05},
+                        Case{"probe { depth_m: 0.2 }", 0.2}}) {
+    const std::string scene = written(file("probe.textproto"), body + c.probe);
+    const Outcome done = run({"image", scene, "--out", file("image.png")});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const auto image = images::read_color_image(file("image.png"));
+    ASSERT_TRUE(image.ok()) << to_string(image.error());
+    EXPECT_NEAR(brightest_row(*image), 0.03 / c.depth_m, 0.02) << c.probe << ": the ball's top is 30 mm deep";
+  }
+}
+
 TEST_F(SceneCommand, ShowTakesEachSide) {
   for (const char* side : {"above", "feet", "side"})
     EXPECT_EQ(run({"show", kMass, "--from", side, "--out", file("picture.png")}).code, 0) << side;

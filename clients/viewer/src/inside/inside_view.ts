@@ -15,18 +15,22 @@ export class InsideView {
   private probeHeard_ms = -Infinity;
   private images = 0;
 
-  constructor(private readonly view: SceneView, private readonly askNext: () => void) {
+  /** `askNext`: asks for the pose of the next image. `drawInWorker`: gives a canvas to the worker that draws the images. */
+  constructor(
+      private readonly view: SceneView, private readonly askNext: () => void,
+      drawInWorker: (canvas: OffscreenCanvas) => void) {
     view.probePlane.setPicture(this.panel.canvas);
+    drawInWorker(this.panel.canvas.transferControlToOffscreen());
   }
 
-  /** Number of images shown since the page was opened. */
+  /** Number of images drawn since the page was opened. */
   get imagesShown(): number {
     return this.images;
   }
 
   showProbe(probe: ProbeView, now_ms: number): void {
     this.probeHeard_ms = now_ms;
-    if (probe.image !== undefined) ++this.images;
+    this.images = probe.drawn;
     this.panel.show(probe);
     this.view.probePlane.show(probe);
     if (this.view.probePlane.isShown) this.view.invalidate();

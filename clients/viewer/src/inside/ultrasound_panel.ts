@@ -6,7 +6,7 @@ const KEYS = ['ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Escape'];
 
 /**
  * The image under the ultrasound probe, with a scale of depth and a caliper: the pointer or the arrow keys move a line
- * whose depth is read out.
+ * whose depth is read out. The link worker draws the image; the page adds scale, caliper and words.
  */
 export class UltrasoundPanel {
   readonly canvas = element<HTMLCanvasElement>('ultrasound-image');
@@ -15,7 +15,6 @@ export class UltrasoundPanel {
   private readonly scale = element('ultrasound-scale');
   private readonly line = element('ultrasound-line');
   private readonly said = element('ultrasound-said');
-  private readonly context = this.canvas.getContext('2d', {willReadFrequently: true});
   private depth_m = 0;
   private caliper_mm: number | undefined;
   private onSkin = false;
@@ -33,25 +32,10 @@ export class UltrasoundPanel {
     });
   }
 
-  show({image, depthM, widthM}: ProbeView): void {
+  show({onSkin, depthM, widthM}: ProbeView): void {
     if (depthM !== this.depth_m) this.layScale(depthM, widthM);
-    this.onSkin = image !== undefined;
-    if (image === undefined) this.blank();
-    else this.draw(image);
+    this.onSkin = onSkin;
     this.say();
-  }
-
-  private draw(image: ImageBitmap): void {
-    if (this.canvas.width !== image.width || this.canvas.height !== image.height)
-      [this.canvas.width, this.canvas.height] = [image.width, image.height];
-    this.context?.drawImage(image, 0, 0);
-    image.close();
-  }
-
-  private blank(): void {
-    if (this.context === null) return;
-    this.context.fillStyle = '#000';
-    this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
   }
 
   private layScale(depth_m: number, width_m: number): void {

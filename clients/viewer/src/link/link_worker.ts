@@ -3,6 +3,7 @@
 
 import {DepthDecoder} from '../depth/depth_decoder';
 import {ProbeImages} from '../inside/probe_images';
+import {WorkerCanvas} from '../inside/worker_canvas';
 import type {FrameTimes} from '../present/time_account';
 import {type Arrival, type Chosen, Instants} from '../present/instants';
 import {LightMeter} from '../present/light_meter';
@@ -20,6 +21,7 @@ const facts = new SiteFacts();
 const past = new StationPast();
 let cameraMatrix: readonly number[] | undefined;
 let keyFrameRequested_ms = 0;
+let ultrasound: WorkerCanvas | undefined;  // undefined until the page has sent it
 let lightMeter: LightMeter | undefined;  // undefined: the present view does not show the light
 
 const post = (message: FromWorker, transfer: Transferable[] = []) => postMessage(message, {transfer});
@@ -44,8 +46,7 @@ async function bitmapOf(topic: string, jpeg: Uint8Array): Promise<ImageBitmap | 
 }
 
 const probeImages = new ProbeImages(
-    (jpeg) => bitmapOf('/station/ultrasound', jpeg),
-    (probe) => post({probe}, probe.image === undefined ? [] : [probe.image]));
+    (jpeg) => bitmapOf('/station/ultrasound', jpeg), (image) => ultrasound?.draw(image), (probe) => post({probe}));
 
 async function present({decoded, station, color, arrival, trail: touches}: Chosen): Promise<void> {
   const times = timesOf(arrival);
@@ -159,6 +160,7 @@ onmessage = ({data}: MessageEvent<ToWorker>) => {
     stream.setExtraTopics(data.extra.topics);
     lightMeter = data.extra.light ? lightMeter ?? new LightMeter() : undefined;
   }
+  else if ('ultrasound' in data) ultrasound = new WorkerCanvas(data.ultrasound);
   else if (data.ask === 'instant') instants.ask();
   else if (data.ask === 'probe') probeImages.ask();
   else post({news: news()});

@@ -23,7 +23,7 @@ export class SiteLink {
     };
   }
 
-  /** The answer comes later: for news at once, for an instant or a probe's image as soon as there is a new one. */
+  /** The answer comes later: for news at once, for an instant or a probe's pose as soon as there is a new one. */
   ask(what: Asked): void {
     if (this.owed.has(what)) return;
     this.owed.add(what);
@@ -39,7 +39,12 @@ export class SiteLink {
     this.say({extra});
   }
 
-  private say(message: ToWorker): void {
-    this.worker.postMessage(message);
+  /** The canvas on which the worker draws the ultrasound images; the page can no longer draw on it. */
+  drawUltrasoundOn(ultrasound: OffscreenCanvas): void {
+    this.say({ultrasound}, [ultrasound]);
+  }
+
+  private say(message: ToWorker, transfer: Transferable[] = []): void {
+    this.worker.postMessage(message, transfer);
   }
 }

@@ -46,6 +46,6 @@ export interface Extra {
 }
 
 export type Asked = 'instant' | 'news' | 'probe';
-export type ToWorker = {ask: Asked} | {hand: ViewerHand | LetGo | HandOver} | {extra: Extra};
+export type ToWorker = {ask: Asked} | {hand: ViewerHand | LetGo | HandOver} | {extra: Extra} | {ultrasound: OffscreenCanvas};
 /** An answer to each request; the layers below the skin come without a request, once for a station. */
 export type FromWorker = {instant: Instant} | {news: News} | {probe: ProbeView} | {inside: InnerStructures};

@@ -25,8 +25,8 @@ export class ProbePlane {
 
   /** undefined: there is no probe. */
   show(probe: ProbeView | undefined): void {
-    const {image, face, intoBody, across, widthM = 0, depthM = 0} = probe ?? {};
-    this.known = image !== undefined && face !== undefined && intoBody !== undefined && across !== undefined;
+    const {onSkin = false, face, intoBody, across, widthM = 0, depthM = 0} = probe ?? {};
+    this.known = onSkin && face !== undefined && intoBody !== undefined && across !== undefined;
     this.update();
     if (!this.known) return;
     const right = fromCamera(across!);

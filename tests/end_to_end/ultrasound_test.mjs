@@ -1,0 +1,92 @@
+// node ultrasound_test.mjs SCENES BIN_DIR VIEWER_FILES: the page of a station whose hand holds an ultrasound probe on the
+// skin: the panel's image, its caliper by mouse and by keyboard, the layers below the skin, and accessibility by axe.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+
+import {lookAtMiddle, openBrowser, status, untilStatus} from './browser.mjs';
+import {sceneOfASteadyProbe, until, Workplace} from './running_program.mjs';
+
+const AXE = readFileSync(createRequire(new URL('../npm/package.json', import.meta.url)).resolve('axe-core/axe.min.js'), 'utf8');
+const [scenes, binDir, viewer] = process.argv.slice(2);
+const place = new Workplace('ultrasound');
+let browser, page;
+
+before(async () => {
+  const {port, http_port} = await place.server(join(binDir, 'telepalp-server'), ['--source', 'synthetic', '--viewer', viewer]);
+  const scene = sceneOfASteadyProbe(scenes, place.folder);
+  place.start(join(binDir, 'telepalp-station'), ['--connect', `127.0.0.1:${port}`, '--scene', scene]);
+  browser = await openBrowser(place.folder, {width: 1040, height: 700});
+  page = browser.page;
+  await page.goto(`http://127.0.0.1:${http_port}/?view=doctor`);
+  await untilStatus(page, 'images come', (now) => now.connected && now.probeImages > 2)
+      .catch(async (late) => assert.fail(`${late.message}: ${JSON.stringify(await status(page))}`));
+});
+after(async () => {
+  await browser?.context.close();
+  await place.end();
+});
+
+const said = () => page.textContent('#ultrasound-said');
+const saidIs = (text) => until(text, async () => (await said()) === text);
+
+test('the panel shows an image, and the next ones', async () => {
+  const panel = page.locator('#ultrasound-image');
+  await until('the panel is not black', async () => {
+    const {drawn, colors} = await lookAtMiddle(browser.context, await panel.screenshot({timeout: 120_000}));
+    return drawn > 0.3 && colors > 20;
+  });
+  const {probeImages} = await status(page);
+  await untilStatus(page, 'images go on', (now) => now.probeImages > probeImages + 2);
+  assert.match(await page.getAttribute('#ultrasound-frame', 'aria-label'), /Ultrasound image/);
+  const marks = await page.locator('#ultrasound-scale span').allTextContents();
+  assert.deepEqual(marks, ['0', '20', '40', '60', '80', '100']);
+});
+
+test('the mouse reads a depth', async () => {
+  const {x, y, width, height} = await page.locator('#ultrasound-image').boundingBox();
+  await page.mouse.move(x + 0.5 * width, y + 0.4 * height);
+  await until('the depth under the pointer', async () => /^(39|40|41) mm deep$/.test(await said()));
+  assert.ok(await page.isVisible('#ultrasound-line'));
+  await page.mouse.move(x - 200, y);
+  await saidIs('Depth in mm');
+  assert.equal(await page.isVisible('#ultrasound-line'), false);
+});
+
+test('the keyboard reads a depth', async () => {
+  await page.focus('#ultrasound-frame');
+  for (const [key, text] of [
+    ['PageDown', '10 mm deep'], ['ArrowDown', '11 mm deep'], ['ArrowUp', '10 mm deep'], ['PageUp', '0 mm deep'],
+    ['ArrowUp', '0 mm deep'], ['Escape', 'Depth in mm'],
+  ]) {
+    await page.keyboard.press(key);
+    await saidIs(text);
+  }
+});
+
+test('keys hide the panel and show what lies below the skin', async () => {
+  await page.keyboard.press('e');
+  await page.waitForSelector('#ultrasound', {state: 'hidden'});
+  await page.keyboard.press('e');
+  await page.waitForSelector('#ultrasound', {state: 'visible'});
+  await untilStatus(page, 'the layers have come', (now) => now.innerTriangles > 1000);
+  await page.keyboard.press('i');
+  assert.equal(await page.getAttribute('#show-inside', 'aria-pressed'), 'true');
+  const {frames, probeImages} = await status(page);
+  await untilStatus(page, 'pictures and images go on', (now) => now.frames > frames + 1 && now.probeImages > probeImages);
+  await page.keyboard.press('i');
+});
+
+test('the panel breaks no rule of WCAG AA, in the dark and in the light', async () => {
+  await page.evaluate(AXE);
+  for (const theme of ['dark', 'light']) {
+    const {violations} = await page.evaluate(() => globalThis.axe.run('#ultrasound', {
+      runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa'], resultTypes: ['violations'],
+    }));
+    assert.deepEqual(violations.map(({id, nodes}) => [id, nodes.map(({failureSummary}) => failureSummary)]), [], theme);
+    await page.keyboard.press('l');
+  }
+  assert.deepEqual(browser.problems, []);
+});
