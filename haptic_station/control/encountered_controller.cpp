@@ -47,6 +47,7 @@ Seen EncounteredController::seen_of(const ControlInput& in, FaultCause stands) c
   seen.rearm = in.rearm;
   seen.inputs_stale = inputs_are_stale(in);
   seen.in_body = in.contact.valid && in.contact.in_body;
+  seen.outside = in.contact.valid && !in.contact.in_body;
   seen.below_plane = device_m < plane_.height_m();
   seen.at_plane = device_m >= plane_.target_height_m();
   seen.hand_rose = hand_m > plane_.height_m() + risen_m && hand_m > device_m + risen_m;

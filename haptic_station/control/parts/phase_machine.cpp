@@ -2,12 +2,15 @@
 
 namespace telepalp::control {
 
-std::optional<Event> PhaseMachine::step(const Seen& seen, FaultCause stands, double dt_s) noexcept {
+std::optional<Event> PhaseMachine::step(const Seen& given, FaultCause stands, double dt_s) noexcept {
   previous_ = phase_;
   in_phase_s_ += dt_s;
   // Released lasts until the inputs have been valid for the whole dwell. Otherwise an age that oscillates around its
   // limit would make the station release and resume again and again.
-  if (phase_ == Phase::Released && seen.inputs_stale) in_phase_s_ = 0.0;
+  if (phase_ == Phase::Released && given.inputs_stale) in_phase_s_ = 0.0;
+  was_outside_ = phase_ == Phase::Released && !given.inputs_stale && (was_outside_ || given.outside);
+  Seen seen = given;
+  seen.was_outside = was_outside_;
   const std::optional<Event> event = event_in(phase_, seen);
   if (!event) return std::nullopt;
   const Row* row = transition(phase_, *event);

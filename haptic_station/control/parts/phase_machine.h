@@ -13,9 +13,9 @@ class PhaseMachine {
   /// `dwell_s`: the dwell time, 0.3 s in paper S1 (docs/sources.md).
   explicit PhaseMachine(double dwell_s) noexcept : dwell_s_(dwell_s) {}
 
-  /// Computes one tick, `dt_s` after the last. `stands`: the fault cause that is present now. Returns the event that
-  /// changed the phase, or nullopt if the phase stays.
-  std::optional<Event> step(const Seen& seen, FaultCause stands, double dt_s) noexcept;
+  /// Computes one tick, `dt_s` after the last. `given.was_outside` is not used. `stands`: the fault cause that is
+  /// present now. Returns the event that changed the phase, or nullopt if the phase stays.
+  std::optional<Event> step(const Seen& given, FaultCause stands, double dt_s) noexcept;
 
   [[nodiscard]] Phase phase() const noexcept { return phase_; }
   [[nodiscard]] Phase previous() const noexcept { return previous_; }  ///< the phase of the tick before
@@ -34,6 +34,7 @@ class PhaseMachine {
   Phase previous_ = Phase::Released;
   FaultCause fault_ = FaultCause::None;
   double in_phase_s_ = 0.0;
+  bool was_outside_ = false;  ///< Seen::was_outside
 };
 
 }  // namespace telepalp::control

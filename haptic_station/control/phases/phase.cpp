@@ -8,8 +8,10 @@ using E = Event;
 
 /// S1 Fig. 4. The dwell applies on the way out of the body. There a delay is harmless, and the dwell prevents rapid
 /// changes of phase. Contact never waits for the dwell, because a fast hand would pass through the skin before it felt
-/// it: In body begins on the tick at which the hand meets the skin, from each phase outside. Transitions at inner
-/// objects ("simply dependent on the hand position") and releases never wait.
+/// it: In body begins on the tick at which the hand meets the skin, from each phase outside. In Released, this needs a
+/// hand that was seen outside the skin since the inputs became valid. A hand that is already in the body waits for the
+/// dwell, so that inputs that come and go do not make the force come and go. Transitions at inner objects ("simply
+/// dependent on the hand position") and releases never wait.
 constexpr Row kTransitions[] = {
     {P::InBody, E::FromBody, P::BodyToPlane, true},
     {P::InBody, E::NearObject, P::AroundObject, false},
@@ -40,6 +42,7 @@ constexpr Row kTransitions[] = {
     {P::AroundObject, E::InputStale, P::Released, false},
     {P::ObjectUpper, E::InputStale, P::Released, false},
     {P::ObjectLateral, E::InputStale, P::Released, false},
+    {P::Released, E::IntoBody, P::InBody, false},
     {P::Released, E::InputsBack, P::BodyToPlane, true},
     {P::InBody, E::Fault, P::Faulted, false},
     {P::BodyToPlane, E::Fault, P::Faulted, false},

@@ -16,7 +16,8 @@ enum class Phase : std::uint8_t {
   ObjectLateral = 5,  ///< in the body, pressing an inner object's side (-1)
   AroundObject = 6,   ///< in the body, beside an inner object (-2)
   ObjectUpper = 7,    ///< in the body, pressing an inner object's upper face (-3)
-  Released = 8,       ///< no force until tracker and surface have been valid for the dwell time
+  Released = 8,       ///< no force until tracker and surface have been valid for the dwell time, or the hand has met
+                      ///< the skin while they were valid
   Faulted = 9,        ///< no force until an operator re-arms; then Released
 };
 

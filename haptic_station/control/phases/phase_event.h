@@ -14,9 +14,11 @@ struct Seen {
   bool rearm = false;          ///< an operator asks to re-arm
   bool inputs_stale = false;   ///< tracker or surface older than its limit
   bool in_body = false;        ///< the device point is in the body: i_b of paper S1 (docs/sources.md)
-  bool below_plane = false;    ///< the end-effector is below the plane
-  bool at_plane = false;       ///< the end-effector is at or above the target height of S1 eq. (5)
-  bool hand_rose = false;      ///< the hand is clearly above the plane and the end-effector
+  bool outside = false;        ///< the surface at the device point is known, and the device point is not in the body
+  bool was_outside = false;  ///< in Released: `outside` was true since the inputs were last stale; set by PhaseMachine
+  bool below_plane = false;  ///< the end-effector is below the plane
+  bool at_plane = false;     ///< the end-effector is at or above the target height of S1 eq. (5)
+  bool hand_rose = false;    ///< the hand is clearly above the plane and the end-effector
   effects::ObjectTouch touch = effects::ObjectTouch::None;
 };
 
@@ -43,7 +45,8 @@ struct Seen {
   };
   if (phase == Phase::Faulted) return when(seen.rearm && !seen.fault_stands, Event::Rearm);
   if (seen.fault_stands || seen.fault_latched) return Event::Fault;
-  if (phase == Phase::Released) return when(!seen.inputs_stale, Event::InputsBack);
+  if (phase == Phase::Released && seen.inputs_stale) return std::nullopt;
+  if (phase == Phase::Released) return seen.in_body && seen.was_outside ? Event::IntoBody : Event::InputsBack;
   if (seen.inputs_stale) return Event::InputStale;
   if (is_inside(phase)) {
     if (seen.in_body) return object_event(seen.touch);

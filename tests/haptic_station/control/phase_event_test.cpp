@@ -21,11 +21,11 @@ using Pair = std::pair<Phase, Event>;
 /// Calls `look` for every phase with every combination of facts.
 void for_each_seen(const std::function<void(Phase, const Seen&)>& look) {
   for (const Phase phase : kPhases)
-    for (unsigned bits = 0; bits < 256; ++bits)
+    for (unsigned bits = 0; bits < 1024; ++bits)
       for (const auto touch : {effects::ObjectTouch::None, effects::ObjectTouch::Near, effects::ObjectTouch::Lateral,
                                effects::ObjectTouch::Upper}) {
         const auto bit = [bits](unsigned i) { return ((bits >> i) & 1U) != 0; };
-        look(phase, {bit(0), bit(1), bit(2), bit(3), bit(4), bit(5), bit(6), bit(7), touch});
+        look(phase, {bit(0), bit(1), bit(2), bit(3), bit(4), bit(5), bit(6), bit(7), bit(8), bit(9), touch});
       }
 }
 

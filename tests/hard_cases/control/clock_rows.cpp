@@ -4,6 +4,7 @@
 #include "proto/words/clock_envelope.h"
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/control/controller_scene.h"
+#include "tests/hard_cases/control/forced_path.h"
 #include "tests/hard_cases/control/loop_scene.h"
 #include "tests/hard_cases/control/rows.h"
 
@@ -158,6 +159,50 @@ AssertionResult outage() {
                  below_N("step", seen.felt.worst_step_N, kStep_N)});
 }
 
+/// Stale until the hand is 10 ms above the skin. With the dwell, it would be 30 mm deep without a force.
+AssertionResult back_above_the_skin() {
+  constexpr double kSpeed_m_per_s = 0.2;
+  constexpr double kMeets_s = 1.5 + 0.06 / kSpeed_m_per_s;
+  ControllerScene scene;
+  scene.seconds = 3.0;
+  scene.person = falls_at(kSpeed_m_per_s);
+  scene.spoil = [=](control::ControlInput& in, double now_s) {
+    if (now_s > 1.0 && now_s < kMeets_s - 0.01) in.contact.age_s = 1.5;
+  };
+  double stale_N = 0.0;
+  double begins_s = 1e9;
+  scene.watch = [&](const control::ControlOutput& out, double now_s) {
+    if (now_s > 1.06 && out.phase == Phase::Released) stale_N = std::max(stale_N, out.force.N.norm());
+    if (control::is_inside(out.phase)) begins_s = std::min(begins_s, now_s);
+  };
+  const Felt felt = feel(scene);
+  return all_of({{felt.let_gos == 1 && stale_N == 0.0, "no force on stale inputs"},
+                 below("contact begins after", begins_s - kMeets_s, 0.1, 1e3, "ms"),
+                 below_N("step", felt.worst_step_N, 0.05),
+                 below_mJ("energy given", felt.energy_out_J, 1.0)});
+}
+
+/// Good and stale inputs by turns of 50 ms, under a hand that goes in and out of the skin.
+AssertionResult inputs_come_and_go() {
+  const auto stale_at = [](double now_s) { return now_s > 1.0 && std::fmod(now_s, 0.1) < 0.05; };
+  ForcedPath scene;
+  scene.path = [](double since_down_s) -> Eigen::Vector3d { return {0.0, 0.03 * std::cos(8.0 * since_down_s), 0.0}; };
+  scene.surface = [=](const Point<HapticBase>& device, double now_s) {
+    ports::SurfaceContact contact = device::BreathingPlane{}(device, now_s);
+    if (stale_at(now_s)) contact.age_s = 1.5;
+    return contact;
+  };
+  bool begins_on_stale = false;
+  scene.watch = [&](const control::ControlOutput& out, double now_s) {
+    if (stale_at(now_s) && control::is_inside(out.phase)) begins_on_stale = true;
+  };
+  const Felt felt = feel(scene);
+  return all_of({{!begins_on_stale, "no contact on stale inputs"},
+                 above("contacts", felt.body_entries, 3.0, 1.0, ""),
+                 below_N("step", felt.worst_step_N, 0.1),
+                 below_mJ("energy given", felt.energy_out_J, 5.0)});
+}
+
 }  // namespace
 
 std::vector<HardCase> clock_rows() {
@@ -179,6 +224,10 @@ std::vector<HardCase> clock_rows() {
       {"20 invalid ages", "minus an hour, NaN, infinity", "a bad surface age releases, a bad hand age not",
        ages_that_are_none},
       {"24 outage in contact", "an old surface may be wrong", "the force decays to zero at the age limit", outage},
+      {"24 inputs return as the hand meets the skin", "after a release the station waits for 0.3 s of good inputs",
+       "contact begins at once, without a step", back_above_the_skin},
+      {"24 good and stale inputs by turns", "each good turn could begin a contact, and each stale one ends it",
+       "no force step above 0.1 N, no contact on stale inputs", inputs_come_and_go},
   };
 }
 

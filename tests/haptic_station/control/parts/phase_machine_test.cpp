@@ -31,6 +31,63 @@ TEST(PhaseMachine, ReleasedLastsUntilTheInputsWereGoodForTheWholeDwell) {
   }
 }
 
+/// The hand outside the skin, and in it; good inputs.
+Seen outside() {
+  Seen seen;
+  seen.outside = true;
+  return seen;
+}
+Seen inside() {
+  Seen seen;
+  seen.in_body = true;
+  return seen;
+}
+Seen stale(Seen seen) {
+  seen.inputs_stale = true;
+  return seen;
+}
+
+TEST(PhaseMachine, InReleasedAHandThatComesFromOutsideMeetsTheSkinAtOnce) {
+  PhaseMachine machine(0.3);
+  EXPECT_FALSE(after(machine, outside(), 1));
+  EXPECT_EQ(after(machine, inside(), 1), Event::IntoBody);
+  EXPECT_EQ(machine.phase(), Phase::InBody);
+}
+
+TEST(PhaseMachine, InReleasedAHandThatIsInTheBodyAlreadyWaitsForTheDwell) {
+  PhaseMachine machine(0.3);
+  EXPECT_FALSE(after(machine, inside(), 590));
+  std::optional<Event> first;
+  for (int tick = 0; tick < 20 && !first; ++tick) first = after(machine, inside(), 1);
+  EXPECT_EQ(first, Event::InputsBack);
+}
+
+TEST(PhaseMachine, InReleasedAPlaceWithoutAKnownSurfaceIsNotOutside) {
+  PhaseMachine machine(0.3);
+  EXPECT_FALSE(after(machine, {}, 100));
+  EXPECT_FALSE(after(machine, inside(), 400));
+}
+
+TEST(PhaseMachine, InReleasedAHandThatWasOutsideOnStaleInputsIsNotSeenOutside) {
+  PhaseMachine machine(0.3);
+  EXPECT_FALSE(after(machine, stale(outside()), 100));
+  EXPECT_FALSE(after(machine, inside(), 400));
+  EXPECT_FALSE(after(machine, outside(), 10));
+  EXPECT_FALSE(after(machine, stale(inside()), 1));
+  EXPECT_FALSE(after(machine, inside(), 400));
+}
+
+TEST(PhaseMachine, InputsThatComeAndGoNeverBeginAContactOnStaleOnesOrInsideTheBody) {
+  PhaseMachine machine(0.3);
+  ASSERT_FALSE(after(machine, outside(), 1));
+  ASSERT_EQ(after(machine, inside(), 1), Event::IntoBody);
+  for (int round = 0; round < 20; ++round) {  // 50 ms each
+    after(machine, stale(inside()), 100);
+    EXPECT_EQ(machine.phase(), Phase::Released);
+    EXPECT_FALSE(after(machine, inside(), 100));
+  }
+}
+
 TEST(PhaseMachine, KeepsTheCauseOfAFaultUntilItIsRearmed) {
   PhaseMachine machine(0.3);
   Seen seen;
