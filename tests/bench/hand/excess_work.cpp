@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "tests/bench/distribution.h"
+#include "tests/bench/hand/contact_work.h"
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
@@ -14,41 +15,6 @@ namespace {
 
 constexpr double kLasts_s = 14.0;
 constexpr double kStarts_s = 2.0;
-
-/// The energy that a contact gave to the hand beyond the true skin's work.
-struct Contact {
-  double excess_mJ = 0.0;
-  double seen_mJ = 0.0;  ///< of it, in the station's own ledger when the contact ends: against the measured skin
-};
-
-/// Sums the work of each contact. A contact begins with the first touch of the true or the displayed skin and ends 20
-/// ms after the last touch of either.
-class ContactWork {
- public:
-  void add(const Tick& tick) {
-    // While the device moved, it held the force of the previous tick.
-    excess_J_ += (force_N_ - law_N_).dot(tick.moved_m);
-    force_N_ = tick.force_N;
-    law_N_ = tick.law_N() * tick.normal;
-    const bool touched = tick.displayed || tick.law_N() > 0.0;
-    if (touched) last_touched_s_ = tick.time_s;
-    if (touched) seen_J_ = tick.control.hand_excess_J;
-    const bool in_contact = tick.time_s - last_touched_s_ < 0.02;
-    if (in_contact && !in_contact_) excess_J_ = 0.0;
-    if (!in_contact && in_contact_) contacts_.push_back({1e3 * excess_J_, 1e3 * seen_J_});
-    in_contact_ = in_contact;
-  }
-  [[nodiscard]] const std::vector<Contact>& contacts() const noexcept { return contacts_; }
-
- private:
-  Eigen::Vector3d force_N_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d law_N_ = Eigen::Vector3d::Zero();
-  double excess_J_ = 0.0;
-  double seen_J_ = 0.0;
-  double last_touched_s_ = -1.0;
-  bool in_contact_ = false;
-  std::vector<Contact> contacts_;
-};
 
 struct Bad {
   double least_rtt_s;
@@ -116,6 +82,24 @@ struct Drawn {
   effects::SkinAnchor anchor;
 };
 
+/// Where the patient lies in the device's frame H.
+struct Placed {
+  explicit Placed(const Drawn& drawn)
+      : haptic_from_camera(hand::haptic_from_camera(*drawn.patient, drawn.spot)),
+        camera_from_haptic(haptic_from_camera.inverse()) {}
+  /// Sets the normal and the depth of `tick` for its device and the skin of the patient at `pose`.
+  void touch(const Drawn& drawn, const capture::PatientPose& pose, Tick& tick) const {
+    const Point<DepthCamera> device = camera_from_haptic * Point<HapticBase>{tick.device_m};
+    const auto foot = drawn.patient->surface_of(pose).closest_to(device);
+    tick.true_known = foot && foot->on_body;
+    if (!foot) return;
+    tick.normal = (haptic_from_camera * foot->normal).v;
+    tick.true_depth_m = tick.normal.dot((haptic_from_camera * foot->at).m - tick.device_m);
+  }
+  Transform<HapticBase, DepthCamera> haptic_from_camera;
+  Transform<DepthCamera, HapticBase> camera_from_haptic;
+};
+
 /// An image that became touchable.
 struct Arrival {
   double at_s;
@@ -129,14 +113,21 @@ std::vector<Contact> play(const Drawn& drawn, std::vector<Arrival>& arrivals) {
              .damage = [&](double t, DepthImage&) { return !drawn.bad.outage || !drawn.shifts.near(t); },
              .link = {.one_way_s = drawn.one_way_s, .seed = drawn.seed},
              .builder = {}});
-  BenchStation station(with_skin(drawn.anchor), haptic_from_camera(*drawn.patient, drawn.spot), drawn.person());
+  const Placed placed(drawn);
+  BenchStation station(with_skin(drawn.anchor), placed.haptic_from_camera, drawn.person());
   ContactWork work;
   for (std::int64_t i = 0; i < std::llround(kLasts_s / kTick_s); ++i) {
     const double t = static_cast<double>(i) * kTick_s;
     const auto snapshot = feed.step(t, station.device_camera());
     if (snapshot) arrivals.push_back({t, to_seconds(snapshot->captured - at_time(0.0))});
     station.receive(snapshot, t);
-    work.add(station.step(t, feed.truth(t)));
+    const Tick tick = station.step(t, feed.truth(t));
+    Tick newest = tick;  // of the skin as the newest image shows it
+    if (!arrivals.empty()) {
+      const double captured_s = arrivals.back().captured_s;
+      placed.touch(drawn, drawn.pose(captured_s, drawn.shifts.rise_m(captured_s)), newest);
+    }
+    work.add(tick, newest.law_N() * newest.normal);
   }
   return work.contacts();
 }
@@ -149,8 +140,7 @@ enum class Knows {
 
 /// The contacts at a display that applies the force law to what it knows, without delay.
 std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& arrivals, Knows knows) {
-  const Transform<HapticBase, DepthCamera> placed = haptic_from_camera(*drawn.patient, drawn.spot);
-  const Transform<DepthCamera, HapticBase> camera_from_haptic = placed.inverse();
+  const Placed placed(drawn);
   const std::unique_ptr<Person> person = drawn.person();
   auto next = arrivals.begin();
   double captured_s = 0.0;
@@ -162,21 +152,12 @@ std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& 
     const double breath_s = knows == Knows::AllButShifts ? tick.time_s : captured_s;
     tick.moved_m = tick.device_m - before_m;
     before_m = tick.device_m;
-    const Point<DepthCamera> device = camera_from_haptic * person->device();
-    // Fills normal and depth of `of` from the surface of the patient at this pose.
-    const auto touch = [&](const capture::PatientPose& pose, Tick& of) {
-      const auto foot = drawn.patient->surface_of(pose).closest_to(device);
-      of.true_known = foot && foot->on_body;
-      if (!foot) return;
-      of.normal = (placed * foot->normal).v;
-      of.true_depth_m = of.normal.dot((placed * foot->at).m - tick.device_m);
-    };
     Tick displayed = tick;
-    touch(drawn.pose(breath_s, drawn.shifts.rise_m(captured_s)), displayed);
-    touch(drawn.pose(tick.time_s, drawn.shifts.rise_m(tick.time_s)), tick);
+    placed.touch(drawn, drawn.pose(breath_s, drawn.shifts.rise_m(captured_s)), displayed);
+    placed.touch(drawn, drawn.pose(tick.time_s, drawn.shifts.rise_m(tick.time_s)), tick);
     tick.force_N = displayed.law_N() * displayed.normal;
     tick.displayed = displayed.law_N() > 0.0;
-    work.add(tick);
+    work.add(tick, tick.force_N);
     person->apply({.force = {tick.force_N}, .contact = {}, .control = {}, .sample = {}}, tick.time_s, kTick_s);
   }
   return work.contacts();
@@ -196,17 +177,26 @@ std::vector<Row> measure(const std::string& name, const Bad& bad, double worst_m
     newest_image[at] = play_limit(drawn, arrivals, Knows::NewestImage);
   });
   Distribution contacts_mJ;
-  Contact worst{-INFINITY, 0.0};
+  Distribution own_mJ;
+  Contact worst{.excess_mJ = -INFINITY};
   for (const auto& one : all)
     for (const Contact& contact : one) {
       contacts_mJ.add(contact.excess_mJ);
+      own_mJ.add(contact.own_mJ());
       if (contact.excess_mJ > worst.excess_mJ) worst = contact;
     }
   const bool touched = contacts_mJ.count() >= all.size();  // at least one contact a seed, or the study is invalid
+  const std::string own = name + ": the station's part of a contact, ";
   std::vector<Row> rows{at_most(name + ": a contact, worst", touched ? contacts_mJ.max() : NAN, "mJ", worst_mJ),
                         measured(name + ": of the worst, seen by the station's own ledger", worst.seen_mJ, "mJ"),
+                        measured(name + ": of the worst, the skin sank since the newest image", worst.sunk_mJ, "mJ"),
+                        measured(name + ": of the worst, the skin rose since the newest image", worst.risen_mJ, "mJ"),
+                        measured(name + ": of the worst, the station's part", worst.own_mJ(), "mJ"),
                         measured(name + ": a contact, 95th percentile", contacts_mJ.quantile(0.95), "mJ"),
-                        measured(name + ": contacts", static_cast<double>(contacts_mJ.count()), "")};
+                        measured(name + ": contacts", static_cast<double>(contacts_mJ.count()), ""),
+                        at_most(own + "worst", touched ? own_mJ.max() : NAN, "mJ", worst_mJ),
+                        measured(own + "95th percentile", own_mJ.quantile(0.95), "mJ"),
+                        measured(own + "median", own_mJ.p50(), "mJ")};
   for (const auto& [knows, runs] : {std::pair{"all but the shifts since the newest image", &all_but_shifts},
                                     std::pair{"the newest image", &newest_image}}) {
     Distribution limit_mJ;
