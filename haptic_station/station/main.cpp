@@ -31,7 +31,7 @@ program::Usage usage() {
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
                       {"accept-touch", "", "take the touch when its holder offers it to you"},
-                      {"scene", "FILE", "a *.scene.textproto; default: palpation"},
+                      {"scene", "FILE", "a *.scene.textproto, or the name of one that ships; default: palpation"},
                       {"surface", "NAME|model:FILE", "surface setting, or a model; default: the scene's"},
                       {"anyway", "", "touch a model that is otherwise refused"},
                       {"calibration", "FILE", "calibration file (telepalp-station calibrate)"},
@@ -106,8 +106,15 @@ Result<std::optional<tracking::HandTrace>> trace_of(const scenes::Scene& scene) 
   return std::optional{std::move(trace).value()};
 }
 
+/// The file of a scene: `asked` itself, or the scene of this name that ships.
+std::filesystem::path named_scene(const std::filesystem::path& asked) {
+  std::error_code problem;
+  if (asked.has_parent_path() || std::filesystem::exists(asked, problem)) return asked;
+  return program::shipped_file("haptic_station/scenes/" + asked.string() + ".scene.textproto").value_or(asked);
+}
+
 Result<std::filesystem::path> scene_of(const program::Arguments& arguments) {
-  if (arguments.has("scene")) return std::filesystem::path(arguments.text("scene"));
+  if (arguments.has("scene")) return named_scene(arguments.text("scene"));
   if (const auto file = program::shipped_file("haptic_station/scenes/palpation.scene.textproto")) return *file;
   return Error{.what = "the installed scene palpation.scene.textproto is not found",
                .where = "telepalp-station",

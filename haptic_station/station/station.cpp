@@ -86,6 +86,7 @@ Station::Station(boost::asio::io_context& io, const StationOptions& options, con
                    [this](const std::string& command, const ControlSocket::Reply& reply) {
                      return hand_over_.on_command(command, reply);
                    }}) {
+  if (rig.haptic_from_tracker) telemetry_.set_calibration(*rig.haptic_from_tracker);
   start_surface_thread(surface);
 }
 

@@ -74,6 +74,7 @@ const link = new SiteLink({
   },
   probe: (probe) => inside.showProbe(probe, performance.now()),
   inside: (structures) => inside.showStructures(structures),
+  touches: (touches) => technician.addTouches(touches),
 });
 const inside = new InsideView(view, () => link.ask('probe'), (canvas) => link.drawUltrasoundOn(canvas));
 
@@ -112,9 +113,10 @@ const status = publishStatus(() => ({
   innerTriangles: view.inner.triangles,
 }));
 
+const technician = new TechnicianPanel(view, canvas, (place) => link.takePlace(place));
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   doctor: [new DoctorPanel()],
-  technician: [new TechnicianPanel(view, canvas)],
+  technician: [technician],
   qa: [new QaPanel(playback, new OverviewBand(playback, notes), notes, view)],
 };
 const views = new ViewSwitch((chosen) => link.setExtra(EXTRA[chosen]));

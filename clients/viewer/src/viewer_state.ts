@@ -1,3 +1,4 @@
+import type {Taking} from './calibration/touch_taker';
 import type {DepthFidelity} from './depth/depth_fidelity';
 import type {DepthSummary} from './depth/depth_summary';
 import {
@@ -6,7 +7,7 @@ import {
 import {milliseconds} from './link/session_clock';
 import type {News} from './link/worker_messages';
 import type {Health} from './panel/banner';
-import type {Presence} from './panel/presence_rows';
+import {type Presence, stationIsLive} from './panel/presence_rows';
 import {shownHand} from './panel/touch_advice';
 import type {Instant, Light} from './present/instant';
 import {accountFor, type FrameTimes, type TimeAccount, WorstOfSecond} from './present/time_account';
@@ -38,6 +39,7 @@ export interface Reading extends Health {
   sessionNow_ns: bigint | undefined;                // the session clock; undefined while it is not known
   light: Light | undefined;                         // only in views that show it
   cameraFrames_per_s: number;
+  taking: Taking | undefined;  // of a calibration; undefined: there is no live station whose tracker needs one
 }
 
 export const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
@@ -90,6 +92,7 @@ export class ViewerState {
     const connected = news?.connected ?? false;
     const station = connected && news?.stationHeard_ms !== undefined ? this.station : undefined;
     const account = this.account(now_ms);
+    const presence = presenceOf(news);
     return {
       ...touchOf(station),
       connected,
@@ -117,7 +120,7 @@ export class ViewerState {
       pictureInstant_ms: picture?.captured_ms,
       numbersInstant_ms: station && milliseconds(station.stampNs),
       role: news?.role ?? '',
-      presence: presenceOf(news),
+      presence,
       station,
       compensation: station && this.compensation,
       surfaceReport: connected ? news?.surfaceReport : undefined,
@@ -125,6 +128,7 @@ export class ViewerState {
       light: news?.light,
       events: connected ? news?.events ?? [] : [],
       sessionNow_ns: news?.offset_ms === undefined ? undefined : BigInt(Math.round(1000 * (now_ms + news.offset_ms))) * 1000n,
+      taking: stationIsLive(presence) ? news?.taking : undefined,
       cameraFrames_per_s: connected ? news?.capture?.framesPerS ?? 0 : 0,
     };
   }

@@ -21,7 +21,7 @@ program::Usage usage() {
       .positional = "",
       .options = {{"out", "FILE", "calibration file to write; it keeps the other transforms",
                    "site.calibration.textproto"},
-                  {"pairs", "FILE", "points: CSV, see docs/cli.md"},
+                  {"pairs", "FILE", "points, offset: CSV, see docs/cli.md"},
                   {"from", "tracker|camera", "points: which instrument measured from_x, from_y, from_z", "tracker"},
                   {"device", kDeviceWords, "offset: the haptic device", "haply"},
                   {"tracker", "leap[:URL]", "offset: the hand tracker", "leap"},
@@ -32,7 +32,7 @@ program::Usage usage() {
                    "0,0,0,0,0,0"}},
       .example = "telepalp-station calibrate points --pairs pairs.csv --from camera --out site.calibration.textproto",
       .commands = {{"points", "", "from pairs of points in a file"},
-                   {"offset", "", "from the hand resting on the end-effector"},
+                   {"offset", "", "from the hand resting on the end-effector, now or in a file"},
                    {"probe", "", "from poses of a hand on a probe in a file"}},
       .needs_command = true};
 }

@@ -30,6 +30,37 @@ std::vector<calibration::Touch> take_touches(ports::Device& device, tracking::Le
   return touches;
 }
 
+/// The touches of a file of point pairs: `from` is the hand in the tracker's frame, `to` the end-effector in H.
+Result<std::vector<calibration::Touch>> read_touches(const std::string& file) {
+  const auto pairs = calibration::read_point_pairs(file);
+  if (!pairs) return pairs.error();
+  std::vector<calibration::Touch> touches;
+  for (const calibration::PointPair& pair : *pairs) touches.push_back({{pair.from}, {pair.to}});
+  return touches;
+}
+
+/// Touches measured now, with the rig that the arguments name.
+Result<std::vector<calibration::Touch>> measure_touches(const program::Arguments& arguments) {
+  const Result<double> seconds = arguments.number("seconds", 0.2, 60.0);
+  if (!seconds) return seconds.error();
+  const Result<RigChoice> choice = read_rig_choice(arguments.text("device"), arguments.text("tracker"));
+  if (!choice) return choice.error();
+  const auto* leap = std::get_if<Leap>(&choice->tracker);
+  if (std::holds_alternative<Simulated>(choice->device) || leap == nullptr)
+    return Error{.what = "a simulated device or tracker cannot be calibrated",
+                 .where = "calibrate offset",
+                 .fix = "give --device haply or udp:HOST:PORT, and --tracker leap"};
+  const Result<program::Patience> patience = program::patience_of(arguments);
+  if (!patience) return patience.error();
+  const auto within = std::chrono::duration_cast<std::chrono::milliseconds>(patience->value_or(program::kForEver));
+  Result<std::unique_ptr<ports::Device>> device = connect_device(choice->device, {}, within);
+  if (!device) return device.error();
+  Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {}, within);
+  if (!tracker) return tracker.error();
+  std::fprintf(stderr, "rest the hand on the end-effector, at the height at which the patient's skin will be\n");
+  return take_touches(**device, **tracker, *seconds);
+}
+
 }  // namespace
 
 Result<Measured> from_points(const program::Arguments& arguments) {
@@ -50,25 +81,9 @@ Result<Measured> from_points(const program::Arguments& arguments) {
 }
 
 Result<Measured> from_offset(const program::Arguments& arguments) {
-  const Result<double> seconds = arguments.number("seconds", 0.2, 60.0);
-  if (!seconds) return seconds.error();
-  const Result<RigChoice> choice = read_rig_choice(arguments.text("device"), arguments.text("tracker"));
-  if (!choice) return choice.error();
-  const auto* leap = std::get_if<Leap>(&choice->tracker);
-  if (std::holds_alternative<Simulated>(choice->device) || leap == nullptr)
-    return Error{.what = "a simulated device or tracker cannot be calibrated",
-                 .where = "calibrate offset",
-                 .fix = "give --device haply or udp:HOST:PORT, and --tracker leap"};
-  const Result<program::Patience> patience = program::patience_of(arguments);
-  if (!patience) return patience.error();
-  const auto within = std::chrono::duration_cast<std::chrono::milliseconds>(patience->value_or(program::kForEver));
-  Result<std::unique_ptr<ports::Device>> device = connect_device(choice->device, {}, within);
-  if (!device) return device.error();
-  Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {}, within);
-  if (!tracker) return tracker.error();
-  std::fprintf(stderr, "rest the hand on the end-effector, at the height at which the patient's skin will be\n");
-  const Result<calibration::OffsetCalibration> fit =
-      calibration::calibrate_offset(take_touches(**device, **tracker, *seconds));
+  const auto touches = arguments.has("pairs") ? read_touches(arguments.text("pairs")) : measure_touches(arguments);
+  if (!touches) return touches.error();
+  const Result<calibration::OffsetCalibration> fit = calibration::calibrate_offset(*touches);
   if (!fit) return fit.error();
   return Measured{
       calibration::measured(fit->haptic_from_tracker.iso, fit->residuals, "offset", std::chrono::system_clock::now()),

@@ -14,7 +14,8 @@ struct Measured {
 
 /// Measures by point pairs from a file; each point was measured in both frames (paper S3, docs/sources.md, 4.2).
 [[nodiscard]] Result<Measured> from_points(const program::Arguments& arguments);
-/// Measures with the hand resting on the end-effector (paper S1 eq. (2) to (4)).
+/// Measures with the hand resting on the end-effector (paper S1 eq. (2) to (4)): now, or from a file of point pairs that
+/// a viewer saved.
 [[nodiscard]] Result<Measured> from_offset(const program::Arguments& arguments);
 /// Measures by poses of a hand on a probe, from a file (paper S2 II.C).
 [[nodiscard]] Result<Measured> from_probe(const program::Arguments& arguments);

@@ -111,6 +111,7 @@ Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& s
     Result<std::unique_ptr<tracking::LeapTracker>> made = connect_leap(*leap, scene);
     if (!made) return made.error();
     tracker = std::move(made).value();
+    connected.haptic_from_tracker = scene.haptic_from_tracker;
   } else if (std::holds_alternative<Browser>(choice.tracker)) {
     auto made = std::make_unique<tracking::ViewerHandTracker>();
     connected.browser = made.get();

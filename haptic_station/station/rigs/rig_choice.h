@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -63,6 +64,8 @@ inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 struct ConnectedRig {
   std::unique_ptr<ports::Rig> rig;
   tracking::ViewerHandTracker* browser = nullptr;  ///< the rig's tracker if it follows a viewer's hand, else nullptr
+  /// The calibration with which the rig's tracker places hands; nullopt: it measures them in H.
+  std::optional<Transform<HapticBase, HandTracker>> haptic_from_tracker;
 };
 
 /// Connects the chosen rig. Error: a part does not answer; the error names it and a fix.

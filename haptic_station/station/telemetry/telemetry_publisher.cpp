@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "proto/wire/vector_message.h"
+
 namespace telepalp::station {
 namespace {
 
@@ -50,6 +52,14 @@ void TelemetryPublisher::watch_heat(SessionTime now) {
   if (near || std::isinf(last_.yields_in_s)) heat_warned_ = near;
 }
 
+void TelemetryPublisher::set_calibration(const Transform<HapticBase, HandTracker>& haptic_from_tracker) {
+  const Eigen::Quaterniond turn(haptic_from_tracker.iso.linear());
+  msg::RigidMotion& motion = haptic_from_tracker_.emplace();
+  wire::set_vector(*motion.mutable_translation_m(), haptic_from_tracker.iso.translation());
+  wire::set_vector(*motion.mutable_rotation(), turn.coeffs());
+  motion.mutable_rotation()->set_w(turn.w());
+}
+
 void TelemetryPublisher::publish_event(SessionTime now, msg::EventKind kind, const std::string& text) {
   msg::StationEvent event;
   event.set_stamp_ns(stamp(now));
@@ -70,6 +80,7 @@ void TelemetryPublisher::publish_totals(SessionTime now, double clock_error_s, c
   stats.set_clock_error_s(clock_error_s);
   stats.set_realtime(realtime);
   if (idle_timer_) *stats.mutable_idle_timer() = *idle_timer_;
+  if (haptic_from_tracker_) *stats.mutable_haptic_from_tracker() = *haptic_from_tracker_;
   for (const msg::EffectCost& cost : bill) *stats.add_bill() = cost;
   publish_(wire::make_message(wire::kStationStats, now, stats));
 }

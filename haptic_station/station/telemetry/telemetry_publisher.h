@@ -7,6 +7,7 @@
 #include "haptic_station/station/telemetry/telemetry.h"
 #include "haptic_station/station/threads/haptic_thread.h"
 #include "proto/wire/message.h"
+#include "proto/words/frames.h"
 
 namespace telepalp::station {
 
@@ -29,6 +30,9 @@ class TelemetryPublisher {
   /// Adds to the totals the wake-up latency of an otherwise idle thread on this computer; see watch_idle_timer().
   void set_idle_timer(const msg::TimerCheck& check) { idle_timer_ = check; }
 
+  /// Adds to the totals the calibration with which the tracker's hands are placed in the haptic base's frame H.
+  void set_calibration(const Transform<HapticBase, HandTracker>& haptic_from_tracker);
+
   /// Publishes an event.
   void publish_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
@@ -48,6 +52,7 @@ class TelemetryPublisher {
   std::vector<loop::TickSample> batch_;
   loop::TickSample last_;
   std::optional<msg::TimerCheck> idle_timer_;
+  std::optional<msg::RigidMotion> haptic_from_tracker_;
   bool has_ticked_ = false;
   bool heat_warned_ = false;
 };

@@ -81,6 +81,15 @@ TEST(ForceLimiter, TenNewtonsAreGivenForAWhileAndFourForEver) {
   EXPECT_NEAR(given_N, limits.continuous_N, 0.05);
 }
 
+TEST(ForceLimiter, MotorsThatCanHoldNoForceAreGivenNone) {
+  for (const double peak_N : {0.0, 10.0}) {
+    ForceLimiter limiter({.peak_N = peak_N, .continuous_N = 0.0});
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(limiter.limit({{0.0, 3.0, 0.0}}, kTick_s).N.norm(), 0.0) << peak_N;
+    EXPECT_FALSE(limiter.faulted());
+    EXPECT_EQ(limiter.bound_N(), 0.0);
+  }
+}
+
 TEST(ForceLimiter, AForceWithinAllBoundsPassesUntouched) {
   ForceLimiter limiter;
   for (int i = 0; i < 100; ++i) {

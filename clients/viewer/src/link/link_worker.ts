@@ -1,6 +1,7 @@
 // Reads the stream in a worker, so that a page that is busy with drawing does not delay it. Sends the page the newest
 // instant on request.
 
+import {TouchTaker} from '../calibration/touch_taker';
 import {DepthDecoder} from '../depth/depth_decoder';
 import {ProbeImages} from '../inside/probe_images';
 import {WorkerCanvas} from '../inside/worker_canvas';
@@ -19,6 +20,7 @@ const KEY_FRAME_REQUEST_INTERVAL_MS = 500;
 const clock = new SessionClock();
 const facts = new SiteFacts();
 const past = new StationPast();
+const taker = new TouchTaker((touches) => post({touches}));
 let cameraMatrix: readonly number[] | undefined;
 let keyFrameRequested_ms = 0;
 let ultrasound: WorkerCanvas | undefined;  // undefined until the page has sent it
@@ -83,6 +85,7 @@ function takenAt({timestamp}: CompressedImage, published_ns: bigint): bigint {
 function stationCame(state: StationState): void {
   facts.stationCame(state, now_ms());
   past.stateCame(state);
+  taker.stateCame(state);
   instants.stationCame(state);
 }
 
@@ -105,6 +108,7 @@ const stream = new Stream(
       '/station/state': stationCame,
       '/station/stats': (stats) => {
         facts.lateTicks = Number(stats.deadlinesMissed);
+        taker.inUse = stats.hapticFromTracker;
       },
       '/station/compensation': (compensation) => past.compensationCame(compensation),
       '/station/surface': (report) => {
@@ -129,6 +133,7 @@ const stream = new Stream(
         clock.restart();
         facts.connected();
         past.forget();
+        taker.inUse = undefined;
         instants.restart();
       },
       warned: (text) => {
@@ -146,6 +151,7 @@ function news(): News {
     viewer: stream.viewer,
     role: stream.role,
     light: lightMeter?.light,
+    taking: taker.inUse && taker.taking,
     offset_ms: clock.offset_ms,
     clockError_ms: clock.error_ms,
     waiting: timesOf(instants.waiting),
@@ -161,6 +167,7 @@ onmessage = ({data}: MessageEvent<ToWorker>) => {
     lightMeter = data.extra.light ? lightMeter ?? new LightMeter() : undefined;
   }
   else if ('ultrasound' in data) ultrasound = new WorkerCanvas(data.ultrasound);
+  else if ('takePlace' in data) taker.take(data.takePlace);
   else if (data.ask === 'instant') instants.ask();
   else if (data.ask === 'probe') probeImages.ask();
   else post({news: news()});

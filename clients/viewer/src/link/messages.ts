@@ -17,6 +17,12 @@ export interface Rotation {
   w: number;
 }
 
+/** p_to = rotation p_from + translation. */
+export interface RigidMotion {
+  translationM?: Vec3;
+  rotation?: Rotation;
+}
+
 /** telepalp.msg.Phase */
 export enum Phase {
   Unspecified,
@@ -79,6 +85,9 @@ export interface StationState {
   surfaceCapturedNs: bigint;
   handSampledNs: bigint;  // 0: no hand yet
   phase: Phase;
+  hand?: Vec3;    // in the haptic base's frame H, like the next two
+  device?: Vec3;
+  workspaceShift?: Vec3;  // a position in H minus that in the device's own frame; absent: none
   forceN?: Vec3;
   displayedHandCamera?: Vec3;
   handAttitudeCamera?: Rotation;  // of the hand's axes; absent: the tracker tells none
@@ -120,6 +129,7 @@ export interface StationEvent {
 export interface StationStats {
   deadlinesMissed: bigint;
   tickUsP99: number;
+  hapticFromTracker?: RigidMotion;  // the calibration in use; absent: the tracker needs none
 }
 
 /** The delay that the station compensates; see proto/messages/station.proto. */

@@ -1,3 +1,4 @@
+import type {Touch} from '../calibration/offset_fit';
 import type {InnerStructures, ProbeView} from '../inside/inside_messages';
 import type {Instant} from '../present/instant';
 import type {HandOver, LetGo, ViewerHand} from './messages';
@@ -13,9 +14,11 @@ export class SiteLink {
     news: (news: News) => void;
     probe: (probe: ProbeView) => void;
     inside: (inside: InnerStructures) => void;
+    touches: (touches: Touch[]) => void;
   }) {
     this.worker.onmessage = ({data}: MessageEvent<FromWorker>) => {
       if ('inside' in data) return on.inside(data.inside);
+      if ('touches' in data) return on.touches(data.touches);
       this.owed.delete('news' in data ? 'news' : 'probe' in data ? 'probe' : 'instant');
       if ('news' in data) on.news(data.news);
       else if ('probe' in data) on.probe(data.probe);
@@ -32,6 +35,11 @@ export class SiteLink {
 
   publishHand(hand: ViewerHand | LetGo | HandOver): void {
     this.say({hand});
+  }
+
+  /** Asks for the touches of a place, for a calibration; undefined: of none. */
+  takePlace(takePlace: number | undefined): void {
+    this.say({takePlace});
   }
 
   /** What the present view needs besides the usual. */

@@ -1,6 +1,8 @@
 // Messages between page and link worker. The worker sends one message for each request of the page, so that no messages
 // queue up for a busy page.
 
+import type {Touch} from '../calibration/offset_fit';
+import type {Taking} from '../calibration/touch_taker';
 import type {DepthFidelity} from '../depth/depth_fidelity';
 import type {InnerStructures, ProbeView} from '../inside/inside_messages';
 import type {FrameTimes} from '../present/time_account';
@@ -34,6 +36,7 @@ export interface News {
   surfaceReport: SurfaceReport | undefined;
   events: readonly StationEvent[];  // the latest, oldest first; only in views that show them
   light: Light | undefined;  // of a recent colour picture; only while it is inspected
+  taking: Taking | undefined;  // of a calibration; undefined: the station's tracker needs none, or no station is known
   dropped: number;     // frames dropped on the way to this viewer
   overtaken: number;   // frames that this viewer skipped before decoding
   undecodable: number;
@@ -46,6 +49,11 @@ export interface Extra {
 }
 
 export type Asked = 'instant' | 'news' | 'probe';
-export type ToWorker = {ask: Asked} | {hand: ViewerHand | LetGo | HandOver} | {extra: Extra} | {ultrasound: OffscreenCanvas};
-/** An answer to each request; the layers below the skin come without a request, once for a station. */
-export type FromWorker = {instant: Instant} | {news: News} | {probe: ProbeView} | {inside: InnerStructures};
+export type ToWorker = {ask: Asked} | {hand: ViewerHand | LetGo | HandOver} | {extra: Extra} |
+    {ultrasound: OffscreenCanvas} | {takePlace: number | undefined};
+/**
+ * An answer to each request. The layers below the skin come without a request, once for a station; so do the touches of
+ * a place once it is taken.
+ */
+export type FromWorker =
+    {instant: Instant} | {news: News} | {probe: ProbeView} | {inside: InnerStructures} | {touches: Touch[]};

@@ -39,6 +39,11 @@ export function presenceRows({stats, touching, holder, me}: Presence): Row[] {
   return rows;
 }
 
+/** False: no station is known, or the messages of the newest one come from a recorded session. */
+export function stationIsLive({stats, touching}: Pick<Presence, 'stats' | 'touching'>): boolean {
+  return touching !== 0 && (stats?.subscribers.some(({sender}) => sender === touching) ?? false);
+}
+
 /** "telepalp-station" becomes "Station": the others are shown as they call themselves. */
 function programName(name: string): string {
   const short = name.replace(/^telepalp-/, '');

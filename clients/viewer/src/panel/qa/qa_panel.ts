@@ -6,6 +6,7 @@ import {seekTo} from '../../playback/playback_state';
 import {clock} from '../../playback/timeline_words';
 import type {SceneView} from '../../scene/scene_view';
 import type {Reading} from '../../viewer_state';
+import {saveFile} from '../save_file';
 import {EventLog, type LoggedEvent, toneOf} from './event_log';
 import {NetworkCard} from './network_card';
 import {type Notes, NotesCard} from './notes_card';
@@ -95,11 +96,8 @@ export class QaPanel {
     const picture = await this.view.snapshot();
     if (picture === undefined) return setText(this.said, 'The browser could not make the picture: try again, or use another browser.');
     const {state} = this.playback;
-    const link = made('a');
-    link.href = URL.createObjectURL(picture);
-    link.download = `telepalp_${state === undefined ? new Date().toISOString().replace(/[:.]/g, '-') : `${state.position_s.toFixed(2)}s`}.png`;
-    link.click();
-    URL.revokeObjectURL(link.href);
-    setText(this.said, `Saved as ${link.download}.`);
+    const name = `telepalp_${state === undefined ? new Date().toISOString().replace(/[:.]/g, '-') : `${state.position_s.toFixed(2)}s`}.png`;
+    saveFile(name, 'image/png', picture);
+    setText(this.said, `Saved as ${name}.`);
   }
 }

@@ -1,14 +1,19 @@
 import {element} from '../../page';
+import type {Touch} from '../../calibration/offset_fit';
 import type {SceneView} from '../../scene/scene_view';
 import type {Reading} from '../../viewer_state';
 import {RowList} from '../rows';
+import {CalibrationCard} from './calibration_card';
 import {DepthRange} from './depth_range';
 import {NetworkRates, subscriberRows} from './network_rows';
 import {pictureRows} from './picture_problems';
 import {PointReadout} from './point_readout';
 import {RecordingCard} from './recording_card';
 
-/** The technician's cards: picture quality, depth under the pointer, depth range and histogram, recording, network. */
+/**
+ * The technician's cards: picture quality, depth under the pointer, depth range and histogram, calibration, recording,
+ * network.
+ */
 export class TechnicianPanel {
   private readonly picture = new RowList(element('picture-problems'));
   private readonly network = new RowList(element('network'));
@@ -18,17 +23,26 @@ export class TechnicianPanel {
   private readonly range: DepthRange;
   private readonly point: PointReadout;
 
-  constructor(view: SceneView, canvas: HTMLCanvasElement) {
+  private readonly calibration: CalibrationCard;
+
+  constructor(view: SceneView, canvas: HTMLCanvasElement, takePlace: (place: number | undefined) => void) {
+    this.calibration = new CalibrationCard(takePlace);
     this.range = new DepthRange(view);
     this.point = new PointReadout(view, canvas);
   }
 
-  show({summary, light, cameraFrames_per_s, presence, connected, role}: Reading): void {
+  /** The touches of a place of the calibration have come. */
+  addTouches(touches: readonly Touch[]): void {
+    this.calibration.add(touches);
+  }
+
+  show({summary, light, cameraFrames_per_s, presence, connected, role, taking}: Reading): void {
     if (summary !== undefined) {
       this.picture.show(pictureRows(summary, light, cameraFrames_per_s));
       this.range.show(summary);
     }
     this.point.show();
+    this.calibration.show(taking);
     this.recording.show(connected, role);
     this.network.show(this.rates.show(presence.stats));
     this.subscribers.show(subscriberRows(presence.stats));

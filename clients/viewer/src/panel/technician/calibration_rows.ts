@@ -1,0 +1,43 @@
+import {LEAST_TOUCHES, MOST_MOVED_M, type OffsetFit} from '../../calibration/offset_fit';
+import type {Vec3} from '../../link/messages';
+import type {Row} from '../rows';
+
+const mm = (metres: number) => `${(1000 * metres).toFixed(2)} mm`;
+const point = ({x, y, z}: Vec3) => [x, y, z].map((value) => (1000 * value).toFixed(1)).join(', ');
+
+/** One row for each place: how many touches, and their residual. */
+export function placeRows(fit: OffsetFit | undefined): Row[] {
+  return (fit?.places ?? []).map(({place, touches, rms_m, moved_m}) => ({
+    name: `Place ${place}`,
+    value: `${mm(rms_m)} of ${touches}`,
+    says: `Residual (RMS) of ${touches} pairs. In this place the hand moved by up to ${mm(moved_m)}.`,
+    level: rms_m > MOST_MOVED_M || moved_m > MOST_MOVED_M ? 'warn' : 'good',
+  }));
+}
+
+/** The transform of S1 eq. (2) to (4), and how well it fits. */
+export function fitRows(fit: OffsetFit | undefined): Row[] {
+  if (fit === undefined) return [];
+  return [
+    {name: 'Hand p0', value: point(fit.tracker0), says: 'Mean of the hand in the tracker’s frame L, in mm: S1 eq. (2)'},
+    {name: 'Device p0', value: point(fit.haptic0), says: 'Mean of the end-effector in the haptic base’s frame H, in mm: S1 eq. (2)'},
+    {name: 'Rotation R', value: 'x, −y, −z', says: 'S1 eq. (4). Its inverse is itself, so eq. (3) uses it, too.'},
+    {name: 'Translation', value: point(fit.translation), says: 'Device p0 − R · hand p0, in mm'},
+    {name: 'Residual', value: `${mm(fit.rms_m)} RMS`, level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',
+     says: 'Distance between R · hand + translation and the end-effector, over all pairs'},
+    {name: 'Largest', value: mm(fit.largest_m), level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',
+     says: `The station refuses more than ${mm(MOST_MOVED_M)}`},
+  ];
+}
+
+/** What the fit means, in a sentence. */
+export function verdict(fit: OffsetFit | undefined): string {
+  if (fit === undefined) return `At least ${LEAST_TOUCHES} pairs are needed.`;
+  const moved = fit.places.find(({moved_m}) => moved_m > MOST_MOVED_M);
+  if (moved !== undefined) return `The hand moved at place ${moved.place}: begin again.`;
+  if (fit.largest_m > MOST_MOVED_M)
+    return 'The places disagree: the tracker is not turned as eq. (4) states. Save the pairs, and use the second command: it measures the rotation, too.';
+  if (fit.places.length < 3)
+    return 'Good here. Take three places that are 5 cm apart: one place cannot show a wrongly mounted tracker.';
+  return 'Good: the places agree.';
+}
