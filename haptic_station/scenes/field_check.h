@@ -46,6 +46,7 @@ class FieldCheck {
 
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
+  [[nodiscard]] const program::NumberPlaces& places() const noexcept { return places_; }
 
  private:
   void complain(std::string what, std::string fix, std::string where) {

@@ -1,5 +1,7 @@
 #include "haptic_station/scenes/layer.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <numbers>
 
 #include "haptic_station/organs/organ_shape.h"
@@ -18,16 +20,60 @@ solids::MeshReader mesh_reader(const std::filesystem::path& folder) {
   };
 }
 
-Result<solids::Solid> tree_of(const msg::SolidEffect& message, const std::string& layer,
+constexpr const char* kPolish = "polish";
+
+/// Number of characters before a line and column, both from 1.
+std::size_t offset_of(const std::string& text, int line, int column) {
+  std::size_t start = 0;
+  for (; line > 1; --line) start = std::min(text.find('\n', start), text.size() - 1) + 1;
+  return start + static_cast<std::size_t>(std::max(column - 1, 0));
+}
+
+/// An error in the layer's Polish text, at its place in the scene's file. An error about another file, as that of a
+/// mesh, keeps its place.
+Error in_scene(Error error, const msg::SolidEffect& message, const FieldCheck& check) {
+  int line = 0;
+  int column = 0;
+  if (std::sscanf(error.where.c_str(), "polish:%d:%d", &line, &column) != 2) return error;
+  const std::size_t offset = offset_of(message.polish(), line, column);
+  const std::string place = check.places().where(check.file(), kPolish, message.polish(), offset);
+  const bool known = place != check.file();  // a message that was not read from a text has no places
+  error.where = known ? place : check.file() + ": " + message.name() + ": " + error.where;
+  if (known) error.what = message.name() + ": " + error.what;
+  return error;
+}
+
+Result<solids::Solid> polish_of(const msg::SolidEffect& message, const FieldCheck& check,
+                                const solids::MeshReader& meshes) {
+  const Result<solids::Solid> solid = solids::parse_polish(message.polish(), kPolish, meshes);
+  if (!solid) return in_scene(solid.error(), message, check);
+  return solid;
+}
+
+Result<solids::Solid> polish_file_of(const msg::SolidEffect& message, const FieldCheck& check,
+                                     const std::filesystem::path& folder, const solids::MeshReader& meshes) {
+  const std::filesystem::path file = folder / message.polish_file();
+  Result<solids::Solid> solid = solids::read_polish(file, meshes);
+  if (solid || solid.error().where != file.string()) return solid;
+  Error unread = solid.error();
+  unread.fix += "; " + check.places().where(check.file(), "polish_file", message.polish_file(), 0) + " names it";
+  return unread;
+}
+
+Result<solids::Solid> tree_of(const msg::SolidEffect& message, const FieldCheck& check,
                               const std::filesystem::path& folder) {
   const solids::MeshReader meshes = mesh_reader(folder);
+  const std::string layer = check.file() + ": " + message.name();
+  const auto where = [&](std::string_view number, double value) {
+    return check.places().where(check.file(), number, value);
+  };
   switch (message.tree_case()) {
     case msg::SolidEffect::kPolish:
-      return solids::parse_polish(message.polish(), layer + ": polish", meshes);
+      return polish_of(message, check, meshes);
     case msg::SolidEffect::kPolishFile:
-      return solids::read_polish(folder / message.polish_file(), meshes);
+      return polish_file_of(message, check, folder, meshes);
     case msg::SolidEffect::kSolid:
-      return solid_of(message.solid(), layer + ": solid", meshes);
+      return solid_of(message.solid(), layer + ": solid", meshes, where);
     case msg::SolidEffect::TREE_NOT_SET:
       break;
   }
@@ -84,7 +130,7 @@ effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, co
   const effects::Echo echo = read_echo(check, message.echo());
   if (message.name().empty()) check.complain("a solid without a name", "name the layer, as in name: \"ribs\"");
   if (check.error()) return effects::Solid(settings);
-  Result<solids::Solid> solid = tree_of(message, check.file() + ": " + message.name(), folder);
+  Result<solids::Solid> solid = tree_of(message, check, folder);
   if (solid && message.has_haptic_from_solid()) solid = placed(message.haptic_from_solid(), std::move(solid).value());
   const auto tree =
       solid ? solids::build_tree(*solid) : Result<std::shared_ptr<const solids::SolidTree>>(solid.error());

@@ -21,7 +21,8 @@ std::size_t word_named(std::string_view text_name) {
 /// Walks the tree. Field names are the words' names, so one walk reads all kinds.
 class TreeReader {
  public:
-  TreeReader(const std::string& where, const solids::MeshReader& meshes) : where_(where), meshes_(meshes) {}
+  TreeReader(const std::string& where, const solids::MeshReader& meshes, const WhereNumber& where_number)
+      : where_(where), meshes_(meshes), where_number_(where_number) {}
 
   Result<void> read(const msg::Solid& message, const std::string& path, int level) {
     const FieldDescriptor* kind =
@@ -52,8 +53,12 @@ class TreeReader {
       if (!body.GetReflection()->HasField(body, field)) return error(path, name + " is missing", "give " + name);
       node.numbers[i] = body.GetReflection()->GetDouble(body, field);
     }
-    if (const auto complaint = solids::complaint_about(node)) return error(path, complaint->what, complaint->fix);
-    return {};
+    const auto complaint = solids::complaint_about(node);
+    if (!complaint) return {};
+    Error about = error(path, complaint->what, complaint->fix);
+    if (where_number_)
+      about.where = where_number_(node.kind().numbers[complaint->number].name, node.numbers[complaint->number]);
+    return about;
   }
 
   Result<void> read_mesh(const Message& body, Node& node, const std::string& path) {
@@ -92,6 +97,7 @@ class TreeReader {
 
   const std::string& where_;
   const solids::MeshReader& meshes_;
+  const WhereNumber& where_number_;
   Solid solid_;
 };
 
@@ -121,8 +127,9 @@ std::size_t write(const Solid& solid, std::size_t at, msg::Solid& message) {
 
 }  // namespace
 
-Result<Solid> solid_of(const msg::Solid& message, const std::string& where, const solids::MeshReader& meshes) {
-  TreeReader reader(where, meshes);
+Result<Solid> solid_of(const msg::Solid& message, const std::string& where, const solids::MeshReader& meshes,
+                       const WhereNumber& where_number) {
+  TreeReader reader(where, meshes, where_number);
   if (const Result<void> done = reader.read(message, "", 0); !done) return done.error();
   return std::move(reader.solid());
 }

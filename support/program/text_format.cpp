@@ -8,6 +8,8 @@
 #include <optional>
 #include <sstream>
 
+#include "support/program/text/quoted_text.h"
+
 namespace telepalp::program {
 namespace {
 
@@ -27,10 +29,20 @@ class FirstError : public google::protobuf::io::ErrorCollector {
   [[nodiscard]] Error error(const std::string& name) const {
     return {.what = message_.empty() ? "not a text-format file" : message_,
             .where = name + ":" + std::to_string(line_) + ":" + std::to_string(column_),
-            .fix = "correct that line; names carry their unit, as in radius_m"};
+            .fix = fix()};
   }
 
  private:
+  /// The parser reads 0,5 as a number and a new field that begins with 5.
+  [[nodiscard]] std::string fix() const {
+    constexpr std::string_view kFoundNumber = "Expected identifier, got: ";
+    if (message_.starts_with(kFoundNumber) && message_.find_first_of("0123456789") == kFoundNumber.size())
+      return "write a decimal point, as in 0.5, not a comma";
+    if (message_.starts_with("Interpreting non ascii") || message_.starts_with("Invalid control"))
+      return "save the file as plain text in UTF-8";
+    return "correct that line; names carry their unit, as in radius_m";
+  }
+
   int line_ = 1;
   int column_ = 1;
   std::string message_;
@@ -53,13 +65,27 @@ std::optional<double> number_of(const Message& message, const FieldDescriptor& f
   }
 }
 
-void collect(const Message& message, ParseInfoTree& tree, std::vector<NumberPlaces::Place>& places) {
+std::string place_text(const std::string& file, int line, int column) {
+  return file + ":" + std::to_string(line) + ":" + std::to_string(column);
+}
+
+struct Places {
+  std::vector<NumberPlaces::Place> numbers;
+  std::vector<NumberPlaces::Text> texts;
+};
+
+void collect(const Message& message, ParseInfoTree& tree, const std::string& source, Places& places) {
   std::vector<const FieldDescriptor*> fields;
   message.GetReflection()->ListFields(message, &fields);
   for (const FieldDescriptor* field : fields) {
     if (const std::optional<double> number = number_of(message, *field)) {
       const auto at = tree.GetLocation(field, -1);
-      places.push_back({field->name(), *number, at.line + 1, at.column + 1});
+      places.numbers.push_back({field->name(), *number, at.line + 1, at.column + 1});
+    }
+    if (field->cpp_type() == FieldDescriptor::CPPTYPE_STRING && !field->is_repeated()) {
+      const auto at = tree.GetLocation(field, -1);
+      places.texts.push_back(
+          {field->name(), message.GetReflection()->GetString(message, field), byte_of(source, at.line, at.column)});
     }
     if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) continue;
     const int count = field->is_repeated() ? message.GetReflection()->FieldSize(message, field) : 1;
@@ -67,7 +93,7 @@ void collect(const Message& message, ParseInfoTree& tree, std::vector<NumberPlac
       const Message& nested = field->is_repeated() ? message.GetReflection()->GetRepeatedMessage(message, field, index)
                                                    : message.GetReflection()->GetMessage(message, field);
       ParseInfoTree* below = tree.GetTreeForNested(field, field->is_repeated() ? index : -1);
-      if (below != nullptr) collect(nested, *below, places);
+      if (below != nullptr) collect(nested, *below, source, places);
     }
   }
 }
@@ -78,7 +104,17 @@ std::string NumberPlaces::where(const std::string& file, std::string_view field,
   const std::string_view last = field.substr(field.rfind('.') + 1);
   for (const Place& place : places_)
     if (place.field == last && (place.value == value || (std::isnan(place.value) && std::isnan(value))))
-      return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+      return place_text(file, place.line, place.column);
+  return file;
+}
+
+std::string NumberPlaces::where(const std::string& file, std::string_view field, std::string_view value,
+                                std::size_t offset) const {
+  for (const Text& text : texts_) {
+    if (text.field != field || text.value != value) continue;
+    const TextPlace at = place_in_quoted(source_, text.byte, offset);
+    return place_text(file, at.line, at.column);
+  }
   return file;
 }
 
@@ -91,9 +127,9 @@ Result<NumberPlaces> parse_text_format(const std::string& text, const std::strin
   parser.WriteLocationsTo(&tree);
   parser.SetRecursionLimit(kMostNesting);
   if (!parser.ParseFromString(text, &message)) return first_error.error(name);
-  std::vector<NumberPlaces::Place> places;
-  collect(message, tree, places);
-  return NumberPlaces(std::move(places));
+  Places places;
+  collect(message, tree, text, places);
+  return NumberPlaces(std::move(places.numbers), std::move(places.texts), text);
 }
 
 Result<NumberPlaces> read_text_format(const std::filesystem::path& file, google::protobuf::Message& message) {

@@ -11,7 +11,7 @@
 
 namespace telepalp::program {
 
-/// Line and column of each number in a text-format file, so that an error about a value out of range can state its
+/// Line and column of each number and text in a text-format file, so that an error about a value can state its
 /// position.
 class NumberPlaces {
  public:
@@ -21,14 +21,27 @@ class NumberPlaces {
     int line;    ///< from 1
     int column;  ///< from 1
   };
-  explicit NumberPlaces(std::vector<Place> places = {}) : places_(std::move(places)) {}
+  struct Text {
+    std::string field;
+    std::string value;
+    std::size_t byte;  ///< of the field's name in the file
+  };
+  explicit NumberPlaces(std::vector<Place> places = {}, std::vector<Text> texts = {}, std::string source = {})
+      : places_(std::move(places)), texts_(std::move(texts)), source_(std::move(source)) {}
 
   /// `file:line:column` of the first field of that name with that value; `file` alone when there is no such field. Of a
   /// path such as `cylinder.radius_m` only the last name is compared.
   [[nodiscard]] std::string where(const std::string& file, std::string_view field, double value) const;
 
+  /// `file:line:column` of the character `offset` of the first text of that field with that value; `file` alone when
+  /// there is no such field.
+  [[nodiscard]] std::string where(const std::string& file, std::string_view field, std::string_view value,
+                                  std::size_t offset) const;
+
  private:
   std::vector<Place> places_;
+  std::vector<Text> texts_;
+  std::string source_;  // of the file; at most 1 MiB
 };
 
 /// Reads a Protobuf text-format file (a scene, a camera) into `message`. Error: an unknown field, a wrong type or a

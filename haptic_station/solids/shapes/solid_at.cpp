@@ -31,6 +31,20 @@ struct Waiting {
 constexpr std::size_t kMostWaiting =
     64;  // at most 16 levels of 4 children: each leaves 3 boxes waiting, the last one 4
 
+/// Begins to load the two cache lines that a visit of the child reads, while the other children are tested: among
+/// 10 000 solids, most of the time is spent on waiting for them.
+void prefetch(const SolidTree& tree, std::uint32_t child) noexcept {
+  if ((child & BoxNode::kMember) != 0) {
+    const TreeNode& member = tree.nodes[child & ~BoxNode::kMember];
+    __builtin_prefetch(&member);
+    __builtin_prefetch(&member.numbers.back());
+  } else {
+    const BoxNode& box = tree.boxes[child];
+    __builtin_prefetch(&box);
+    __builtin_prefetch(&box.child);
+  }
+}
+
 /// Visits the nearest box first, so that its value rules out boxes that are farther away.
 void evaluate_bounded(const SolidTree& tree, std::uint32_t hierarchy, const Vector3d& p, Least& least) noexcept {
   std::array<Waiting, kMostWaiting> waiting;
@@ -48,6 +62,7 @@ void evaluate_bounded(const SolidTree& tree, std::uint32_t hierarchy, const Vect
     const std::size_t first = count;
     for (std::size_t i = 0; i < BoxNode::kWidth; ++i) {
       if (node.child[i] == kNothing || least.beats(squared_m2[i])) continue;
+      prefetch(tree, node.child[i]);
       std::size_t place = count++;
       for (; place > first && waiting[place - 1].squared_m2 < squared_m2[i]; --place)
         waiting[place] = waiting[place - 1];

@@ -1,7 +1,5 @@
 #include "tests/bench/effects/effects_bench.h"
 
-#include <ctime>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,12 +7,13 @@
 #include <set>
 
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/solids/polish.h"
 #include "haptic_station/solids/solid_mesh.h"
 #include "haptic_station/solids/solid_proxy.h"
 #include "haptic_station/ultrasound/b_mode.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/finger_study.h"
+#include "tests/bench/effects/growth_study.h"
+#include "tests/bench/effects/thread_time.h"
 #include "where.h"
 
 namespace telepalp::bench {
@@ -24,16 +23,6 @@ using Eigen::Vector3d;
 using solids::SolidTree;
 
 constexpr const char* kScenes = TELEPALP_SOURCE_DIR "/haptic_station/scenes/";
-
-double thread_us() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
-}
-
-std::shared_ptr<const SolidTree> tree_of(const std::string& text) {
-  return *solids::build_tree(*solids::parse_polish(text, "bench"));
-}
 
 /// A finger that slides over the ribs of the shipped scene, 0.1 m/s, 5 mm deep in them. Times are of the wall clock:
 /// another program on the core shows in p99.9. `tip_m`: radius of the fingertip, whose centre is `high_m` higher.
@@ -64,64 +53,6 @@ void measure_proxy(const SolidTree& ribs, Report& report) {
   report.rows.push_back(at_most("the same with a fingertip of 6 mm, p50", tip.p50(), "us", 2.0));
   report.rows.push_back(at_most("the same with a fingertip of 6 mm, p99.9", tip.p999(), "us", 20.0));
   report.rows.push_back(measured("share of ticks in contact with a fingertip", contact, ""));
-}
-
-/// `count` balls of 0.2 m radius, 1 m apart, in a cube.
-std::shared_ptr<const SolidTree> balls(int count, int side) {
-  std::string text;
-  for (int i = 0; i < count; ++i)
-    text += std::string(i + 1 < count ? "+ " : "") + "tr " + std::to_string(i % side) + " " +
-            std::to_string(i / side % side) + " " + std::to_string(i / side / side) + " sphere 0.2 ";
-  return tree_of(text);
-}
-
-/// Mean processor time of an evaluation at these places [us], the median over rounds.
-double evaluation_us(const SolidTree& tree, const std::vector<Vector3d>& places) {
-  Distribution us;
-  double sum = 0.0;
-  for (int round = 0; round < 15; ++round) {
-    const double before = thread_us();
-    for (const Vector3d& place : places) sum += solids::solid_at(tree, place).m;
-    us.add((thread_us() - before) / static_cast<double>(places.size()));
-  }
-  return std::isfinite(sum) ? us.p50() : HUGE_VAL;
-}
-
-/// A finger that moves 0.1 mm from one evaluation to the next, past two balls.
-std::vector<Vector3d> finger_path(int side) {
-  std::vector<Vector3d> places;
-  for (int i = 0; i < 20'000; ++i) places.emplace_back(1e-4 * i, side / 2 + 0.1, side / 2 + 0.05);
-  return places;
-}
-
-/// Places near the surfaces of balls that are chosen at random.
-std::vector<Vector3d> scattered(int count, int side) {
-  std::mt19937_64 random(7);
-  std::vector<Vector3d> places;
-  for (int i = 0; i < 1000; ++i) {
-    const int k = std::uniform_int_distribution(0, count - 1)(random);
-    std::uniform_real_distribution off(-0.25, 0.25);
-    places.emplace_back(k % side + off(random), k / side % side + off(random), k / side / side + off(random));
-  }
-  return places;
-}
-
-/// A cost that grows with the logarithm has a constant difference per factor of ten.
-void measure_growth(Report& report) {
-  double least = HUGE_VAL;
-  double most = 0.0;
-  for (const int count : {10, 100, 1000, 10'000}) {
-    const int side = static_cast<int>(std::lround(std::cbrt(count)));
-    const auto tree = balls(count, side);
-    const double finger_us = evaluation_us(*tree, finger_path(side));
-    least = std::min(least, finger_us);
-    most = std::max(most, finger_us);
-    const std::string solids = std::to_string(count) + " solids";
-    report.rows.push_back(measured("evaluation by a finger, " + solids, 1e3 * finger_us, "ns"));
-    report.rows.push_back(measured("evaluation at scattered places, " + solids,
-                                   1e3 * evaluation_us(*tree, scattered(count, side)), "ns"));
-  }
-  report.rows.push_back(at_most("finger, dearest against cheapest, log grows by 4", most / least, "", 4.0));
 }
 
 /// Difference between the gradient and central differences, the smallest over four step sizes. A wrong gradient is

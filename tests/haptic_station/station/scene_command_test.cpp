@@ -131,7 +131,7 @@ TEST_F(SceneCommand, SaysWhatIsWrongAndWritesNothing) {
   const Wrong kWrongs[] = {
       {{"check", file("none.textproto")}, 1, "none.textproto"},
       {{"check", torn}, 1, "torn.textproto"},
-      {{"show", unknown, "--out", out}, 1, "1:1: expected a solid, found 'orb'"},
+      {{"show", unknown, "--out", out}, 1, "a: expected a solid, found 'orb'"},
       {{"show", itself, "--out", out}, 1, "found 'haptic_from_camera'"},
       {{"show", kMass}, 1, "--out"},
       {{"show", kMass, "--from", "below", "--out", out}, 1, "'below' is not one of above, feet and side"},

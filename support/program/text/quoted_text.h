@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace telepalp::program {
+
+/// Line and column in a text, both from 1. Columns count bytes.
+struct TextPlace {
+  int line;
+  int column;
+};
+
+/// The byte of a text-format file at a line and column as its parser counts them: both from 0, a tab ends at the next
+/// multiple of eight columns.
+[[nodiscard]] std::size_t byte_of(std::string_view source, int line, int column) noexcept;
+
+/// The place of the character `offset` of the quoted text that begins after byte `from` of `source`. The text may
+/// consist of several quoted parts with spaces, lines and comments between them. An offset beyond the text gives its
+/// end.
+[[nodiscard]] TextPlace place_in_quoted(std::string_view source, std::size_t from, std::size_t offset) noexcept;
+
+}  // namespace telepalp::program
