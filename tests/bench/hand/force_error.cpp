@@ -173,8 +173,8 @@ std::vector<Row> measure(const std::string& name, capture::Motion motion, const 
   }
   rows.push_back(
       at_most(name + ": to the better of hold-last and velocity-only, worst delay and spot", worst_ratio, "", 1.05));
-  rows.push_back(measured(name + ": an oracle that picks the better of the two at each instant, to the better",
-                          oracle_ratio, ""));
+  rows.push_back(
+      measured(name + ": an oracle that picks the better of the two at each instant, to the better", oracle_ratio, ""));
   const bool breathes_only =
       motion != capture::Motion::Shift && motion != capture::Motion::SitUp && motion != capture::Motion::Cough;
   rows.push_back(at_most(name + ": force step a tick, worst", step_N, "N", breathes_only ? 0.05 : 0.1));
