@@ -8,6 +8,7 @@
 #include "haptic_station/scenes/field_check.h"
 #include "haptic_station/scenes/layer.h"
 #include "proto/words/rotation_vector.h"
+#include "support/program/files/shipped.h"
 #include "support/program/text_format.h"
 
 namespace telepalp::scenes {
@@ -308,6 +309,17 @@ std::vector<std::shared_ptr<const effects::SolidLayer>> Scene::solids() const {
   std::vector<std::shared_ptr<const effects::SolidLayer>> solids;
   for (const SceneLayer& layer : layers) solids.push_back(layer.solid);
   return solids;
+}
+
+Result<std::filesystem::path> find_scene(const std::string& scene) {
+  std::error_code failed;
+  if (std::filesystem::exists(scene, failed)) return std::filesystem::path(scene);
+  if (scene.find('/') == std::string::npos)
+    if (const auto shipped = program::shipped_file("haptic_station/scenes/" + scene + ".scene.textproto"))
+      return *shipped;
+  return Error{.what = "is neither a file nor a scene that ships",
+               .where = scene,
+               .fix = "give a *.scene.textproto, or a name such as skin or palpation"};
 }
 
 Result<Scene> read_scene(const std::filesystem::path& file) {

@@ -50,6 +50,10 @@ struct Scene {
   [[nodiscard]] std::vector<std::shared_ptr<const effects::SolidLayer>> solids() const;
 };
 
+/// The file of a scene: `scene` itself if it is a file, else the scene of this name that ships, such as "skin". Error:
+/// neither.
+[[nodiscard]] Result<std::filesystem::path> find_scene(const std::string& scene);
+
 /// Reads and checks a *.scene.textproto. Error: an unknown field, reported with line and column, or a value out of its
 /// range, reported with field, unit and range.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);

@@ -16,7 +16,6 @@
 #include "haptic_station/trials/trials_command.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"
-#include "support/program/files/shipped.h"
 #include "support/program/options.h"
 #include "support/program/patience.h"
 
@@ -31,7 +30,7 @@ program::Usage usage() {
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
                       {"accept-touch", "", "take the touch when its holder offers it to you"},
-                      {"scene", "FILE", "a *.scene.textproto, or the name of one that ships; default: palpation"},
+                      {"scene", "FILE|NAME", "a *.scene.textproto, or one that ships", "palpation"},
                       {"surface", "NAME|model:FILE", "surface setting, or a model; default: the scene's"},
                       {"anyway", "", "touch a model that is otherwise refused"},
                       {"calibration", "FILE", "calibration file (telepalp-station calibrate)"},
@@ -104,21 +103,6 @@ Result<std::optional<tracking::HandTrace>> trace_of(const scenes::Scene& scene) 
   Result<tracking::HandTrace> trace = tracking::read_hand_trace(*scene.hand_trace);
   if (!trace) return trace.error();
   return std::optional{std::move(trace).value()};
-}
-
-/// The file of a scene: `asked` itself, or the scene of this name that ships.
-std::filesystem::path named_scene(const std::filesystem::path& asked) {
-  std::error_code problem;
-  if (asked.has_parent_path() || std::filesystem::exists(asked, problem)) return asked;
-  return program::shipped_file("haptic_station/scenes/" + asked.string() + ".scene.textproto").value_or(asked);
-}
-
-Result<std::filesystem::path> scene_of(const program::Arguments& arguments) {
-  if (arguments.has("scene")) return named_scene(arguments.text("scene"));
-  if (const auto file = program::shipped_file("haptic_station/scenes/palpation.scene.textproto")) return *file;
-  return Error{.what = "the installed scene palpation.scene.textproto is not found",
-               .where = "telepalp-station",
-               .fix = "give --scene FILE, or set TELEPALP_HOME to the folder of the installation"};
 }
 
 /// The scene with the transforms of this site's calibration.
@@ -195,7 +179,7 @@ int main(int argc, char** argv) {
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
   const Result<station::RigChoice> rig = station::read_rig_choice((*read)->text("device"), (*read)->text("tracker"));
   if (!rig) return program::fail(rig.error(), program::kAskedWrongly);
-  const Result<std::filesystem::path> scene = scene_of(**read);
+  const Result<std::filesystem::path> scene = scenes::find_scene((*read)->text("scene"));
   if (!scene) return program::fail(scene.error());
   const Result<scenes::Scene> calibrated = read_calibrated(*scene, **read);
   const bool anyway = (*read)->has("anyway");

@@ -15,7 +15,8 @@ program::Usage usage() {
           .purpose = "runs the four trials of the palpation study with a simulated hand, in virtual time",
           .positional = "",
           .options = {{"out", "DIR", "folder for report.html and report.json", "trials"},
-                      {"scene", "FILE", "a *.scene.textproto; default: the study's skin and cylinder"},
+                      {"scene", "FILE|NAME",
+                       "a *.scene.textproto, or one that ships; default: the study's skin and cylinder"},
                       {"surface", "KIND", "plane: level and exact; camera: a belly under a Kinect-like camera; both",
                        "both"},
                       {"breathing-mm", "MM", "how far the patient's skin rises and falls", "0"}},
@@ -24,7 +25,9 @@ program::Usage usage() {
 
 Result<VirtualStationSettings> settings_of(const program::Arguments& arguments) {
   if (!arguments.has("scene")) return paper_settings();
-  const Result<scenes::Scene> scene = scenes::read_scene(arguments.text("scene"));
+  const Result<std::filesystem::path> file = scenes::find_scene(arguments.text("scene"));
+  if (!file) return file.error();
+  const Result<scenes::Scene> scene = scenes::read_scene(*file);
   if (!scene) return scene.error();
   VirtualStationSettings settings;
   settings.control = scene->control;

@@ -30,12 +30,12 @@ program::Usage usage() {
                       {"turn-deg", "DEG", "image: turn of the probe about the vertical", "0"},
                       {"layer", "NAME", "mesh: one layer; default: the first"},
                       {"cell-mm", "MM", "mesh: size of a cell", "2"}},
-          .example = "telepalp-station scene show haptic_station/scenes/ribs-ultrasound.scene.textproto --out ribs.png",
-          .commands = {{"check", "FILE", "read the scene and name its effects"},
-                       {"bill", "FILE", "computing time and memory of each effect"},
-                       {"show", "FILE", "a picture of the solids under the skin"},
-                       {"image", "FILE", "the ultrasound image under a probe"},
-                       {"mesh", "FILE", "a layer's surface, watertight"}},
+          .example = "telepalp-station scene show ribs-ultrasound --out ribs.png",
+          .commands = {{"check", "SCENE", "read the scene and name its effects"},
+                       {"bill", "SCENE", "computing time and memory of each effect"},
+                       {"show", "SCENE", "a picture of the solids under the skin"},
+                       {"image", "SCENE", "the ultrasound image under a probe"},
+                       {"mesh", "SCENE", "a layer's surface, watertight"}},
           .needs_command = true};
 }
 
@@ -57,6 +57,12 @@ Result<std::string> out_of(const program::Arguments& arguments, const char* endi
                .fix = std::string("give one, as in --out x") + ending};
 }
 
+Result<scenes::Scene> read_scene_named(const std::string& name) {
+  const Result<std::filesystem::path> file = scenes::find_scene(name);
+  if (!file) return file.error();
+  return scenes::read_scene(*file);
+}
+
 Result<void> check(const scenes::Scene& scene, const program::Arguments&) {
   std::printf("%s: %s; effects:", scene.name.c_str(), scene.message.purpose().c_str());
   for (const effects::EffectBill& line : scene.effects.bill()) std::printf(" %s", line.name);
@@ -66,7 +72,7 @@ Result<void> check(const scenes::Scene& scene, const program::Arguments&) {
 
 Result<void> bill(const scenes::Scene& scene, const program::Arguments& arguments) {
   const auto before = std::chrono::steady_clock::now();
-  const Result<scenes::Scene> again = scenes::read_scene(arguments.positional().back());
+  const Result<scenes::Scene> again = read_scene_named(arguments.positional().back());
   const double start_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
   if (!again) return again.error();
   std::printf("%-12s %10s %10s %8s %10s  %s\n", "effect", "mean, us", "most, us", "shapes", "memory, B",
@@ -178,11 +184,12 @@ int scene_command(int argc, const char* const* argv) {
   const std::vector<std::string>& words = arguments.positional();
   const auto task = std::ranges::find(kTasks, words.empty() ? "" : words.front(), &Task::name);
   if (task == kTasks.end() || words.size() != 2)
-    return program::fail({.what = "give one of check, bill, show, image and mesh, and one scene file",
-                          .where = "telepalp-station scene",
-                          .fix = "telepalp-station scene --help"},
-                         program::kAskedWrongly);
-  const Result<scenes::Scene> scene = scenes::read_scene(words.back());
+    return program::fail(
+        {.what = "give one of check, bill, show, image and mesh, and one scene: a file, or the name of one that ships",
+         .where = "telepalp-station scene",
+         .fix = "telepalp-station scene --help"},
+        program::kAskedWrongly);
+  const Result<scenes::Scene> scene = read_scene_named(words.back());
   if (!scene) return program::fail(scene.error());
   const Result<void> done = task->run(*scene, arguments);
   return done ? program::kDone : program::fail(done.error());

@@ -24,6 +24,21 @@ TEST(Scene, EveryShippedSceneLoads) {
   EXPECT_GE(count, 2);
 }
 
+TEST(Scene, IsFoundByItsPathOrByTheNameOfOneThatShips) {
+  const std::string folder = TELEPALP_SOURCE_DIR "/haptic_station/scenes/";
+  const Result<std::filesystem::path> shipped = find_scene("skin");
+  ASSERT_TRUE(shipped.ok());
+  EXPECT_EQ(shipped->filename(), "skin.scene.textproto");
+  const Result<std::filesystem::path> given = find_scene(folder + "skin.scene.textproto");
+  ASSERT_TRUE(given.ok());
+  EXPECT_EQ(given->string(), folder + "skin.scene.textproto");
+  for (const char* none : {"no_such_scene", "../scenes/skin", ""}) {
+    const Result<std::filesystem::path> found = find_scene(none);
+    ASSERT_FALSE(found.ok()) << none;
+    EXPECT_EQ(found.error().where, none);
+  }
+}
+
 TEST(Scene, ThePalpationSceneIsThePapers) {
   const Result<Scene> scene = read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/palpation.scene.textproto");
   ASSERT_TRUE(scene.ok());

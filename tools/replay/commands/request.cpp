@@ -5,7 +5,6 @@
 #include "tools/replay/commands/diff_command.h"
 #include "tools/replay/source/session_hand.h"
 #include "tools/replay/words/network_options.h"
-#include "tools/replay/words/shipped_scene.h"
 #include "tools/replay/words/words.h"
 
 namespace telepalp::replay {
@@ -17,7 +16,7 @@ constexpr std::int64_t kMostThreads = 256;
 constexpr std::int64_t kMostSeeds = 1'000'000;
 
 Result<void> read_scene(const program::Arguments& arguments, Request& request) {
-  const Result<std::filesystem::path> file = scene_file(arguments.text("scene"));
+  const Result<std::filesystem::path> file = scenes::find_scene(arguments.text("scene"));
   if (!file) return file.error();
   request.scene_file = *file;
   Result<scenes::Scene> scene = scenes::read_scene(*file);

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "tools/replay/run/session_run.h"
-#include "tools/replay/words/shipped_scene.h"
 
 namespace telepalp::replay {
 
 Result<StormOutcome> run_case(const StormCase& storm, const Spoil& spoil) {
-  const Result<std::filesystem::path> file = scene_file(storm.scene);
+  const Result<std::filesystem::path> file = scenes::find_scene(storm.scene);
   if (!file) return file.error();
   const Result<scenes::Scene> scene = scenes::read_scene(*file);
   if (!scene) return scene.error();
