@@ -30,7 +30,7 @@ constexpr const char* kProgram = "telepalp-server";
 
 program::Usage usage() {
   return {.program = kProgram,
-          .purpose = "captures a patient, compresses, and serves stations, recorders and browsers",
+          .purpose = "captures a patient and sends the images to stations, recorders and browsers",
           .positional = {},
           .options = {{"source", "SOURCE",
                        "openni2[:URI] | oni:FILE | images:DIR | pcd:FILE | synthetic[:MODEL] | session:FILE.mcap",
@@ -55,8 +55,8 @@ program::Usage usage() {
                       {"depth-mode", "MODE",
                        "fast, intra, temporal (lossless) or bounded (near-lossless, for display only)", "fast"},
                       {"depth-bound", "LEAST,PER_M2",
-                       "bounded: a depth of z m moves by max(LEAST, PER_M2 z²) mm at most [1,2.85]"},
-                      {"key-every", "N", "temporal, bounded: each Nth frame is a key frame", "12"},
+                       "bounded: largest error of a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
+                      {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},
                       {"name", "NAME", "name shown to peers", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};
@@ -77,7 +77,7 @@ Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view opt
   const std::string text = arguments.text(option);
   if (text == "yes" || text == "no") return text == "yes";
   return Error{
-      .what = "'" + text + "' is neither yes nor no", .where = "--" + std::string(option), .fix = "say yes or no"};
+      .what = "'" + text + "' is neither yes nor no", .where = "--" + std::string(option), .fix = "give yes or no"};
 }
 
 Result<std::optional<gateway::GatewayOptions>> gateway_options(const program::Arguments& arguments) {
@@ -129,7 +129,7 @@ Result<std::optional<recording::SessionRecorder::Options>> recorder_options(cons
                  "add --record-dir DIR, or leave it out");
   }
   if (!arguments.has("http-port"))
-    return wrong("recordings in this folder are begun from the web page, which is not served", "--record-dir",
+    return wrong("this option is for recordings from the web page, and the web page is off", "--record-dir",
                  "add --http-port PORT, or run telepalp-record");
   if (arguments.has("key") && !arguments.has("record-key"))
     return wrong("this server requires keys, so the recorder needs one, too", "--record-dir",
@@ -321,7 +321,7 @@ int run(Asked asked) {
       if (!cancelled) stop("the time limit is over");
     });
   }
-  const auto on_end = [&] { stop("the source came to its end"); };
+  const auto on_end = [&] { stop("the source has ended"); };
   if (opened->player)
     server.play(std::move(opened->player), on_end);
   else

@@ -30,7 +30,7 @@ std::string_view word_for(msg::CaptureState state) noexcept {
     case msg::CAPTURE_STATE_WAITING:
       return "waiting for a frame";
     case msg::CAPTURE_STATE_LOST:
-      return "lost, trying again";
+      return "lost, connecting again";
     case msg::CAPTURE_STATE_ENDED:
       return "at its end";
     default:
@@ -150,8 +150,8 @@ void Server::choose_prediction() {
   const bool may = listener_->references_arrive();
   if (!capture_ || !in_groups || std::exchange(predicts_, may) == may) return;
   capture_->let_predict(may);
-  log(may ? "depth images are predicted from earlier ones again: each path repairs a loss before the deadline"
-          : "depth is sent as key frames only: a path cannot repair a loss before the deadline");
+  log(may ? "depth images are predicted from earlier images again: every path repairs a loss before the deadline"
+          : "all depth images are key frames: a path cannot repair a loss before the deadline");
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.

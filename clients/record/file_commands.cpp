@@ -33,7 +33,7 @@ program::Usage verify_usage() {
 
 program::Usage repair_usage() {
   return {.program = "telepalp-record repair",
-          .purpose = "finishes a recording that was cut off, or copies what can be read of a damaged file",
+          .purpose = "finishes a recording that was cut off, or copies the readable messages of a damaged file",
           .positional = "FILE",
           .options = {{"out", "FILE.mcap", "file for the copy; default: beside FILE"}},
           .example = "telepalp-record repair session.mcap"};
@@ -116,7 +116,8 @@ int show_edit(const Result<EditReport>& report, const std::string& out) {
   if (!report) return program::fail(report.error());
   for (const std::string& damage : report->damages) program::log(kProgram, "not copied: " + damage);
   std::string text = out + ": " + std::to_string(report->messages) + " messages";
-  if (report->left_out > 0) text += "; " + std::to_string(report->left_out) + " were in several files";
+  if (report->left_out > 0)
+    text += "; " + std::to_string(report->left_out) + " messages were in several files and are copied once";
   program::log(kProgram, text);
   return program::kDone;
 }

@@ -76,10 +76,12 @@ Result<RepairReport> finish(const fs::path& partial) {
   const fs::path name = finished_name(partial);
   std::error_code ignored;
   if (fs::exists(name, ignored))
-    return Error{.what = "cannot be finished: " + name.filename().string() + " exists already",
-                 .where = partial.string(),
-                 .fix = "move one of the two away, or copy what can be read elsewhere: telepalp-record repair " +
-                        partial.string() + " --out OTHER.mcap"};
+    return Error{
+        .what = "cannot be finished: " + name.filename().string() + " exists already",
+        .where = partial.string(),
+        .fix =
+            "move one of the two files away, or copy the readable messages to another file: telepalp-record repair " +
+            partial.string() + " --out OTHER.mcap"};
   const Result<Lock> lock = Lock::take(partial);
   if (!lock) return lock.error();
   if (!lock->is_of(partial)) return cannot_be_finished(partial, "its recorder has just finished it");

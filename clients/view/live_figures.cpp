@@ -41,15 +41,15 @@ std::vector<LiveFigures::Topic> LiveFigures::topics(
 }
 
 std::string in_table(const std::vector<LiveFigures::Topic>& topics, double clock_uncertainty_ms) {
-  std::string text = "topic                     per s      kB/s   age p50   age p99 ms   missed\n";
+  std::string text = "topic                     per s      kB/s  age p50 ms  age p99 ms   missed\n";
   char line[160];
   for (const LiveFigures::Topic& topic : topics) {
-    std::snprintf(line, sizeof line, "%-22s %8.1f %9.1f %9.2f %12.2f %8llu\n", topic.name.c_str(), topic.per_s,
+    std::snprintf(line, sizeof line, "%-22s %8.1f %9.1f %11.2f %11.2f %8llu\n", topic.name.c_str(), topic.per_s,
                   1e-3 * topic.bytes_per_s, topic.age_p50_ms, topic.age_p99_ms,
                   static_cast<unsigned long long>(topic.missed));
     text += line;
   }
-  std::snprintf(line, sizeof line, "ages are known within %.2f ms, the error bound of the session clock\n",
+  std::snprintf(line, sizeof line, "error of each age: at most %.2f ms, the error bound of the session clock\n",
                 clock_uncertainty_ms);
   return text + line;
 }

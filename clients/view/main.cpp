@@ -27,7 +27,7 @@ constexpr const char* kProgram = "telepalp-view";
 
 program::Usage usage() {
   return {.program = kProgram,
-          .purpose = "saves a picture of a running session, or prints what its server sends",
+          .purpose = "saves a picture of a running session, or prints rates, ages and losses by topic",
           .positional = {},
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key or token file, for a server on another machine"},
@@ -130,7 +130,7 @@ class View {
     stop(Error{.what = connected_ ? "the server answers, but no complete picture came" : "does not answer",
                .where = program::to_text(asked_.server),
                .fix = connected_
-                          ? "look at the server's source, or wait longer by --patience S"
+                          ? "check the camera or recording of the server (--source), or wait longer by --patience S"
                           : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
   }
   Result<void> save() const {

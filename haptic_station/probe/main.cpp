@@ -21,7 +21,7 @@ std::vector<program::Option> surface_options() {
           {"unit-m", "M", "metres for one unit of the cloud's coordinates", "1"},
           {"samples", "N", "points sampled on a mesh; default: as its shape needs"},
           {"spacing-mm", "MM", "instead of --samples: spacing of the points"},
-          {"anyway", "", "touch a model that is otherwise refused: coarse, noisy, or of unclear outside"},
+          {"anyway", "", "touch a model that is otherwise refused: coarse, noisy, or without a known outside"},
           {"flip-normals", "", "reverse all normals"}};
 }
 

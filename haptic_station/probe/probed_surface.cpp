@@ -162,7 +162,7 @@ Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit
   };
   PngReader reader(path);
   if (reader.file == nullptr || reader.info == nullptr) return fail("cannot be opened");
-  if (!read_header(reader)) return fail("is no 16-bit grey PNG");
+  if (!read_header(reader)) return fail("is not a 16-bit grey PNG");
   DepthImage image{.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
                    .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
                    .unit_m = unit_m,
@@ -196,7 +196,8 @@ Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudO
           positions(surface::poisson_disk_samples(model, options.samples > 0 ? options.samples : kPaperSamples, 1));
     auto paper = std::make_shared<surface::PaperSurface>(surface::IndexedPoints{model.points, model.width}, settings);
     paper->motion.ages = false;
-    return ProbedSurface{std::move(paper), "all normals are turned towards the origin, where paper S1 has its camera",
+    return ProbedSurface{std::move(paper),
+                         "all normals are turned towards the origin, where the setting paper assumes the camera",
                          some_of(model.points)};
   }
   surface::StaticModelSettings how{.samples = options.samples,

@@ -25,7 +25,7 @@ using namespace telepalp;
 
 program::Usage usage() {
   return {.program = "telepalp-station",
-          .purpose = "turns a served depth stream into a surface that can be touched, at 2 kHz",
+          .purpose = "turns depth images from the server into a surface that the haptic device displays, at 2 kHz",
           .positional = "",
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
@@ -42,12 +42,12 @@ program::Usage usage() {
                       {"control", "PATH", "socket for commands, or none; default: runtime folder"},
                       {"state-dir", "DIR", "folder for the last 10 s before a fault; default: the user's state folder"},
                       {"seconds", "S", "run time; 0: until Ctrl-C", "0"},
-                      {"realtime", "require|prefer", "need real-time priority, or only prefer it", "prefer"}},
+                      {"realtime", "require|prefer", "without real-time priority: fail, or run", "prefer"}},
           .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10",
           .commands = {
               {"trials", "", "run the palpation study's trials in virtual time", trials::trials_command},
               {"calibrate", "", "measure the transforms of camera, tracker and device", station::calibrate_command},
-              {"scene", "", "check, price and draw a scene file", station::scene_command},
+              {"scene", "", "check a scene file, measure its computing time, draw it", station::scene_command},
               {"rearm", "", "end a station's fault, so that it gives force again", station::rearm_command},
               {"hand-over", "", "hand the touch over to another doctor, or accept it", station::hand_over_command},
               {"tissue", "", "fit the skin to a compression test", station::tissue_command}}};
@@ -145,8 +145,10 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
                   tissue->name.data(), tissue->material.data(), 100.0 * tissue->rms_error_share);
   const double effects_N_per_m = scene->effects.stiffest_N_per_m(scene->control.limits.peak_N);
   if (const control::VirtualCoupling coupling(scene->control.coupling, effects_N_per_m); coupling.engaged())
-    std::printf("the effects add up to %.0f N/m; the hand feels at most %.0f N/m, the most that the device can show\n",
-                effects_N_per_m, coupling.stiffness_N_per_m());
+    std::printf(
+        "the stiffness of all effects together is %.0f N/m; the hand feels at most %.0f N/m, the largest stiffness "
+        "that the device displays stably\n",
+        effects_N_per_m, coupling.stiffness_N_per_m());
   return program::kDone;
 }
 

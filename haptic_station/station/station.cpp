@@ -129,7 +129,7 @@ Result<void> Station::run() {
   signals_.async_wait([this](const boost::system::error_code& error, int) {
     if (error) return;
     program::end_within(program::kTimeToEnd, "telepalp-station: did not end in time");
-    stop("asked to end");
+    stop("the operator stopped the station");
   });
   if (const Result<void> listening = faults_.listen(); !listening) {
     if (options_.control_is_asked_for) return listening.error();
@@ -180,7 +180,7 @@ void Station::lose_patience() {
   const std::string silent = not_connected_because_.empty() ? "does not answer" : not_connected_because_;
   give_up({.what = answered ? "the server answers but sends no usable depth image" : silent,
            .where = program::to_text({options_.host, options_.port}),
-           .fix = answered ? "look at the server's source, or wait longer by --patience S"
+           .fix = answered ? "check the camera or recording of the server (--source), or wait longer by --patience S"
                            : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
 }
 
@@ -267,10 +267,9 @@ void Station::say_depth(const msg::SurfaceReport& report) {
   if (std::exchange(depth_, words) == words) return;
   if (!fidelity.moved) return say("depth is lossless (" + fidelity.mode + ")");
   const std::string warning =
-      "the touched depth is not as the camera measured it: " + words +
-      "; such depth is for display, not for touch. fix: " +
+      "the touched depth is near-lossless: " + words + "; such depth is for display, not for touch. fix: " +
       (fidelity.mode == codec::name(codec::DepthMode::Bounded) ? "telepalp-server --depth-mode fast, intra or temporal"
-                                                               : "give the server a source whose depth is as measured");
+                                                               : "give the server a source with lossless depth");
   say(warning);
   telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, warning);
 }
@@ -295,7 +294,7 @@ void Station::start_haptic_thread() {
   realtime_granted_ = *granted;
   ticking_since_ = std::chrono::steady_clock::now();
   const std::string realtime = realtime_granted_ ? "with real-time priority" : "without real-time priority";
-  say("the surface is touchable; ticking at 2 kHz " + realtime);
+  say("the surface is touchable; the control loop runs at 2 kHz " + realtime);
   telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, "scene " + scene_.name + ", " + realtime);
   start_inside_thread();
 }

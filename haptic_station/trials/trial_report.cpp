@@ -110,7 +110,7 @@ std::vector<plot::Chart> charts_of(const TrialResult& result) {
       result, "height", "y [mm]",
       {over_time(result, "hand", plot::kGrey, [](const TrialSample& s) { return s.hand.m.y() * 1e3; }),
        over_time(result, "end-effector", plot::kBlue, [](const TrialSample& s) { return s.device.m.y() * 1e3; }),
-       over_time(result, "shown hand", plot::kGreen, [](const TrialSample& s) { return s.shown.m.y() * 1e3; })}));
+       over_time(result, "displayed hand", plot::kGreen, [](const TrialSample& s) { return s.shown.m.y() * 1e3; })}));
   charts.push_back(chart_over_time(
       result, "along x", "x [mm]",
       {over_time(result, "hand", plot::kGrey, [](const TrialSample& s) { return s.hand.m.x() * 1e3; }),
@@ -160,8 +160,8 @@ std::string to_html(std::span<const TrialResult> results) {
       "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>Run in virtual time by a "
       "simulated hand on a simulated device, through the live haptic loop. Plane: a level skin that is known exactly, "
       "so that the controller alone is seen. Camera: a belly under a Kinect-like camera, with noise and disparity "
-      "steps, through the surface builder. There is no network. The numbers in the charts are S1's "
-      "s<sub>f</sub>.</p>\n";
+      "steps, through the surface builder. There is no network. The numbers in the charts name the controller's "
+      "phase: 0 in body, 1 body to plane, 2 out body, 3 plane to body, -1 to -3 the phases of the cylinder.</p>\n";
   for (const TrialResult& result : results) {
     const TrialFigures& f = result.figures;
     out += "<h2>" + std::string(title(result.trial)) + ", on the " + result.surface + "</h2>\n<p>largest force " +

@@ -19,7 +19,7 @@ program::Usage usage() {
                        "a *.scene.textproto, or one that ships; default: the study's skin and cylinder"},
                       {"surface", "KIND", "plane: level and exact; camera: a belly under a Kinect-like camera; both",
                        "both"},
-                      {"breathing-mm", "MM", "how far the patient's skin rises and falls", "0"}},
+                      {"breathing-mm", "MM", "amplitude of the skin's motion by breathing", "0"}},
           .example = "telepalp-station trials --out trials"};
 }
 
@@ -46,9 +46,8 @@ void run_all(const VirtualStationSettings& settings, double breathing_m, bool by
     result.surface = by_camera ? "camera" : "plane";
     const TrialFigures& f = result.figures;
     std::printf(
-        "%-38s on the %-6s %3zu transitions, %5.2f s in contact, %4.2f s inside the true skin without force, force at "
-        "most "
-        "%5.2f N, its largest step %.3f N\n",
+        "%-38s on the %-6s %3zu transitions, %5.2f s in contact, %4.2f s inside the true skin without force, "
+        "largest force %5.2f N, largest step of force in a tick %.3f N\n",
         title(trial), result.surface, result.transitions.size(), f.contact_s, f.unfelt_s, f.most_force_N,
         f.worst_force_step_N);
     results.push_back(std::move(result));
@@ -70,7 +69,7 @@ int trials_command(int argc, const char* const* argv) {
   if (surface != "plane" && surface != "camera" && surface != "both")
     return program::fail({.what = "--surface '" + surface + "' is not known",
                           .where = "telepalp-station trials",
-                          .fix = "plane, camera or both"},
+                          .fix = "give plane, camera or both"},
                          program::kAskedWrongly);
   std::vector<TrialResult> results;
   if (surface != "camera") run_all(*settings, 1e-3 * *breathing_mm, false, results);

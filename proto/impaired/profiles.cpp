@@ -44,7 +44,7 @@ Profile satellite() {
 }
 
 Profile hostile() {
-  return symmetric("hostile", "a bad day: bursts of loss, damage, outages",
+  return symmetric("hostile", "a very bad network: bursts of loss, damaged packets, outages",
                    {.delay = 60ms,
                     .jitter = 30ms,
                     .loss = 0.1,

@@ -38,7 +38,7 @@ Result<std::string> alt_names(std::vector<std::string> hosts) {
   std::string text;
   for (const std::string& host : hosts) {
     if (!is_plain(host, ".-:"))
-      return Error{.what = "'" + host + "' is no host name or address",
+      return Error{.what = "'" + host + "' is not a host name or address",
                    .where = "--host",
                    .fix = "give what clients write after --connect, such as patient.example or 10.0.0.1"};
     const bool address =
@@ -104,7 +104,7 @@ Result<Authority> Authority::read(std::string_view file_text, const std::string&
 
 std::string Authority::file_text() const {
   return "telepalp: the authority " + name() +
-         ". Who has this file can make keys for everything: keep it on one machine, and never send it.\n" +
+         ". Anyone with this file can make keys of every role: keep it on one machine, and never send it.\n" +
          certificate() + to_pem(*parts_->key);
 }
 
@@ -135,7 +135,7 @@ Result<std::string> Authority::server_key(const Issue& asked, const std::vector<
                 .serial = random_serial(),
                 .from = asked.now - kBackdated,
                 .until = asked.now + asked.valid},
-               "telepalp: the key of the server " + asked.name + ". It is for telepalp-server --key alone.\n",
+               "telepalp: the key of the server " + asked.name + ". Use it only for telepalp-server --key.\n",
                *parts_->certificate, *parts_->key);
 }
 
@@ -150,7 +150,7 @@ Result<std::string> Authority::client_key(const Issue& asked) const {
                 .from = asked.now - kBackdated,
                 .until = asked.now + asked.valid},
                "telepalp: the key of " + std::string(keys::name(asked.role)) + " " + asked.name +
-                   ". It allows: " + permissions(asked.role) + ". It is for this person alone.\n",
+                   ". It allows: " + permissions(asked.role) + ". Only this person may use it.\n",
                *parts_->certificate, *parts_->key);
 }
 
@@ -161,7 +161,7 @@ Result<std::string> Authority::token(const Issue& asked) const {
   const Result<std::string> token = sign_token(bearer, *parts_->key);
   if (!token) return token.error();
   return "telepalp: a token of " + describe(bearer) + ". It allows: " + permissions(asked.role) +
-         ". Who has the next line has the permission.\n" + std::string(kTokenLine) + *token + "\n" + certificate();
+         ". Anyone with the next line has this permission.\n" + std::string(kTokenLine) + *token + "\n" + certificate();
 }
 
 Result<std::string> Authority::revocation_list(const std::map<std::string, WallTime>& revoked, WallTime now) const {

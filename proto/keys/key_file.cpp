@@ -13,7 +13,7 @@ namespace telepalp::keys {
 namespace {
 
 Error not_a_key(const std::string& file) {
-  return {.what = "this is no key file, or it is damaged",
+  return {.what = "this is not a key file, or it is damaged",
           .where = file,
           .fix = "give a file that telepalp-keys wrote, whole"};
 }
@@ -72,7 +72,7 @@ Result<KeyFile> read_key(std::string_view text, const std::string& file) {
   if (!token.empty() && certificates.size() == 1) return read_token_file(token, *certificates.front(), file);
   const PrivateKeyPtr key = private_key_in(text);
   if (key && certificates.size() == 1 && is_authority(*certificates.front()))
-    return Error{.what = "this is the authority's own file, which makes keys and opens nothing",
+    return Error{.what = "this is the authority's file: it makes keys, and no program can connect with it",
                  .where = file,
                  .fix = "make a key with telepalp-keys server or telepalp-keys client"};
   if (!key || certificates.size() != 2) return not_a_key(file);
@@ -88,7 +88,7 @@ Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now) {
                  .where = file.string(),
                  .fix = "give a file that telepalp-keys wrote, and that you may read"};
   if ((mode & std::filesystem::perms::others_all) != std::filesystem::perms::none)
-    return Error{.what = "anybody on this machine may read this key",
+    return Error{.what = "any user of this machine may read this key",
                  .where = file.string(),
                  .fix = "chmod 600 " + file.string()};
   std::string text(kMaxKeyFileBytes + 1, '\0');

@@ -69,9 +69,9 @@ Error bad_server(long verdict, const KeyFile& key, const std::string& host) {
     case X509_V_ERR_CERT_NOT_YET_VALID:
       return refused("the server's key is not valid yet", "set the clock of this computer");
     default:
-      return refused("the server is not of the authority " + key.authority_name + " that made this key (" +
-                         X509_verify_cert_error_string(verdict) + ")",
-                     "give the key that was made for this server, or look who answers at this address");
+      return refused("the server's key was not made by the authority " + key.authority_name +
+                         ", which made this key (" + X509_verify_cert_error_string(verdict) + ")",
+                     "give a key of this server's authority, or check which server has this address");
   }
 }
 
@@ -79,7 +79,8 @@ Error bad_server(long verdict, const KeyFile& key, const std::string& host) {
 std::optional<Error> bad_client(int reason) {
   switch (reason) {
     case SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED:
-      return refused("the server refuses this key: it has expired", "telepalp-keys renew FILE, at the technician's");
+      return refused("the server refuses this key: it has expired",
+                     "ask the technician of the server to renew it: telepalp-keys renew FILE");
     case SSL_R_SSLV3_ALERT_CERTIFICATE_REVOKED:
       return refused("the server refuses this key: it is revoked", kAskTechnician);
     case SSL_R_TLSV1_ALERT_UNKNOWN_CA:
@@ -145,8 +146,8 @@ std::optional<Error> refusal_of(SSL& session, unsigned long code, const KeyFile&
   const int reason = ERR_GET_REASON(code);
   if (reason == SSL_R_CERTIFICATE_VERIFY_FAILED) return bad_server(SSL_get_verify_result(&session), key, host);
   if (reason == SSL_R_WRONG_VERSION_NUMBER || reason == SSL_R_HTTP_REQUEST || reason == SSL_R_UNSUPPORTED_PROTOCOL)
-    return refused("the server does not speak TLS, so a key would protect nothing",
-                   "start the server with --key, or on this machine leave out --key");
+    return refused("the server does not use TLS, so it cannot check a key",
+                   "start the server with --key; or leave out --key, if the server is on this machine");
   return bad_client(reason);
 }
 

@@ -97,7 +97,7 @@ Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key) 
 }
 
 Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, WallTime now) {
-  const Error no_token = refused("this is no token of the server's authority",
+  const Error no_token = refused("this is not a token of the server's authority",
                                  "paste the line after `token:` of a file that telepalp-keys token wrote");
   if (token.size() > kMaxTokenBytes || !token.starts_with(kPrefix)) return no_token;
   const std::string_view rest = token.substr(kPrefix.size());

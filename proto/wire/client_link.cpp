@@ -33,8 +33,8 @@ std::uint64_t random_number() {
 bool waits_for_a_connection(const Topic& topic) noexcept { return topic.name == kStationEvents.name; }
 
 std::string images_come_by(DatagramPhase phase) {
-  return phase == DatagramPhase::Up ? "the images come by sealed datagrams"
-                                    : "no datagram comes through (UDP): the images come over TCP";
+  return phase == DatagramPhase::Up ? "the images come by sealed datagrams (UDP)"
+                                    : "no UDP datagram arrives: the images come over TCP";
 }
 
 /// From now on datagrams carry the deadline topics, or TCP does again. Messages of these topics that wait are dropped:

@@ -134,7 +134,7 @@ void Access::look_at_revocations() {
   const Result<void> read = read_revocations();
   say_(read ? "the revocation list was read again: it revokes " + std::to_string(revocations_.all().size()) +
                   " keys and tokens"
-            : to_string(read.error()) + "; the previous list stays in force");
+            : to_string(read.error()) + "; the previous list stays valid");
 }
 
 void Access::note(AuditEvent event, const std::string& text) {

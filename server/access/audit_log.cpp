@@ -89,7 +89,7 @@ Result<std::unique_ptr<AuditLog>> AuditLog::open(const fs::path& file,
       std::error_code failed;
       fs::rename(file, damaged, failed);
       say("the audit log " + file.string() + " was altered or cut off; it is now " + damaged.string() +
-          ", and a new one begins. See telepalp-keys audit-verify");
+          ", and a new log begins. fix: find the altered line with telepalp-keys audit-verify");
     }
   }
   const mode_t mask = ::umask(0077);  // only the owner may read the names and addresses of persons

@@ -16,8 +16,9 @@ Result<std::unique_ptr<CaptureSource>> open_by_kind(std::string_view spec, std::
   for (const SourceKind& kind : kinds) {
     if (kind.name != name) continue;
     if (kind.needs_rest && rest.empty())
-      return Error{
-          .what = "nothing is named after '" + std::string(name) + ":'", .where = where, .fix = std::string(forms)};
+      return Error{.what = "no file or folder is named after '" + std::string(name) + ":'",
+                   .where = where,
+                   .fix = std::string(forms)};
     return kind.open(rest, options);
   }
   return Error{

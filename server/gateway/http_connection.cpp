@@ -75,7 +75,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     if (failed == http::error::header_limit || failed == http::error::body_limit)
       write(refuse(nothing, http::status::payload_too_large, "the request is too large"));
     else if (is_malformed(failed))
-      write(refuse(nothing, http::status::bad_request, "this is no HTTP request"));
+      write(refuse(nothing, http::status::bad_request, "this is not an HTTP request"));
     else
       close();
   }

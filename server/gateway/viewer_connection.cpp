@@ -188,7 +188,9 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (const Result<void> may = access.may(visitor_->who, keys::Operation::HandOver); !may)
       return warn(to_string(may.error()));
     if (!context()->holder.hand_over(*subscriber_, to, context()->now()))
-      return warn("the hand is not handed over. fix: hold the hand, and name a viewer that asks for it");
+      return warn(
+          "the hand is not handed over: this viewer does not hold it, or that viewer does not ask for it. fix: hold "
+          "the hand, and name a viewer that asks for it");
     note_hand(false, " to=\"viewer " + std::to_string(to) + "\"");
     publish_holder();
   }

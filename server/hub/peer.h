@@ -142,8 +142,8 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   }
   void note_images(wire::DatagramPhase phase) {
     listener_.note(name_ + " at " + connection_->peer() +
-                   (phase == wire::DatagramPhase::Up ? ": images go by sealed datagrams"
-                                                     : ": no datagram comes through (UDP): images go over TCP"));
+                   (phase == wire::DatagramPhase::Up ? ": images go by sealed datagrams (UDP)"
+                                                     : ": no UDP datagram arrives: images go over TCP"));
   }
   void wake() {
     connection_->wake();
@@ -196,7 +196,8 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     if (!who_ && !audited_ && access().has_keys())
       access().note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
     leave_hub();
-    listener_.note((name_.empty() ? "a stranger" : name_) + " at " + connection_->peer() + " left: " + reason);
+    listener_.note((name_.empty() ? "a peer without a name" : name_) + " at " + connection_->peer() +
+                   " left: " + reason);
     listener_.forget(number_);
   }
   std::optional<wire::Message> next_to_send() override { return listener_.hub_.next(subscriber_); }

@@ -27,10 +27,8 @@ Result<DepthErrorBound> read_depth_bound(const std::string& text, std::string_vi
   const auto refused = [&](const std::string& what) {
     return Error{.what = "'" + text + "' " + what,
                  .where = option_name(option),
-                 .fix =
-                     "say millimetres that are always allowed, and millimetres at 1 m that grow with the square of "
-                     "depth: " +
-                     option_name(option) + " 1,2.85"};
+                 .fix = "give LEAST,PER_M2: an error of max(LEAST, PER_M2 z²) mm is allowed at a depth of z m, as in " +
+                        option_name(option) + " 1,2.85"};
   };
   if (comma == std::string::npos) return refused("is not two numbers with a comma between");
   const std::optional<double> least_mm = read_mm(std::string_view(text).substr(0, comma), kMostLeast_mm);
@@ -45,9 +43,9 @@ Result<codec::DepthStreamSettings> read_depth_settings(const program::Arguments&
   const std::string text = arguments.text(names.mode);
   const std::optional<codec::DepthMode> mode = codec::depth_mode(text);
   if (!mode)
-    return Error{.what = "'" + text + "' is no depth mode",
+    return Error{.what = "'" + text + "' is not a depth mode",
                  .where = option_name(names.mode),
-                 .fix = "say fast, intra, temporal or bounded"};
+                 .fix = "give fast, intra, temporal or bounded"};
   const Result<std::int64_t> key_every = arguments.whole("key-every", 1, 65535);
   if (!key_every) return key_every.error();
   codec::DepthStreamSettings settings{.mode = *mode, .key_every = static_cast<int>(*key_every)};
@@ -55,7 +53,7 @@ Result<codec::DepthStreamSettings> read_depth_settings(const program::Arguments&
   if (*mode != codec::DepthMode::Bounded)
     return Error{.what = "the mode " + text + " is lossless and takes no bound",
                  .where = option_name(names.bound),
-                 .fix = "leave it out, or say " + option_name(names.mode) + " bounded"};
+                 .fix = "leave it out, or give " + option_name(names.mode) + " bounded"};
   const Result<DepthErrorBound> bound = read_depth_bound(arguments.text(names.bound), names.bound);
   if (!bound) return bound.error();
   settings.bound = *bound;

@@ -41,7 +41,7 @@ Result<msg::SessionNotes> read(const std::filesystem::path& file) {
   msg::SessionNotes notes;
   if (!std::filesystem::exists(file, problem)) return notes;
   if (std::filesystem::file_size(file, problem) > kMostFile_B || problem)
-    return unreadable(file, "this is no file of notes: it is no regular file, or larger than 4 MiB");
+    return unreadable(file, "this is not a file of notes: it is not a regular file, or larger than 4 MiB");
   std::ifstream in(file, std::ios::binary);
   const std::string json{std::istreambuf_iterator<char>(in), {}};
   if (!in) return unreadable(file, "the notes cannot be read");

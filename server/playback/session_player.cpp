@@ -248,7 +248,7 @@ void SessionPlayer::publish_status_when_due() {
   status.set_source("session:" + file_);
   status.set_detail("recorded session " + file_ + ", " + how + speed);
   if (timeline_.damaged() > 0)
-    status.set_detail(status.detail() + "; " + std::to_string(timeline_.damaged()) + " damaged places passed over");
+    status.set_detail(status.detail() + "; " + std::to_string(timeline_.damaged()) + " damaged places skipped");
   status.set_frames(depth_images_);
   status.set_color_registered(color_registered_);
   hand_over(wire::make_message(wire::kCameraStatus, now, status));

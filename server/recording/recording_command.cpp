@@ -24,10 +24,10 @@ bool is_control(char letter) { return std::iscntrl(static_cast<unsigned char>(le
 Result<msg::RecordingCommand> read_command(const std::string& json) {
   msg::RecordingCommand command;
   if (const Result<void> read = program::read_json(json, command, kWhere, kExample); !read) return read.error();
-  if (!command.has_record()) return wrong("the command neither begins nor ends a recording");
+  if (!command.has_record()) return wrong("the command has no field \"record\"");
   const std::string& consent = command.consent();
   if (command.record() && std::all_of(consent.begin(), consent.end(), [](char letter) { return letter == ' '; }))
-    return wrong("nobody is recorded without consent, and the command states none");
+    return wrong("the command states no consent of the patient, without which nothing is recorded");
   if (consent.size() > kLongestConsent || std::any_of(consent.begin(), consent.end(), is_control))
     return wrong("the consent is not one line of at most 200 bytes");
   return command;

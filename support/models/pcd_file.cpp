@@ -225,7 +225,7 @@ Result<PointModel> parse_compressed(std::span<const std::byte> bytes, const Head
   for (const Field& field : header.fields) point_bytes += field.bytes * field.count;
   if (sizes[0] > bytes.size() - sizeof sizes || sizes[1] != point_bytes * header.points)
     return bad(name, "has compressed sizes that do not fit the file or the header");
-  if (sizes[1] > lzf_most(sizes[0])) return bad(name, "declares more than its compressed data can hold");
+  if (sizes[1] > lzf_most(sizes[0])) return bad(name, "declares more bytes than its compressed data can hold");
   std::vector<std::byte> plain(sizes[1]);
   if (!lzf_decompress(bytes.subspan(sizeof sizes, sizes[0]), plain)) return bad(name, "has damaged compressed data");
   return parse_binary(plain, header, fields, true, name);

@@ -25,12 +25,12 @@ using namespace telepalp;
 constexpr std::array kBenches{
     bench::Bench{"accuracy", "error against ground truth, and time, for each setting", bench::run_accuracy},
     bench::Bench{"control", "the controller: tick, trials, force law, prediction, safety", bench::run_control},
-    bench::Bench{"passivity", "energy and force error behind bad links, 1000 seeded runs", bench::run_passivity},
+    bench::Bench{"passivity", "energy and force error over bad networks, 1000 seeded runs", bench::run_passivity},
     bench::Bench{"depth", "ratio and time of each depth mode and of other codecs", bench::run_depth},
     bench::Bench{"effects", "solids under the skin: cost, gradient, ribs, masses, image", bench::run_effects},
-    bench::Bench{"hand", "force at the hand against the skin of moving patients", bench::run_hand},
+    bench::Bench{"hand", "error of the force at the hand, on moving patients", bench::run_hand},
     bench::Bench{"link", "frames over bad networks, beside UDP, TCP and SRT", bench::run_link},
-    bench::Bench{"subscribers", "cost of a further subscriber, shares of 200, stalled ones", bench::run_subscribers},
+    bench::Bench{"subscribers", "cost of one more subscriber, fairness among 200, stalls", bench::run_subscribers},
     bench::Bench{"pipeline", "latency from camera to hand, timing of the 2 kHz loop", bench::run_pipeline},
     bench::Bench{"replay", "a session over a bad network in virtual time: speed", bench::run_replay},
     bench::Bench{"session", "seeking in a session of 2 GB, the cost of recording", bench::run_session},
@@ -47,15 +47,15 @@ program::Usage usage() {
       .options = {{"json", "", "print JSON instead of a table"},
                   {"list", "", "print the benchmarks' names and exit"},
                   {"input", "FILE|DIR", "depth: images or a recording; link, pipeline: a source"},
-                  {"held-out", "SET,SET…", "depth: sets without training, for the mean ratio"},
+                  {"held-out", "SET,SET…", "depth: sets not used for training, for the mean ratio"},
                   {"part", "NAME",
                    "accuracy: one of surface, patients, prediction, organ, solids, price, z-width, depth"},
                   {"write", "DIR", "accuracy, hand: also write accuracy.md or reached.tsv to DIR"},
                   {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
                   {"row", "PART,PART…", "hand: only the studies whose names contain a PART"},
-                  {"reached", "FILE", "hand: a row that misses may be as bad as in FILE"},
+                  {"reached", "FILE", "hand: accept a missed budget near its value in FILE"},
                   {"seeds", "N", "hand: number of runs of a random study", "200"},
-                  {"seconds", "S", "length of a run, of most benchmarks", "10"}},
+                  {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
       .example = "telepalp-bench pipeline --json",
       .commands = {},
       .needs_command = true};
@@ -88,7 +88,8 @@ int main(int argc, char** argv) {
   const std::string wanted = arguments.positional().size() == 1 ? arguments.positional().front() : "";
   for (const bench::Bench& bench : kBenches)
     if (bench.name == wanted) return run(bench, arguments);
-  return program::fail(
-      {.what = "'" + wanted + "' is not a benchmark", .where = "telepalp-bench", .fix = "telepalp-bench --list"},
-      program::kAskedWrongly);
+  return program::fail({.what = "'" + wanted + "' is not a benchmark",
+                        .where = "telepalp-bench",
+                        .fix = "telepalp-bench --list prints the names"},
+                       program::kAskedWrongly);
 }

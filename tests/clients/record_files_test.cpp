@@ -110,7 +110,9 @@ TEST_F(Files, InfoCountsBytesGapsLossesAndSteps) {
   EXPECT_NEAR(facts->clock->largest_step_ms, 3.05, 0.001);
   EXPECT_NEAR(facts->clock->drift_ppm, 1550.0, 0.1);
   const std::string text = in_words(*facts);
-  EXPECT_NE(text.find("note: /station/state: time goes back 1 times"), std::string::npos) << text;
+  EXPECT_NE(text.find("note: /station/state: 1 messages have an earlier time than the message before them"),
+            std::string::npos)
+      << text;
 }
 
 TEST_F(Files, InfoNamesPeersByTheServersStatistics) {
@@ -167,7 +169,7 @@ TEST_F(Files, VerifyNamesMessagesThatAreNotOfTheirType) {
   ASSERT_TRUE(facts);
   EXPECT_EQ(topic(*facts, "/station/state").unreadable, 1u);
   ASSERT_EQ(facts->damages_in_all, 1u);
-  EXPECT_EQ(facts->damages[0], "/station/state: 1 messages are no telepalp.msg.StationState");
+  EXPECT_EQ(facts->damages[0], "/station/state: 1 messages cannot be read as telepalp.msg.StationState");
 }
 
 TEST_F(Files, AnUnknownSchemaAndAnotherVersionOfOursAreNotesAndNoDamage) {
@@ -192,7 +194,7 @@ TEST_F(Files, AnUnknownSchemaAndAnotherVersionOfOursAreNotesAndNoDamage) {
   const auto notes = notes_on(*facts);
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_EQ(notes[0], "/clock: recorded by another version of telepalp; fields may differ");
-  EXPECT_TRUE(notes[1].starts_with("/other: unknown topic, or another type")) << notes[1];
+  EXPECT_TRUE(notes[1].starts_with("/other: the topic or its type is not telepalp's")) << notes[1];
 }
 
 TEST_F(Files, TruncatedAtEveryHundredthByteRepairGivesBackAWholeFileOrSaysThatNothingIsLeft) {

@@ -81,9 +81,9 @@ TEST_F(Recorder, SurvivesAServerThatReturnsAndReportsTheGap) {
   publish_slowly(*server, states(0.1));
   ASSERT_TRUE(wait_for([&] { return flushed_messages(session().string() + ".partial") == 10; }));
   server.reset();
-  ASSERT_TRUE(wait_for([&] { return log().find("the server is away") != std::string::npos; })) << log();
+  ASSERT_TRUE(wait_for([&] { return log().find("the server does not answer") != std::string::npos; })) << log();
   Server again(port);
-  ASSERT_TRUE(wait_for([&] { return log().find("the server is back") != std::string::npos; })) << log();
+  ASSERT_TRUE(wait_for([&] { return log().find("the server answers again") != std::string::npos; })) << log();
   publish_slowly(again, states(0.1));
   ASSERT_TRUE(wait_for([&] { return flushed_messages(session().string() + ".partial") == 20; }));
   recorder->signal(SIGTERM);

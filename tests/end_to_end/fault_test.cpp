@@ -70,7 +70,7 @@ class StationFault : public ::testing::Test {
                                  "udp:127.0.0.1:" + std::to_string(device_.port()), "--tracker", "held", "--control",
                                  path("run/control").string(), "--state-dir", path("state").string()},
         path("station.log"));
-    ASSERT_TRUE(hears(path("station.log"), "ticking at 2 kHz")) << text_of(path("station.log"));
+    ASSERT_TRUE(hears(path("station.log"), "control loop runs at 2 kHz")) << text_of(path("station.log"));
   }
   [[nodiscard]] fs::path path(const std::string& name) const { return folder_.path() / name; }
   int rearm() {

@@ -57,7 +57,7 @@ class EndedByCtrlC : public DemoInATerminal, public testing::WithParamInterface<
 
 TEST_P(EndedByCtrlC, LeavesAWholeSessionAndItsReport) {
   const auto demo = start();
-  ASSERT_TRUE(demo->await_text("touchable; ticking", 30s)) << demo->shown();
+  ASSERT_TRUE(demo->await_text("touchable; the control loop", 30s)) << demo->shown();
   std::this_thread::sleep_for(GetParam().after);
   demo->type(kCtrlC);
   for (const auto pause : GetParam().again_after) {
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Times, EndedByCtrlC,
 
 TEST_F(DemoInATerminal, EndedByKillLeavesNoProgramBehindAndTheSessionIsWhole) {
   const auto demo = start();
-  ASSERT_TRUE(demo->await_text("touchable; ticking", 30s)) << demo->shown();
+  ASSERT_TRUE(demo->await_text("touchable; the control loop", 30s)) << demo->shown();
   std::this_thread::sleep_for(1s);
   const std::string pid = std::to_string(demo->pid());
   std::istringstream children(read_all("/proc/" + pid + "/task/" + pid + "/children"));

@@ -31,7 +31,7 @@ before(async () => {
   // A doctor feels the patient while all this happens; the last tests look whether she was disturbed.
   station = workplace.start(join(bin, 'telepalp-station'), ['--connect', `127.0.0.1:${server.port}`, '--patience', '60',
     '--key', join(folder, 'anna.key'), '--tracker', 'browser', '--control', join(workplace.folder, 'control'), '--state-dir', workplace.folder]);
-  await until('the station ticks', () => station.heard.includes('ticking at 2 kHz'));
+  await until('the station ticks', () => station.heard.includes('control loop runs at 2 kHz'));
 });
 after(() => workplace.end());
 
@@ -127,7 +127,7 @@ test('a page of an allowed origin brings its token in the address of the stream,
 test('bad input 22: guessed tokens are refused, audited and slowed down', async () => {
   for (let i = 0; i < 8; i++) assert.equal((await signIn(`tp1.guess${i}.guess`)).status, 401);
   assert.match((await signIn('tp1.guess.guess')).text, /too many wrong tokens/);
-  assert.match(audit(), /event=refused who=stranger why="this is no token/);
+  assert.match(audit(), /event=refused who=stranger why="this is not a token of/);
   const started = Date.now();
   await until('a right token is taken again', async () => (await signIn(tokenOf('vera'))).status === 303, 30_000);
   assert.ok(Date.now() - started > 500);

@@ -58,7 +58,7 @@ test('the technician ticks the consent, records, and ends it; the file is whole'
   await until('it records', async () => (await state()).phase === 'PHASE_RECORDING' && Number((await state()).bytes) > 100_000);
   await until('the page says so', async () => (await page.textContent('#recording-rows')).includes('Nowrecording'));
   const second = await ask({record: true, consent: 'x'});
-  assert.match(second.text, /a recording is under way/);
+  assert.match(second.text, /a recording is running/);
   await page.focus('#record');
   await page.keyboard.press('Enter');
   const over = await until('it has ended', async () => {

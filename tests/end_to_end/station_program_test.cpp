@@ -69,7 +69,7 @@ TEST_F(StationProgram, GoesOnTouchingWhenTheServerComesBack) {
   const std::string port = start_server("0");
   ASSERT_FALSE(port.empty());
   ChildProcess station(kPrograms / "telepalp-station", {"--connect", "127.0.0.1:" + port}, log());
-  ASSERT_TRUE(hears(log(), "ticking at 2 kHz")) << text_of(log());
+  ASSERT_TRUE(hears(log(), "control loop runs at 2 kHz")) << text_of(log());
   server_->signal(SIGKILL);
   ASSERT_TRUE(hears(log(), "link lost")) << text_of(log());
   ASSERT_EQ(start_server(port), port);
@@ -85,7 +85,7 @@ TEST_F(StationProgram, KeepsItsSceneWhileANewOneIsRefused) {
   ASSERT_FALSE(port.empty());
   ChildProcess station(kPrograms / "telepalp-station", {"--connect", "127.0.0.1:" + port, "--scene", scene.string()},
                        log());
-  ASSERT_TRUE(hears(log(), "ticking at 2 kHz")) << text_of(log());
+  ASSERT_TRUE(hears(log(), "control loop runs at 2 kHz")) << text_of(log());
   std::ofstream(scene) << "haptic_from_camera { } effects { solid { name: \"a\" polish: \"sphere -1\" } }";
   ChildProcess refused(kPrograms / "telepalp-station", {"scene", "check", scene.string()},
                        folder_.path() / "check.log");
@@ -108,7 +108,7 @@ TEST_F(StationProgram, WaitsForAServerThatComesLaterAndSaysSoOnce) {
   std::this_thread::sleep_for(2s);
   EXPECT_EQ(times(text_of(log()), "Connection refused"), 1u) << text_of(log());
   ASSERT_EQ(start_server(port), port);
-  EXPECT_TRUE(hears(log(), "ticking at 2 kHz")) << text_of(log());
+  EXPECT_TRUE(hears(log(), "control loop runs at 2 kHz")) << text_of(log());
 }
 
 TEST_F(StationProgram, EndsWellAtCtrlCBeforeAnythingIsConnected) {

@@ -39,7 +39,7 @@ const start = async (workplace, tracker) => {
   const source = `pcd:${levelPatient(workplace.folder)}`;
   const {port, http_port} = await workplace.server(server, ['--source', source, '--viewer', viewer]);
   const child = workplace.start(station, ['--connect', `127.0.0.1:${port}`, '--tracker', tracker]);
-  await until('the station ticks', () => child.heard.includes('ticking at 2 kHz'));
+  await until('the station ticks', () => child.heard.includes('control loop runs at 2 kHz'));
   return {child, http_port};
 };
 

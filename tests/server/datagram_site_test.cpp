@@ -54,7 +54,7 @@ TEST(DatagramSite, ImagesGoByDatagramAndEverythingElseOverTcp) {
   ASSERT_TRUE(site.run_until([&] { return site.client.messages.back().topic.name == wire::kCameraInfo.name; }));
   EXPECT_LT(site.relay.udp_overheard().size() - udp_before, 10'000U);
   EXPECT_NE(std::find(site.notes.begin(), site.notes.end(),
-                      "test at " + site.address_of("test") + ": images go by sealed datagrams"),
+                      "test at " + site.address_of("test") + ": images go by sealed datagrams (UDP)"),
             site.notes.end());
 }
 
@@ -145,8 +145,7 @@ TEST(DatagramSite, WhereUdpIsBlockedImagesGoOverTcpAndBothEndsSaySo) {
   EXPECT_TRUE(site.image_arrives()) << "while it is tried";
   ASSERT_TRUE(site.run_until([&] { return site.client.link.datagrams() == DatagramPhase::Blocked; }, 3s));
   EXPECT_TRUE(site.image_arrives());
-  const std::string note =
-      "test at " + site.address_of("test") + ": no datagram comes through (UDP): images go over TCP";
+  const std::string note = "test at " + site.address_of("test") + ": no UDP datagram arrives: images go over TCP";
   EXPECT_TRUE(
       site.run_until([&] { return std::find(site.notes.begin(), site.notes.end(), note) != site.notes.end(); }, 3s));
   site.relay.blocks_udp = false;  // a firewall was opened meanwhile

@@ -40,7 +40,7 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
                          difference.first_beyond(),
                  .where = second.string(),
                  .fix = "allow more, or encode it again with this bound"};
-  std::printf("bound held by every pixel\n");
+  std::printf("every pixel is within the bound\n");
   return {};
 }
 

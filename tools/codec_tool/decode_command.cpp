@@ -39,10 +39,11 @@ Result<void> decode_recording(const std::filesystem::path& input, const std::fil
   if (!done) return done;
   std::printf("%zu frames in %s\n", frames - unreadable, folder.c_str());
   if (unreadable == 0) return {};
-  return Error{
-      .what = std::to_string(unreadable) + " of " + std::to_string(frames) + " frames cannot be read",
-      .where = input.string(),
-      .fix = "all others are written; if the recording lacks a frame, the frames that depend on it cannot be decoded"};
+  return Error{.what = std::to_string(unreadable) + " of " + std::to_string(frames) + " frames cannot be read",
+               .where = input.string(),
+               .fix =
+                   "record again, or use the frames that are written; a frame whose reference frame is missing cannot "
+                   "be decoded"};
 }
 
 }  // namespace telepalp::codec_tool

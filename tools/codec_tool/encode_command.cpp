@@ -26,7 +26,7 @@ extern "C" void interrupt(int /*signal*/) { interrupted = 1; }
 Result<void> go_on(const std::filesystem::path& output) {
   if (interrupted == 0) return {};
   return Error{
-      .what = "was interrupted, and what was encoded is removed", .where = output.string(), .fix = "run it again"};
+      .what = "was interrupted; the incomplete file is removed", .where = output.string(), .fix = "run it again"};
 }
 
 /// Prints a note about damage: a recording that was not finished still gives the frames that it has.

@@ -15,14 +15,14 @@ program::Usage usage() {
       .program = kProgram,
       .purpose = "compresses, decompresses, describes and compares depth recordings",
       .positional = {},
-      .options =
-          {{"mode", "MODE", "fast, intra, temporal (lossless) or bounded (near-lossless)", "temporal"},
-           {"key-every", "N", "temporal, bounded: distance between key frames, in frames", "30"},
-           {"unit-mm", "MM", "depth unit of images that do not state one", "1"},
-           {"bound", "LEAST,PER_M2",
-            "largest error of depth z m: max(LEAST, PER_M2 z²) mm; encode: bounded [1,2.85]; compare: beyond it, fail"},
-           {"to", "KIND", "decode: png or pgm, 16 bits a sample", "png"},
-           {"json", "", "info: print JSON instead of a table"}},
+      .options = {{"mode", "MODE", "fast, intra, temporal (lossless) or bounded (near-lossless)", "temporal"},
+                  {"key-every", "N", "temporal, bounded: distance between key frames, in frames", "30"},
+                  {"unit-mm", "MM", "depth unit of images that do not state one", "1"},
+                  {"bound", "LEAST,PER_M2",
+                   "largest error of a depth of z m: max(LEAST, PER_M2 z²) mm; encode: default 1,2.85; compare: fail "
+                   "above it"},
+                  {"to", "KIND", "decode: png or pgm, 16 bits a sample", "png"},
+                  {"json", "", "info: print JSON instead of a table"}},
       .example = "telepalp-codec encode recording.oni depth.mcap && telepalp-codec compare recording.oni depth.mcap",
       .commands = {{"encode", "IN OUT.mcap", "compress the depth of a recording, session or folder of images"},
                    {"decode", "IN.mcap OUT_DIR", "write each depth image as a file"},
@@ -69,7 +69,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!unit_mm) return unit_mm.error();
   asked.unit_m = *unit_mm / 1000.0;
   if (asked.to != "png" && asked.to != "pgm")
-    return Error{.what = "'" + asked.to + "' is neither png nor pgm", .where = "--to", .fix = "say png or pgm"};
+    return Error{.what = "'" + asked.to + "' is neither png nor pgm", .where = "--to", .fix = "give png or pgm"};
   return asked;
 }
 

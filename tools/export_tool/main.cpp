@@ -32,10 +32,10 @@ program::Usage usage() {
           .options = {{"png", "DIR", "depth and colour of each frame, for --source images:DIR"},
                       {"csv", "TOPIC", "the numbers of a topic, such as /station/ticks"},
                       {"ply", "S", "the cloud at S seconds after the beginning"},
-                      {"pcd", "S", "the same as an organised PCD cloud"},
+                      {"pcd", "S", "the cloud at S seconds as an organised PCD file"},
                       {"foxglove", "FILE.mcap", "image, cloud, transforms and force in Foxglove's types"},
                       {"report", "DIR", "the same as telepalp-report SESSION.mcap --out DIR"},
-                      {"out", "FILE", "of --csv, --ply or --pcd; default: stdout"}},
+                      {"out", "FILE", "file for --csv, --ply or --pcd; default: stdout"}},
           .example = "telepalp-export session.mcap --ply 1.5 --out skin.ply"};
 }
 
@@ -116,10 +116,9 @@ int main(int argc, char** argv) {
   int formats = 0;
   for (const char* option : {"png", "csv", "ply", "pcd", "foxglove", "report"}) formats += asked.has(option) ? 1 : 0;
   if (asked.positional().size() != 1 || formats != 1)
-    return program::fail(
-        {.what = "name one session and one format",
-         .where = kProgram,
-         .fix = "telepalp-export session.mcap with --png, --csv, --ply, --pcd, --foxglove or --report"},
-        program::kAskedWrongly);
+    return program::fail({.what = "name one session and one format",
+                          .where = kProgram,
+                          .fix = "give a session file, and one of --png, --csv, --ply, --pcd, --foxglove and --report"},
+                         program::kAskedWrongly);
   return run(asked.positional().front(), asked);
 }

@@ -30,7 +30,7 @@ Result<std::string> verify_audit(const Asked& asked) {
         log.eof()
             ? Error{.what = "the last line is cut off: the server was ended while it wrote, or bytes were removed",
                     .where = "line " + std::to_string(verifier.position().lines + 1),
-                    .fix = "compare with a copy of the log; the lines before it are as they were written"}
+                    .fix = "compare with a copy of the log; the lines before it are unaltered"}
             : verifier.add(line);
     if (!follows)
       return Error{
@@ -38,7 +38,7 @@ Result<std::string> verify_audit(const Asked& asked) {
   }
   return asked.file + ": " + std::to_string(verifier.position().lines) +
          " lines, none altered\nlast hash:  " + verifier.position().hash +
-         "\nTo see that no lines were removed at the end, find a last hash that you noted earlier in the file.\n";
+         "\nTo check that no lines were removed at the end, search the file for a last hash that you noted earlier.\n";
 }
 
 }  // namespace telepalp::keys_tool

@@ -16,7 +16,7 @@ constexpr days kTokenDays{30};
 Result<keys::Role> role_of(const Asked& asked) {
   const std::optional<keys::Role> role = keys::role_named(asked.role);
   if (role) return *role;
-  return Error{.what = asked.role.empty() ? "no role is given" : "'" + asked.role + "' is no role",
+  return Error{.what = asked.role.empty() ? "no role is given" : "'" + asked.role + "' is not a role",
                .where = "--role",
                .fix = "give technician, doctor, viewer or qa"};
 }
@@ -76,7 +76,7 @@ Result<std::string> make_authority(const Asked& asked) {
   const Result<KeyFolder> made = KeyFolder::create(asked.folder, name, asked.now, asked.valid.value_or(kAuthorityDays));
   if (!made) return made.error();
   return made->path("authority.key").string() + ": the authority " + name +
-         ". It makes all keys: it stays on this machine.\n" + made->path("authority.crt").string() +
+         ". It makes all keys: keep it on this machine.\n" + made->path("authority.crt").string() +
          ": its certificate, for browsers. It is public.\nnext:       telepalp-keys server --dir " +
          asked.folder.string() + " --host NAME-OR-ADDRESS-OF-THE-SERVER\n";
 }

@@ -26,17 +26,17 @@ program::Usage usage() {
                        .argument = "HOST",
                        .help = "server: a name or address that clients connect to; may be repeated",
                        .repeatable = true},
-                      {"days", "N", "days of validity [authority 3650, keys 365, tokens 30]"}},
+                      {"days", "N", "days of validity; default: authority 3650, keys 365, tokens 30"}},
           .example = "telepalp-keys authority && telepalp-keys server --host 10.0.0.5",
           .commands = {{"authority", "", "make a folder with a new authority"},
                        {"server", "", "a key for telepalp-server --key; needs --host"},
                        {"client", "", "a key for a person's programs; needs --name and --role"},
                        {"token", "", "a token to sign in with a browser; needs --name and --role"},
-                       {"renew", "FILE", "replace the key in FILE by one that ends later"},
+                       {"renew", "FILE", "replace the key in FILE by one that expires later"},
                        {"revoke", "FILE|SERIAL", "revoke a key or token"},
                        {"list", "", "all keys and tokens that were issued"},
                        {"show", "FILE", "whose key it is, what it allows, until when"},
-                       {"audit-verify", "FILE", "find any altered byte of a server's audit log"}},
+                       {"audit-verify", "FILE", "check that no line of a server's audit log was altered"}},
           .needs_command = true};
 }
 
@@ -65,7 +65,7 @@ Result<const Row*> command_of(const program::Arguments& arguments) {
   for (const Row& row : kCommands) {
     if (row.name != words.front()) continue;
     if (words.size() == (row.takes_file ? 2U : 1U)) return &row;
-    return asked_wrongly(words.front() + (row.takes_file ? " takes one file" : " takes options alone"));
+    return asked_wrongly(words.front() + (row.takes_file ? " takes one file" : " takes only options, no file"));
   }
   return asked_wrongly("'" + words.front() + "' is not a command");
 }

@@ -17,7 +17,7 @@ const std::vector<Figure>& figures() {
   using impaired::Impairment;
   static const std::vector<Figure> all{
       {{"delay-ms", "MS", "delay, one way"}, 60e3, [](Impairment& i, double v) { i.delay = from_seconds(v * 1e-3); }},
-      {{"jitter-ms", "MS", "varies the delay by plus or minus this, uniformly"},
+      {{"jitter-ms", "MS", "uniform variation of the delay, plus or minus MS"},
        60e3,
        [](Impairment& i, double v) { i.jitter = from_seconds(v * 1e-3); }},
       {{"loss-percent", "P", "packets lost"}, 100, [](Impairment& i, double v) { i.loss = v * 1e-2; }},
@@ -86,7 +86,7 @@ Result<program::Address> listen_address(const std::string& text) {
 program::Usage usage() {
   program::Usage usage{
       .program = "telepalp-link",
-      .purpose = "stands between clients and a server, and makes the network between them worse",
+      .purpose = "relays between clients and a server, and impairs the network between them",
       .positional = {},
       .options = {{"listen", "HOST:PORT", "where clients connect, by TCP and UDP; port 0: any", "127.0.0.1:7401"},
                   {"connect", "HOST:PORT", "the server", program::kServerAddress},
@@ -95,7 +95,7 @@ program::Usage usage() {
                   {"seed", "N", "seed of the random numbers", "1"},
                   {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
                   {"json", "", "at the end, print all counters to stdout"},
-                  {"quiet", "", "print no statistics each second"},
+                  {"quiet", "", "do not print statistics each second"},
                   {"ready-file", "FILE", "write the port there once it listens"}},
       .example = "telepalp-link --profile lte --seconds 60"};
   for (const Figure& figure : figures()) usage.options.push_back(figure.option);

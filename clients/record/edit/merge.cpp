@@ -101,8 +101,9 @@ Result<std::vector<Strand>> open_all(const std::vector<std::filesystem::path>& f
     if (added.session().source == strands.front().session().source) continue;
     added.set_senders_apart(kSendersApart * static_cast<std::uint32_t>(strands.size() - 1));
     if (added.holds(wire::kCameraDepth.name) && strands.front().holds(wire::kCameraDepth.name))
-      return Error{.what = "was recorded from " + added.session().source + ", " + files.front().string() + " from " +
-                           strands.front().session().source + ", and both hold a camera",
+      return Error{.what = "this session and " + files.front().string() +
+                           " both hold a camera, and are of different servers: " + added.session().source + " and " +
+                           strands.front().session().source,
                    .where = file.string(),
                    .fix = "leave one camera out: telepalp-record cut " + file.string() +
                           " --topics '!/camera/*' --out OTHER.mcap"};
@@ -117,7 +118,7 @@ Result<void> copy_all_notes(std::vector<Strand>& strands, wire::McapWriter& writ
     if (const Result<void> copied = copy_notes(strand.reader(), writer); !copied) return copied;
     std::string& text = note.values["file_" + std::to_string(number)];
     text = strand.file().filename().string() + " from " + strand.session().source;
-    if (strand.senders_apart() > 0) text += ", senders + " + std::to_string(strand.senders_apart());
+    if (strand.senders_apart() > 0) text += ", sender numbers raised by " + std::to_string(strand.senders_apart());
   }
   return writer.add(note);
 }

@@ -39,7 +39,7 @@ std::string clock_line(const SessionFacts& facts) {
     line = formatted("wall clock: drifts %.1f ppm from the session clock, largest step %.3f ms", facts.clock->drift_ppm,
                      facts.clock->largest_step_ms);
   if (const auto found = facts.recording.find("clock_uncertainty_us"); found != facts.recording.end())
-    line += (line.empty() ? "" : "; ") + ("the recorder knew the session clock to " + found->second + " us");
+    line += (line.empty() ? "" : "; ") + ("error of the recorder's session clock: at most " + found->second + " us");
   return line.empty() ? "" : program::escaped(line) + "\n";
 }
 
@@ -47,7 +47,7 @@ std::string gaps_line(const SessionFacts& facts) {
   const auto gaps = facts.recording.find("gaps");
   if (gaps == facts.recording.end() || gaps->second == "0") return {};
   const auto seconds = facts.recording.find("gap_s");
-  return program::escaped("the server was away " + gaps->second + " times" +
+  return program::escaped("connection to the server lost " + gaps->second + " times" +
                           (seconds == facts.recording.end() ? "" : ", " + seconds->second + " s in all")) +
          "\n";
 }

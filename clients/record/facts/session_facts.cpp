@@ -61,7 +61,8 @@ Result<void> read_messages(const std::filesystem::path& file, SessionFacts& fact
   survey.finish(facts);
   for (const SessionFacts::Topic& topic : facts.topics)
     if (topic.unreadable > 0)
-      note_damage(facts, topic.name + ": " + std::to_string(topic.unreadable) + " messages are no " + topic.type);
+      note_damage(facts,
+                  topic.name + ": " + std::to_string(topic.unreadable) + " messages cannot be read as " + topic.type);
   return {};
 }
 
@@ -96,11 +97,14 @@ std::vector<std::string> notes_on(const SessionFacts& facts) {
   const auto count = [](std::uint64_t number, const char* what) { return std::to_string(number) + " " + what; };
   for (const SessionFacts::Topic& topic : facts.topics) {
     if (!topic.is_ours)
-      notes.push_back(topic.name + ": unknown topic, or another type than telepalp's; its messages are not checked");
+      notes.push_back(topic.name + ": the topic or its type is not telepalp's; its messages are not checked");
     if (topic.has_other_version)
       notes.push_back(topic.name + ": recorded by another version of telepalp; fields may differ");
-    if (topic.lost > 0) notes.push_back(topic.name + ": " + count(topic.lost, "messages were lost before the file"));
-    if (topic.back_in_time > 0) notes.push_back(topic.name + ": time goes back " + count(topic.back_in_time, "times"));
+    if (topic.lost > 0)
+      notes.push_back(topic.name + ": " + count(topic.lost, "messages were lost before they were recorded"));
+    if (topic.back_in_time > 0)
+      notes.push_back(topic.name + ": " +
+                      count(topic.back_in_time, "messages have an earlier time than the message before them"));
   }
   if (!facts.begins_with_key_frame)
     notes.emplace_back(

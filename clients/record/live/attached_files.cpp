@@ -26,7 +26,7 @@ Result<wire::mcap::Attachment> attach(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code) return unreadable;
   if (size > kMostBytes)
-    return Error{.what = "is larger than the 16 MiB of an attachment",
+    return Error{.what = "is larger than 16 MiB, the limit of an attachment",
                  .where = file.string(),
                  .fix = "keep it beside the session"};
   std::ifstream stream(file, std::ios::binary);

@@ -134,7 +134,7 @@ class Recording {
     if (state == wire::LinkState::Refused) return fail(link_.refusal());
     if (state == wire::LinkState::Lost && !stopping_) {
       away_since_ = Clock::now();
-      say("the server is away (" + detail + "); the recording continues when it is back");
+      say("the server does not answer (" + detail + "); the recording continues when it answers again");
     }
   }
 
@@ -143,7 +143,7 @@ class Recording {
       const double away_s = seconds_since(*std::exchange(away_since_, std::nullopt));
       ++report_.gaps;
       report_.gap_s += away_s;
-      say("the server is back after " + fixed(away_s, 1) + " s; the recording has no messages from that time");
+      say("the server answers again after " + fixed(away_s, 1) + " s; the recording has no messages of this time");
     }
     if (std::exchange(started_, started_.value_or(Clock::now()))) return;
     say("recording " + program::to_text(options_.server) + " to " + options_.file.string());
@@ -155,7 +155,7 @@ class Recording {
     if (options_.seconds.count() <= 0) return;
     deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.seconds));
     deadline_.async_wait([this](const error_code& cancelled) {
-      if (!cancelled) stop("the time is up");
+      if (!cancelled) stop("the time of --seconds is over");
     });
   }
 
@@ -169,7 +169,7 @@ class Recording {
       if (const auto alarm = room_.alarm(counts.stored_bytes)) say(*alarm);
       const std::uint64_t dropped = total(counts.dropped);
       if (dropped > dropped_reported_)
-        say("the disk does not keep up: " + std::to_string(dropped) + " messages dropped so far");
+        say("the disk is too slow: " + std::to_string(dropped) + " messages dropped so far");
       dropped_reported_ = dropped;
       if (options_.progress && started_) show(counts);
       watch();
@@ -182,7 +182,7 @@ class Recording {
                  fixed(static_cast<double>(counts.stored_bytes) / 1e6, 1).c_str(),
                  static_cast<unsigned long long>(counts.stored),
                  static_cast<unsigned long long>(total(counts.dropped) + files_->dropped()),
-                 away_since_ ? "  (server away)" : "");
+                 away_since_ ? "  (no connection)" : "");
     line_shown_ = true;
   }
 
@@ -216,7 +216,7 @@ class Recording {
     io_.poll();  // alarms of the disk thread that are still to be shown
     program::work_is_done();
     if (!failed_) return report_;
-    if (started_) say("until then: " + describe(report_));
+    if (started_) say("recorded before the error: " + describe(report_));
     return *failed_;
   }
 
@@ -261,7 +261,7 @@ std::string describe(const RecordingReport& report) {
   if (report.files > 1) text += " in " + std::to_string(report.files) + " files";
   if (report.dropped > 0)
     text += ", " + std::to_string(report.dropped) + " messages dropped because the disk was slow or full";
-  if (report.gaps > 0) text += ", the server was away " + fixed(report.gap_s, 1) + " s";
+  if (report.gaps > 0) text += ", no connection to the server for " + fixed(report.gap_s, 1) + " s";
   return text;
 }
 

@@ -41,7 +41,7 @@ std::string first_screen(const Comparison& comparison) {
   out += "<div class=\"verdict" + std::string(look) + "\"><div class=\"headline\">" + escaped(headline(comparison)) +
          "</div><p>" + escaped(account(comparison)) + "</p>\n";
   for (const auto& [letter, run] : {std::pair{"A", &comparison.a}, {"B", &comparison.b}})
-    out += "<p>" + std::string(letter) + " by itself: " + escaped(run->verdict.headline) + "</p>\n";
+    out += "<p>" + std::string(letter) + " alone: " + escaped(run->verdict.headline) + "</p>\n";
   return out + "</div>\n";
 }
 
@@ -91,7 +91,7 @@ std::string first_difference_section(const Comparison& comparison) {
                escaped(*comparison.first_message) + "</pre>\n";
   return section("The first difference",
                  comparison.equal()
-                     ? "There is none: topics, times and bytes of all messages are equal."
+                     ? "The sessions do not differ: topics, times and bytes of all messages are equal."
                      : "The first tick at which the states differ, and the first tick in contact at which the forces "
                        "differ by more than 0.05 N.",
                  content);
@@ -137,8 +137,8 @@ std::string overlay_sections(const Comparison& comparison) {
   std::string out;
   if (const auto charts = overlaid(a, b, comparison.ticks); !charts.empty())
     out += section("The whole runs",
-                   "State, force and height over one time axis. A is blue, B is red; the states are S1's numbers, R: "
-                   "released, F: faulted.",
+                   "State, force and height over one time axis. A is blue, B is red. State -3 to 3: phase of the "
+                   "controller (docs/controller.md); R: released; F: faulted.",
                    stacked(charts));
   if (const auto charts = overlaid_ages(a, b); !charts.empty())
     out += section("Age of the surface", "Age of the surface from which the force was computed.", stacked(charts));

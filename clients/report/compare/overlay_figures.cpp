@@ -60,7 +60,7 @@ Chart states(const Session& a, const Session& b, const Window& window) {
   };
   Chart chart{.title = "state",
               .x = {"time [s]"},
-              .y = {"state s_f"},
+              .y = {"number of the state"},
               .series = both(a, b, Style::Step, Style::Step, window, levels),
               .height_px = 230.0};
   std::set<double> visited;

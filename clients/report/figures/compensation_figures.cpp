@@ -51,7 +51,7 @@ void add_objects(const Session& session, std::vector<Chart>& charts) {
                      [](Object o) { return std::hypot(o.moved().x(), o.moved().z()) * 1e3; }),
          over_object(session, at, "uncertainty along the skin, 1 sigma", plot::kGrey,
                      [](Object o) { return o.sigma_slide_m() * 1e3; }),
-         over_object(session, at, "0: followed, -1: motion along the skin unknown, -2: skin not seen", plot::kBlack,
+         over_object(session, at, "0: follows the skin, -1: sideways motion not seen, -2: skin not seen", plot::kBlack,
                      [](Object o) { return o.unseen()         ? -2.0
                                            : o.slide_unseen() ? -1.0
                                                               : 0.0; })}));
@@ -63,26 +63,25 @@ std::vector<Chart> compensation(const Session& session) {
   using Sample = const msg::StationCompensation&;
   if (session.compensations.empty()) return {};
   std::vector<Chart> charts{
-      chart_of("Age of the data behind the force", "age [ms]",
+      chart_of("Age of the data from which the force is computed", "age [ms]",
                {over_time(session, "surface", plot::kBlue, [](Sample t) { return t.surface_age_s() * 1e3; }),
                 over_time(session, "hand", plot::kVermilion, [](Sample t) { return t.hand_age_s() * 1e3; }),
-                over_time(session, "error bound of the surface's age, from the session clock", plot::kGrey,
+                over_time(session, "error bound of the surface's age (session clock)", plot::kGrey,
                           [](Sample t) { return t.clock_error_s() * 1e3; })}),
       chart_of(
-          "The surface, carried forward along its normal", "distance [mm]",
-          {over_time(session, "carried forward", plot::kBlue, [](Sample t) { return t.surface_carried_m() * 1e3; }),
-           over_time(session, "offset that hides steps between snapshots", plot::kVermilion,
+          "Predicted motion of the surface along its normal", "distance [mm]",
+          {over_time(session, "predicted motion", plot::kBlue, [](Sample t) { return t.surface_carried_m() * 1e3; }),
+           over_time(session, "displayed minus measured surface (gradual change)", plot::kVermilion,
                      [](Sample t) { return t.slewed_m() * 1e3; }),
            over_time(session, "uncertainty, 1 sigma", plot::kGrey,
                      [](Sample t) { return t.surface_sigma_m() * 1e3; })}),
       chart_of(
-          "The hand, predicted", "distance [mm]",
-          {over_time(session, "carried forward", plot::kVermilion, [](Sample t) { return t.hand_carried_m() * 1e3; }),
+          "Predicted motion of the hand", "distance [mm]",
+          {over_time(session, "predicted motion", plot::kVermilion, [](Sample t) { return t.hand_carried_m() * 1e3; }),
            over_time(session, "uncertainty, 1 sigma", plot::kGrey, [](Sample t) { return t.hand_sigma_m() * 1e3; })})};
   if (std::any_of(session.compensations.begin(), session.compensations.end(),
                   [](Sample t) { return t.unmodelled() > 0.5; }))
-    charts.push_back(chart_of("Motion of the patient that the prediction does not model",
-                              "0: as in the last seconds, 1: unlike them",
+    charts.push_back(chart_of("Does the patient's motion fit the prediction?", "0: it fits, 1: it does not",
                               {over_time(session, "", plot::kBlue, [](Sample t) { return t.unmodelled(); })}));
   add_objects(session, charts);
   return charts;

@@ -35,11 +35,11 @@ std::vector<Chart> energy(const Session& session) {
   return {{.title = "Energy of the contact",
            .x = {"time [s]"},
            .y = {"energy [mJ]", plot::Range{0.0, 0.0}},
-           .series = {over_time(session, session.states, "taken by the display", plot::kBlue,
+           .series = {over_time(session, session.states, "energy balance of the display", plot::kBlue,
                                 [](State s) { return s.passivity_j() * 1e3; }),
-                      over_time(session, session.states, "given to the hand beyond the measured skin", plot::kVermilion,
+                      over_time(session, session.states, "excess work on the hand", plot::kVermilion,
                                 [](State s) { return s.hand_excess_j() * 1e3; }),
-                      over_time(session, session.compensations, "by lift and position control", plot::kGrey,
+                      over_time(session, session.compensations, "work of lift and position control", plot::kGrey,
                                 [](Message m) { return m.drive_j() * 1e3; })},
            .height_px = 240.0}};
 }
@@ -50,7 +50,7 @@ std::vector<Chart> heat(const Session& session) {
   const auto left_s = [](State s) { return s.yields_in_s() > 0.0 ? s.yields_in_s() : kUnknown; };
   if (std::none_of(session.states.begin(), session.states.end(), [&](State s) { return std::isfinite(left_s(s)); }))
     return {};
-  return {{.title = "Until warm motors lower the force",
+  return {{.title = "Time until warm motors lower the force",
            .x = {"time [s]"},
            .y = {"time left [s]", plot::Range{0.0, 5.0}},
            .series = {over_time(session, session.states, "", plot::kVermilion, left_s)},

@@ -93,7 +93,7 @@ Chart cylinder_path(const Ticks& ticks, std::string title, std::size_t across, s
 }
 
 Chart state_chart(const Ticks& ticks, const std::vector<double>& seconds) {
-  Chart chart{.title = "state", .x = {"time [s]"}, .y = {"s_f"}, .height_px = 230.0};
+  Chart chart{.title = "state", .x = {"time [s]"}, .y = {"number of the state"}, .height_px = 230.0};
   std::vector<double> levels;
   std::set<double> visited;
   for (const msg::Phase phase : ticks.phase) {
@@ -156,8 +156,8 @@ std::vector<Chart> around_the_cylinder(const Session& session) {
   for (Band& band : bands_of(ticks, seconds))
     if (band.mark.starts_with('-')) force.bands.push_back(std::move(band));
   force.series.push_back({"|F|", seconds, only(force_norm_N(ticks), here), std::string(plot::kBlack)});
-  return {cylinder_path(ticks, "Path of the end-effector from the side", 0, 1),
-          cylinder_path(ticks, "Path of the end-effector from above", 0, 2), std::move(force)};
+  return {cylinder_path(ticks, "Path of the end-effector, seen from the side", 0, 1),
+          cylinder_path(ticks, "Path of the end-effector, seen from above", 0, 2), std::move(force)};
 }
 
 std::vector<Chart> timeline(const Session& session) {

@@ -39,9 +39,9 @@ std::string check_card(const Check& check) {
       standing == Standing::NotMeasured ? "not measured" : readable(check.value) + " " + check.unit;
   return "<div class=\"check" + std::string(look) + "\"><div class=\"name\">" + escaped(check.name) +
          "</div><div class=\"value\">" + escaped(value) + "</div><div class=\"budget\">" +
-         (standing == Standing::Misses  ? "✗ asked: "
-          : standing == Standing::Holds ? "✓ asked: "
-                                        : "asked: ") +
+         (standing == Standing::Misses  ? "✗ required: "
+          : standing == Standing::Holds ? "✓ required: "
+                                        : "required: ") +
          escaped(budget) + "</div></div>\n";
 }
 
@@ -78,7 +78,7 @@ std::string states_section(const Summary& summary) {
          number(summary.dwells[i].seconds, 3),
          summary.seconds > 0.0 ? number(100.0 * summary.dwells[i].seconds / summary.seconds, 1) + " %" : "–"});
   return section("States", "How often the controller entered each state and how long it stayed.",
-                 table({"state", "s_f", "entries", "seconds", "of the session"}, rows));
+                 table({"state", "number", "entries", "seconds", "of the session"}, rows));
 }
 
 std::string motion_sections(const Session& session) {
@@ -94,10 +94,11 @@ std::string motion_sections(const Session& session) {
                  "hand.",
                  in_pairs(force_against_indentation(session)));
   const auto cylinder = around_the_cylinder(session);
-  out += cylinder.empty() ? section("The cylinder under the skin", "Its states were not visited in this run.", "")
-                          : section("The cylinder under the skin",
-                                    "Path of the end-effector in the cylinder's states, and the force.",
-                                    in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
+  out +=
+      cylinder.empty()
+          ? section("The cylinder under the skin", "The controller did not enter its states in this run.", "")
+          : section("The cylinder under the skin", "Path of the end-effector in the cylinder's states, and the force.",
+                    in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
   return out + section("The whole run",
                        "State, height and force on one time axis. Outside the body, the force moves the free "
                        "end-effector; the hand feels none.",
@@ -107,17 +108,18 @@ std::string motion_sections(const Session& session) {
 std::string energy_sections(const Session& session, const Summary& summary) {
   std::string out;
   if (const std::vector<plot::Chart> ledgers = energy(session); !ledgers.empty())
-    out += section("Energy",
-                   "Two ledgers, counted from the beginning of each contact. The display's ledger is relative to the "
-                   "displayed skin: below zero, the effects give energy. The hand's ledger is relative to the newest "
-                   "measured skin: above zero, a display that moves or lags gave the hand more than that skin would "
-                   "have. docs/controller.md names the motions that each ledger does not count.",
-                   stacked(ledgers));
+    out += section(
+        "Energy",
+        "Each curve begins at 0 at the beginning of a contact. Energy balance of the display: energy taken from the "
+        "hand less energy stored, relative to the displayed skin; below 0, the effects created energy. Excess work: "
+        "work on the hand beyond the work that the newest measured skin would do; above 0, the displayed skin moved "
+        "or lagged. docs/controller.md names the motions that each curve does not count.",
+        stacked(ledgers));
   if (const std::vector<plot::Chart> warm = heat(session); !warm.empty())
     out += section("Heat",
                    std::to_string(summary.heat_warnings) +
-                       " warnings. Warm motors cannot hold a large force: four seconds before, the force vibrates and "
-                       "the station warns. Then it falls slowly to what can be held.",
+                       " warnings. Warm motors cannot hold a large force. Four seconds before the force must fall, it "
+                       "vibrates and the station warns; then it falls slowly to the force that the motors can hold.",
                    stacked(warm));
   return out;
 }
@@ -125,9 +127,10 @@ std::string energy_sections(const Session& session, const Summary& summary) {
 std::string timing_sections(const Session& session, const Summary& summary) {
   std::string out;
   if (session.ticks.size() > 0)
-    out += section("The 2 kHz loop",
-                   "How long ticks took and how late they began. Right of the line a tick no longer fits its period.",
-                   in_pairs(tick_times(session)));
+    out +=
+        section("The 2 kHz loop",
+                "How long ticks took and how late they began. A tick to the right of the line does not fit its period.",
+                in_pairs(tick_times(session)));
   std::string way;
   if (!session.surfaces.empty()) way += plot::to_svg(latency_by_stage(summary));
   if (!session.states.empty()) way += plot::to_svg(surface_age(session));
@@ -144,7 +147,8 @@ std::string timing_sections(const Session& session, const Summary& summary) {
   for (const msg::EffectCost& cost : summary.bill)
     rows.push_back({cost.name(), readable(cost.mean_us()), readable(cost.max_us()),
                     readable(100.0 * cost.mean_us() / (session.ticks.period_ns * 1e-3)) + " %"});
-  return out + section("The bill of effects", "What each effect of the scene costs in every tick of 500 µs.",
+  return out + section("Computing time of the effects",
+                       "Computing time of each effect of the scene in a tick of 500 µs.",
                        table({"effect", "mean [µs]", "max [µs]", "of the period"}, rows));
 }
 
@@ -156,7 +160,8 @@ std::string senders_section(const Summary& summary) {
     rows.push_back({in_words(sender), std::to_string(sender.messages), std::to_string(sender.ticks),
                     std::to_string(sender.touches), count(sender.frames_sent), count(sender.frames_received),
                     count(sender.frames_dropped)});
-  return section("Senders", "Who published as a station. All other figures of this page are those of the first one.",
+  return section("Senders",
+                 "Programs that published as a station. All other figures on this page are of the first program.",
                  table({"sender", "messages", "ticks", "touches", "frames sent to it", "received", "dropped"}, rows));
 }
 

@@ -73,7 +73,7 @@ plot::BarChart latency_by_stage(const Summary& summary) {
   const auto bar = [](std::string name, const Quantiles& values, std::string_view color) {
     return plot::Bar{std::move(name), values.p50, values.p99, std::string(color)};
   };
-  return {"A frame's way from the camera to the hand (bar: p50, whisker: p99)",
+  return {"Latency of a frame from the camera to the hand (bar: p50, whisker: p99)",
           "ms",
           {bar("capture to encoded", summary.capture_to_encoded_ms, plot::kSky),
            bar("encoded to received", summary.encoded_to_received_ms, plot::kSky),

@@ -21,7 +21,7 @@ Check depth_check(const Summary& s) {
   const wire::DepthFidelity& depth = s.depth;
   const bool known = s.ticks > 0 && (depth.moved || !depth.mode.empty());
   const std::string meaning =
-      "the depth that was touched is " + wire::in_words(depth) + ": for display, and not as the camera measured it";
+      "the touched depth is " + wire::in_words(depth) + ": it is near-lossless, which is for display only";
   if (depth.moved && !depth.within)
     return {"depth error, bound not stated", known ? 1.0 : kUnknown, 0.0, "", true, meaning};
   const double off_mm = depth.within ? wire::at_1_m_mm(*depth.within) : 0.0;
@@ -39,21 +39,22 @@ std::string what_to_do(const Summary& s) {
   const std::string rights = s.realtime && !*s.realtime
                                  ? "give the station real-time priority (ulimit -r, or LimitRTPRIO of its service), "
                                  : "";
-  return rights + "close other programs, or take a computer that is not shared";
+  return rights + "close other programs, or use a computer that is not shared";
 }
 
 /// If the idle timer was measured, two checks: the late ticks of telepalp and those of the computer's timer.
 std::vector<Check> deadline_checks(const Summary& s) {
   constexpr double kBudget = 0.1;
   const std::string late = "the force was late more often than one tick in a thousand";
-  if (!s.idle_timer) return {{"missed deadlines, of ticks", missed_percent(s), kBudget, "%", true, late}};
+  if (!s.idle_timer) return {{"missed deadlines, share of all ticks", missed_percent(s), kBudget, "%", true, late}};
   const double timer = of_the_timer_percent(s);
   const std::string watched = std::to_string(s.idle_timer->missed) + " of " + std::to_string(s.idle_timer->wakeups);
   return {
-      {"late ticks, less those that the computer's timer explains, of ticks", missed_percent(s) - timer, kBudget, "%",
-       true, late + ", beyond the wake-ups that this computer's timer misses without work (" + watched + ")"},
-      {"late ticks that the computer's timer explains, of ticks", timer, kBudget, "%", true,
-       "its timer misses wake-ups without any work: " + watched + " while the station only waited; " + what_to_do(s),
+      {"late ticks not caused by the computer's timer, share of all ticks", missed_percent(s) - timer, kBudget, "%",
+       true,
+       late + ", not counting the wake-ups that this computer's timer misses even without work (" + watched + ")"},
+      {"late ticks caused by the computer's timer, share of all ticks", timer, kBudget, "%", true,
+       "its timer misses wake-ups even without work: " + watched + " while the station only waited; " + what_to_do(s),
        true}};
 }
 
@@ -63,18 +64,19 @@ std::vector<Check> deadline_checks(const Summary& s) {
 std::vector<Check> checks_of(const Summary& s) {
   const double faulted = s.ticks > 0 ? static_cast<double>(s.dwells.back().entries) : kUnknown;
   std::vector<Check> checks{
-      {"largest force", s.force_max_N, 10.0, "N", true, "the device was asked for more than its peak force"},
-      {"not a number", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
+      {"largest force", s.force_max_N, 10.0, "N", true, "the station commanded more than the device's peak force"},
+      {"numbers that are not finite", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
        "a force, position or depth was not finite"},
-      {"faults", faulted, 0.0, "", true, "the station ended in a fault, without force"},
-      {"control rate", s.ticks_per_s, 1990.0, "Hz", false, "the loop ran slower than its 2 kHz"},
+      {"faults", faulted, 0.0, "", true, "the station faulted, and the device gave no force"},
+      {"control rate", s.ticks_per_s, 1990.0, "Hz", false, "the control loop ran slower than 2 kHz"},
       {"tick time, p99.9", s.tick_us.p999, 500.0, "µs", true, "a tick took longer than its period"},
       {"camera to hand, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
-       "frames became touchable after the next one had come"},
-      {"camera to hand, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true, "the surface was old at times"},
-      {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, "the surface was renewed too seldom"},
+       "a typical frame became touchable only after the next frame was captured"},
+      {"camera to hand, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true,
+       "some frames were old when they became touchable"},
+      {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, "the camera sent too few depth frames a second"},
       {"frames lost", percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped)), 5.0, "%", true,
-       "the link or the station did not keep up"},
+       "the network or the station was too slow for all frames"},
       depth_check(s),
   };
   const std::vector<Check> deadlines = deadline_checks(s);
@@ -104,13 +106,15 @@ std::string account_of(const Summary& s) {
                                                     : ".");
   }
   if (std::isfinite(s.surface_age_ms.p50))
-    text += " The surface under the hand was typically " + readable(s.surface_age_ms.p50) + " ms old" +
-            (std::isfinite(s.clock_error_ms.p50) ? ", known within " + readable(s.clock_error_ms.p50) + " ms" : "") +
-            ".";
+    text +=
+        " The surface under the hand was typically " + readable(s.surface_age_ms.p50) + " ms old" +
+        (std::isfinite(s.clock_error_ms.p50) ? ", with an error of at most " + readable(s.clock_error_ms.p50) + " ms"
+                                             : "") +
+        ".";
   if (s.deadlines_missed)
-    text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) + " came too late" +
+    text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) + " were late" +
             (s.idle_timer && *s.deadlines_missed > 0 ? ", " + timers_part(s) : "") + ".";
-  if (s.realtime && !*s.realtime) text += " The station ran without real-time rights.";
+  if (s.realtime && !*s.realtime) text += " The station ran without real-time priority.";
   return text;
 }
 
@@ -120,7 +124,7 @@ std::string senders_warning(const Summary& s) {
   for (const SenderSummary& sender : s.senders)
     text += (&sender == &s.senders.front() ? " " : ", ") + in_words(sender) + " (" + std::to_string(sender.ticks) +
             " ticks, " + std::to_string(sender.states) + " states)";
-  return text + "; the figures are those of the first alone, and the others may be forged. ";
+  return text + "; the figures are those of the first sender, and the others may be forged. ";
 }
 
 std::string headline_of(const std::vector<Check>& checks, bool judged) {
@@ -132,10 +136,10 @@ std::string headline_of(const std::vector<Check>& checks, bool judged) {
       missed += (misses++ > 0 ? "; " : "") + check.meaning;
       only_the_computer = only_the_computer && check.of_the_computer;
     }
-  if (misses > 0 && only_the_computer) return "Look at this computer, the run itself was good: " + missed + ".";
-  if (misses > 0) return "Look at this run: " + missed + ".";
-  return judged ? "The run was good: every figure keeps its budget."
-                : "Nothing to judge: no station took part in this session.";
+  if (misses > 0 && only_the_computer) return "The run was good, but this computer was late: " + missed + ".";
+  if (misses > 0) return "Check this run: " + missed + ".";
+  return judged ? "The run was good: every figure meets its requirement."
+                : "The run is not judged: no station took part in this session.";
 }
 
 }  // namespace

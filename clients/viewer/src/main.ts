@@ -51,7 +51,7 @@ function openView(): SceneView {
   try {
     return new SceneView(canvas);
   } catch (problem) {
-    readouts.showBanner({level: 'alarm', title: 'No 3D in this browser', text: 'This browser has no WebGL 2: use another, or a newer one.'});
+    readouts.showBanner({level: 'alarm', title: 'No 3D in this browser', text: 'This browser has no WebGL 2: use another browser, or a newer version.'});
     throw problem;
   }
 }

@@ -13,9 +13,10 @@ Result<Solid> placement_of(const std::array<double, 12>& matrix, const std::stri
   const double scale = std::cbrt(linear.determinant());
   const double skew = (linear.transpose() * linear - scale * scale * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(scale > 0.0 && skew <= 1e-6 * scale * scale))
-    return Error{.what = "the matrix of tm shears, mirrors, or scales its axes differently",
-                 .where = where,
-                 .fix = "give a rotation times one scale, for distances must stay distances; or use tr, ro and sc"};
+    return Error{
+        .what = "the matrix of tm shears, mirrors, or scales its axes differently",
+        .where = where,
+        .fix = "give a rotation times one scale factor, which keeps distances in proportion; or use tr, ro and sc"};
   const Eigen::AngleAxisd turn(Eigen::Quaterniond(Eigen::Matrix3d(linear / scale)).normalized());
   Node move{.word = *find_word("tx")};
   move.numbers = {matrix[3],       matrix[7],       matrix[11],     turn.angle() * 180.0 / std::numbers::pi,

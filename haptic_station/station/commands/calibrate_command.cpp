@@ -66,17 +66,18 @@ int calibrate_command(int argc, const char* const* argv) {
   const std::string how = arguments.positional().size() == 1 ? arguments.positional().front() : "";
   const auto method = std::ranges::find(kMethods, how, &Method::name);
   if (method == kMethods.end())
-    return program::fail({.what = "'" + how + "' is none of points, offset and probe",
+    return program::fail({.what = "'" + how + "' is not points, offset or probe",
                           .where = "telepalp-station calibrate",
-                          .fix = "telepalp-station calibrate --help"},
+                          .fix = "give one of them; see telepalp-station calibrate --help"},
                          program::kAskedWrongly);
   const Result<Measured> measured = method->measure(arguments);
   if (!measured) return program::fail(measured.error());
   if (const Result<void> kept = keep(*measured, arguments.text("out")); !kept) return program::fail(kept.error());
   const msg::MeasuredTransform& m = measured->transform;
-  std::printf("haptic_from_%s from %u measurements: residual %.2f +- %.2f mm, at most %.2f mm; kept in %s\n",
-              measured->of_camera ? "camera" : "tracker", m.measurements(), m.residual_mean_m() * 1e3,
-              m.residual_deviation_m() * 1e3, m.residual_largest_m() * 1e3, arguments.text("out").c_str());
+  std::printf(
+      "haptic_from_%s from %u measurements: residual mean %.2f mm, deviation %.2f mm, largest %.2f mm; written to %s\n",
+      measured->of_camera ? "camera" : "tracker", m.measurements(), m.residual_mean_m() * 1e3,
+      m.residual_deviation_m() * 1e3, m.residual_largest_m() * 1e3, arguments.text("out").c_str());
   return program::kDone;
 }
 

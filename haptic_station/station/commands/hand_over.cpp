@@ -33,9 +33,9 @@ program::Usage usage() {
 Result<std::string> command_of(const program::Arguments& arguments) {
   const int asked = int{arguments.has("to")} + int{arguments.has("withdraw")} + int{arguments.has("accept")};
   if (asked != 1)
-    return Error{.what = "none of --to, --withdraw and --accept is given, or more than one",
+    return Error{.what = "not exactly one of --to, --withdraw and --accept is given",
                  .where = "telepalp-station hand-over",
-                 .fix = "give exactly one; telepalp-station hand-over --help"};
+                 .fix = "give exactly one; see telepalp-station hand-over --help"};
   if (arguments.has("withdraw")) return std::string("withdraw");
   if (arguments.has("accept")) return std::string("accept");
   const std::string to = arguments.text("to");

@@ -21,7 +21,7 @@ namespace {
 
 program::Usage usage() {
   return {.program = "telepalp-station scene",
-          .purpose = "checks a scene file, measures what its effects cost, and draws what is under the skin",
+          .purpose = "checks a scene file, measures its computing time, and draws the solids under the skin",
           .positional = "",
           .options = {{"out", "FILE", "show, image: a PNG; mesh: a .ply or .obj"},
                       {"from", "above|feet|side", "show: side from which the solids are seen", "above"},
@@ -75,7 +75,7 @@ Result<void> bill(const scenes::Scene& scene, const program::Arguments& argument
   const Result<scenes::Scene> again = read_scene_named(arguments.positional().back());
   const double start_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
   if (!again) return again.error();
-  std::printf("%-12s %10s %10s %8s %10s  %s\n", "effect", "mean, us", "most, us", "shapes", "memory, B",
+  std::printf("%-12s %10s %10s %8s %10s  %s\n", "effect", "mean, us", "max, us", "shapes", "memory, B",
               "error of the depth");
   double total_us = 0.0;
   for (const EffectPrice& price : price_of(scene)) {
@@ -83,7 +83,7 @@ Result<void> bill(const scenes::Scene& scene, const program::Arguments& argument
                 price.shapes, price.bytes, price.depth_error.c_str());
     total_us += price.mean_us;
   }
-  std::printf("%-12s %10.3f of a tick of 500 us; reading the scene took %.1f ms\n", "total", total_us, start_ms);
+  std::printf("%-12s %10.3f us of the 500 us of a tick; reading the scene took %.1f ms\n", "total", total_us, start_ms);
   return {};
 }
 
@@ -158,8 +158,9 @@ Result<void> mesh(const scenes::Scene& scene, const program::Arguments& argument
   const auto layer =
       std::ranges::find_if(scene.layers, [&](const auto& one) { return name.empty() || one.solid->name == name; });
   if (layer == scene.layers.end())
-    return Error{
-        .what = "no layer '" + name + "' in the scene", .where = "--layer", .fix = "telepalp-station scene check"};
+    return Error{.what = "no layer '" + name + "' in the scene",
+                 .where = "--layer",
+                 .fix = "telepalp-station scene check FILE names the layers"};
   const Result<solids::SolidMesh> made = solids::mesh_of(*layer->solid->tree, 1e-3 * *cell_mm);
   if (!made) return made.error();
   std::printf("%s: %zu points, %zu triangles, %zu open edges\n", layer->solid->name.c_str(), made->points.size(),
@@ -184,11 +185,10 @@ int scene_command(int argc, const char* const* argv) {
   const std::vector<std::string>& words = arguments.positional();
   const auto task = std::ranges::find(kTasks, words.empty() ? "" : words.front(), &Task::name);
   if (task == kTasks.end() || words.size() != 2)
-    return program::fail(
-        {.what = "give one of check, bill, show, image and mesh, and one scene: a file, or the name of one that ships",
-         .where = "telepalp-station scene",
-         .fix = "telepalp-station scene --help"},
-        program::kAskedWrongly);
+    return program::fail({.what = "not one of check, bill, show, image and mesh, with one scene",
+                          .where = "telepalp-station scene",
+                          .fix = "see telepalp-station scene --help"},
+                         program::kAskedWrongly);
   const Result<scenes::Scene> scene = read_scene_named(words.back());
   if (!scene) return program::fail(scene.error());
   const Result<void> done = task->run(*scene, arguments);

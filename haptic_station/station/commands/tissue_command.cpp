@@ -18,7 +18,7 @@ program::Usage usage() {
           .options = {{"test", "FILE", "CSV: a header row, then rows compression_mm,load_N"},
                       {"diameter-mm", "MM", "diameter of the specimen", "50"},
                       {"height-mm", "MM", "height of the specimen", "30"},
-                      {"contact-mm", "MM", "diameter that the fingers press with", "30"},
+                      {"contact-mm", "MM", "diameter of the contact of the fingers with the skin", "30"},
                       {"thickness-mm", "MM", "thickness of the tissue under the hand", "60"},
                       {"to-strain", "SHARE", "largest strain of the test that the fit uses", "0.5"}},
           .example = "telepalp-station tissue --test tests/data/tissue/EF10_50T.csv"};

@@ -62,7 +62,7 @@ error_code connecting_to(const std::string& path) {
 /// The reason why `entry` may not be replaced; nullopt if it may. Only a socket of this user on which nobody listens
 /// may be replaced: a crashed station left it.
 std::optional<std::string> in_the_way(const OwnFolder::Entry& entry, const std::string& path) {
-  if (S_ISLNK(entry.mode)) return "the path is a symbolic link, which could lead anywhere";
+  if (S_ISLNK(entry.mode)) return "the path is a symbolic link, which telepalp does not follow";
   if (!S_ISSOCK(entry.mode)) return "the path is a file or a folder, not a socket; it is left as it is";
   if (entry.owner != ::geteuid()) return "the path is a socket of another user";
   const error_code error = connecting_to(path);
@@ -140,7 +140,7 @@ Result<std::string> ask_station(const fs::path& path, const std::string& command
   const auto why = [&path](const error_code& error) {
     return Error{.what = "the station does not answer: " + error.message(),
                  .where = path.string(),
-                 .fix = "look whether telepalp-station runs, and name its socket by --control"};
+                 .fix = "check that telepalp-station runs, and name its socket by --control"};
   };
   if (!fits(path)) return why(boost::asio::error::name_too_long);
   boost::asio::io_context io;

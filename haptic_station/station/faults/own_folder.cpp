@@ -22,7 +22,7 @@ Error not_opened(const std::filesystem::path& folder, int code) {
   // O_NOFOLLOW with O_DIRECTORY answers ENOTDIR for a symbolic link too.
   struct stat status {};
   const bool link = ::lstat(folder.c_str(), &status) == 0 && S_ISLNK(status.st_mode);
-  if (link) return unsafe(folder, "the socket's folder is a symbolic link, which could lead anywhere");
+  if (link) return unsafe(folder, "the socket's folder is a symbolic link, which telepalp does not follow");
   return unsafe(folder, "the socket's folder cannot be opened: " + std::system_category().message(code));
 }
 
@@ -37,7 +37,7 @@ Result<OwnFolder> OwnFolder::open(const std::filesystem::path& folder, bool make
   if (status.st_uid != ::geteuid())
     return unsafe(folder, "the socket's folder belongs to another user (" + std::to_string(status.st_uid) + ")");
   if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0)
-    return unsafe(folder, "others may write to the socket's folder, and so replace the socket");
+    return unsafe(folder, "other users may write to the socket's folder, and could replace the socket");
   return opened;
 }
 

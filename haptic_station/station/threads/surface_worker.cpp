@@ -60,8 +60,9 @@ void SurfaceWorker::work_off(const Work& work) {
   const bool is_newest = --waiting_ == 0;
   msg::DepthImage message;
   if (!message.ParseFromString(*work.depth.payload))
-    return handlers_.on_bad_frame(
-        {.what = "the message is not a depth image", .where = "/camera/depth", .fix = "check that both ends match"});
+    return handlers_.on_bad_frame({.what = "the message is not a depth image",
+                                   .where = "/camera/depth",
+                                   .fix = "check that both ends were built from the same version"});
   if (!is_newest) return reader_.skip(std::move(*message.mutable_data()));
   const Result<codec::DecodedDepth> depth = read(message);
   if (!depth) {

@@ -87,7 +87,7 @@ float mended(models::PointModel& mesh, const Winding& winding, std::string& rema
         std::to_string(closure.without_place) + " triangles with a corner that is not a number (NaN) are left out");
   if (winding.open_edges > 0) {
     say(remarks, "the mesh is open (" + std::to_string(winding.open_edges) +
-                     " edges without a partner), so which side is outside is taken from its " +
+                     " edges with a face on one side only), so its outside is taken from its " +
                      (mesh.normals.empty() ? "faces" : "normals"));
     return 1.0F;
   }

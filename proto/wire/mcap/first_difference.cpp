@@ -71,7 +71,7 @@ Result<std::optional<std::string>> first_difference(const std::filesystem::path&
     if (!*left && !*right) return std::optional<std::string>{};
     if (!*left || !*right)
       return std::optional("the " + std::string(*left ? "second" : "first") + " ends after " +
-                           std::to_string(number - 1) + " messages, and the other goes on\n");
+                           std::to_string(number - 1) + " messages, and the other has more\n");
     if (!equal(**left, **right)) return std::optional(describe(number, **left, **right));
   }
 }

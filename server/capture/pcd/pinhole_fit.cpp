@@ -91,7 +91,8 @@ Result<RgbdFrame> frame_of(const models::PointModel& cloud, const std::string& n
   if (!(across.rms() <= kMostResidual_px && down.rms() <= kMostResidual_px && across.focal() > 0.0 &&
         down.focal() > 0.0))
     return Error{.what = "was not seen by a pinhole camera: points lie " +
-                         std::to_string(std::max(across.rms(), down.rms())) + " pixels from where they should",
+                         std::to_string(std::max(across.rms(), down.rms())) +
+                         " pixels from where a pinhole camera sees them",
                  .where = name,
                  .fix = fix};
 

@@ -130,7 +130,7 @@ std::optional<RgbdFrame> SessionFrames::take() {
 }
 
 std::string SessionFrames::complaint() const {
-  return damaged_ == 0 ? "" : std::to_string(damaged_) + " damaged parts passed over";
+  return damaged_ == 0 ? "" : std::to_string(damaged_) + " damaged parts skipped";
 }
 
 }  // namespace telepalp::capture

@@ -61,7 +61,7 @@ Result<PlaybackRequest> read_playback_request(std::string_view bytes, const msg:
       .speed = double{std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(bytes.substr(2, 4))))},
       .seek_ns = {},
       .id = std::string(bytes.substr(kRequestHeadBytes))};
-  if (!std::isfinite(request.speed)) return refused("has a speed that is no number");
+  if (!std::isfinite(request.speed)) return refused("has a speed that is not a number");
   if (bytes[6] == 0) return request;
   request.seek_ns = little_endian(bytes.substr(7, 8));
   if (*request.seek_ns < state.begin_ns() || *request.seek_ns > end_ns(state))

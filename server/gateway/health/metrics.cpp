@@ -59,7 +59,7 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
          single("telepalp_waiting_bytes", "gauge", "Bytes that wait for subscribers; images are not counted.",
                 hub.waiting_bytes()) +
          single("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch.", touch_is_held ? 1 : 0) +
-         single("telepalp_joined_total", "counter", "Connections that were let in since the start.", access.joined) +
+         single("telepalp_joined_total", "counter", "Connections that were accepted since the start.", access.joined) +
          single("telepalp_refused_total", "counter", "Keys, tokens, operations and connections that were refused.",
                 access.refused) +
          single("telepalp_audit_lines", "gauge", "Lines of the audit log.", access.audit_lines) +

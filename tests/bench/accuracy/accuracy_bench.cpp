@@ -32,7 +32,7 @@ Result<std::vector<Part>> parts_of(const program::Arguments& arguments) {
     names += (names.empty() ? "" : ", ") + std::string(part.name);
   }
   return Error{
-      .what = "'" + arguments.text("part") + "' is no part", .where = "--part", .fix = "give one of: " + names};
+      .what = "'" + arguments.text("part") + "' is not a part", .where = "--part", .fix = "give one of: " + names};
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ Result<Report> run_accuracy(const program::Arguments& arguments) {
   Report report{.bench = "accuracy", .rows = std::move(all.rows), .notes = {}};
   report.notes = {"shapes: six known by formula, radii >= 50 mm, 1.5 mm sampling at 0.8 m, no noise; the worst of them",
                   "torso: 640x480, Gaussian noise of 1 mm, still, after one second of frames; reach 0.10 m",
-                  "load: share of one core for 30 snapshots and 2000 steps a second, from the medians"};
+                  "load: share of one core for 30 snapshots and 2000 steps a second, computed from the medians"};
   if (parts->size() == std::size(kParts))
     all.parts.push_back({"conditions", "Machine: " + machine_name() + "; commit " + TELEPALP_COMMIT + ".\n"});
   if (arguments.has("write")) {

@@ -265,13 +265,15 @@ Result<Report> run_depth(const program::Arguments& arguments) {
   }
   if (arguments.has("held-out"))
     if (const Result<void> added = add_held_out(arguments.text("held-out"), report); !added) return added.error();
-  if (!kinects) report.notes.push_back("not a Kinect's frames: no times are asked");
-  report.notes.push_back(asked_ratios == nullptr
-                             ? "no ratio is asked: none was measured before on the frames that begin with CRC-32C " +
-                                   std::to_string(set_mark(frames.front()))
-                             : "ratios are asked as for " + std::string(asked_ratios->set));
+  if (!kinects) report.notes.push_back("no budget for the times: the frames are not a Kinect's");
+  report.notes.push_back(
+      asked_ratios == nullptr
+          ? "no budget for the ratio: it was not measured before on the frames that begin with CRC-32C " +
+                std::to_string(set_mark(frames.front()))
+          : "budgets of the ratios: those of " + std::string(asked_ratios->set));
   if (read->left_out > 0)
-    report.notes.push_back(std::to_string(read->left_out) + " frames more are left out: memory for 1 GiB of samples");
+    report.notes.push_back(std::to_string(read->left_out) +
+                           " more frames are left out: samples fill the limit of 1 GiB");
   report.notes.push_back(
       std::to_string(frames.size()) + " frames of " + std::to_string(frames[0].width) + " x " +
       std::to_string(frames[0].height) + ", one core, CPU time; kernel " +

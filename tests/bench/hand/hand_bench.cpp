@@ -72,8 +72,8 @@ Result<Report> run_hand(const program::Arguments& arguments) {
     hand::accept_reached(*reached, report);
   }
   report.notes = {"virtual time, 2 kHz, 30 Hz; torso at 0.8 m, 500 N/m; noise of a Kinect with disparity steps",
-                  "link: RTT as drawn or named, 10 % loss in bursts of four, jitter of 30 ms; both skin anchors",
-                  "the law's force is that of the true skin; a place without contact counts with all of it"};
+                  "link: RTT random or as named, 10 % loss in bursts of four, jitter of 30 ms; both skin anchors",
+                  "the reference force is that of the true skin; a place without contact counts with its whole force"};
   return report;
 }
 

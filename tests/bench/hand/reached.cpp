@@ -14,7 +14,9 @@ constexpr double kShare = 0.1;
 Result<Reached> read_reached(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream)
-    return Error{.what = "cannot be read", .where = file.string(), .fix = "name the file of reached figures"};
+    return Error{.what = "cannot be read",
+                 .where = file.string(),
+                 .fix = "give a reached.tsv, which telepalp-bench hand --write DIR writes"};
   Reached reached;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {

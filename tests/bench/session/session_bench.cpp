@@ -164,7 +164,7 @@ Result<Report> run_session(const program::Arguments& arguments) {
                          at_most("tick work with a recorder, p99.9 by that without", cost->recorded_us / cost->alone_us,
                                  "", 1.1)},
                 .notes = {std::to_string(kOpenings) + " openings, each in a process of its own",
-                          "cold: the file was removed from the system's cache before",
+                          "cold: the file was removed from the system's cache before each opening",
                           "ticks: medians of " + std::to_string(kRecordingTurns) +
                               " turns with a recorder and as many without, one after the other"}};
 }

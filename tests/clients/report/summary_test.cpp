@@ -181,12 +181,11 @@ Verdict with_late_ticks(std::uint64_t missed, std::uint64_t idle, bool realtime 
 TEST(IdleTimer, ExplainsLateTicksThatAreTheComputersAndSaysWhatToDo) {
   const Verdict verdict = with_late_ticks(18, 5);
   EXPECT_TRUE(
-      verdict.headline.starts_with("Look at this computer, the run itself was good: its timer misses "
-                                   "wake-ups without any work: 5 of 2000"))
+      verdict.headline.starts_with("The run was good, but this computer was late: its timer misses "
+                                   "wake-ups even without work: 5 of 2000"))
       << verdict.headline;
   EXPECT_NE(verdict.headline.find("real-time priority"), std::string::npos);
-  EXPECT_NE(verdict.account.find("18 came too late, about 18 of them because of this computer's timer"),
-            std::string::npos)
+  EXPECT_NE(verdict.account.find("18 were late, about 18 of them because of this computer's timer"), std::string::npos)
       << verdict.account;
   EXPECT_EQ(with_late_ticks(18, 5, true).headline.find("real-time priority"), std::string::npos);
 }
@@ -194,8 +193,8 @@ TEST(IdleTimer, ExplainsLateTicksThatAreTheComputersAndSaysWhatToDo) {
 TEST(IdleTimer, DoesNotExcuseTicksThatTheRunItselfMadeLate) {
   const Verdict verdict = with_late_ticks(80, 1);
   EXPECT_TRUE(verdict.headline.starts_with(
-      "Look at this run: the force was late more often than one tick in a "
-      "thousand, beyond the wake-ups that this computer's timer misses without work (1 of 2000"))
+      "Check this run: the force was late more often than one tick in a "
+      "thousand, not counting the wake-ups that this computer's timer misses even without work (1 of 2000"))
       << verdict.headline;
   EXPECT_NE(verdict.account.find("about 4 of them"), std::string::npos) << verdict.account;
 }
@@ -207,7 +206,7 @@ TEST(Summary, LatencyStagesAddUpToTheWhole) {
   EXPECT_GE(s.capture_to_touchable_ms.p50, 19.0);
   EXPECT_LE(s.capture_to_touchable_ms.p99, 23.1);
   EXPECT_NEAR(s.clock_error_ms.p50, 4.0, 1e-9);
-  EXPECT_NE(judge(s).account.find(" ms old, known within 4"), std::string::npos) << judge(s).account;
+  EXPECT_NE(judge(s).account.find(" ms old, with an error of at most 4"), std::string::npos) << judge(s).account;
 }
 
 TEST(Summary, GivesHowFarPredictionCarriedHandAndSurfaceWithoutTheirSign) {

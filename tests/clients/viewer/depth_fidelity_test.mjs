@@ -23,7 +23,7 @@ test('bounded depth says how far it may be off, and how that grows', () => {
   const {moved, words, more} = fidelityOf('bounded', 0.001, 0.00285);
   assert.equal(moved, true);
   assert.equal(words, 'bounded, off by up to 2.85 mm at 1 m');
-  assert.match(more, /2\.85 mm times z squared.* 1 mm where that is more/);
+  assert.match(more, /2\.85 mm times z squared.* 1 mm where that is larger/);
   assert.equal(fidelityOf('bounded', 0.004, 0.00285).words, 'bounded, off by up to 4 mm at 1 m');
   assert.equal(fidelityOf('fast', 0.001, 0.00285).words, 'fast, off by up to 2.85 mm at 1 m');
 });

@@ -48,7 +48,7 @@ test('hand and skin are told with two standard deviations, and damping that acts
   const rows = compensationRows(still, {passivityJ: -0.00001});
   assert.equal(valueOf(rows, 'Hand predicted'), '4.2 ± 1.0 mm');
   assert.equal(valueOf(rows, 'Skin predicted'), '0.0 ± 0.6 mm');
-  assert.equal(valueOf(rows, 'Ledger of the display'), '0.0 mJ');
+  assert.equal(valueOf(rows, 'Display: energy balance'), '0.0 mJ');
   assert.equal(rows.find(({name}) => name === 'Damping').level, undefined);
   const damped = compensationRows({...still, dampingN: 0.4, support: 0.5, slewedM: 0.002}, undefined);
   assert.equal(damped.find(({name}) => name === 'Damping').level, 'warn');

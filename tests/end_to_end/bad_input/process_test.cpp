@@ -117,7 +117,7 @@ TEST(BadInput10, ADevicePoseThatIsNaNGetsNoForceAndLatchesAFault) {
       {"--connect", "127.0.0.1:" + *port, "--device", "udp:127.0.0.1:" + std::to_string(device.port()), "--tracker",
        "held", "--control", (folder.path() / "control").string(), "--state-dir", (folder.path() / "state").string()},
       log);
-  ASSERT_TRUE(comes(log, "ticking at 2 kHz", 20s)) << text_of(log);
+  ASSERT_TRUE(comes(log, "control loop runs at 2 kHz", 20s)) << text_of(log);
   device.fault = Fault::NaN;
   EXPECT_TRUE(comes(log, "fault: ", 10s)) << text_of(log);
   std::this_thread::sleep_for(200ms);

@@ -244,7 +244,7 @@ TEST(Trajectory, TimeThatGoesBackIsAnErrorWithItsLine) {
   const auto read = parse_trajectory("t_s,x,y,z\n0,0,0,1\n0.2,0,0,1\n0.1,0,0,1\n", "q.csv");
   ASSERT_FALSE(read.ok());
   EXPECT_EQ(read.error().where, "q.csv:4");
-  EXPECT_NE(read.error().what.find("goes back"), std::string::npos);
+  EXPECT_NE(read.error().what.find("decreases from"), std::string::npos);
 }
 
 TEST(Trajectory, AnInvalidTrajectoryIsAnErrorWithItsLine) {

@@ -76,7 +76,8 @@ TEST(ControlSocket, AFolderThatOthersMayWriteToIsRefusedAndStaysAsItIs) {
   fs::create_directory(run);
   for (const unsigned mode : {01777U, 0777U, 0770U}) {  // the first is /tmp's
     fs::permissions(run, fs::perms{mode});
-    EXPECT_NE(problem_at(run / "control").find("others may write"), std::string::npos) << problem_at(run / "control");
+    EXPECT_NE(problem_at(run / "control").find("other users may write"), std::string::npos)
+        << problem_at(run / "control");
     EXPECT_EQ(permissions(run), fs::perms{mode});
     EXPECT_TRUE(fs::is_empty(run));
   }

@@ -37,7 +37,7 @@ TEST(ImageAges, AreToldWithTheLargestErrorBoundOfTheSessionClock) {
   ages.add(touchable_after(120ms, 0.0032));
   ages.add(touchable_after(120ms, 0.001));
   EXPECT_EQ(ages.in_words(),
-            "100 images touchable 61 ms (p50) and 122 ms (p99) after capture, each known within 3.2 ms");
+            "100 images touchable 61 ms (p50) and 122 ms (p99) after capture, with an error of at most 3.2 ms each");
 }
 
 TEST(ImageAges, AnUnknownClockIsToldAndAnAgeBelowZeroCountsAsZero) {
@@ -45,7 +45,7 @@ TEST(ImageAges, AnUnknownClockIsToldAndAnAgeBelowZeroCountsAsZero) {
   ages.add(touchable_after(-2ms, std::numeric_limits<double>::infinity()));
   EXPECT_EQ(
       ages.in_words(),
-      "1 images touchable 0.0 ms (p50) and 0.0 ms (p99) after capture, by a session clock whose error is not known");
+      "1 images touchable 0.0 ms (p50) and 0.0 ms (p99) after capture, with an unknown error of the session clock");
 }
 
 TEST(DurationHistogram, EveryQuantileIsWithinThreePercentOfTheSortedValues) {

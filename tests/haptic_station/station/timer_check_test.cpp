@@ -23,10 +23,9 @@ TEST(TimerCheck, DescribesItsResult) {
   check.set_missed(4);
   check.set_late_us_p50(61.6);
   check.set_late_us_max(4100.0);
-  EXPECT_EQ(
-      in_words(check),
-      "timer of this computer, tested without work: 4 of 2000 wake-ups were missed, delay 62 us at the median and "
-      "4100 us at most");
+  EXPECT_EQ(in_words(check),
+            "timer of this computer, tested without work: 4 of 2000 wake-ups missed; delay: median 62 us, "
+            "largest 4100 us");
 }
 
 }  // namespace

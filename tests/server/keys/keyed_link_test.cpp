@@ -53,7 +53,8 @@ TEST(KeyedLink, AKeyOfAnotherAuthorityIsRefusedAtBothEnds) {
   KeyedSite site;
   const KeyRing other;
   KeyedClient stranger(site, other.key("eve", Role::Doctor), "doctor");
-  expect_refused(site, stranger, "the server is not of the authority site that made this key", "who answers");
+  expect_refused(site, stranger, "the server's key was not made by the authority site, which made this key",
+                 "which server");
   auto forged = std::make_shared<keys::KeyFile>(*other.key("eve", Role::Doctor));
   forged->authority = site.ring.authority.certificate();  // a client that takes any server
   KeyedClient eve(site, forged, "doctor");
@@ -66,7 +67,7 @@ TEST(KeyedLink, ATokenOfAnotherAuthorityIsRefused) {
   auto forged = std::make_shared<keys::KeyFile>(*other.token("eve", Role::Doctor));
   forged->authority = site.ring.authority.certificate();
   KeyedClient eve(site, forged, "doctor");
-  expect_refused(site, eve, "this is no token of the server's authority", "telepalp-keys token");
+  expect_refused(site, eve, "this is not a token of the server's authority", "telepalp-keys token");
 }
 
 TEST(KeyedLink, AnExpiredKeyIsRefused) {
@@ -108,7 +109,7 @@ TEST(KeyedLink, AKeyIsNotDroppedForAServerWithoutTls) {
   Site site;
   const KeyRing ring;
   KeyedClient client(site, ring.key("anna", Role::Doctor), "doctor");
-  expect_refused(site, client, "the server does not speak TLS", "leave out --key");
+  expect_refused(site, client, "the server does not use TLS", "leave out --key");
 }
 
 TEST(KeyedLink, AServerThatAnswersUnderAnotherNameIsRefused) {

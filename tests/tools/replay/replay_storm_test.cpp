@@ -60,8 +60,8 @@ TEST(ReplayStorm, EveryInvariantCanFail) {
   std::vector<TickRecord> rising;
   for (int i = 0; i <= 22; ++i) rising.push_back(pushing(0.5F * static_cast<float>(i)));
   fails_with(rising, "above the scene's peak");
-  fails_with({{.passivity_J = -0.021F}}, "the display has given the hand energy");
-  fails_with({{.hand_excess_J = 0.31F}}, "the hand got energy");
+  fails_with({{.passivity_J = -0.021F}}, "the display created energy");
+  fails_with({{.hand_excess_J = 0.31F}}, "the excess work on the hand is too large");
   fails_with(std::vector<TickRecord>(1002, {.phase = control::Phase::InBody, .surface_age_s = 2.6F}),
              "still gives force");
   fails_with(std::vector<TickRecord>(9100, {.depth_m = 0.006F, .surface_age_s = 0.1F}), "but there is no force");

@@ -25,7 +25,7 @@ int diff_command(int argc, const char* const* argv) {
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;
   if ((*read)->positional().size() != 2)
-    return program::fail({.what = "two sessions are compared",
+    return program::fail({.what = "not exactly two sessions are given",
                           .where = "telepalp-replay diff",
                           .fix = "give two files: telepalp-replay diff A.mcap B.mcap"},
                          program::kAskedWrongly);

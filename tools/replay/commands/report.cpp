@@ -53,11 +53,11 @@ std::string in_words(const Scenario& scenario) {
   std::string text = number(to_milliseconds(down.delay)) + " ms one way";
   if (down.jitter > Nanoseconds{0}) text += " ± " + number(to_milliseconds(down.jitter)) + " ms";
   if (down.loss > 0.0) text += ", " + number(100.0 * down.loss) + " % lost in bursts of " + number(down.burst_packets);
-  if (down.reorder > 0.0) text += ", " + number(100.0 * down.reorder) + " % overtaken";
+  if (down.reorder > 0.0) text += ", " + number(100.0 * down.reorder) + " % reordered";
   if (down.rate_B_per_s > 0.0) text += ", " + number(down.rate_B_per_s / 125.0) + " kbit/s";
   const Faults& faults = scenario.faults;
   if (!faults.outages.empty()) text += ", outage " + windows_in_words(faults.outages);
-  if (!faults.restarts.empty()) text += ", server away " + windows_in_words(faults.restarts);
+  if (!faults.restarts.empty()) text += ", server off " + windows_in_words(faults.restarts);
   if (!faults.tracker_lost.empty()) text += ", tracker lost " + windows_in_words(faults.tracker_lost);
   if (!faults.glitches.empty()) text += ", " + std::to_string(faults.glitches.size()) + " encoder glitches";
   if (!faults.clock_steps.empty()) text += ", " + std::to_string(faults.clock_steps.size()) + " clock steps";

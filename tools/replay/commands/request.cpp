@@ -22,7 +22,7 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
   Result<scenes::Scene> scene = scenes::read_scene(*file);
   if (!scene) return scene.error();
   if (scene->message.patient_surface().has_static_model())
-    return Error{.what = "the scene touches a static model, to which the network makes no difference",
+    return Error{.what = "the scene touches a static model, which no network changes",
                  .where = file->string(),
                  .fix = "give a scene whose patient_surface is streamed"};
   const std::string& name = scene->message.surface().name();
@@ -31,7 +31,7 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
   if (!surface) return surface.error();
   if (!surface::runs_in_tick(*surface))
     return Error{
-        .what = "the surface setting " + name + " needs a thread of its own, which does not run in virtual time",
+        .what = "the surface setting " + name + " cannot run in virtual time, because it needs a thread of its own",
         .where = file->string(),
         .fix = "give a scene with another surface setting"};
   request.surface = *surface;
@@ -45,7 +45,7 @@ Result<void> read_depth_mode(const program::Arguments& arguments, Request& reque
   if (!mode)
     return Error{.what = "'" + text + "' is not a depth mode",
                  .where = "--depth-mode",
-                 .fix = "say fast, intra, temporal or bounded"};
+                 .fix = "give fast, intra, temporal or bounded"};
   request.tape.depth.mode = *mode;
   return {};
 }
@@ -54,19 +54,21 @@ Result<void> read_depth_mode(const program::Arguments& arguments, Request& reque
 Result<void> read_hand(const program::Arguments& arguments, Request& request) {
   const std::string asked = arguments.text("hand");
   if (!asked.empty() && asked != "recorded" && !hand_script(asked))
-    return Error{.what = "'" + asked + "' is not a choice of hand",
+    return Error{.what = "'" + asked + "' is neither recorded nor a script of the hand",
                  .where = "--hand",
-                 .fix = "say recorded, examine, tap or search"};
+                 .fix = "give recorded, examine, tap or search"};
   const std::string session = session_file_of(request.source);
   if (hand_script(asked) || (session.empty() && asked.empty())) return {};
   if (session.empty())
     return Error{.what = "the source has no recorded hand: only a session has one",
                  .where = "--hand recorded",
-                 .fix = "say --hand examine"};
+                 .fix = "give --hand examine, tap or search"};
   Result<RecordedHand> hand = read_session_hand(session);
   if (!hand) return hand.error();
   if (hand->empty() && asked == "recorded")
-    return Error{.what = "holds no recorded hand (/station/ticks)", .where = session, .fix = "say --hand examine"};
+    return Error{.what = "holds no recorded hand (/station/ticks)",
+                 .where = session,
+                 .fix = "give --hand examine, tap or search"};
   request.recorded = std::move(*hand);
   return {};
 }
@@ -97,8 +99,9 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
   std::vector<std::string> words(arguments.positional().begin() + 1, arguments.positional().end());
   if (!arguments.has("sweep")) {
     if (words.empty()) return {};
-    return Error{
-        .what = "'" + words.front() + "' follows the source", .where = "telepalp-replay", .fix = "leave it out"};
+    return Error{.what = "'" + words.front() + "' after the source is not understood",
+                 .where = "telepalp-replay",
+                 .fix = "leave it out"};
   }
   if (request.check)
     return Error{.what = "a sweep does not check the invariants",
@@ -117,7 +120,7 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
 /// A storm draws its own sources and networks. An option that it would ignore is refused.
 Result<void> refuse_beside_storm(const program::Arguments& arguments) {
   const auto refused = [](const std::string& where) {
-    return Error{.what = "this cannot be combined with --storm, which draws its own cases",
+    return Error{.what = "this cannot be combined with --storm, which makes its own cases at random",
                  .where = where,
                  .fix = "leave it out, or leave --storm out and give a source"};
   };
@@ -164,23 +167,24 @@ Result<void> read_outputs(const program::Arguments& arguments, Request& request)
 program::Usage usage() {
   program::Usage usage{
       .program = "telepalp-replay",
-      .purpose = "runs a recording or a simulated patient through a worse network",
+      .purpose = "runs a recording or a simulated patient over a bad network",
       .positional = "SOURCE",
       .options = {{"scene", "FILE|NAME", "a *.scene.textproto, or one that ships", "palpation"}},
       .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
   for (const program::Option& option : network_options()) usage.options.push_back(option);
-  usage.options.insert(usage.options.end(), {{"hand", "HAND", "recorded, or the script examine, tap or search"},
-                                             {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
-                                             {"seconds", "S", "0: the whole recording, or 20 s of a patient", "0"},
-                                             {"threads", "N", "0: all cores; changes no result", "0"},
-                                             {"sweep", "AXIS=… AXIS=…", "a grid: delay=0:50:300 loss=0,1,5,10%"},
-                                             {"storm", "SEEDS", "check the invariants in this many random cases"},
-                                             {"check", "", "check the invariants of --storm at each tick"},
-                                             {"out", "DIR", "for sessions, reports, tables and heat maps"},
-                                             {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one does not hold"},
-                                             {"junit", "FILE", "the assertions as a JUnit report"},
-                                             {"json", "", "print report.json instead of the table"}});
+  usage.options.insert(usage.options.end(),
+                       {{"hand", "HAND", "recorded, or the script examine, tap or search"},
+                        {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
+                        {"seconds", "S", "0: the whole recording; simulated patient: 20 s", "0"},
+                        {"threads", "N", "0: all cores; the results are the same", "0"},
+                        {"sweep", "AXIS=… AXIS=…", "run all combinations: delay=0:50:300 loss=0,1,5,10%"},
+                        {"storm", "SEEDS", "check the invariants in this many random cases"},
+                        {"check", "", "check the invariants of --storm at each tick"},
+                        {"out", "DIR", "folder for sessions, reports, tables and heat maps"},
+                        {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one is false"},
+                        {"junit", "FILE", "write the assertions as a JUnit report"},
+                        {"json", "", "print report.json instead of the table"}});
   return usage;
 }
 

@@ -33,9 +33,11 @@ class Findings {
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
   void print_ledgers() const {
-    std::printf("least display's ledger: %.1f mJ (seed %llu); most excess work on the hand: %.1f mJ (seed %llu)\n",
-                1e3 * least_passivity_J_.first, static_cast<unsigned long long>(least_passivity_J_.second),
-                1e3 * most_excess_J_.first, static_cast<unsigned long long>(most_excess_J_.second));
+    std::printf(
+        "lowest energy balance of the display: %.1f mJ (seed %llu); largest excess work on the hand: %.1f mJ (seed "
+        "%llu)\n",
+        1e3 * least_passivity_J_.first, static_cast<unsigned long long>(least_passivity_J_.second),
+        1e3 * most_excess_J_.first, static_cast<unsigned long long>(most_excess_J_.second));
   }
 
  private:
@@ -88,7 +90,7 @@ Result<bool> run_storm(const Request& request) {
   std::sort(failed.begin(), failed.end());
   for (const std::uint64_t seed : failed)
     if (const Result<void> printed = print_shrunk(seed); !printed) return printed.error();
-  std::printf("%d seeds, %zu fail, %.0f s of session\n", seeds, failed.size(), findings.seconds());
+  std::printf("%d seeds, %zu violate an invariant, %.0f s of session\n", seeds, failed.size(), findings.seconds());
   findings.print_ledgers();
   const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
   char text[64];

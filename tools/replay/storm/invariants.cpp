@@ -13,12 +13,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kRounding = 1.001;           // forces are recorded as float
+constexpr double kRounding = 1.001;  // forces are recorded as float
 // After a clock step, the displayed skin comes back under a hand that is 50 mm deep, and the ledger does not book this
 // motion: -9 mJ on sliding skin. The damping takes the energy out before the hand gets it.
 constexpr float kLeastPassivity_J = -0.02F;
-// After a clock step, the displayed skin rises at 50 mm/s under a hand that has sunk 80 mm deep. A tap in that time meets
-// it too late, and keeps 0.2 J that the true skin would have absorbed.
+// After a clock step, the displayed skin rises at 50 mm/s under a hand that has sunk 80 mm deep. A tap in that time
+// meets it too late, and keeps 0.2 J that the true skin would have absorbed.
 constexpr float kMostExcess_J = 0.3F;
 constexpr float kSurelyStale_s = 2.5F;  // past the limit of 1 s, the fade of 0.5 s and the dwell
 constexpr float kYoung_s = 0.8F;
@@ -72,9 +72,9 @@ void Invariants::check_energy(const TickRecord& tick) {
   ledgers_.least_passivity_J = std::min(ledgers_.least_passivity_J, double{tick.passivity_J});
   ledgers_.most_excess_J = std::max(ledgers_.most_excess_J, double{tick.hand_excess_J});
   if (!(tick.passivity_J >= kLeastPassivity_J))
-    violated(with_number("the display has given the hand energy: its ledger is at %.5f J", double{tick.passivity_J}));
+    violated(with_number("the display created energy: its energy balance is %.5f J", double{tick.passivity_J}));
   if (!(tick.hand_excess_J <= kMostExcess_J))
-    violated(with_number("the hand got energy that the measured skin would not have given: its ledger is at %.4f J",
+    violated(with_number("the excess work on the hand is too large: %.4f J more than the measured skin would do",
                          double{tick.hand_excess_J}));
 }
 
@@ -104,12 +104,13 @@ void Invariants::add(const TickRecord& tick) {
 void Invariants::add(const wire::Message& message) {
   SessionTime& newest = published_[message.topic.name];
   if (message.published < newest)
-    violated(std::string(message.topic.name) + " has a message with an earlier publication time than the one before it");
+    violated(std::string(message.topic.name) +
+             " has a message with an earlier publication time than the one before it");
   newest = std::max(newest, message.published);
   if (message.topic.name != wire::kStationTicks.name) return;
   msg::StationTicks ticks;
   if (!ticks.ParseFromString(*message.payload)) return violated("/station/ticks cannot be read");
-  if (ticks.first_tick() != next_tick_) violated("/station/ticks lacks ticks");
+  if (ticks.first_tick() != next_tick_) violated("ticks are missing in /station/ticks");
   next_tick_ = ticks.first_tick() + static_cast<std::uint64_t>(ticks.phase_size());
 }
 

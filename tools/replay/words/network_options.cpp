@@ -21,7 +21,7 @@ const std::vector<Figure>& figures() {
       {{"delay-ms", "MS", "delay, one way"},
        kLongest_ms,
        [](Impairment& i, double v) { i.delay = from_milliseconds(v); }},
-      {{"jitter-ms", "MS", "varies the delay by plus or minus this, uniformly"},
+      {{"jitter-ms", "MS", "uniform variation of the delay, plus or minus MS"},
        kLongest_ms,
        [](Impairment& i, double v) { i.jitter = from_milliseconds(v); }},
       {{"burst", "N", "mean length of a loss burst, in packets"},
@@ -39,8 +39,9 @@ struct Share {
   double Impairment::*share;
 };
 const std::vector<Share>& shares() {
-  static const std::vector<Share> all{{{"loss", "P", "packets lost: 5% or 0.05"}, &Impairment::loss},
-                                      {{"reorder", "P", "share of the packets that is reordered"}, &Impairment::reorder}};
+  static const std::vector<Share> all{
+      {{"loss", "P", "packets lost: 5% or 0.05"}, &Impairment::loss},
+      {{"reorder", "P", "share of the packets that is reordered"}, &Impairment::reorder}};
   return all;
 }
 
@@ -95,11 +96,11 @@ std::vector<program::Option> network_options() {
   std::vector<program::Option> options{{"profile", "NAME", "lan, lte, satellite or hostile"}};
   for (const Figure& figure : figures()) options.push_back(figure.option);
   for (const Share& share : shares()) options.push_back(share.option);
-  options.insert(options.end(), {{"outage", "10s+500ms", "nothing crosses the network; several with commas"},
-                                 {"restart", "10s+2s", "the server is away"},
-                                 {"tracker-lost", "10s+2s", "the tracker gives no samples"},
-                                 {"glitch", "10s+4ms:MM", "the device position errs by MM mm meanwhile"},
-                                 {"clock-step", "10s+2s:60ms", "the station's clock is wrong by this"},
+  options.insert(options.end(), {{"outage", "10s+500ms", "no packet arrives for 500 ms from 10 s on"},
+                                 {"restart", "10s+2s", "the server is off for 2 s, then restarts"},
+                                 {"tracker-lost", "10s+2s", "the tracker gives no samples for 2 s"},
+                                 {"glitch", "10s+4ms:MM", "the device reports a position MM mm off for 4 ms"},
+                                 {"clock-step", "10s+2s:60ms", "the station's clock is 60 ms ahead for 2 s"},
                                  {"deadline-ms", "MS", "deadline of a frame; default: 100 + delay"},
                                  {"seed", "N", "seed of network and tracker; first seed of a storm", "1"}});
   return options;

@@ -20,15 +20,15 @@ export function depthFidelity({format, bound}: Pick<DepthImage, 'format' | 'boun
   const mode = format.slice(0, LONGEST_MODE);
   if (bound === undefined && mode !== MOVING_MODE)
     return {moved: false, mode, howFar: mode === '' ? 'not stated' : 'as measured', more: ''};
-  const more = 'Depth is near-lossless to save bytes: for display, and not as the camera measured it.';
+  const more = 'Depth is near-lossless to save bytes: it is for display only.';
   if (bound === undefined || !isCredible(bound.leastM) || !isCredible(bound.perM))
     return {moved: true, mode, howFar: 'off by an unknown amount', more};
   return {
     moved: true,
     mode,
     howFar: `off by up to ${millimetres(Math.max(bound.leastM, bound.perM))} at 1 m`,
-    more: `${more} At z metres from the camera it is off by ${millimetres(bound.perM)} times z squared at most, or by ` +
-        `${millimetres(bound.leastM)} where that is more.`,
+    more: `${more} At z metres from the camera its error is at most ${millimetres(bound.perM)} times z squared, or ` +
+        `${millimetres(bound.leastM)} where that is larger.`,
   };
 }
 

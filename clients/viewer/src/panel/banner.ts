@@ -37,16 +37,16 @@ export function bannerFor(health: Health): Banner | undefined {
   if (!health.connected) {
     const wait = health.retryIn_ms === undefined ? 'Connecting…' : `Trying again in ${seconds(health.retryIn_ms)}`;
     return health.everConnected
-        ? {level: 'alarm', title: 'Disconnected', text: `${wait}. What you see is old.`}
+        ? {level: 'alarm', title: 'Disconnected', text: `${wait}. The picture is old.`}
         : {level: 'wait', title: 'Connecting to the patient’s site', text: wait};
   }
   if (health.phase === Phase.Faulted && isRecent(health.station_ms))
-    return {level: 'alarm', title: 'Station faulted', text: 'The device has let go. An operator must re-arm it.'};
+    return {level: 'alarm', title: 'Station faulted', text: 'The device gives no force. An operator must remove the cause and re-arm: telepalp-station rearm'};
   if (health.graphicsLost)
     return {
       level: 'alarm',
       title: 'No picture',
-      text: 'This computer’s graphics stopped. The picture comes back by itself; if not, reload the page. The numbers go on.',
+      text: 'This computer’s graphics stopped. The picture restarts by itself; if not, reload the page. The readings continue.',
     };
   if (health.capture?.state === CaptureState.Lost)
     return {level: 'alarm', title: 'Camera lost', text: health.capture.detail || 'The server keeps trying.'};
@@ -58,9 +58,9 @@ export function bannerFor(health: Health): Banner | undefined {
     return {
       level: 'warn',
       title: 'The device is warm',
-      text: `In ${health.yields_s.toFixed(1)} s it holds less force, and the hand sinks in. Press less, or let go.`,
+      text: `In ${health.yields_s.toFixed(1)} s its force falls, and the hand sinks in deeper. Press less, or let go.`,
     };
-  if (health.paused) return {level: 'wait', title: 'Paused', text: 'The session stands still at this moment.'};
+  if (health.paused) return {level: 'wait', title: 'Paused', text: 'The played session is stopped at this moment.'};
   const age_ms = health.account === undefined ? health.picture_ms : total_ms(health.account);
   if (age_ms > STALE_MS) return {level: 'warn', title: 'Stale picture', text: whereTo(age_ms, health.account)};
   if (health.surfaceStale)
@@ -74,7 +74,7 @@ export function bannerFor(health: Health): Banner | undefined {
   if (health.apart_ms !== undefined && health.apart_ms < -APART_MS)
     return {
       level: 'warn',
-      title: 'Late numbers',
+      title: 'Late readings',
       text: `Hand and force are ${seconds(-health.apart_ms)} older than the picture: the station’s messages come late.`,
     };
   return touchAdvice(health);

@@ -48,7 +48,7 @@ export function refusal(status: number, text: string): string {
   const reason = text.trim();
   if (status === 401) return 'Your sign-in has ended. Reload the page and sign in again.';
   if (status === 403) return `The server refused: ${reason || 'you may not move the session'}.`;
-  return `The server did not do it: ${reason || `status ${status}`}`;
+  return `The server could not do this: ${reason || `status ${status}`}`;
 }
 
-export const GONE = 'The server does not answer. The session can be moved again when it is back.';
+export const GONE = 'The server does not answer. You can move in the session again when it answers.';

@@ -24,9 +24,10 @@ Result<std::string> unpack(const ChunkRecord& chunk) {
     if (!unpacked) return what("its " + std::string(chunk.compression) + " data is damaged");
     records = *std::move(unpacked);
   } else {
-    return Error{.what = "is compressed with " + std::string(chunk.compression.substr(0, 32)) + ", which is not read",
-                 .where = {},
-                 .fix = "write the file again with zstd, with lz4 or without compression"};
+    return Error{
+        .what = "is compressed with " + std::string(chunk.compression.substr(0, 32)) + ", which telepalp cannot read",
+        .where = {},
+        .fix = "write the file again with zstd, with lz4 or without compression"};
   }
   if (chunk.uncompressed_crc != 0 && chunk.uncompressed_crc != crc32(records))
     return what("its CRC does not match its data");

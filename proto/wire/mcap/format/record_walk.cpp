@@ -56,7 +56,7 @@ Result<void> check_magic(ByteSource& source) {
   const bool long_enough = source.size() >= kMagic.size() && source.read(0, kMagic.size(), bytes);
   if (long_enough && bytes == kMagic) return {};
   if (long_enough && bytes.starts_with(kMagic.substr(0, kVersionPlace)) && bytes.ends_with("\r\n"))
-    return refused(source, std::string("is of MCAP version ") + bytes[kVersionPlace] + "; version 0 is read",
+    return refused(source, std::string("is of MCAP version ") + bytes[kVersionPlace] + "; only version 0 can be read",
                    "write the file again as MCAP version 0");
   return refused(source, source.size() == 0 ? "is empty" : "is not an MCAP file", "give a session file (.mcap)");
 }

@@ -63,7 +63,7 @@ OutputFile::~OutputFile() {
 Error OutputFile::failure(int code) const {
   const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
   const std::string folder = folder_of(name_).string();
-  return {.what = std::string("cannot be written: ") + std::strerror(code) + "; what was written before is safe",
+  return {.what = std::string("cannot be written: ") + std::strerror(code) + "; the messages written before are stored",
           .where = partial(name_).string(),
           .fix = full ? "free space in " + folder + ", or record to another disk" : "check the disk under " + folder};
 }

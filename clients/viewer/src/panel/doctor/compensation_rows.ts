@@ -16,7 +16,7 @@ const DAMPED_N = 0.05;
  */
 export function compensationRows(
     compensation: StationCompensation | undefined, state: Pick<StationState, 'passivityJ'> | undefined): Row[] {
-  if (compensation === undefined) return [{name: 'Nothing', value: 'no station reports'}];
+  if (compensation === undefined) return [{name: 'No data', value: 'no station reports'}];
   const {handCarriedM, handSigmaM, surfaceCarriedM, surfaceSigmaM, slewedM, dampingN, handExcessJ, driveJ} = compensation;
   const rows: Row[] = [
     {
@@ -28,13 +28,13 @@ export function compensationRows(
     {
       name: 'Skin predicted',
       value: `${signed(surfaceCarriedM).replace(' mm', '')} ± ${mm(2 * surfaceSigmaM)}`,
-      says: `The surface was captured ${ms(compensation.surfaceAgeS)} ago. + is out of the body. ± is two standard ` +
+      says: `The surface was captured ${ms(compensation.surfaceAgeS)} ago. +: away from the body. ± is two standard ` +
           'deviations of noise, fit and prediction.',
     },
     {
       name: 'Hand drawn on the skin',
       value: mm(compensation.shownOffsetM),
-      says: 'Distance of the drawn hand from the tracked one: it is drawn on the skin (S1 II.E).',
+      says: 'Distance of the drawn hand from the tracked hand. A hand that presses is drawn on the skin, not below it.',
     },
   ];
   if (Math.abs(slewedM) > SLEWED_M)
@@ -47,30 +47,31 @@ export function compensationRows(
     rows.push({
       name: 'Contact displayed',
       value: `${Math.round(100 * compensation.support)} %`,
-      says: 'Below 100 % where the surface is old or ends.',
+      says: 'Share of the contact that the device displays. It is below 100 % where the surface is old or ends.',
       level: 'warn',
     });
   rows.push(
       {
-        name: 'Ledger of the hand',
+        name: 'Hand: excess work',
         value: mJ(handExcessJ),
         says: 'Work on the hand in this contact beyond the work that the newest measured skin would do.',
       },
       {
-        name: 'Ledger of the display',
+        name: 'Display: energy balance',
         value: state === undefined ? '–' : mJ(state.passivityJ),
-        says: 'Energy taken from the hand less energy stored, relative to the displayed surface.',
+        says: 'Energy taken from the hand less energy stored, relative to the displayed surface. Below 0: the display ' +
+            'created energy.',
       },
-      {name: 'Ledger of the drive', value: mJ(driveJ), says: 'Work of lift and position control on the hand.'},
+      {name: 'Drive: work', value: mJ(driveJ), says: 'Work of lift and position control on the hand.'},
       {
         name: 'Damping',
         value: `${fixed(dampingN, 2)} N`,
-        says: 'Force of the passivity controller, which removes energy that the display has added.',
+        says: 'Force of the passivity controller, which removes energy that the display created.',
         level: dampingN > DAMPED_N ? 'warn' : undefined,
       });
   return rows;
 }
 
 function ms(seconds: number): string {
-  return Number.isFinite(seconds) ? `${(1000 * seconds).toFixed(0)} ms` : 'infinitely';
+  return Number.isFinite(seconds) ? `${(1000 * seconds).toFixed(0)} ms` : 'an unknown time';
 }
