@@ -173,18 +173,17 @@ program::Usage usage() {
       .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
   for (const program::Option& option : network_options()) usage.options.push_back(option);
-  usage.options.insert(usage.options.end(),
-                       {{"hand", "HAND", "recorded, or the script examine, tap or search"},
-                        {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
-                        {"seconds", "S", "0: the whole recording; simulated patient: 20 s", "0"},
-                        {"threads", "N", "0: all cores; the results are the same", "0"},
-                        {"sweep", "AXIS=… AXIS=…", "run all combinations: delay=0:50:300 loss=0,1,5,10%"},
-                        {"storm", "SEEDS", "check the invariants in this many random cases"},
-                        {"check", "", "check the invariants of --storm at each tick"},
-                        {"out", "DIR", "folder for sessions, reports, tables and heat maps"},
-                        {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one is false"},
-                        {"junit", "FILE", "write the assertions as a JUnit report"},
-                        {"json", "", "print report.json instead of the table"}});
+  usage.options.insert(usage.options.end(), {{"hand", "HAND", "recorded, or the script examine, tap or search"},
+                                             {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
+                                             {"seconds", "S", "0: the whole recording; simulated patient: 20 s", "0"},
+                                             {"threads", "N", "0: all cores; the results are the same", "0"},
+                                             {"sweep", "AXIS=… AXIS=…", "run a grid: delay=0:50:300 loss=0,1,5,10%"},
+                                             {"storm", "SEEDS", "check the invariants in this many random cases"},
+                                             {"check", "", "check the invariants of --storm at each tick"},
+                                             {"out", "DIR", "folder for sessions, reports, tables and heat maps"},
+                                             {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one is false"},
+                                             {"junit", "FILE", "write the assertions as a JUnit report"},
+                                             {"json", "", "print report.json instead of the table"}});
   return usage;
 }
 
