@@ -92,7 +92,9 @@ std::vector<TimeVariant> time_variants() {
       {"none", "each frame alone", with(false, usual, false, false)},
       {"hold", "average, without prediction", with(true, usual, false, false)},
       {"velocity", "average, carried by its normal velocity", with(true, usual, true, false)},
-      {"breathing (default)", "and by the breathing model; memory " + std::to_string(static_cast<int>(usual)),
+      {"breathing (default)",
+       "average over at most " + std::to_string(static_cast<int>(usual)) +
+           " frames, carried by its normal velocity and by the breathing model",
        with(true, usual, true, true)}};
   for (const int frames : {10, 30, 60, 120, 240})
     if (frames != static_cast<int>(usual))
