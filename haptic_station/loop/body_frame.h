@@ -28,8 +28,8 @@ using ObjectPlacements = std::array<ObjectPlacement, effects::kMostEffects>;
 /// Computes where the objects inside the body are displayed. The target of each object is the displacement of the mark
 /// (a followed point of the skin) above it: measured up to the newest capture, then predicted to now along the skin's
 /// normal. The displayed object approaches its target with bounded speed and acceleration, so that it never jumps. If a
-/// contact begins while the skin is displayed lower than measured, the objects are lowered by the same distance and
-/// rise with the skin. Owner: the haptic thread. Nothing here allocates, locks or throws.
+/// contact begins while the skin is displayed lower than measured, the objects whose mark the camera sees are lowered
+/// by the same distance and rise with the skin. Owner: the haptic thread. Nothing here allocates, locks or throws.
 class BodyFrame {
  public:
   explicit BodyFrame(const surface::FollowLimits& limits) noexcept : limits_(limits) {}

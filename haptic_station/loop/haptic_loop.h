@@ -69,7 +69,8 @@ class HapticLoop {
   /// The delay compensation of the last tick. The caller sets its time stamp.
   [[nodiscard]] Compensation compensation() const noexcept;
 
-  /// Where the objects inside the body are displayed, and how well that is known.
+  /// For each object inside the body: the displacement at which it is displayed, its standard deviation, and whether
+  /// the camera sees the skin above the object.
   [[nodiscard]] ObjectPlacements objects() const noexcept;
 
   /// Converts a position from the device's own frame to H, with the last tick's shift. Without workspace indexing the
@@ -98,7 +99,9 @@ class HapticLoop {
   tracking::AttitudeEstimate attitude_;
   control::EncounteredController controller_;
   WorkspaceIndexing indexing_;
-  bool anchor_lost_ = false;  ///< indexing shifted the body in this contact: the anchor's motion is not used
+  /// True once workspace indexing has shifted the body in this contact. The motion of the anchor (the skin point from
+  /// which indentation counts) is then ignored until the contact ends.
+  bool anchor_lost_ = false;
   Transform<HapticBase, DepthCamera> haptic_from_camera_;
   Transform<DepthCamera, HapticBase> camera_from_haptic_;
   Eigen::Quaterniond camera_turn_ = Eigen::Quaterniond::Identity();  ///< rotation of `camera_from_haptic_`

@@ -13,7 +13,8 @@ using WallTime = std::chrono::system_clock::time_point;
 struct Identity {
   std::string name;  ///< "anna"
   Role role = Role::Viewer;
-  std::string serial;  ///< serial number of the certificate or token, in hexadecimal; revocation lists contain it
+  /// Serial number of the certificate or token, in hexadecimal. A revocation list contains the revoked ones.
+  std::string serial;
   WallTime expires{};
 };
 

@@ -43,7 +43,9 @@ enum class FaultCause : std::uint8_t {
   DeviceSilent,       ///< the last reading of the device is older than its limit
   NotFinite,          ///< a number in the input or in the force is NaN or infinite
   DeviceImplausible,  ///< the device reports impossibly fast movements for longer than AgeLimits::implausible_s
-  HandImplausible,    ///< the hand tracker reports them for longer than AgeLimits::hand_implausible_s, out of contact
+  /// While the device does not touch the body, the hand tracker reports impossibly fast movements for longer than
+  /// AgeLimits::hand_implausible_s.
+  HandImplausible,
 };
 
 struct Row {
