@@ -40,7 +40,7 @@ program::Usage touch_usage() {
                        {{"trajectory", "FILE", "CSV with columns t_s,x,y,z: metres, in the cloud's frame"},
                         {"k", "N/M", "stiffness of the spring from device to proxy", "500"},
                         {"out", "FILE", "CSV to write"},
-                        {"plot", "FILE", "also an SVG of distance, force and time over time"}});
+                        {"plot", "FILE", "also an SVG: distance, force and computing time of each step, over time"}});
   return usage;
 }
 

@@ -138,8 +138,8 @@ Result<std::string> revoke(const Asked& asked) {
   const Result<std::size_t> count = folder->revoke(serial, asked.now);
   if (!count) return count.error();
   const std::string list = folder->path("revoked.crl").string();
-  return serial + " is revoked; " + list + " names " + std::to_string(*count) +
-         ".\nnext:       copy it beside the server's key: the server reads it within two seconds\n";
+  return serial + " is revoked; " + list + " lists all revoked keys and tokens, " + std::to_string(*count) +
+         " in number.\nnext:       copy this list beside the server's key: the server reads it within two seconds\n";
 }
 
 }  // namespace telepalp::keys_tool

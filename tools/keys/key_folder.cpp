@@ -79,8 +79,9 @@ Result<void> KeyFolder::keep(const std::string& key_text, const fs::path& file, 
   std::ofstream issued(path(kIssued), std::ios::app);
   issued << issued_line(*key, file) << std::flush;
   if (!issued)
-    return Error{
-        .what = "cannot be written", .where = path(kIssued).string(), .fix = "free space, or check its folder"};
+    return Error{.what = "cannot be written",
+                 .where = path(kIssued).string(),
+                 .fix = "make room on the disk, or check that you may write to this folder"};
   return program::write_whole_file(file, key_text, Readers::Group);
 }
 
