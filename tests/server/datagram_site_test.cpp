@@ -30,10 +30,16 @@ struct RelayedSite : KeyedSite {
     return !counts.empty() && counts.front().by_datagram;
   }
   /// Publishes an image; true if it arrives within `patience`.
-  bool image_arrives(std::chrono::milliseconds patience = 1s) {
+  bool image_arrives(std::chrono::milliseconds patience) {
     const std::string payload = std::string(kJpeg) + "JFIF" + std::to_string(++published) + std::string(50'000, 'x');
     hub.publish({wire::kCameraColor, clock.now(), std::make_shared<const std::string>(payload)});
     return run_until([&] { return !client.messages.empty() && *client.messages.back().payload == payload; }, patience);
+  }
+  /// Publishes images until one arrives. A datagram image that is late is dropped, which happens on a busy machine.
+  bool images_arrive() {
+    for (int tries = 0; tries < 5; ++tries)
+      if (image_arrives(1s)) return true;
+    return false;
   }
 };
 
@@ -47,7 +53,7 @@ TEST(DatagramSite, ImagesGoByDatagramAndEverythingElseOverTcp) {
   RelayedSite site;
   ASSERT_TRUE(site.up());
   const std::size_t tcp_before = site.relay.tcp_overheard().size();
-  ASSERT_TRUE(site.image_arrives());
+  ASSERT_TRUE(site.images_arrive());
   EXPECT_LT(site.relay.tcp_overheard().size() - tcp_before, 10'000U) << "the image of 50 kB does not cross TCP";
   const std::size_t udp_before = site.relay.udp_overheard().size();
   site.hub.publish(message(wire::kCameraInfo, std::string(30'000, 'i')));
@@ -118,9 +124,9 @@ TEST(DatagramSite, AViewerPublishesNothingByDatagramEither) {
 TEST(DatagramSite, NobodyWhoCapturesThePacketsFindsAnImage) {
   RelayedSite site;
   ASSERT_TRUE(site.run_until([&] { return site.client.connected(); }));
-  ASSERT_TRUE(site.image_arrives()) << "over TCP";
+  ASSERT_TRUE(site.images_arrive()) << "over TCP";
   ASSERT_TRUE(site.up());
-  for (int i = 0; i < 20; ++i) ASSERT_TRUE(site.image_arrives());
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(site.images_arrive());
   EXPECT_GE(site.relay.udp_overheard().size(), 20U * 50'000U);
   for (const std::string* crossed : {&site.relay.udp_overheard(), &site.relay.tcp_overheard()}) {
     EXPECT_EQ(count(*crossed, "JFIF") + count(*crossed, kJpeg), 0U);
@@ -142,9 +148,9 @@ TEST(DatagramSite, WhereUdpIsBlockedImagesGoOverTcpAndBothEndsSaySo) {
   RelayedSite site;
   site.relay.blocks_udp = true;
   ASSERT_TRUE(site.run_until([&] { return site.client.connected(); }));
-  EXPECT_TRUE(site.image_arrives()) << "while it is tried";
+  EXPECT_TRUE(site.images_arrive()) << "while it is tried";
   ASSERT_TRUE(site.run_until([&] { return site.client.link.datagrams() == DatagramPhase::Blocked; }, 3s));
-  EXPECT_TRUE(site.image_arrives());
+  EXPECT_TRUE(site.images_arrive());
   const std::string note = "test at " + site.address_of("test") + ": no UDP datagram arrives: images go over TCP";
   EXPECT_TRUE(
       site.run_until([&] { return std::find(site.notes.begin(), site.notes.end(), note) != site.notes.end(); }, 3s));
@@ -165,15 +171,15 @@ TEST(DatagramSite, WhenUdpDiesImagesGoOverTcpWithinASecondAndAHalf) {
 TEST(DatagramSite, ANatThatChangesThePortIsFollowed) {
   RelayedSite site;
   ASSERT_TRUE(site.up());
-  ASSERT_TRUE(site.image_arrives());
+  ASSERT_TRUE(site.images_arrive());
   const auto before = site.relay.nat_port();
   site.relay.rebind();
   ASSERT_NE(site.relay.nat_port(), before);
   site.io.run_for(250ms);  // the next report of the client shows the new port
-  EXPECT_TRUE(site.image_arrives());
+  EXPECT_TRUE(site.images_arrive());
   site.client.link.change_datagram_port();
   site.io.run_for(250ms);
-  EXPECT_TRUE(site.image_arrives());
+  EXPECT_TRUE(site.images_arrive());
   EXPECT_EQ(site.client.link.datagrams(), DatagramPhase::Up);
 }
 
@@ -193,7 +199,7 @@ TEST(DatagramSite, StrangersForgersAndReplaysAreNotAnsweredAndAreCounted) {
   EXPECT_EQ(counts.forged, 50U);
   EXPECT_EQ(counts.strangers, 5U);
   EXPECT_EQ(counts.replayed, replays);
-  EXPECT_TRUE(site.image_arrives()) << "a replay does not redirect the stream";
+  EXPECT_TRUE(site.images_arrive()) << "a replay does not redirect the stream";
 }
 
 TEST(DatagramSite, ACarrierChangesWithAKeyFrame) {
