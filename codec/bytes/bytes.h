@@ -11,7 +11,8 @@
 
 namespace telepalp::codec {
 
-static_assert(std::endian::native == std::endian::little, "samples and header fields are little-endian as they lie");
+static_assert(std::endian::native == std::endian::little,
+              "samples and header fields are copied byte for byte: the machine must be little-endian");
 
 /// Appends a little-endian number.
 template <class T>

@@ -14,7 +14,8 @@ struct FreeContext {
 };
 
 void set(ZSTD_CCtx* context, ZSTD_cParameter parameter, int value) {
-  demand(ZSTD_isError(ZSTD_CCtx_setParameter(context, parameter, value)) == 0, "zstd knows its own parameters");
+  demand(ZSTD_isError(ZSTD_CCtx_setParameter(context, parameter, value)) == 0,
+         "zstd accepts the compression parameter");
 }
 
 }  // namespace
@@ -22,7 +23,7 @@ void set(ZSTD_CCtx* context, ZSTD_cParameter parameter, int value) {
 void append_zstd_stream(std::string& packet, std::string_view plain, ZstdEffort effort) {
   append_varint(packet, static_cast<std::uint32_t>(plain.size()));
   const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
-  demand(context != nullptr, "memory for a zstd context");
+  demand(context != nullptr, "there is enough memory for a zstd context");
   set(context.get(), ZSTD_c_compressionLevel, 1);
   if (effort == ZstdEffort::Entropy) {  // small table, long minimum match: only Huffman coding works
     set(context.get(), ZSTD_c_hashLog, 6);
@@ -31,7 +32,7 @@ void append_zstd_stream(std::string& packet, std::string_view plain, ZstdEffort 
   std::string compressed(ZSTD_compressBound(plain.size()), '\0');
   const std::size_t bytes =
       ZSTD_compress2(context.get(), compressed.data(), compressed.size(), plain.data(), plain.size());
-  demand(ZSTD_isError(bytes) == 0, "zstd has room for its own bound");
+  demand(ZSTD_isError(bytes) == 0, "zstd compresses into a buffer of ZSTD_compressBound() bytes");
   const bool smaller = bytes < plain.size();
   append_varint(packet, smaller ? static_cast<std::uint32_t>(bytes) : 0);
   packet.append(smaller ? std::string_view(compressed.data(), bytes) : plain);

@@ -25,7 +25,7 @@ Scratch scratch_for(int width, const ContextTables& tables) {
   constexpr std::size_t kAlignment = 64;
   const std::size_t bytes = scratch_bytes(width, tables);
   Scratch scratch(std::aligned_alloc(kAlignment, (bytes + kAlignment - 1) / kAlignment * kAlignment));
-  demand(scratch != nullptr, "memory for the coder's models and rows");
+  demand(scratch != nullptr, "there is enough memory for the coder's models and rows");
   return scratch;
 }
 

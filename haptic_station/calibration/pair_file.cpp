@@ -26,7 +26,7 @@ Result<std::vector<PointPair>> parse_point_pairs(std::string_view text, std::str
     const bool good = row && std::abs((*row)[0]) < 1e6 && std::floor((*row)[0]) == (*row)[0];
     if (!good || pairs.size() == kMostRows)
       return Error{
-          .what = good ? "more than 100000 rows" : "the row is not a whole number of the place and six finite numbers",
+          .what = good ? "more than 100000 rows" : "the row is not a whole place number and six finite coordinates",
           .where = file + ":" + std::to_string(number),
           .fix = "give rows like 1,0.1,0.02,0,0.12,0,0.3 with decimal points"};
     const auto& r = *row;

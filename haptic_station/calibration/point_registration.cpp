@@ -93,13 +93,14 @@ std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3
                        "); a rotation needs three places that are not on a line",
                    "measure at least four places, spread over the workspace");
   if (rank < 2)
-    return refusal("the places lie " + std::string(rank == 0 ? "at one point" : "on a line") + " (rank " +
-                       std::to_string(rank) + "; a rotation needs rank 2); they spread " + widths_text(from),
-                   rank == 0 ? "spread the places over the workspace" : "add places beside the line they lie on");
+    return refusal(
+        "the places lie " + std::string(rank == 0 ? "at one point" : "on a line") + " (rank " + std::to_string(rank) +
+            "; a rotation needs rank 2); their standard deviations along the main axes are " + widths_text(from),
+        rank == 0 ? "spread the places over the workspace" : "add places beside the line they lie on");
   const double scale = to[0] / from[0];
   if (scale > kLargestScale || scale < 1.0 / kLargestScale)
-    return refusal("the places spread over " + millimetres(to[0]) + " as the device measured them, but over " +
-                       millimetres(from[0]) + " as the other instrument did",
+    return refusal("the standard deviation of the places is " + millimetres(to[0]) +
+                       " in the device's positions, but " + millimetres(from[0]) + " in the other instrument's",
                    "give all positions in metres, and both positions of a place in one row");
   return std::nullopt;
 }
@@ -144,7 +145,8 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
     return refusal("the two sets of positions are mirror images (rank 3, determinant negative)",
                    "check the sign of each axis: both frames must be right-handed");
   if (settings.rotation_by == RotationBy::AffinePolar && rank < 3)
-    return refusal("the places lie in a plane (rank 2); an affine fit needs rank 3", "choose RotationBy::Covariance");
+    return refusal("the places lie in a plane (rank 2); an affine fit needs rank 3",
+                   "measure places outside this plane, or choose RotationBy::Covariance");
 
   Registration fit;
   fit.rank = rank;
@@ -153,8 +155,8 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   fit.residuals = residuals_of(pairs, fit.to_from_from);
   if (fit.residuals.rms_m() > settings.largest_rms_share * from_widths[0])
     return refusal("the pairs do not match: the RMS residual is " + millimetres(fit.residuals.rms_m()) +
-                       " for places that spread over " + millimetres(from_widths[0]) + "; the worst is pair " +
-                       std::to_string(fit.residuals.worst() + 1),
+                       ", with places whose standard deviation is " + millimetres(from_widths[0]) +
+                       "; the worst is pair " + std::to_string(fit.residuals.worst() + 1),
                    "measure the worst pair again, and check that both positions of each row belong to one place");
   return fit;
 }

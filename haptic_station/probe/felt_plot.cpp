@@ -49,8 +49,9 @@ Result<void> plot_felt(const std::filesystem::path& file, const std::vector<Felt
                   over_time(felt, "z", plot::kSky, [](const Felt& one) { return one.force_N.z(); })}},
       {.title = "",
        .x = {.label = "time [s]"},
-       .y = {.label = "step [us]"},
-       .series = {over_time(felt, "time of a step", plot::kPurple, [](const Felt& one) { return one.step_us; })}}};
+       .y = {.label = "computing time [us]"},
+       .series = {
+           over_time(felt, "computing time of a step", plot::kPurple, [](const Felt& one) { return one.step_us; })}}};
   return program::write_whole_file(file, stacked(charts), program::Readers::Group);
 }
 

@@ -30,7 +30,7 @@ std::string text_of(BIO& bytes) {
 template <std::size_t kBytes>
 std::array<unsigned char, kBytes> random_bytes() {
   std::array<unsigned char, kBytes> bytes{};
-  demand(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1, "the machine gives random bytes");
+  demand(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1, "OpenSSL generates random bytes");
   return bytes;
 }
 

@@ -88,7 +88,7 @@ ClientLink::~ClientLink() {
 }
 
 void ClientLink::start() {
-  demand(state_ == LinkState::Stopped, "a link is started once");
+  demand(state_ == LinkState::Stopped, "start() is called on a stopped link only");
   connect();
 }
 

@@ -328,7 +328,7 @@ Result<void> Connection::on_datagram_offer(const msg::DatagramOffer& offer) {
 
 Result<void> Connection::on_hand_over(const msg::HandOver& request) {
   if (request.to().size() > kMaxNameBytes || request.outcome().size() > kMaxReasonBytes)
-    return bad_peer("hands over to a name longer than 128 B, or with an outcome longer than 512 B");
+    return bad_peer("sends a hand-over with a name longer than 128 B, or an outcome longer than 512 B");
   owner_->on_hand_over(request);
   return {};
 }
@@ -400,7 +400,7 @@ void Connection::write_control(msg::Control control) {
 }
 
 void Connection::write_frame(FrameHeader header, std::shared_ptr<const std::string> payload) {
-  demand(payload->size() <= kMaxPayloadBytes, "no message weighs more than kMaxPayloadBytes");
+  demand(payload->size() <= kMaxPayloadBytes, "a message has at most kMaxPayloadBytes");
   header.payload_bytes = static_cast<std::uint32_t>(payload->size());
   header_being_written_ = encode_header(header);
   payload_being_written_ = std::move(payload);

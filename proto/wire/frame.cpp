@@ -8,7 +8,8 @@
 namespace telepalp::wire {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "header fields are little-endian as they lie");
+static_assert(std::endian::native == std::endian::little,
+              "header fields are copied byte for byte: the machine must be little-endian");
 
 /// Offsets of WIRE.md's byte table.
 constexpr std::size_t kLengthAt = 0;

@@ -11,8 +11,8 @@ namespace telepalp {
 inline void demand(bool holds, const char* claim, const std::source_location& at = std::source_location::current()) {
   if (holds) [[likely]]
     return;
-  std::fprintf(stderr, "telepalp bug: %s (%s:%u in %s)\n", claim, at.file_name(), static_cast<unsigned>(at.line()),
-               at.function_name());
+  std::fprintf(stderr, "telepalp bug: this does not hold: %s (%s:%u in %s)\n", claim, at.file_name(),
+               static_cast<unsigned>(at.line()), at.function_name());
   std::abort();
 }
 

@@ -34,19 +34,19 @@ class [[nodiscard]] Result {
   explicit operator bool() const noexcept { return ok(); }
 
   [[nodiscard]] const T& value() const& {
-    demand(ok(), "Result::value() of an error");
+    demand(ok(), "Result::value() is called on a value, not on an error");
     return *std::get_if<0>(&outcome_);
   }
   [[nodiscard]] T& value() & {
-    demand(ok(), "Result::value() of an error");
+    demand(ok(), "Result::value() is called on a value, not on an error");
     return *std::get_if<0>(&outcome_);
   }
   [[nodiscard]] T&& value() && {
-    demand(ok(), "Result::value() of an error");
+    demand(ok(), "Result::value() is called on a value, not on an error");
     return std::move(*std::get_if<0>(&outcome_));
   }
   [[nodiscard]] const Error& error() const {
-    demand(!ok(), "Result::error() of a value");
+    demand(!ok(), "Result::error() is called on an error, not on a value");
     return *std::get_if<1>(&outcome_);
   }
 
@@ -70,7 +70,7 @@ class [[nodiscard]] Result<void> {
   [[nodiscard]] bool ok() const noexcept { return !error_.has_value(); }
   explicit operator bool() const noexcept { return ok(); }
   [[nodiscard]] const Error& error() const {
-    demand(!ok(), "Result::error() of a value");
+    demand(!ok(), "Result::error() is called on an error, not on a value");
     return *error_;
   }
 

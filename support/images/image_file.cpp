@@ -14,7 +14,7 @@ Result<std::vector<char>> read_bytes(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code) return Error{.what = "cannot be read: " + code.message(), .where = file.string(), .fix = "check the path"};
   if (size > kMaxFileBytes)
-    return Error{.what = "is larger than 256 MiB", .where = file.string(), .fix = "give a PNG or TIFF image"};
+    return Error{.what = "is larger than 256 MiB", .where = file.string(), .fix = "give a smaller PNG or TIFF image"};
   std::vector<char> bytes(size);
   std::ifstream stream(file, std::ios::binary);
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))

@@ -98,7 +98,7 @@ std::string encode(const void* data, int width, int height, bool depth) {
   PngState state;
   state.out = &out;
   state.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning);
-  demand(state.png != nullptr, "libpng gives a writer");
+  demand(state.png != nullptr, "libpng creates a writer");
   state.info = png_create_info_struct(state.png);
   const std::size_t bytes_per_row = static_cast<std::size_t>(width) * (depth ? 2 : 3);
   // libpng's type is not const, but it only reads.
@@ -119,7 +119,7 @@ Result<AnyImage> decode_png(std::span<const std::byte> bytes, const std::string&
   PngState state;
   state.rest = bytes;
   state.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning);
-  demand(state.png != nullptr, "libpng gives a reader");
+  demand(state.png != nullptr, "libpng creates a reader");
   state.info = png_create_info_struct(state.png);
   PngHeader header;
   bool read = read_header(state, header);

@@ -155,7 +155,7 @@ std::vector<Pixel> thinned(const Series& series, const Scales& scales) {
 }
 
 void draw_series(Svg& svg, const Series& series, const Scales& scales) {
-  demand(series.x.size() == series.y.size(), "a series has as many x as y");
+  demand(series.x.size() == series.y.size(), "a series has as many x values as y values");
   const std::vector<Pixel> points = thinned(series, scales);
   if (series.style == Style::Dots) {
     for (const Pixel& point : points) svg.disc(point, 2.0, series.color);

@@ -26,7 +26,7 @@ void keep(const Column& column, std::vector<std::size_t>& kept) {
 
 std::vector<std::size_t> thin_keeping_extremes(std::span<const double> x, std::span<const double> y,
                                                std::size_t columns) {
-  demand(x.size() == y.size() && columns > 0, "a curve has as many x as y");
+  demand(x.size() == y.size() && columns > 0, "a curve has as many x values as y values, and at least one column");
   const Range range = range_of(x, {0.0, 1.0});
   const double per_unit = range.most > range.least ? static_cast<double>(columns) / (range.most - range.least) : 0.0;
   const auto column_of = [&](std::size_t i) { return std::floor((x[i] - range.least) * per_unit); };
@@ -51,7 +51,7 @@ std::vector<std::size_t> thin_keeping_extremes(std::span<const double> x, std::s
 }
 
 std::vector<std::size_t> thin_path(std::span<const double> x, std::span<const double> y, double distance) {
-  demand(x.size() == y.size(), "a path has as many x as y");
+  demand(x.size() == y.size(), "a path has as many x values as y values");
   std::vector<std::size_t> kept;
   bool gap = true;
   for (std::size_t i = 0; i < x.size(); ++i) {

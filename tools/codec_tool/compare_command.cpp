@@ -19,11 +19,14 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
   const Result<void> done = for_each_depth(second, unit_m, [&](const NamedDepth& named) -> Result<void> {
     const std::string where = second.string() + " frame " + std::to_string(at);
     if (at == frames.size())
-      return Error{.what = "has more frames than the first", .where = where, .fix = "give two inputs of one recording"};
+      return Error{
+          .what = "has more frames than the first input", .where = where, .fix = "give two inputs of one recording"};
     const Result<DepthImage> other = codec::decode_depth(std::as_bytes(std::span(frames[at++])));
     if (!other) return other.error();
     if (other->width != named.depth.width || other->height != named.depth.height)
-      return Error{.what = "is of another size", .where = where, .fix = "give two inputs of one recording"};
+      return Error{.what = "differs in width or height from the first input",
+                   .where = where,
+                   .fix = "give two inputs of one recording"};
     difference.add(*other, named.depth);
     return {};
   });
@@ -39,7 +42,7 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
     return Error{.what = std::to_string(difference.beyond()) + " pixels are beyond the bound, the first in " +
                          difference.first_beyond(),
                  .where = second.string(),
-                 .fix = "allow more, or encode it again with this bound"};
+                 .fix = "give a larger --bound, or encode this input again with the same --bound"};
   std::printf("every pixel is within the bound\n");
   return {};
 }

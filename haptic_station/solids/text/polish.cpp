@@ -58,7 +58,7 @@ class PolishReader {
     const std::string found = "expected " + wanted + ", found " + quoted(token.text);
     if (token.text.starts_with("...")) return error(token, found, "write out the solids that the dots stand for");
     if (missing.of == "sc" && number_of(token.text))
-      return error(token, found, "give sc one number: a scale that differs by axis shears");
+      return error(token, found, "give sc one number, which scales all three axes alike");
     if (number_of(token.text)) return error(token, found, "remove the number, or put a word such as sphere before it");
     return error(token, found, "use one of: " + all_words());
   }
@@ -78,7 +78,7 @@ class PolishReader {
     Node node{.word = *word};
     if (node.kind().op == Op::Mesh) {
       node.file = tokens_.next().text;
-      if (node.file.empty()) return error(token, "expected the file of mesh, found the end", "name a closed mesh");
+      if (node.file.empty()) return error(token, "mesh has no file name after it", "name the file of a closed mesh");
     }
     std::array<Token, 7> places;
     if (const Result<void> done = read_numbers(node.kind(), node.numbers, places); !done) return done.error();

@@ -65,18 +65,19 @@ std::vector<Cost> costs_on_the_path(effects::EffectBank& bank) {
 /// Against the effect's formula, or its finest setting.
 std::string depth_error_of(const msg::Effect& effect, const effects::SolidLayer* layer) {
   char words[64];
-  if (effect.has_cylinder()) return "0.5 % at its edges, which are rounded";
+  if (effect.has_cylinder()) return "0.5 %, near its rounded edges only";
   if (layer != nullptr && !layer->tree->lattices.empty()) {
-    std::snprintf(words, sizeof words, "a mesh in cells of %.3g mm", 1e3 * layer->tree->lattices.front()->spacing_m);
+    std::snprintf(words, sizeof words, "set by its mesh, in cells of %.3g mm",
+                  1e3 * layer->tree->lattices.front()->spacing_m);
     return words;
   }
   if (effect.has_organ()) {
     const double cell_m = effect.organ().has_cell_m() ? effect.organ().cell_m() : organs::OrganShapeSettings{}.cell_m;
-    std::snprintf(words, sizeof words, "a mesh in cells of %.3g mm", 1e3 * cell_m);
+    std::snprintf(words, sizeof words, "set by its mesh, in cells of %.3g mm", 1e3 * cell_m);
     return words;
   }
   if (layer == nullptr) return "none: a formula";
-  std::snprintf(words, sizeof words, "%.3g um at rest", 1e6 * solids::ProxySettings{}.tolerance_m);
+  std::snprintf(words, sizeof words, "%.3g um while the hand rests", 1e6 * solids::ProxySettings{}.tolerance_m);
   return words;
 }
 

@@ -135,7 +135,7 @@ Result<void> settle_open(Settling& cloud, const CloudOrientation& orientation) {
   }
   if (orientation.turns() < kHollow && !cloud.settings.flip_normals)
     say(cloud.remarks,
-        "the open cloud is hollow on the side of its normals: if they point inwards, give --flip-normals");
+        "the normals of the open cloud point to its concave side: if that is not the outside, give --flip-normals");
   const double away = share_away(cloud);
   if (away > 0.9 && !cloud.settings.flip_normals)
     say(cloud.remarks,

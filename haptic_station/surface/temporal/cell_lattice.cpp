@@ -20,7 +20,7 @@ constexpr auto kByPixel = [] {
   }
   return by_pixel;
 }();
-static_assert(kCell == 16, "spline_row() knows it");
+static_assert(kCell == 16, "spline_row() is written for cells of 16 pixels");
 
 // Two passes of the kernel 1 2 1, sharpened so that the second moment is -5/12. This compensates the spline (1/3) and
 // the mean over a cell (1/12). The spectrum of the kernel is nowhere negative; otherwise a filter whose output returns

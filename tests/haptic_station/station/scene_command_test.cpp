@@ -51,7 +51,8 @@ TEST_F(SceneCommand, CheckNamesTheEffects) {
 TEST_F(SceneCommand, BillPricesTheEffectsThatTheSceneNames) {
   const Outcome done = run({"bill", kMass});
   EXPECT_EQ(done.code, 0) << done.err;
-  for (const char* line : {"effect ", "error of the depth\nskin ", "none: a formula\nmass ", "1 um at rest\ntotal "})
+  for (const char* line :
+       {"effect ", "error of the depth\nskin ", "none: a formula\nmass ", "1 um while the hand rests\ntotal "})
     EXPECT_NE(done.out.find(line), std::string::npos) << line << " in\n" << done.out;
   EXPECT_EQ(done.out.find("liver"), std::string::npos) << "an effect that the scene does not name is not priced";
 }

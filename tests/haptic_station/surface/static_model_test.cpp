@@ -295,7 +295,7 @@ TEST(CloudOrientation, AnOpenCloudThatIsTouchedFromInsideIsSaidToBeHollowAndNotR
   for (Vector3f& normal : cloud.normals) normal = -normal;
   const auto made = make_static_model(cloud, {.viewpoint_m = {0, 0, 3}});
   ASSERT_TRUE(made.ok()) << to_string(made.error());
-  EXPECT_NE(made->remarks.find("hollow"), std::string::npos) << made->remarks;
+  EXPECT_NE(made->remarks.find("concave side"), std::string::npos) << made->remarks;
   EXPECT_NE(made->remarks.find("% of its normals point away from the origin"), std::string::npos) << made->remarks;
   for (const CloudPoint& point : made->snapshot->cloud()) ASSERT_LT(point.normal.z(), 0.0F);
 }

@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
              "spread"},
         Case{"mirrored", kTetrahedron, "mirror image", "rank 3", kMirrorX},
         Case{"all axes reversed", kTetrahedron, "mirror image", "rank 3", -Eigen::Matrix3d::Identity()},
-        Case{"millimetres against metres", kTetrahedron, "the places spread over", "metres",
+        Case{"millimetres against metres", kTetrahedron, "the standard deviation of the places is", "metres",
              8.0 * Eigen::Matrix3d::Identity()},
         Case{"not a number", kTetrahedron, "pair 2 is not finite", "", Eigen::Matrix3d::Identity(),
              [](std::vector<PointPair>& p) { p[1].from.y() = kNaN; }},

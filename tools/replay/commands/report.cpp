@@ -52,7 +52,8 @@ std::string in_words(const Scenario& scenario) {
   const impaired::Impairment& down = scenario.down;
   std::string text = number(to_milliseconds(down.delay)) + " ms one way";
   if (down.jitter > Nanoseconds{0}) text += " ± " + number(to_milliseconds(down.jitter)) + " ms";
-  if (down.loss > 0.0) text += ", " + number(100.0 * down.loss) + " % lost in bursts of " + number(down.burst_packets);
+  if (down.loss > 0.0)
+    text += ", " + number(100.0 * down.loss) + " % lost in bursts of " + number(down.burst_packets) + " packets";
   if (down.reorder > 0.0) text += ", " + number(100.0 * down.reorder) + " % reordered";
   if (down.rate_B_per_s > 0.0) text += ", " + number(down.rate_B_per_s / 125.0) + " kbit/s";
   const Faults& faults = scenario.faults;

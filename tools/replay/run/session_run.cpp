@@ -156,7 +156,7 @@ Error nowhere_to_place() {
 
 Result<RunResults> run_session(Tape& tape, const RunSettings& settings, std::vector<RunOrder> orders,
                                const std::function<void(double seconds)>& progress) {
-  demand(!orders.empty(), "the unimpaired run comes first");
+  demand(!orders.empty(), "there is a first run, the unimpaired one");
   return Pipeline(tape, settings, std::move(orders)).run(progress);
 }
 

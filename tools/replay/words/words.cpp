@@ -36,7 +36,7 @@ Result<Window> parse_window(std::string_view text, std::string_view option) {
   const Result<Nanoseconds> length = parse_span(text.substr(plus + 1), option);
   if (!length) return length.error();
   if (*from < Nanoseconds{0} || *length <= Nanoseconds{0})
-    return refused(text, option, "a begin of 0 or more and a length above 0");
+    return refused(text, option, "BEGIN+LENGTH with BEGIN 0 or more and LENGTH above 0");
   return Window{*from, *length};
 }
 
@@ -44,7 +44,8 @@ Result<Window> parse_window(std::string_view text, std::string_view option) {
 template <class Add>
 Result<void> for_each_part(std::string_view text, std::string_view option, Add&& add) {
   for (std::size_t count = 0; !text.empty(); ++count) {
-    if (count == kMostWindows) return refused("more than 64 windows", option, "at most 64");
+    if (count == kMostWindows)
+      return Error{.what = "names more than 64 windows", .where = "--" + std::string(option), .fix = "give at most 64"};
     const std::size_t comma = text.find(',');
     if (const Result<void> added = add(text.substr(0, comma)); !added) return added;
     text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);

@@ -56,7 +56,8 @@ std::uint16_t Encoder::add(std::string& out, Channel channel) {
 }
 
 void Encoder::add(std::string& out, const MessageRecord& message) {
-  demand(message.channel_id >= 1 && message.channel_id <= channels_.size(), "a message follows its channel");
+  demand(message.channel_id >= 1 && message.channel_id <= channels_.size(),
+         "a message is written after the channel that it names");
   MessageIndex& index = open_.indexes[message.channel_id];
   index.channel_id = message.channel_id;
   index.entries.push_back({message.log_time, open_.records.size()});
