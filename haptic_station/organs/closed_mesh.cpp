@@ -95,7 +95,7 @@ Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh) {
   if (const std::size_t open = open_edges(triangles); open > 0)
     return Error{.what = "is not closed: " + std::to_string(open) + " edges have a face on one side only",
                  .where = {},
-                 .fix = "close its holes, and let all faces look outwards"};
+                 .fix = "close its holes, and orient all faces outwards"};
   const double volume = volume_m3(triangles, mesh.points);
   if (!(std::abs(volume) > 1e-9))
     return Error{.what = "encloses no volume", .where = {}, .fix = "check the unit (unit_m) and the mesh"};

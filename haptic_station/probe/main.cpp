@@ -15,8 +15,8 @@ using namespace telepalp;
 /// The options about the surface, which both commands have.
 std::vector<program::Option> surface_options() {
   return {{"cloud", "FILE", "a .pcd, .ply or .obj to touch"},
-          {"depth", "FILE", "or a 16-bit depth PNG"},
-          {"camera", "FILE", "camera.textproto of that PNG"},
+          {"depth", "FILE", "instead of --cloud: a 16-bit depth PNG"},
+          {"camera", "FILE", "camera.textproto of the depth PNG"},
           {"setting", "NAME", "surface setting: fast, smooth, paper, cloud …", "fast"},
           {"unit-m", "M", "metres for one unit of the cloud's coordinates", "1"},
           {"samples", "N", "points sampled on a mesh; default: as its shape needs"},
@@ -54,8 +54,8 @@ program::Usage path_usage() {
                        .example = "telepalp-probe path --cloud torso.pcd --out path.csv"};
   usage.options.insert(usage.options.end(), {{"at", "X,Y,Z", "first place, in metres; default: the middle"},
                                              {"spots", "N", "number of places to press", "5"},
-                                             {"depth-mm", "MM", "how deep", "10"},
-                                             {"speed-mm-s", "MM/S", "how fast", "100"},
+                                             {"depth-mm", "MM", "depth of each press below the surface", "10"},
+                                             {"speed-mm-s", "MM/S", "speed along the path", "100"},
                                              {"rate-hz", "HZ", "waypoints a second", "2000"},
                                              {"out", "FILE", "CSV to write"}});
   return usage;

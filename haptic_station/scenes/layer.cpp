@@ -77,7 +77,7 @@ Result<solids::Solid> tree_of(const msg::SolidEffect& message, const FieldCheck&
     case msg::SolidEffect::TREE_NOT_SET:
       break;
   }
-  return Error{.what = "the layer has no tree", .where = layer, .fix = "give polish, polish_file or solid"};
+  return Error{.what = "the layer has no solid", .where = layer, .fix = "give polish, polish_file or solid"};
 }
 
 /// The solid, moved to its place in H.

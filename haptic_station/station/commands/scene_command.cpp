@@ -185,10 +185,11 @@ int scene_command(int argc, const char* const* argv) {
   const std::vector<std::string>& words = arguments.positional();
   const auto task = std::ranges::find(kTasks, words.empty() ? "" : words.front(), &Task::name);
   if (task == kTasks.end() || words.size() != 2)
-    return program::fail({.what = "not one of check, bill, show, image and mesh, with one scene",
-                          .where = "telepalp-station scene",
-                          .fix = "see telepalp-station scene --help"},
-                         program::kAskedWrongly);
+    return program::fail(
+        {.what = "a task and one scene are needed",
+         .where = "telepalp-station scene",
+         .fix = "give check, bill, show, image or mesh, then a scene; see telepalp-station scene --help"},
+        program::kAskedWrongly);
   const Result<scenes::Scene> scene = read_scene_named(words.back());
   if (!scene) return program::fail(scene.error());
   const Result<void> done = task->run(*scene, arguments);

@@ -76,7 +76,7 @@ Result<solids::SolidMesh> fitting_mesh(const solids::SolidTree& tree, std::size_
     }
     if (attempt == 5)
       return Error{.what = "the solid's mesh needs more than " + std::to_string(most_points) + " points",
-                   .where = "fitting_mesh",
+                   .where = "/station/inside",
                    .fix = "simplify the solid"};
     grid_m *= 1.05 * std::sqrt(static_cast<double>(mesh.points.size()) / static_cast<double>(most_points));
   }

@@ -101,7 +101,7 @@ std::string description_of(const SampledMesh& sampled) {
     std::snprintf(text, sizeof text,
                   "; in %.2f %% of the places 3 to 15 mm above the mesh, contact is felt in free air%s",
                   100.0 * sampled.fidelity.in_air,
-                  sampled.fidelity.in_air < kOverlap ? "" : ": parts of the mesh overlap or look inwards");
+                  sampled.fidelity.in_air < kOverlap ? "" : ": parts of the mesh overlap or face inwards");
     description += text;
   }
   if (sampled.fidelity.jumps > 0.0) {

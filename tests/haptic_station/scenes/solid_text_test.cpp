@@ -45,7 +45,7 @@ TEST(SolidText, AUnionOfSeveralIsAChain) {
 TEST(SolidText, ALayersErrorNamesFileLayerAndPlace) {
   const std::pair<const char*, const char*> kBad[] = {
       {"polish: \"sphere 0.1\"", "a solid without a name"},
-      {"name: \"x\"", "bad.scene.textproto: x: the layer has no tree"},
+      {"name: \"x\"", "bad.scene.textproto: x: the layer has no solid"},
       {"name: \"x\" polish: \"sphere -1\"", "bad.scene.textproto:2:45: x: radius_m of sphere is -1"},
       {"name: \"x\" polish:\n\"+ sphere 1 \"  # first\n  \"sphere -2\"", "bad.scene.textproto:4:11: x: radius_m"},
       {R"(name: "x" polish: "sphere\t\n-3")", "bad.scene.textproto:2:48: x: radius_m of sphere is -3"},

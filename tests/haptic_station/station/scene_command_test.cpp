@@ -142,7 +142,7 @@ TEST_F(SceneCommand, SaysWhatIsWrongAndWritesNothing) {
       {{"mesh", kMass, "--out", file("x.stl")}, 1, "neither .ply nor .obj"},
       {{"mesh", kMass, "--out", file("none/x.ply")}, 1, "cannot be written"},
       {{"paint", kMass}, 2, ""},
-      {{"check"}, 2, "with one scene"},
+      {{"check"}, 2, "a task and one scene are needed"},
   };
   for (const Wrong& wrong : kWrongs) {
     const Outcome done = run(wrong.words);

@@ -95,7 +95,8 @@ Result<SweepAxis> parse_axis(std::string_view word) {
   std::string_view text = word.substr(equals + 1);
   if (axis->unit == "%" && text.ends_with('%')) text.remove_suffix(1);
   const auto values = text.find(':') != std::string_view::npos ? range(text) : numbers(text, ',');
-  if (!values || values->size() > kMostValues) return refused(word, "is not 1 to 1000 numbers, or its STEP is not above 0, or TO is below FROM");
+  if (!values || values->size() > kMostValues)
+    return refused(word, "is not 1 to 1000 numbers, or its STEP is not above 0, or TO is below FROM");
   if (std::any_of(values->begin(), values->end(), [&](double value) { return value < 0.0 || value > axis->most; }))
     return refused(word, "has a value out of range");
   return SweepAxis{.name = axis->name, .unit = axis->unit, .values = *values, .set = axis->set};
