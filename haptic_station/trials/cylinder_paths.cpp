@@ -59,7 +59,7 @@ void scale_axes_equally(plot::Chart& chart) {
 }  // namespace
 
 plot::Chart cylinder_paths(const TrialResult& result) {
-  plot::Chart chart{.title = "path at the inner object, with the force (2 mm a newton)",
+  plot::Chart chart{.title = "path of the end-effector at the inner object; lines: force, 2 mm long per newton",
                     .x = {.label = "x [mm]"},
                     .y = {.label = "y [mm]"},
                     .height_px = 500.0};

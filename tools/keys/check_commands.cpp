@@ -18,7 +18,7 @@ Result<std::string> show(const Asked& asked) {
   const Result<keys::KeyFile> key = keys::read_key(*text, asked.file);
   if (!key) return key.error();
   const bool expired = key->identity.expires <= asked.now;
-  return keys::in_words(*key) + (expired ? "EXPIRED:    telepalp-keys renew " + asked.file + "\n" : "");
+  return keys::in_words(*key) + (expired ? "EXPIRED:    renew it by telepalp-keys renew " + asked.file + "\n" : "");
 }
 
 Result<std::string> verify_audit(const Asked& asked) {

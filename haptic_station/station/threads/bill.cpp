@@ -64,7 +64,7 @@ std::string line_of(const std::vector<msg::EffectCost>& costs, double tick_us) {
     line += cost.name() + " " + in_us(cost.mean_us()) + ", ";
     total_us += cost.mean_us();
   }
-  return line + "total " + in_us(total_us) + " of " + in_us(tick_us);
+  return line + "total " + in_us(total_us) + " of the " + in_us(tick_us) + " of a tick";
 }
 
 }  // namespace telepalp::station

@@ -29,7 +29,7 @@ struct Bill {
 /// The costs in microseconds, as messages.
 [[nodiscard]] std::vector<msg::EffectCost> costs_of(const Bill& bill, double cycles_per_us);
 
-/// The costs in one line: `skin 0.40 us, cylinder 0.10 us, total 0.50 us of 500.00 us`.
+/// The costs in one line: `skin 0.40 us, cylinder 0.10 us, total 0.50 us of the 500.00 us of a tick`.
 [[nodiscard]] std::string line_of(const std::vector<msg::EffectCost>& costs, double tick_us);
 
 }  // namespace telepalp::station
