@@ -18,7 +18,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {"contact_lost_pct", "ticks without contact, of all ticks in the true skin", &Figures::contact_lost_pct},
     {"phase_differs_pct", "ticks in another phase than in the unimpaired run", &Figures::phase_differs_pct},
     {"phase_changes", "transitions of the controller", &Figures::phase_changes},
-    {"released_pct", "ticks at which the station has let go of the hand (released or faulted)", &Figures::released_pct},
+    {"released_pct", "ticks in the phases Released and Faulted, of all ticks", &Figures::released_pct},
     {"surface_error_rms_m", "RMS distance of displayed and true surface", &Figures::surface_error_rms_m},
     {"surface_error_p99_m", "99th percentile of the distance to the true surface", &Figures::surface_error_p99_m},
     {"surface_age_p50_s", "age of the touched surface, median", &Figures::surface_age_p50_s},
