@@ -37,7 +37,7 @@ program::Usage usage() {
                        "synthetic"},
                       {"loop", "yes|no", "repeat a recording when it ends", "yes"},
                       {"seconds", "S", "stop after this time; 0: never", "0"},
-                      {"bind", "ADDRESS", "where to listen; off this machine it needs --key", "127.0.0.1"},
+                      {"bind", "ADDRESS", "where to listen; a network address needs --key", "127.0.0.1"},
                       {"key", "FILE",
                        "this server's key file (telepalp-keys server): TLS, and peers need keys; default: none"},
                       {"revoked", "FILE", "revocation list; default: revoked.crl beside the key"},
@@ -306,7 +306,8 @@ int run(Asked asked) {
     program::log(kProgram, "stopping: " + reason);
     boost::system::error_code ignored;
     signals.cancel(ignored);  // not clear(): the handlers stay installed, so a second signal has no further effect
-    program::end_within(program::kTimeToEnd, "telepalp-server: the camera did not stop in time");
+    program::end_within(program::kTimeToEnd,
+                        "telepalp-server: the camera did not stop within 5 s; the program ends without closing it");
     time_is_up.cancel();
     gateway.reset();
     recorder.reset();  // before the server ends, so that the recorder completes its file; it gets at most 3 s

@@ -150,8 +150,8 @@ void Server::choose_prediction() {
   const bool may = listener_->references_arrive();
   if (!capture_ || !in_groups || std::exchange(predicts_, may) == may) return;
   capture_->let_predict(may);
-  log(may ? "depth images are predicted from earlier images again: every path repairs a loss before the deadline"
-          : "all depth images are key frames: a path cannot repair a loss before the deadline");
+  log(may ? "depth images are again predicted from earlier ones: each subscriber's network repairs a loss in time"
+          : "all depth images are now key frames, with more bytes: a subscriber's network repairs losses too late");
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.

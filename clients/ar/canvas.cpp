@@ -30,7 +30,7 @@ Eigen::Vector3f shaded(const Fragment& fragment, const Eigen::Vector3f& to_eye, 
 Canvas::Canvas(int width_px, int height_px, const Eigen::Vector3f& top, const Eigen::Vector3f& bottom)
     : width_(width_px * kSamples), height_(height_px * kSamples) {
   demand(width_px > 0 && height_px > 0 && width_px <= kMaxImageSide && height_px <= kMaxImageSide,
-         "a canvas has a picture's size");
+         "a canvas is at least 1 pixel wide and high, and at most kMaxImageSide");
   depth_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_),
                 std::numeric_limits<float>::infinity());
   light_.reserve(depth_.size());
@@ -50,7 +50,8 @@ ViewCamera Canvas::supersampled(ViewCamera camera) const noexcept {
 void Canvas::draw(const Mesh& mesh, const ViewCamera& camera_px, const Lights& lights, const ShadowMap& shadow,
                   const Paint& paint) {
   const ViewCamera camera = supersampled(camera_px);
-  demand(camera.width_px == width_ && camera.height_px == height_, "camera and canvas have one size");
+  demand(camera.width_px == width_ && camera.height_px == height_,
+         "the camera's image and the canvas have the same size");
   std::vector<Projected> projected;
   projected.reserve(mesh.vertices.size());
   for (const Mesh::Vertex& vertex : mesh.vertices) projected.push_back(camera.project(vertex.at));

@@ -84,7 +84,10 @@ Result<RepairReport> finish(const fs::path& partial) {
             partial.string() + " --out OTHER.mcap"};
   const Result<Lock> lock = Lock::take(partial);
   if (!lock) return lock.error();
-  if (!lock->is_of(partial)) return cannot_be_finished(partial, "its recorder has just finished it");
+  if (!lock->is_of(partial))
+    return Error{.what = "is no longer there: its recorder has just completed it",
+                 .where = partial.string(),
+                 .fix = "use " + name.string()};
   const fs::path made =
       name.string() + ".finishing";  // under the lock, so a file with this name is the rest of a crash
   fs::remove(made, ignored);

@@ -153,7 +153,7 @@ class View {
   void stop(Result<void> outcome) {
     if (std::exchange(stopping_, true)) return;
     outcome_ = std::move(outcome);
-    program::end_within(program::kTimeToEnd, "telepalp-view: did not end in time");
+    program::end_within(program::kTimeToEnd, "telepalp-view: did not end within 5 s and is aborted. fix: run it again");
     signals_.cancel();
     timer_.cancel();
     link_.stop();

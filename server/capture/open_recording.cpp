@@ -16,7 +16,7 @@ Result<std::unique_ptr<CaptureSource>> open_by_kind(std::string_view spec, std::
   for (const SourceKind& kind : kinds) {
     if (kind.name != name) continue;
     if (kind.needs_rest && rest.empty())
-      return Error{.what = "no file or folder is named after '" + std::string(name) + ":'",
+      return Error{.what = "a file or folder must follow '" + std::string(name) + ":'",
                    .where = where,
                    .fix = std::string(forms)};
     return kind.open(rest, options);

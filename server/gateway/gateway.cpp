@@ -16,7 +16,7 @@ using asio::ip::tcp;
 Error cannot_listen(const GatewayOptions& options, const boost::system::error_code& failed) {
   return {.what = "cannot listen: " + failed.message(),
           .where = options.address + ":" + std::to_string(options.port),
-          .fix = "choose another --http-port, 0 for any free one, and an address of this machine"};
+          .fix = "choose another --http-port (0: any free one), or give --bind an address of this machine"};
 }
 
 Result<tcp::acceptor> listen(asio::io_context& io, const GatewayOptions& options) {

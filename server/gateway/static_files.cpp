@@ -112,7 +112,8 @@ Result<StaticFiles> StaticFiles::read(const fs::path& folder) {
     const std::uintmax_t size = entry->file_size(failed);
     if (failed) break;
     if (size > kMaxBytes - total_bytes || files.files_.size() == kMaxFiles)
-      return cannot_serve(folder, "holds more files than a viewer has, or larger ones");
+      return cannot_serve(folder, "is not a viewer: it holds more than " + std::to_string(kMaxFiles) +
+                                      " files, or more than " + std::to_string(kMaxBytes >> 20U) + " MiB");
     StaticFile file{.content_type = std::string(type), .etag = {}, .bytes = bytes_of(path)};
     if (file.bytes.size() != size) return cannot_serve(path, "cannot be read");
     total_bytes += file.bytes.size();

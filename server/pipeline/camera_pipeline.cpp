@@ -103,7 +103,8 @@ bool CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Pro
   message.key_frame = key_frame;
   if (message.payload->size() <= wire::kMaxPayloadBytes) return handlers_.publish(std::move(message));
   refused_ = std::string(topic.name) + " needs " + std::to_string(message.payload->size()) + " B, more than the " +
-             std::to_string(wire::kMaxPayloadBytes) + " B of a message; give a smaller image or --jpeg-quality";
+             std::to_string(wire::kMaxPayloadBytes) +
+             " B of a message. fix: lower --jpeg-quality, or use smaller images";
   return false;
 }
 

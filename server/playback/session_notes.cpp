@@ -21,7 +21,7 @@ Error wrong(std::string what) { return {.what = std::move(what), .where = "playb
 Error unreadable(const std::filesystem::path& file, std::string what) {
   return {.what = std::move(what),
           .where = file.string(),
-          .fix = "move the file away, or mend it: it is the reply of GET /playback/notes"};
+          .fix = "move the file away, or correct it: it must have the form of the reply to GET /playback/notes"};
 }
 
 std::string utc(std::chrono::system_clock::time_point at) {

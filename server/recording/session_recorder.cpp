@@ -49,9 +49,10 @@ std::string last_line(const fs::path& log) {
 Result<std::unique_ptr<SessionRecorder>> SessionRecorder::open(Options options) {
   std::error_code none;
   if (!fs::is_directory(options.folder, none) || ::access(options.folder.c_str(), W_OK) != 0)
-    return Error{.what = options.folder.string() + " is not a folder that can be written to",
-                 .where = "--record-dir",
-                 .fix = "make it: mkdir -p " + options.folder.string()};
+    return Error{
+        .what = options.folder.string() + " is not a folder in which this program may write",
+        .where = "--record-dir",
+        .fix = "make it (mkdir -p " + options.folder.string() + "), or allow this program's user to write there"};
   return std::unique_ptr<SessionRecorder>(new SessionRecorder(std::move(options)));
 }
 

@@ -99,10 +99,10 @@ wire::mcap::Metadata note_of(const std::filesystem::path& file, const CutOptions
 
 Error nothing_there(const std::filesystem::path& file, const wire::mcap::Statistics& statistics) {
   const double seconds = static_cast<double>(statistics.message_end_time - statistics.message_start_time) * 1e-9;
-  return {
-      .what = "no message lies in that time or on these topics; the session lasts " + std::to_string(seconds) + " s",
-      .where = file.string(),
-      .fix = "see telepalp-record info " + file.string() + ", and give --from, --to or --topics inside it"};
+  return {.what = "no message lies between --from and --to on the chosen topics; the session lasts " +
+                  std::to_string(seconds) + " s",
+          .where = file.string(),
+          .fix = "give times within the session, and topics that are listed by telepalp-record info " + file.string()};
 }
 
 }  // namespace

@@ -102,10 +102,10 @@ Result<std::vector<Strand>> open_all(const std::vector<std::filesystem::path>& f
     added.set_senders_apart(kSendersApart * static_cast<std::uint32_t>(strands.size() - 1));
     if (added.holds(wire::kCameraDepth.name) && strands.front().holds(wire::kCameraDepth.name))
       return Error{.what = "this session and " + files.front().string() +
-                           " both hold a camera, and are of different servers: " + added.session().source + " and " +
+                           " both hold camera images, but from different servers: " + added.session().source + " and " +
                            strands.front().session().source,
                    .where = file.string(),
-                   .fix = "leave one camera out: telepalp-record cut " + file.string() +
+                   .fix = "merge a copy without its camera images: telepalp-record cut " + file.string() +
                           " --topics '!/camera/*' --out OTHER.mcap"};
   }
   return strands;

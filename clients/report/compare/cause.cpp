@@ -42,7 +42,7 @@ std::string last_event(const Session& session, std::size_t tick) {
 
 std::string letting_go(const Run& run, std::size_t tick, const char* name) {
   const std::string event = last_event(run.session, tick);
-  return std::string(name) + " has let go of the hand (" + phase_words(run.session, tick) + ")" +
+  return std::string(name) + " gives the hand no force (state: " + phase_words(run.session, tick) + ")" +
          (event.empty() ? "" : "; its last event: " + event);
 }
 

@@ -94,11 +94,11 @@ std::string motion_sections(const Session& session) {
                  "hand.",
                  in_pairs(force_against_indentation(session)));
   const auto cylinder = around_the_cylinder(session);
-  out +=
-      cylinder.empty()
-          ? section("The cylinder under the skin", "The controller did not enter its states in this run.", "")
-          : section("The cylinder under the skin", "Path of the end-effector in the cylinder's states, and the force.",
-                    in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
+  out += cylinder.empty() ? section("The cylinder under the skin",
+                                    "The controller did not enter the cylinder's states in this run.", "")
+                          : section("The cylinder under the skin",
+                                    "Path of the end-effector in the cylinder's states, and the force.",
+                                    in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
   return out + section("The whole run",
                        "State, height and force on one time axis. Outside the body, the force moves the free "
                        "end-effector; the hand feels none.",

@@ -129,7 +129,7 @@ std::string reason_against(const OniStream& depth) {
   if (!has_size(depth)) return "its depth stream has no usable size";
   if (depth.cropped) return "its depth images are cropped";
   if (depth.codec == OniCodec::Jpeg || depth.codec == OniCodec::Unknown)
-    return "its depth is compressed in a way that is not known";
+    return "its depth is compressed by an unknown method";
   return {};
 }
 
@@ -148,8 +148,8 @@ std::string complaint_of(const OniRecordWalk& walk, std::uint64_t senseless, con
         "the recording is cut off at byte " + std::to_string(walk.file_bytes()) + ", without its end record");
   const std::size_t images = depth.stream.images.size();
   if (depth.declared_frames > 0 && images != depth.declared_frames)
-    say(complaint,
-        std::to_string(images) + " depth images are there, its header says " + std::to_string(depth.declared_frames));
+    say(complaint, "it holds " + std::to_string(images) + " depth images, its header says " +
+                       std::to_string(depth.declared_frames));
   return complaint;
 }
 

@@ -83,11 +83,11 @@ Result<RgbdFrame> frame_of(const models::PointModel& cloud, const std::string& n
     furthest_m = std::max(furthest_m, point.z());
   }
   const std::string fix =
-      "give a cloud in its camera's own frame (x right, y down, z into the scene), not moved, "
-      "filtered into another order or merged";
+      "give the cloud of one camera in its own frame (x right, y down, z into the scene), one point a pixel";
   if (across.count() < kFewestPoints)
-    return Error{
-        .what = "has only " + std::to_string(across.count()) + " points before the camera", .where = name, .fix = fix};
+    return Error{.what = "has only " + std::to_string(across.count()) + " points in front of the camera",
+                 .where = name,
+                 .fix = fix};
   if (!(across.rms() <= kMostResidual_px && down.rms() <= kMostResidual_px && across.focal() > 0.0 &&
         down.focal() > 0.0))
     return Error{.what = "was not seen by a pinhole camera: points lie " +

@@ -200,7 +200,7 @@ TEST_F(SourceFolder, EachBadSourceIsNamedWithWhereAndFix) {
   write("field/camera.textproto", "depth {\n  focal: 3\n}\n");
   const std::pair<std::string, std::string> kBad[] = {
       {"webcam", "'webcam' is not a kind of source"},
-      {"oni:", "no file or folder is named after 'oni:'"},
+      {"oni:", "a file or folder must follow 'oni:'"},
       {"oni:" + file("no.oni"), "cannot be read"},
       {"oni:" + file("hello.txt"), "is not an .oni recording"},
       {"oni:" + file("cut.oni"), "cannot be played"},
