@@ -9,9 +9,9 @@ export interface PhaseLook {
 const LOOKS: Record<Phase, PhaseLook> = {
   [Phase.Unspecified]: {name: 'No station', tone: 'quiet', says: 'no haptic station is connected'},
   [Phase.InBody]: {name: 'In body', tone: 'contact', says: 'the hand presses the skin: force control'},
-  [Phase.BodyToPlane]: {name: 'Body to plane', tone: 'between', says: 'leaving the skin: pushed away from the body'},
+  [Phase.BodyToPlane]: {name: 'Body to plane', tone: 'between', says: 'the device lifts the hand away from the body'},
   [Phase.OutBody]: {name: 'Out body', tone: 'free', says: 'the device follows the hand above the body'},
-  [Phase.PlaneToBody]: {name: 'Plane to body', tone: 'between', says: 'waiting to be pushed to the skin'},
+  [Phase.PlaneToBody]: {name: 'Plane to body', tone: 'between', says: 'no force: push the device down to the skin'},
   [Phase.ObjectLateral]: {name: 'Cylinder lateral area', tone: 'inner', says: 'against the side of the inner object'},
   [Phase.AroundObject]: {name: 'Around the cylinder', tone: 'inner', says: 'beside the inner object'},
   [Phase.ObjectUpper]: {name: 'Cylinder upper area', tone: 'inner', says: 'on top of the inner object'},

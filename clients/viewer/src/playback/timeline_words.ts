@@ -47,7 +47,7 @@ function spoken(seconds: number): string {
 export function refusal(status: number, text: string): string {
   const reason = text.trim();
   if (status === 401) return 'Your sign-in has ended. Reload the page and sign in again.';
-  if (status === 403) return `The server refused: ${reason || 'you may not move the session'}.`;
+  if (status === 403) return `The server refused: ${reason || 'you may not play, pause or seek the session'}.`;
   return `The server could not do this: ${reason || `status ${status}`}`;
 }
 

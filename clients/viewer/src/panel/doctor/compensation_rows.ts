@@ -47,7 +47,7 @@ export function compensationRows(
     rows.push({
       name: 'Contact displayed',
       value: `${Math.round(100 * compensation.support)} %`,
-      says: 'Share of the contact that the device displays. It is below 100 % where the surface is old or ends.',
+      says: 'Share of the contact force that the device gives. It is below 100 % where the surface is old or ends.',
       level: 'warn',
     });
   rows.push(

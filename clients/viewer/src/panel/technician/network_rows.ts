@@ -45,6 +45,6 @@ export function subscriberRows(stats: ServerStats | undefined): Row[] {
   return (stats?.subscribers ?? []).map(({name, address, sent, dropped, byDatagram}) => ({
     name: name.replace(/^telepalp-/, ''),
     value: `${sent} sent, ${dropped} dropped`,
-    says: `${address}, ${byDatagram ? 'images by sealed datagrams' : 'all by one connection'}`,
+    says: `${address}, ${byDatagram ? 'images by encrypted UDP datagrams' : 'all messages over one TCP connection'}`,
   }));
 }
