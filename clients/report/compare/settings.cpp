@@ -29,7 +29,7 @@ std::string scene_name(const std::string& scene) {
 
 std::string scene_words(const Run& run, const Run& other) {
   const std::string apart = first_line_apart(run.info.scene, other.info.scene);
-  return scene_name(run.info.scene) + (apart.empty() || other.info.scene.empty() ? "" : "; " + apart);
+  return scene_name(run.info.scene) + (apart.empty() || other.info.scene.empty() ? "" : "; first difference: " + apart);
 }
 
 std::string camera_words(const Session& session) {

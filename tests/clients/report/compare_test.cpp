@@ -176,7 +176,7 @@ TEST_F(Compare, SettingsThatDifferComeFirstWithTheFirstLineOfTheSceneThatDoes) {
   ASSERT_GE(comparison->settings.size(), 3u);
   EXPECT_EQ(comparison->settings[0].name, "software");
   EXPECT_EQ(comparison->settings[1].name, "scene");
-  EXPECT_EQ(comparison->settings[1].b, "skin; line 2: stiffness: 300");
+  EXPECT_EQ(comparison->settings[1].b, "skin; first difference: line 2: stiffness: 300");
   EXPECT_FALSE(comparison->settings[2].differs());
   EXPECT_TRUE(comparison->equal()) << "metadata are no messages";
 }
