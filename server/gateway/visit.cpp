@@ -32,6 +32,8 @@ bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
   return host_is_ours(policy, host) && view(request[http::field::origin]) == "https://" + std::string(host);
 }
 
+constexpr std::string_view kNotOurName =
+    "the Host header is not a name of this server: use its IP address, or a host of its key";
 constexpr std::string_view kNoSession = "no session is played here. fix: telepalp-server --source session:FILE.mcap";
 
 HttpReply json_reply(const HttpRequest& request, const std::string& json) {
@@ -98,7 +100,8 @@ std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
 
 HttpReply Visit::sign_in(const HttpRequest& request) {
   if (!is_from_our_page(request, context_.options.policy))
-    return refuse(request, http::status::forbidden, "pages from that origin may not sign in here");
+    return refuse(request, http::status::forbidden,
+                  "pages of another origin may not sign in here: use this server's own page");
   const Result<keys::Identity> who = context_.options.access->bearer(token_in_form(request.body()), address_);
   if (!who) {
     note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(who.error().what));
@@ -110,7 +113,8 @@ HttpReply Visit::sign_in(const HttpRequest& request) {
 
 HttpReply Visit::sign_out(const HttpRequest& request) {
   if (!is_from_our_page(request, context_.options.policy))
-    return refuse(request, http::status::forbidden, "pages from that origin may not sign out here");
+    return refuse(request, http::status::forbidden,
+                  "pages of another origin may not sign out here: use this server's own page");
   if (const auto who = context_.sessions.end(visitor_->cookie))
     note(access::AuditEvent::SignedOut, "who=" + describe(*who));
   return go_to(request, "/", "");
@@ -121,7 +125,7 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
     return refuse(request, visitor_ ? http::status::forbidden : http::status::unauthorized,
                   "metrics need a token of a technician or of QA: Authorization: Bearer TOKEN");
   if (!host_is_ours(context_.options.policy, view(request[http::field::host])))
-    return refuse(request, http::status::misdirected_request, "this server is not known by that name");
+    return refuse(request, http::status::misdirected_request, kNotOurName);
   const std::string text =
       metrics_text(context_.hub, context_.options.access->counts(),
                    context_.options.datagrams ? context_.options.datagrams() : hub::DatagramCounts{},
@@ -133,7 +137,7 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
 
 std::optional<HttpReply> Visit::refusal_to_watch(const HttpRequest& request) const {
   if (!host_is_ours(context_.options.policy, view(request[http::field::host])))
-    return refuse(request, http::status::misdirected_request, "this server is not known by that name");
+    return refuse(request, http::status::misdirected_request, kNotOurName);
   if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
   return std::nullopt;
 }
@@ -152,9 +156,10 @@ std::optional<HttpReply> Visit::refusal_to_command(const HttpRequest& request, c
 
 /// Moving, impairing or noting on the session changes what all viewers see: it is for technicians and QA.
 HttpReply Visit::played(const HttpRequest& request, const JsonResource& part) const {
-  constexpr CommandRight kChange{.operation = keys::Operation::Play,
-                                 .people = "only technicians and QA may change a played session",
-                                 .pages = "pages from that origin may not change the session"};
+  constexpr CommandRight kChange{
+      .operation = keys::Operation::Play,
+      .people = "only technicians and QA may change a played session",
+      .pages = "web pages from that origin may not change the session. fix: telepalp-server --allow-origin ORIGIN"};
   if (std::optional<HttpReply> refusal = refusal_to_command(request, kChange)) return std::move(*refusal);
   if (!part.state) return refuse(request, http::status::not_found, kNoSession);
   return answer_state(request, part, describe(visitor_->who));
@@ -170,9 +175,10 @@ HttpReply Visit::session_events(const HttpRequest& request) const {
 }
 
 HttpReply Visit::recording(const HttpRequest& request) const {
-  constexpr CommandRight kRecord{.operation = keys::Operation::Record,
-                                 .people = "recording is for doctors, technicians and QA",
-                                 .pages = "pages from that origin may not record"};
+  constexpr CommandRight kRecord{
+      .operation = keys::Operation::Record,
+      .people = "recording is for doctors, technicians and QA",
+      .pages = "web pages from that origin may not record. fix: telepalp-server --allow-origin ORIGIN"};
   if (std::optional<HttpReply> refusal = refusal_to_command(request, kRecord)) return std::move(*refusal);
   const JsonResource& recording = context_.options.recording;
   const bool commands = request.method() == http::verb::post;

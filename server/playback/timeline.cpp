@@ -58,7 +58,7 @@ Result<Timeline> Timeline::open(const std::filesystem::path& file, std::vector<s
                  .fix = "see telepalp-record info " + file.string()};
   if (summary.statistics.message_end_time > static_cast<std::uint64_t>(INT64_MAX) ||
       summary.statistics.message_start_time > summary.statistics.message_end_time)
-    return Error{.what = "its index states an end before its beginning, or after the year 2262",
+    return Error{.what = "its index states an end before its beginning, or a time out of range",
                  .where = file.string(),
                  .fix = "telepalp-record repair " + file.string()};
   return Timeline(std::move(*reader), std::move(topics));
