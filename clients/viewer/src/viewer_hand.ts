@@ -136,7 +136,7 @@ export class ViewerHandInput {
     const waits = this.held && !this.mine && viewer !== 0n;
     this.notice.show(
         asked ? 'Another viewer asks for the hand.' :
-        waits ? 'Another viewer holds the hand. Move yours to ask for it.' : '',
+        waits ? 'Another viewer holds the hand. Move the pointer over the skin to ask for it.' : '',
         asked);
   }
 
