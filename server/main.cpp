@@ -7,6 +7,7 @@
 
 #include "server/gateway/gateway.h"
 #include "server/pipeline/depth_options.h"
+#include "server/playback/comparison/session_comparison.h"
 #include "server/playback/session_events.h"
 #include "server/playback/session_network.h"
 #include "server/playback/session_notes.h"
@@ -27,6 +28,7 @@ namespace {
 using namespace telepalp;
 
 constexpr const char* kProgram = "telepalp-server";
+constexpr std::string_view kSession = "session:";  // the source that plays a session
 
 program::Usage usage() {
   return {.program = kProgram,
@@ -50,6 +52,7 @@ program::Usage usage() {
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: those built beside this program"},
                       {"record-dir", "DIR", "where recordings from the web page go; default: none"},
+                      {"compare-dir", "DIR", "sessions that QA may compare with the played one"},
                       {"record-key", "FILE", "key file for such recordings, needed with --key"},
                       {"ready-file", "FILE", "file to write the ports to once it listens"},
                       {"depth-mode", "MODE",
@@ -71,6 +74,7 @@ struct Asked {
   server::Server::Options server;
   std::optional<gateway::GatewayOptions> gateway;               // nullopt: browsers are not served
   std::optional<recording::SessionRecorder::Options> recorder;  // nullopt: the web viewer records nothing
+  std::filesystem::path compare_folder;                         // empty: the played session is compared with no other
 };
 
 Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view option) {
@@ -140,6 +144,15 @@ Result<std::optional<recording::SessionRecorder::Options>> recorder_options(cons
                                                            .server = {}});
 }
 
+Result<std::filesystem::path> compare_option(const program::Arguments& arguments) {
+  if (!arguments.has("compare-dir")) return std::filesystem::path();
+  if (!arguments.has("http-port") || !arguments.text("source").starts_with(kSession))
+    return Error{.what = "sessions are compared on the web page of a played session, which is not served",
+                 .where = "--compare-dir",
+                 .fix = "add --source session:FILE.mcap and --http-port PORT, or run telepalp-report A B"};
+  return std::filesystem::path(arguments.text("compare-dir"));
+}
+
 Result<Asked> read_asked(const program::Arguments& arguments) {
   const Result<bool> loop = yes_or_no(arguments, "loop");
   if (!loop) return loop.error();
@@ -160,6 +173,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!keys) return keys.error();
   const Result<std::optional<recording::SessionRecorder::Options>> recorder = recorder_options(arguments);
   if (!recorder) return recorder.error();
+  const Result<std::filesystem::path> compare_folder = compare_option(arguments);
+  if (!compare_folder) return compare_folder.error();
   const auto say = [](const std::string& text) { program::log(kProgram, text); };
   return Asked{.source = arguments.text("source"),
                .loop = *loop,
@@ -172,7 +187,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
                           .log = say},
                .gateway = *gateway,
-               .recorder = *recorder};
+               .recorder = *recorder,
+               .compare_folder = *compare_folder};
 }
 
 std::string ports_text(std::uint16_t port, const gateway::Gateway* gateway) {
@@ -180,8 +196,6 @@ std::string ports_text(std::uint16_t port, const gateway::Gateway* gateway) {
   if (gateway != nullptr) text += "http_port=" + std::to_string(gateway->port()) + "\n";
   return text;
 }
-
-constexpr std::string_view kSession = "session:";
 
 /// What the server publishes: a session that is played, or the frames of a source.
 struct Opened {
@@ -209,13 +223,23 @@ Result<Opened> open(const Asked& asked, const wire::SessionClock& clock) {
 struct PlayedSession {
   playback::SessionEvents events;
   playback::SessionNotes notes;
+  std::unique_ptr<playback::SessionComparison> comparison;  // null: no folder of other sessions is named
 };
 
-Result<std::unique_ptr<PlayedSession>> survey(const playback::SessionPlayer& player) {
+/// `others`: folder of the sessions that may be compared with the played one; empty: none.
+Result<std::unique_ptr<PlayedSession>> survey(const playback::SessionPlayer& player,
+                                              const std::filesystem::path& others) {
   const msg::PlaybackState state = player.state();
   Result<playback::SessionNotes> notes = playback::SessionNotes::open(state.file(), state.duration_s());
   if (!notes) return notes.error();
-  return std::unique_ptr<PlayedSession>(new PlayedSession{{state.file(), player.begin()}, std::move(*notes)});
+  std::unique_ptr<playback::SessionComparison> comparison;
+  if (!others.empty()) {
+    auto opened = playback::SessionComparison::open(state.file(), others);
+    if (!opened) return opened.error();
+    comparison = std::move(opened).value();
+  }
+  return std::unique_ptr<PlayedSession>(
+      new PlayedSession{{state.file(), player.begin()}, std::move(*notes), std::move(comparison)});
 }
 
 /// Lets the gateway's visitors see, move, impair and note on the session.
@@ -241,6 +265,24 @@ void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& p
                        [&session](const std::string& json, const std::string& who) {
                          return session.notes.apply(json, who, std::chrono::system_clock::now());
                        }};
+}
+
+/// Lets the gateway's visitors compare the session with others. Without a folder the state is empty, because a browser
+/// would log a missing page as an error.
+void offer_comparison(gateway::GatewayOptions& options, PlayedSession& session) {
+  if (!session.comparison) {
+    options.comparison = {.state = [] { return std::string("{}"); },
+                          .change = [](const std::string&, const std::string&) -> Result<std::string> {
+                            return Error{.what = "this server compares no sessions",
+                                         .where = "playback/comparison",
+                                         .fix = "telepalp-server --compare-dir DIR"};
+                          }};
+    return;
+  }
+  playback::SessionComparison& comparison = *session.comparison;
+  options.comparison = {
+      .state = [&comparison] { return comparison.json(); },
+      .change = [&comparison](const std::string& json, const std::string&) { return comparison.apply(json); }};
 }
 
 /// Where a recorder on this machine reaches the server: at its address, or on loopback when it listens everywhere.
@@ -287,10 +329,11 @@ int run(Asked asked) {
     asked.gateway->problem = [&server] { return server.problem(); };
     asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
     if (opened->player) {
-      auto surveyed = survey(*opened->player);
+      auto surveyed = survey(*opened->player, asked.compare_folder);
       if (!surveyed) return program::fail(surveyed.error());
       session = std::move(surveyed).value();
       offer_playback(*asked.gateway, *opened->player, server.network(), *session);
+      offer_comparison(*asked.gateway, *session);
     }
     if (recorder) offer_recording(*asked.gateway, *recorder);
     auto listens = gateway::Gateway::open(

@@ -46,6 +46,7 @@ struct GatewayOptions {
   foxglove::PlaybackPort playback_port{};            ///< the same for the WebSocket's playback control
   JsonResource network{};                            ///< msg::NetworkState and msg::NetworkCommand
   JsonResource notes{};                              ///< msg::SessionNotes and msg::NoteCommand
+  JsonResource comparison{};                         ///< msg::ComparisonState and msg::ComparisonCommand
   std::function<std::string()> session_events{};     ///< JSON of msg::SessionEvents; set when playback is
   JsonResource recording{};  ///< msg::RecordingState and msg::RecordingCommand; unset: nothing can be recorded here
   std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers

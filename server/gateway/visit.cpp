@@ -85,6 +85,7 @@ std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
   if (target == kPlaybackTarget) return played(request, context_.options.playback);
   if (target == kNetworkTarget) return played(request, context_.options.network);
   if (target == kNotesTarget) return played(request, context_.options.notes);
+  if (target == kComparisonTarget) return played(request, context_.options.comparison);
   if (target == kEventsTarget) return session_events(request);
   if (target == kRecordingTarget) return recording(request);
   if (!has_keys) return std::nullopt;

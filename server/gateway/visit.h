@@ -21,6 +21,9 @@ inline constexpr std::string_view kNetworkTarget = "/playback/network";
 /// Path of the notes on the played session: GET returns them; POST adds or removes one.
 inline constexpr std::string_view kNotesTarget = "/playback/notes";
 
+/// Path of the comparison of the played session with another one: GET returns it; POST chooses the other session.
+inline constexpr std::string_view kComparisonTarget = "/playback/comparison";
+
 /// Path of the recording at the server's machine: GET returns its state; POST begins or ends it.
 inline constexpr std::string_view kRecordingTarget = "/recording";
 

@@ -28,6 +28,9 @@ const PHASES = ['UNSPECIFIED', 'IN_BODY', 'BODY_TO_PLANE', 'OUT_BODY', 'PLANE_TO
 const numberOf = (names: readonly string[], prefix: string, name: unknown) =>
     Math.max(0, names.findIndex((known) => name === prefix + known));
 
+/** The phase that Protobuf's JSON calls `name`. */
+export const phaseNamed = (name: unknown): Phase => numberOf(PHASES, 'PHASE_', name);
+
 /** Reads the reply to GET /playback/events; undefined if it cannot be read. */
 export function readOverview(text: string): SessionOverview | undefined {
   try {
@@ -36,7 +39,7 @@ export function readOverview(text: string): SessionOverview | undefined {
     return {
       complete: complete === true,
       events: events.map(({at_s, kind, text: says, to}) => ({
-        at_s: Number(at_s), kind: numberOf(KINDS, 'EVENT_KIND_', kind), text: String(says), to: numberOf(PHASES, 'PHASE_', to),
+        at_s: Number(at_s), kind: numberOf(KINDS, 'EVENT_KIND_', kind), text: String(says), to: phaseNamed(to),
       })),
     };
   } catch {

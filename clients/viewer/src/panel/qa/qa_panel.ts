@@ -7,19 +7,24 @@ import {clock} from '../../playback/timeline_words';
 import type {SceneView} from '../../scene/scene_view';
 import type {Reading} from '../../viewer_state';
 import {saveFile} from '../save_file';
+import {ComparisonCard} from './comparison/comparison_card';
 import {EventLog, type LoggedEvent, toneOf} from './event_log';
 import {NetworkCard} from './network_card';
 import {type Notes, NotesCard} from './notes_card';
 
 const MOST_LINES = 400;
 
-/** QA's cards: the moment, to be shared or kept as a picture, notes, the impaired network, and the session's events. */
+/**
+ * QA's cards: the moment, to be shared or kept as a picture, notes, another session beside this one, the impaired
+ * network, and the session's events.
+ */
 export class QaPanel {
   private readonly log = new EventLog();
   private readonly list = element('events');
   private readonly said = element('moment-said');
   private readonly network = new NetworkCard();
   private readonly notesCard: NotesCard;
+  private readonly comparison: ComparisonCard;
   private shown = '';
   private asked_s = momentInAddress(location.search);  // to be shown once the session can be moved
 
@@ -27,6 +32,7 @@ export class QaPanel {
       private readonly playback: PlaybackLink, private readonly whole: OverviewBand, notes: Notes,
       private readonly view: SceneView) {
     this.notesCard = new NotesCard(playback, notes, () => whole.draw());
+    this.comparison = new ComparisonCard(playback);
     element('share').addEventListener('click', () => void this.share());
     element('snapshot').addEventListener('click', () => void this.snapshot());
   }
@@ -36,6 +42,7 @@ export class QaPanel {
     this.showAskedMoment();
     this.network.show(state !== undefined);
     this.notesCard.show();
+    this.comparison.show(state !== undefined);
     setText(element('moment'), state === undefined ? 'live' : `${clock(state.position_s)} of ${clock(state.duration_s)}`);
     element<HTMLButtonElement>('share').disabled = state === undefined;
     if (!connected) this.log.forget();

@@ -1,0 +1,27 @@
+import type {ComparedRuns, ComparisonState} from '../../../playback/comparison_state';
+import {clock} from '../../../playback/timeline_words';
+import {lookOf} from '../../phases';
+
+const newtons = (force_N: number | undefined) => `${(force_N ?? 0).toFixed(2)} N`;
+
+/** The state of the comparison as a sentence. */
+export function comparisonSays({with: other, complete, problem, runs}: ComparisonState): string {
+  if (other === '') return 'A is the played session.';
+  if (!complete) return 'Reading both sessions…';
+  if (problem !== '' || runs === undefined) return problem;
+  const aligned = runs.same_time ? 'Both share session time.' : 'Their first states are put together.';
+  if (runs.first === undefined) return `The hand feels no difference. ${aligned}`;
+  const {force_a_N, force_b_N, apart_N} = runs.first;
+  return `${newtons(force_a_N)} in A, ${newtons(force_b_N)} in B, ${newtons(apart_N)} apart as vectors. ${aligned}`;
+}
+
+/** What both runs are at `at_s`; empty outside the time axis. */
+export function momentSays({at_s, a, b, apart_N}: ComparedRuns, moment_s: number): string {
+  const first_s = at_s[0] ?? 0;
+  const bin_s = (at_s[1] ?? first_s + 1) - first_s;
+  const bin = Math.round((moment_s - first_s) / bin_s);
+  if (bin < 0 || bin >= at_s.length) return '';
+  const run = (name: string, {force_N, indentation_mm, phase}: typeof a) =>
+    `${name} ${newtons(force_N[bin])}, ${(indentation_mm[bin] ?? 0).toFixed(0)} mm, ${phase[bin] ? lookOf(phase[bin]).name : 'no state'}`;
+  return `${clock(at_s[bin] ?? 0)}: ${run('A', a)}; ${run('B', b)}; apart ${newtons(apart_N[bin])}`;
+}

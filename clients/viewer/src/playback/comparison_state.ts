@@ -1,0 +1,100 @@
+import type {Phase} from '../link/messages';
+import {phaseNamed} from './session_overview';
+
+/** The body of POST /playback/comparison; `with` is empty to end the comparison. */
+export interface ComparisonCommand {
+  with?: string;
+}
+
+/** One run in equal bins of the common time axis. */
+export interface ComparedRun {
+  force_N: readonly number[];
+  indentation_mm: readonly number[];
+  phase: readonly Phase[];
+}
+
+/** The first instant in contact at which the forces differ by more than a hand notices. */
+export interface FirstDifference {
+  at_s: number;  // since the beginning of the played session
+  force_a_N: number;
+  force_b_N: number;
+  apart_N: number;
+}
+
+/** Two runs on one time axis; times count from the beginning of A. */
+export interface ComparedRuns {
+  at_s: readonly number[];  // middle of each bin
+  a: ComparedRun;
+  b: ComparedRun;
+  apart_N: readonly number[];
+  same_time: boolean;
+  first: FirstDifference | undefined;
+}
+
+/** The reply to GET and POST /playback/comparison. */
+export interface ComparisonState {
+  sessions: readonly string[];
+  with: string;
+  complete: boolean;
+  problem: string;
+  runs: ComparedRuns | undefined;  // undefined: nothing is compared, or not yet
+}
+
+const numbers = (list: unknown) => (Array.isArray(list) ? list.map(Number) : []);
+
+function readRun(run: Record<string, unknown> | undefined): ComparedRun {
+  return {
+    force_N: numbers(run?.['force_N']),
+    indentation_mm: numbers(run?.['indentation_mm']),
+    phase: Array.isArray(run?.['phase']) ? run['phase'].map(phaseNamed) : [],
+  };
+}
+
+const LONGEST_GAP = 3;  // bins: those of a short session can be shorter than the 10 ms from state to state
+
+/** For each bin the bin whose values it shows: itself, or in a short gap between two states the last one before it. */
+function heldBins(phase: readonly Phase[]): number[] {
+  let last = 0;
+  return phase.map((now, bin) => {
+    if (now) last = bin;
+    const inGap = !now && bin - last <= LONGEST_GAP && phase.slice(bin + 1, bin + 1 + LONGEST_GAP).some((next) => next);
+    return inGap ? last : bin;
+  });
+}
+
+function withoutGaps({force_N, indentation_mm, phase}: ComparedRun): ComparedRun {
+  const held = heldBins(phase);
+  return {
+    force_N: held.map((bin) => force_N[bin] ?? 0), indentation_mm: held.map((bin) => indentation_mm[bin] ?? 0),
+    phase: held.map((bin) => phase[bin] ?? 0),
+  };
+}
+
+function readRuns(json: Record<string, unknown>): ComparedRuns | undefined {
+  const apart_N = numbers(json['apart_N']);
+  if (apart_N.length === 0) return undefined;
+  const a = readRun(json['a'] as Record<string, unknown>);
+  const [begin_s, bin_s] = [Number(json['begin_s']), Number(json['bin_s'])];
+  return {
+    at_s: apart_N.map((_, bin) => begin_s + (bin + 0.5) * bin_s),
+    a: withoutGaps(a),
+    b: withoutGaps(readRun(json['b'] as Record<string, unknown>)),
+    apart_N: heldBins(a.phase).map((bin) => apart_N[bin] ?? 0),
+    same_time: json['same_time'] === true,
+    first: json['first'] === undefined || json['first'] === null ? undefined : json['first'] as FirstDifference,
+  };
+}
+
+/** Reads the server's reply; undefined if this server compares nothing, or the reply cannot be read. */
+export function readComparison(text: string): ComparisonState | undefined {
+  try {
+    const json = JSON.parse(text) as Record<string, unknown>;
+    if (!Array.isArray(json['sessions'])) return undefined;
+    return {
+      sessions: json['sessions'].map(String), with: String(json['with']), complete: json['complete'] === true,
+      problem: String(json['problem']), runs: readRuns(json),
+    };
+  } catch {
+    return undefined;
+  }
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "messages/playback.pb.h"
+#include "proto/words/result.h"
+
+namespace telepalp::playback {
+
+/// Compares the played session with another one of a folder. A thread of its own reads both files; the mutex guards the
+/// result, which the network thread copies. Owner: the network thread.
+class SessionComparison {
+ public:
+  static constexpr std::size_t kMostSessions = 200;
+
+  /// `folder`: its files *.mcap may be compared with `played`. Error: it is not a folder.
+  [[nodiscard]] static Result<std::unique_ptr<SessionComparison>> open(std::filesystem::path played,
+                                                                       std::filesystem::path folder);
+  ~SessionComparison() { stop(); }
+  SessionComparison(const SessionComparison&) = delete;
+  SessionComparison& operator=(const SessionComparison&) = delete;
+
+  /// Carries out the JSON of a msg::ComparisonCommand, and returns the state as JSON. Error: the command is wrong, or
+  /// names a file that is not in the folder.
+  [[nodiscard]] Result<std::string> apply(const std::string& json);
+  [[nodiscard]] std::string json() const;  ///< msg::ComparisonState as JSON
+
+ private:
+  SessionComparison(std::filesystem::path played, std::filesystem::path folder)
+      : played_(std::move(played)), folder_(std::move(folder)) {}
+  [[nodiscard]] std::vector<std::string> sessions() const;
+  void begin(const std::string& with);
+  void stop();
+  void compare(const std::filesystem::path& other);
+
+  std::filesystem::path played_;
+  std::filesystem::path folder_;
+  mutable std::mutex mutex_;
+  msg::ComparisonState state_;  // without `sessions`, which are listed when they are asked for
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;  // last member: the thread uses the others
+};
+
+}  // namespace telepalp::playback

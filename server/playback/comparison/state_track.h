@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "messages/station.pb.h"
+#include "proto/words/result.h"
+
+namespace telepalp::playback {
+
+/// The station at an instant, as far as two runs are compared.
+struct TrackPoint {
+  std::int64_t at_ns = 0;          ///< session time of the state
+  std::array<float, 3> force_N{};  ///< in the haptic base's frame
+  float indentation_m = 0.0F;
+  msg::Phase phase = msg::PHASE_UNSPECIFIED;
+};
+
+/// The states of the first station of a session, in order of time.
+struct StateTrack {
+  std::int64_t begin_ns = 0;  ///< session time of the session's first message
+  std::int64_t end_ns = 0;    ///< and of its last one
+  std::vector<TrackPoint> points;
+};
+
+/// Two hours at 100 Hz; later states are left out.
+inline constexpr std::size_t kMostTrackPoints = 720'000;
+
+/// Reads the states of a session file; a damaged chunk costs only its own states. `stopping`: ends the reading early.
+/// Error: the file cannot be opened, or holds no state of a station.
+[[nodiscard]] Result<StateTrack> read_track(const std::filesystem::path& file, const std::atomic<bool>& stopping);
+
+}  // namespace telepalp::playback
