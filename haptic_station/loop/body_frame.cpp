@@ -10,6 +10,16 @@ using Eigen::Vector3d;
 
 static_assert(effects::kMostEffects == surface::kMostMarks);
 
+namespace {
+
+/// True unless the contact begins above the skin that was last seen over a hidden object, where the object cannot be.
+/// Such a contact is one with what hides it.
+bool may_be_reached(const surface::SkinMark& mark, const surface::TouchSample& touch) noexcept {
+  return mark.seen || mark.normal.isZero() || mark.normal.dot(touch.foot.m - mark.at) < 0.0;
+}
+
+}  // namespace
+
 surface::MarkLines mark_lines(const effects::EffectBank& effects,
                               const Transform<DepthCamera, HapticBase>& camera_from_haptic) noexcept {
   surface::MarkLines lines;
@@ -64,21 +74,39 @@ void BodyFrame::look_at_one(double age_s) noexcept {
     carried_[i] = {};
 }
 
+/// Where the object belongs in the newest surface's body, predicted to now; its velocity too.
+effects::Placement BodyFrame::target(std::size_t object) const noexcept {
+  const surface::SkinMark& mark = marks_[object];
+  const Carried& carried = carried_[object];
+  return {.moved = haptic_from_camera_ * Vector<DepthCamera>{mark.moved_m + carried.m * mark.normal},
+          .velocity = haptic_from_camera_ * Vector<DepthCamera>{carried.m_per_s * mark.normal}};
+}
+
+/// A contact begins: each object is as deep below the displayed skin as it is below the measured skin. This includes an
+/// object whose mark is hidden or not found yet: a hand that sank in while the station had let go of it may be inside
+/// this object, and would get the energy of a spring that it never compressed.
+void BodyFrame::lower_with_skin(const surface::TouchSample& touch) noexcept {
+  const Vector<HapticBase> lowered = haptic_from_camera_ * Vector<DepthCamera>{touch.newest_above_m * touch.normal};
+  const Vector<HapticBase> rising =
+      haptic_from_camera_ * Vector<DepthCamera>{touch.surface_velocity_m_per_s * touch.normal};
+  for (std::size_t i = 0; i < shown_.size(); ++i)
+    if (marks_[i].watched && may_be_reached(marks_[i], touch))
+      shown_[i] = {.moved = {target(i).moved.v - lowered.v}, .velocity = rising};
+}
+
 const effects::Placements& BodyFrame::step(const surface::TouchSample& touch, double dt_s) noexcept {
   const bool begins = touch.valid && touch.in_body && !in_body_;
   in_body_ = touch.valid && touch.in_body;
   if (!watched_) return shown_;
   const double dt = dt_s > 0.0 ? std::min(dt_s, 0.1) : 0.0;
   if (snapshot_ != nullptr) look_at_one(touch.age_s);
-  const Vector3d lower_m = begins ? Vector3d(-touch.newest_above_m * touch.normal) : Vector3d::Zero();
+  if (begins) lower_with_skin(touch);
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     if (!marks_[i].watched) continue;
     effects::Placement& shown = shown_[i];
-    const Vector<DepthCamera> target{marks_[i].moved_m + carried_[i].m * marks_[i].normal};
-    const Vector<DepthCamera> target_rate{carried_[i].m_per_s * marks_[i].normal};
-    if (marks_[i].seen) shown.moved.v += (haptic_from_camera_ * Vector<DepthCamera>{lower_m}).v;
-    shown.velocity.v = surface::next_rate(shown.velocity.v, (haptic_from_camera_ * target).v - shown.moved.v,
-                                          (haptic_from_camera_ * target_rate).v, limits_, share_.of(limits_, dt), dt);
+    const effects::Placement wanted = target(i);
+    shown.velocity.v = surface::next_rate(shown.velocity.v, wanted.moved.v - shown.moved.v, wanted.velocity.v, limits_,
+                                          share_.of(limits_, dt), dt);
     shown.moved.v += dt * shown.velocity.v;
   }
   return shown_;

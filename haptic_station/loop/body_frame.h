@@ -28,8 +28,9 @@ using ObjectPlacements = std::array<ObjectPlacement, effects::kMostEffects>;
 /// Computes where the objects inside the body are displayed. The target of each object is the displacement of the mark
 /// (a followed point of the skin) above it: measured up to the newest capture, then predicted to now along the skin's
 /// normal. The displayed object approaches its target with bounded speed and acceleration, so that it never jumps. If a
-/// contact begins while the skin is displayed lower than measured, the objects whose mark the camera sees are lowered
-/// by the same distance and rise with the skin. Owner: the haptic thread. Nothing here allocates, locks or throws.
+/// contact begins while the skin is displayed lower than measured, all objects are displayed lower by the same distance
+/// and rise with the skin, also those whose mark is not seen, unless the contact is above the skin last seen over them.
+/// Owner: the haptic thread. Nothing here allocates, locks or throws.
 class BodyFrame {
  public:
   explicit BodyFrame(const surface::FollowLimits& limits) noexcept : limits_(limits) {}
@@ -55,7 +56,9 @@ class BodyFrame {
     double m_per_s = 0.0;
   };
   [[nodiscard]] Carried carried(const surface::SkinMark& mark, double age_s) const noexcept;
+  [[nodiscard]] effects::Placement target(std::size_t object) const noexcept;
   void look_at_one(double age_s) noexcept;
+  void lower_with_skin(const surface::TouchSample& touch) noexcept;
   void note_unseen() noexcept;
 
   surface::FollowLimits limits_;

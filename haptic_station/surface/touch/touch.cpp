@@ -221,11 +221,14 @@ void Touch::decide(const Vector3d& device) noexcept {
   if (!was_in_front && settings_.gentle_start) show_at(device);
 }
 
-/// Displays the surface at the device, from where it rises to its true place, so that the force starts at zero.
+/// Displays the surface at the device, from where it rises to its true place, so that the force starts at zero. The
+/// displayed share has its full value from the beginning. At zero depth it changes no force; if it grew later, over a
+/// deep device, it would compress the skin's spring without work of the hand.
 void Touch::show_at(const Vector3d& device) noexcept {
   const Vector3d there = follower_.on_newest(foot_);
   follower_.take_over(device, normal_, there, normal_);
   foot_ = device;
+  held_ = at_foot_.support * freshness();
 }
 
 /// Evaluates the newest surface at the anchor, so that no error accumulates.

@@ -30,6 +30,22 @@ TEST(Touch, OnAShapeKnownByFormulaTheProxyAndNormalAreRight) {
   }
 }
 
+/// If the displayed share grew later, over a deep device, the skin's spring would gain energy that the hand did not
+/// give.
+TEST(Touch, AContactThatBeginsInTheBodyHasItsWholeShareWhileItsDepthIsZero) {
+  const auto shapes = testing::smooth_shapes();
+  const AnalyticSurface& shape = *shapes.front();
+  const auto snapshot = snapshot_of(shape);
+  Touch touch;
+  touch.adopt(*snapshot, snapshot->captured);
+  const Point<DepthCamera> device{{0.0, 0.0, shape.depth_along(0.0, 0.0) + 0.04}};
+  const TouchSample first = touch.step(device, snapshot->captured, 0.0005);
+  ASSERT_TRUE(first.in_body);
+  EXPECT_NEAR(first.distance_m, 0.0, 1e-9);
+  EXPECT_GT(first.newest_above_m, 0.03);
+  EXPECT_GT(first.support, 0.99);
+}
+
 TEST(GridSurface, TheGradientIsThatOfF) {
   for (const auto& shape : testing::smooth_shapes()) {
     const auto snapshot = snapshot_of(*shape);

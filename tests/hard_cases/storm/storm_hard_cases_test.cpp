@@ -16,6 +16,17 @@ StormCase over(Nanoseconds delay, double loss, replay::Faults faults) {
   return storm;
 }
 
+/// As a storm drew it.
+StormCase drawn(const char* motion, const char* scene, double seconds, std::uint64_t seed, impaired::Impairment network,
+                replay::Faults faults) {
+  StormCase storm{.motion = motion, .patient_seed = 1, .scene = scene, .scenario = {}, .seconds = seconds};
+  storm.scenario.seed = seed;
+  storm.scenario.down = storm.scenario.up = network;
+  storm.scenario.deadline = 100ms + network.delay;
+  storm.scenario.faults = std::move(faults);
+  return storm;
+}
+
 ::testing::AssertionResult invariants_hold(const StormCase& storm) {
   const auto outcome = replay::run_case(storm);
   if (!outcome) return ::testing::AssertionFailure() << to_string(outcome.error());
@@ -33,6 +44,18 @@ const HardCase kRows[] = {
     {"the server restarts within an outage", "two ends begin a session apart", "feel again",
      [] {
        return invariants_hold(over(40ms, 0.0, {.outages = {{3s, 1s}}, .restarts = {{2500ms, 1s}}}));
+     }},
+    {"the server restarts, and the hand sinks to the cylinder", "nothing has been seen yet of the skin above it",
+     "the cylinder is as deep below the displayed skin",
+     [] {
+       return invariants_hold(
+           drawn("regular", "palpation", 4.0, 294, {.delay = 271ms, .loss = 0.19}, {.restarts = {{614ms, 2054ms}}}));
+     }},
+    {"the clock steps over a hand in sliding skin", "a share of the contact that grows over a deep hand",
+     "the skin returns whole, from the hand",
+     [] {
+       return invariants_hold(
+           drawn("regular", "skin_sliding", 5.0, 65, {}, {.clock_steps = {{{1858ms, 1297ms}, 65ms}}}));
      }},
     {"an encoder glitch in deep contact", "the force of a jump is above the peak", "bounded force and slew",
      [] {
