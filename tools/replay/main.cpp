@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   const Result<bool> holds = request->storm_seeds    ? replay::run_storm(*request)
                              : request->axes.empty() ? replay::run_once(*request)
                                                      : replay::run_sweep(*request, request->axes, request->cells);
-  if (!holds) return program::fail(holds.error());
+  // A gate must tell a run that cannot be made from an assertion that fails.
+  if (!holds) return program::fail(holds.error(), program::kAskedWrongly);
   return *holds ? program::kDone : program::kFailed;
 }

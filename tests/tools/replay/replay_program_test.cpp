@@ -97,6 +97,17 @@ TEST_F(ReplayProgram, SaysWhatIsMisspeltBeforeItRuns) {
   }
 }
 
+TEST_F(ReplayProgram, ARunThatCannotBeMadeIsToldFromAFailedAssertion) {
+  for (const std::vector<std::string>& unreadable : {std::vector<std::string>{in("none.oni"), "--assert", "frames>1"},
+                                                     {in("none.mcap"), "--assert", "frames>1"},
+                                                     {"synthetic:torso,motion=flying", "--sweep", "delay=0,50"},
+                                                     {"diff", in("none.mcap"), in("none.mcap")}}) {
+    const auto [code, said] = run("telepalp-replay", unreadable);
+    EXPECT_EQ(code, 2) << unreadable.front() << said;
+    EXPECT_NE(said.find("fix: "), std::string::npos) << said;
+  }
+}
+
 TEST_F(ReplayProgram, ASweepWhoseAssertIsMisspeltSaysSoBeforeItRuns) {
   const auto [code, said] = replay(
       {"--sweep", "delay=0,100", "--assert", "force_rsme_N<1", "--out", in("sweep"), "--junit", in("junit.xml")});

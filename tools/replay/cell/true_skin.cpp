@@ -8,6 +8,12 @@ namespace {
 
 constexpr double kNear_m = 0.045;  // at a larger distance from the skin the nearest point is not computed
 
+/// As the controller decides whether the skin gives force.
+bool is_touching(const loop::HapticLoop::Act& act) noexcept {
+  const bool may_feel = control::is_inside(act.control.phase) || act.control.phase == control::Phase::BodyToPlane;
+  return may_feel && act.contact.valid && act.contact.in_body;
+}
+
 bool is_at_object(control::Phase phase) noexcept {
   return control::is_inside(phase) && phase != control::Phase::InBody;
 }
@@ -18,7 +24,9 @@ TickRecord judged(const TickOutcome& tick, const Transform<HapticBase, DepthCame
                   const std::optional<capture::TrueSurface>& surface, const effects::SkinLaw* law, double peak_N) {
   const loop::HapticLoop::Act& act = tick.act;
   TickRecord record{.force_N = act.force.N.cast<float>(),
+                    .device_m = tick.device.m,
                     .phase = act.control.phase,
+                    .touching = is_touching(act),
                     .felt = control::is_inside(act.control.phase),
                     .surface_age_s = static_cast<float>(act.contact.age_s),
                     .passivity_J = static_cast<float>(act.control.passivity_J),

@@ -14,8 +14,10 @@ inline constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// The values of one tick from which the figures are computed.
 struct TickRecord {
-  Eigen::Vector3f force_N = Eigen::Vector3f::Zero();  ///< in the haptic base's frame H
+  Eigen::Vector3f force_N = Eigen::Vector3f::Zero();   ///< in the haptic base's frame H
+  Eigen::Vector3d device_m = Eigen::Vector3d::Zero();  ///< true position in H
   control::Phase phase = control::Phase::Released;
+  bool touching = false;           ///< the effects act: the controller's ledgers count this contact
   bool felt = false;               ///< the controller displays the skin or an object in it
   float depth_m = kUnknown;        ///< of the device below the true skin; negative: outside
   float off_truth_N = kUnknown;    ///< along the true normal: displayed force minus the true skin's

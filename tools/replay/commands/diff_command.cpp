@@ -30,7 +30,7 @@ int diff_command(int argc, const char* const* argv) {
                           .fix = "give two files: telepalp-replay diff A.mcap B.mcap"},
                          program::kAskedWrongly);
   const auto difference = wire::first_difference((*read)->positional()[0], (*read)->positional()[1]);
-  if (!difference) return program::fail(difference.error());
+  if (!difference) return program::fail(difference.error(), program::kAskedWrongly);
   if (!*difference) {
     std::puts("equal: every message has the same topic, time and bytes");
     return program::kDone;

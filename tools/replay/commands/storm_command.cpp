@@ -33,11 +33,13 @@ class Findings {
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
   void print_ledgers() const {
-    std::printf(
-        "lowest energy balance of the display: %.1f mJ (seed %llu); largest excess work on the hand: %.1f mJ (seed "
-        "%llu)\n",
-        1e3 * least_passivity_J_.first, static_cast<unsigned long long>(least_passivity_J_.second),
-        1e3 * most_excess_J_.first, static_cast<unsigned long long>(most_excess_J_.second));
+    const auto print = [](const char* what, const std::pair<double, std::uint64_t>& worst, const char* end) {
+      std::printf("%s: %.1f mJ (seed %llu)%s", what, 1e3 * worst.first, static_cast<unsigned long long>(worst.second),
+                  end);
+    };
+    print("lowest energy balance of the display", least_passivity_J_, "; ");
+    print("largest excess work on the hand", most_excess_J_, "; ");
+    print("most energy gained by the hand", most_gained_J_, "\n");
   }
 
  private:
@@ -45,6 +47,7 @@ class Findings {
     seconds_ += outcome.seconds;
     least_passivity_J_ = std::min(least_passivity_J_, {outcome.ledgers.least_passivity_J, seed});
     if (outcome.ledgers.most_excess_J > most_excess_J_.first) most_excess_J_ = {outcome.ledgers.most_excess_J, seed};
+    if (outcome.ledgers.most_gained_J > most_gained_J_.first) most_gained_J_ = {outcome.ledgers.most_gained_J, seed};
   }
   void fail(std::uint64_t seed, const Invariants::Violation& violation) {
     failed_.push_back(seed);
@@ -58,6 +61,7 @@ class Findings {
   double seconds_ = 0.0;
   std::pair<double, std::uint64_t> least_passivity_J_{};  // with its seed
   std::pair<double, std::uint64_t> most_excess_J_{};
+  std::pair<double, std::uint64_t> most_gained_J_{};
   std::vector<std::uint64_t> failed_;
   std::optional<Error> error_;
 };

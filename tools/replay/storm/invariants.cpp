@@ -14,12 +14,12 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kRounding = 1.001;  // forces are recorded as float
-// After a clock step, the displayed skin comes back under a hand that is 50 mm deep, and the ledger does not book this
-// motion: -9 mJ on sliding skin. The damping takes the energy out before the hand gets it.
-constexpr float kLeastPassivity_J = -0.02F;
+// The damping needs a few ms to take an excess of energy out; the worst of the seeds that were run is -0.3 mJ.
+constexpr float kLeastPassivity_J = -0.005F;
 // After a clock step, the displayed skin rises at 50 mm/s under a hand that has sunk 80 mm deep. A tap in that time
 // meets it too late, and keeps 0.2 J that the true skin would have absorbed.
-constexpr float kMostExcess_J = 0.3F;
+constexpr float kMostExcess_J = 0.25F;
+constexpr double kMostGained_J = 0.02;  // while the skin's prediction is wrong; the worst seed that was run: 2.3 mJ
 constexpr float kSurelyStale_s = 2.5F;  // past the limit of 1 s, the fade of 0.5 s and the dwell
 constexpr float kYoung_s = 0.8F;
 constexpr float kNoForce_N = 0.05F;
@@ -78,6 +78,20 @@ void Invariants::check_energy(const TickRecord& tick) {
                          double{tick.hand_excess_J}));
 }
 
+/// Energy that the device gave the hand in this contact, and the measured skin would not have given: the smaller of the
+/// work on the hand and of this work beyond the measured skin's. A skin that is displayed too late takes less work from
+/// the hand than the measured one; this is an excess, but the hand gains nothing.
+void Invariants::check_gain(const TickRecord& tick) {
+  if (was_touching_) worked_J_ += last_force_N_.cast<double>().dot(tick.device_m - last_device_m_);
+  if (tick.touching && !was_touching_) worked_J_ = 0.0;
+  was_touching_ = tick.touching;
+  last_device_m_ = tick.device_m;
+  const double gained_J = std::min(worked_J_, double{tick.hand_excess_J});
+  ledgers_.most_gained_J = std::max(ledgers_.most_gained_J, gained_J);
+  if (gained_J > kMostGained_J)
+    violated(with_number("the device gave the hand %.4f J that the measured skin would not have given", gained_J));
+}
+
 void Invariants::check_release(const TickRecord& tick) {
   stale_ = tick.surface_age_s > kSurelyStale_s ? stale_ + kTick : 0ns;
   if (stale_ <= kFadeWithin) return;
@@ -95,6 +109,7 @@ void Invariants::check_felt(const TickRecord& tick) {
 void Invariants::add(const TickRecord& tick) {
   check_force(tick);
   check_energy(tick);
+  check_gain(tick);
   check_release(tick);
   check_felt(tick);
   last_force_N_ = tick.force_N;
