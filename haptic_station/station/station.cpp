@@ -128,7 +128,8 @@ void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
 Result<void> Station::run() {
   signals_.async_wait([this](const boost::system::error_code& error, int) {
     if (error) return;
-    program::end_within(program::kTimeToEnd, "telepalp-station: did not end in time");
+    program::end_within(program::kTimeToEnd,
+                        "telepalp-station: did not end within 5 s and is aborted. fix: run it again");
     stop("the operator stopped the station");
   });
   if (const Result<void> listening = faults_.listen(); !listening) {
