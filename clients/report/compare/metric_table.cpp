@@ -41,7 +41,7 @@ constexpr Row kRows[] = {
     {"camera to hand, p99", "ms", Better::Less, [](const Summary& s) { return s.capture_to_touchable_ms.p99; }},
     {"depth frames that the station received", "", Better::More,
      [](const Summary& s) { return known(s.frames_received); }},
-    {"depth frames that the server dropped before the station", "", Better::Less,
+    {"depth frames for the station that the server dropped", "", Better::Less,
      [](const Summary& s) { return known(s.frames_dropped); }},
     {"predicted motion of the surface, p99", "mm", Better::Neither,
      [](const Summary& s) { return s.surface_carried_mm.p99; }},

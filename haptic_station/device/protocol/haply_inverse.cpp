@@ -60,7 +60,7 @@ Result<std::optional<State>> parse_text(std::string_view text, std::string_view 
   if (message.inverse3_size() > kMostDevices) return refused("it lists more than 16 devices");
   for (const haply_inverse::Text::Inverse3& one : message.inverse3()) {
     if (!wanted_id.empty() && one.device_id() != wanted_id) continue;
-    if (!is_id(one.device_id())) return refused("its device_id is invalid");
+    if (!is_id(one.device_id())) return refused("its device_id is not 1 to 64 letters, digits, '-', '_' or ':'");
     if (!one.has_state()) return std::optional<State>{};
     const auto cursor = all_three(one.state().cursor_position(), kFurthest_m);
     const auto velocity = all_three(one.state().cursor_velocity(), kFastest_m_per_s);

@@ -67,13 +67,13 @@ std::string depth_error_of(const msg::Effect& effect, const effects::SolidLayer*
   char words[64];
   if (effect.has_cylinder()) return "0.5 %, near its rounded edges only";
   if (layer != nullptr && !layer->tree->lattices.empty()) {
-    std::snprintf(words, sizeof words, "set by its mesh, in cells of %.3g mm",
+    std::snprintf(words, sizeof words, "depends on the mesh, sampled every %.3g mm",
                   1e3 * layer->tree->lattices.front()->spacing_m);
     return words;
   }
   if (effect.has_organ()) {
     const double cell_m = effect.organ().has_cell_m() ? effect.organ().cell_m() : organs::OrganShapeSettings{}.cell_m;
-    std::snprintf(words, sizeof words, "set by its mesh, in cells of %.3g mm", 1e3 * cell_m);
+    std::snprintf(words, sizeof words, "depends on the mesh, sampled every %.3g mm", 1e3 * cell_m);
     return words;
   }
   if (layer == nullptr) return "none: a formula";

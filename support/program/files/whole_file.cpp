@@ -81,7 +81,8 @@ Result<void> check_replaceable(const fs::path& file) {
   const bool is_link = is_there && S_ISLNK(at.st_mode);
   const bool leads_somewhere = is_there && (!is_link || ::stat(file.c_str(), &at) == 0);
   if (!file.filename().empty() && (!leads_somewhere || S_ISREG(at.st_mode))) return {};
-  return Error{.what = "is not a file that could be replaced", .where = file.string(), .fix = "name another file"};
+  return Error{
+      .what = "is a folder, device, pipe or socket, not a file", .where = file.string(), .fix = "name another file"};
 }
 
 }  // namespace
