@@ -137,7 +137,7 @@ Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string
   if (header.bits == 16 && header.channels == 1) {
     if (header.format != SAMPLEFORMAT_UINT || header.tiled) return refuse("is 16-bit, but tiled or not unsigned");
     if (static_cast<std::size_t>(TIFFScanlineSize(tiff.get())) != 2 * std::size_t{header.width})
-      return refuse("has rows of an unexpected length");
+      return refuse("has rows that do not hold 2 bytes a pixel");
     GrayImage16 image{width, height, std::vector<std::uint16_t>(pixels)};
     if (!read_gray16(tiff.get(), image)) return refuse("cannot be decoded: " + message);
     return AnyImage{std::move(image)};
