@@ -28,7 +28,7 @@ before(async () => {
   const {port, http_port} = await place.server(join(binDir, 'telepalp-server'), ['--viewer', viewer]);
   const child = place.start(station, ['--connect', `127.0.0.1:${port}`, '--scene', 'calibration', '--control', control,
     '--device', `udp:127.0.0.1:${udp}`, '--tracker', `leap:ws://127.0.0.1:${leap}/v6.json`]);
-  await until('the station ticks', () => child.heard.includes('ticking at 2 kHz'));
+  await until('the control loop runs', () => child.heard.includes('the control loop runs at 2 kHz'));
   browser = await openBrowser(place.folder, {width: 1280, height: 1000});
   page = browser.page;
   await page.goto(`http://127.0.0.1:${http_port}/?view=technician${pictures === undefined ? '&mesh=off' : ''}`);
