@@ -8,6 +8,7 @@
 #include "clients/report/figures/view.h"
 #include "clients/report/session/session_file.h"
 #include "clients/report/summary/report_json.h"
+#include "proto/wire/mcap/notes_file.h"
 #include "support/images/image_file.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/options.h"
@@ -43,8 +44,11 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
   const Result<std::filesystem::path> whole = finished(asked);
   if (!whole) return whole.error();
   const std::filesystem::path& file = *whole;
-  const Result<report::Session> session = report::read_session(file);
+  Result<report::Session> session = report::read_session(file);
   if (!session) return session.error();
+  Result<msg::SessionNotes> notes = wire::read_notes(file);
+  if (!notes) return notes.error();
+  session->notes = std::move(*notes);
   if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;
 
   const report::Summary summary = report::summarise(*session);

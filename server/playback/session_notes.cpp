@@ -2,27 +2,19 @@
 
 #include <algorithm>
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "proto/wire/mcap/notes_file.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/message_json.h"
 
 namespace telepalp::playback {
 namespace {
 
-constexpr std::uintmax_t kMostFile_B = std::uintmax_t{4} << 20U;  // more than kMostNotes of the longest notes take
 constexpr const char* kExample = "send JSON such as {\"at_s\": 12.5, \"text\": \"rebound here\"} or {\"remove\": 3}";
 
 Error wrong(std::string what) { return {.what = std::move(what), .where = "playback/notes", .fix = kExample}; }
-
-Error unreadable(const std::filesystem::path& file, std::string what) {
-  return {.what = std::move(what),
-          .where = file.string(),
-          .fix = "move the file away, or correct it: it must have the form of the reply to GET /playback/notes"};
-}
 
 std::string utc(std::chrono::system_clock::time_point at) {
   const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
@@ -34,21 +26,6 @@ std::string utc(std::chrono::system_clock::time_point at) {
 
 bool is_one_line(std::string_view text) {
   return std::none_of(text.begin(), text.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; });
-}
-
-Result<msg::SessionNotes> read(const std::filesystem::path& file) {
-  std::error_code problem;
-  msg::SessionNotes notes;
-  if (!std::filesystem::exists(file, problem)) return notes;
-  if (std::filesystem::file_size(file, problem) > kMostFile_B || problem)
-    return unreadable(file, "this is not a file of notes: it is not a regular file, or larger than 4 MiB");
-  std::ifstream in(file, std::ios::binary);
-  const std::string json{std::istreambuf_iterator<char>(in), {}};
-  if (!in) return unreadable(file, "the notes cannot be read");
-  if (const Result<void> parsed = program::read_json(json, notes, file.string(), ""); !parsed)
-    return unreadable(file, parsed.error().what);
-  if (notes.notes_size() > SessionNotes::kMostNotes) return unreadable(file, "it has more than 1000 notes");
-  return notes;
 }
 
 void insert(msg::SessionNotes& notes, msg::SessionNotes::Note note) {
@@ -66,11 +43,9 @@ std::optional<int> place_of(const msg::SessionNotes& notes, std::uint64_t number
 }  // namespace
 
 Result<SessionNotes> SessionNotes::open(const std::filesystem::path& session, double duration_s) {
-  std::filesystem::path file = session;
-  file += ".notes.json";
-  Result<msg::SessionNotes> notes = read(file);
+  Result<msg::SessionNotes> notes = wire::read_notes(session);
   if (!notes) return notes.error();
-  return SessionNotes(std::move(file), duration_s, std::move(*notes));
+  return SessionNotes(wire::notes_file(session), duration_s, std::move(*notes));
 }
 
 SessionNotes::SessionNotes(std::filesystem::path file, double duration_s, msg::SessionNotes notes)
@@ -85,7 +60,7 @@ Result<void> SessionNotes::check(const msg::NoteCommand& command) const {
   if (command.text().empty() || command.text().size() > kMostText_B)
     return wrong("text is not from 1 to 500 bytes long");
   if (!is_one_line(command.text())) return wrong("text is not one line");
-  if (notes_.notes_size() >= kMostNotes) return wrong("the session has 1000 notes, as many as it may have");
+  if (notes_.notes_size() >= wire::kMostNotes) return wrong("the session has 1000 notes, as many as it may have");
   return {};
 }
 

@@ -9,16 +9,14 @@
 
 namespace telepalp::playback {
 
-/// What people noted about moments of a session. The notes are kept in the file SESSION.mcap.notes.json beside it,
+/// What people noted about moments of a session: at most wire::kMostNotes notes. They are kept in wire::notes_file(),
 /// which is replaced as a whole with each change. Owner: the network thread, which waits at each change until the file
 /// is on the disk.
 class SessionNotes {
  public:
-  static constexpr int kMostNotes = 1000;
   static constexpr std::size_t kMostText_B = 500;
 
-  /// Reads the notes beside `session`; without a file of notes the list is empty. `duration_s`: the session's length.
-  /// Error: the file cannot be read, or is no list of at most kMostNotes notes.
+  /// Reads the notes on `session`. `duration_s`: the session's length. Error: as wire::read_notes().
   [[nodiscard]] static Result<SessionNotes> open(const std::filesystem::path& session, double duration_s);
 
   /// Carries out the JSON of a msg::NoteCommand, writes the file, and returns all notes as JSON. A command without

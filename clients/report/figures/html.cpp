@@ -25,7 +25,8 @@ svg { display: block; width: 100%; height: auto; margin: 6px 0; }
 img { display: block; width: 100%; height: auto; border-radius: 8px; }
 table { border-collapse: collapse; width: 100%; font-size: 14.5px; font-variant-numeric: tabular-nums; }
 th, td { padding: 5px 10px; border-bottom: 1px solid #e8ebef; text-align: right; }
-th { color: #566070; font-weight: 600; } th:first-child, td:first-child { text-align: left; }
+th { color: #566070; font-weight: 600; } th:first-child, td:first-child, .words th, .words td { text-align: left; }
+.words td { overflow-wrap: anywhere; } .words td:first-child { white-space: nowrap; }
 @media (max-width: 700px) { .pair { grid-template-columns: 1fr; } }
 @media print { body { background: #fff; max-width: none; padding: 0; font-size: 12px; }
   section, .verdict { break-inside: avoid; border-color: #ccc; } }
@@ -44,8 +45,9 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
-std::string table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows) {
-  std::string out = "<table><thead><tr>";
+std::string table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
+                  Cells cells) {
+  std::string out = cells == Cells::Words ? "<table class=\"words\"><thead><tr>" : "<table><thead><tr>";
   for (const std::string& cell : head) out += "<th>" + plot::escaped(cell) + "</th>";
   out += "</tr></thead><tbody>\n";
   for (const auto& row : rows) {

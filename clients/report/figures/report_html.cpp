@@ -70,6 +70,17 @@ std::string view_section(const Session& session, const std::string& view_png) {
       "<img alt=\"augmented view\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
 }
 
+std::string notes_section(const Session& session) {
+  std::vector<std::vector<std::string>> rows;
+  for (const msg::SessionNotes::Note& note : session.notes.notes())
+    rows.push_back({number(note.at_s(), 2) + " s", note.text(), note.who(), note.written()});
+  if (rows.empty()) return "";
+  return section("Notes",
+                 "What people noted about moments of the session while they watched it. Times count from the "
+                 "session's beginning.",
+                 table({"time", "note", "writer", "written"}, rows, Cells::Words));
+}
+
 std::string states_section(const Summary& summary) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < ar::kPhases.size(); ++i)
@@ -182,7 +193,7 @@ std::string events_section(const Session& session) {
   const std::string more = session.events.size() > kMost ? "The first " + std::to_string(kMost) + " of " +
                                                                std::to_string(session.events.size()) + " events."
                                                          : "The events of the station, in order.";
-  return section("Events", more, table({"time", "what"}, rows));
+  return section("Events", more, table({"time", "what"}, rows, Cells::Words));
 }
 
 }  // namespace
@@ -193,8 +204,8 @@ std::string report_html(const Session& session, const Summary& summary, const Ve
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>telepalp: " +
          escaped(session.name) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n" +
          first_screen(session, summary, verdict) + senders_section(summary) + view_section(session, view_png) +
-         motion_sections(session) + states_section(summary) + timing_sections(session, summary) +
-         events_section(session) + "</body></html>\n";
+         notes_section(session) + motion_sections(session) + states_section(summary) +
+         timing_sections(session, summary) + events_section(session) + "</body></html>\n";
 }
 
 }  // namespace telepalp::report

@@ -9,6 +9,7 @@
 
 #include "foxglove/CameraCalibration.pb.h"
 #include "messages/camera.pb.h"
+#include "messages/playback.pb.h"
 #include "messages/station.pb.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/message.h"
@@ -73,8 +74,9 @@ struct Subscription {
 /// The content of a session file, without images: the images of a long session do not fit into memory. After settle(),
 /// the inherited SenderRecord is that of the sender with the most ticks; the report is about this sender.
 struct Session : SenderRecord {
-  std::string name;    ///< file name without folders
-  std::string origin;  ///< the recorded server or file, from the metadata; empty: not stated
+  std::string name;         ///< file name without folders
+  std::string origin;       ///< the recorded server or file, from the metadata; empty: not stated
+  msg::SessionNotes notes;  ///< what people noted while they watched it; from the file beside the session
   std::map<std::uint32_t, SenderRecord> others;
   std::map<std::pair<std::string, std::string>, Subscription> subscriptions;  ///< by name and address
   bool heard_server_stats = false;

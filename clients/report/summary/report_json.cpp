@@ -95,6 +95,19 @@ void add_idle_timer(Json& json, const Summary& summary) {
   json.end_object();
 }
 
+void add_notes(Json& json, const Session& session) {
+  json.begin_list("notes");
+  for (const msg::SessionNotes::Note& note : session.notes.notes()) {
+    json.begin_object();
+    json.add("at_s", note.at_s());
+    json.add("text", note.text());
+    json.add("who", note.who());
+    json.add("written", note.written());
+    json.end_object();
+  }
+  json.end_list();
+}
+
 void add_verdict(Json& json, const Verdict& verdict) {
   json.begin_object("verdict");
   json.add("good", verdict.good);
@@ -175,6 +188,7 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   add_idle_timer(json, summary);
   add_senders(json, summary);
   add_bill(json, summary);
+  add_notes(json, session);
   add_verdict(json, verdict);
   json.end_object();
   return std::move(json).finish();

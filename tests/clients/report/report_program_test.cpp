@@ -76,6 +76,51 @@ std::filesystem::path fresh_folder(const std::string& name) {
   return folder;
 }
 
+std::string text_of(const std::filesystem::path& file) {
+  std::stringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST(Program, ShowsTheNotesBesideTheSessionWithTimeAndWriter) {
+  const auto file = written({.seconds = 1.5, .with_camera = false}, "report_noted.mcap");
+  const std::filesystem::path notes = file.string() + ".notes.json", out = fresh_folder("report_noted_out");
+  std::ofstream(notes) << R"({"notes": [{"number": "7", "at_s": 1.25, "text": "rebound here & there",)"
+                       << R"json( "who": "Ada (qa)", "written": "2026-03-01T12:00:00Z"}], "last_number": "7"})json";
+  int code = -1;
+  const std::string said = output_of(kProgram + file.string() + " --out " + out.string(), code);
+  ASSERT_EQ(code, 0) << said;
+  const std::string html = text_of(out / "report.html"), json = text_of(out / "report.json");
+  EXPECT_NE(html.find("<td>1.25 s</td><td>rebound here &amp; there</td><td>Ada (qa)</td><td>2026-03-01T12:00:00Z</td>"),
+            std::string::npos);
+  for (const char* member : {R"("at_s": 1.25)", R"("text": "rebound here & there")", R"json("who": "Ada (qa)")json"})
+    EXPECT_NE(json.find(member), std::string::npos) << member;
+  std::filesystem::remove(notes);
+}
+
+TEST(Program, WithoutNotesHasNoSuchSectionAndAnEmptyList) {
+  const auto file = written({.seconds = 1.0, .with_camera = false}, "report_not_noted.mcap");
+  const std::filesystem::path out = fresh_folder("report_not_noted_out");
+  int code = -1;
+  const std::string said = output_of(kProgram + file.string() + " --out " + out.string(), code);
+  ASSERT_EQ(code, 0) << said;
+  EXPECT_EQ(text_of(out / "report.html").find("<h2>Notes"), std::string::npos);
+  EXPECT_NE(text_of(out / "report.json").find("\"notes\": []"), std::string::npos) << text_of(out / "report.json");
+}
+
+TEST(Program, NamesAFileOfNotesThatItCannotRead) {
+  const auto file = written({.seconds = 1.0}, "report_badly_noted.mcap");
+  const std::filesystem::path notes = file.string() + ".notes.json";
+  std::ofstream(notes) << R"({"notes": 3})";
+  int code = -1;
+  const std::string said =
+      output_of(kProgram + file.string() + " --out " + fresh_folder("report_badly").string(), code);
+  EXPECT_EQ(code, 1);
+  EXPECT_NE(said.find("report_badly_noted.mcap.notes.json"), std::string::npos) << said;
+  EXPECT_NE(said.find("fix:"), std::string::npos) << said;
+  std::filesystem::remove(notes);
+}
+
 std::filesystem::perms mode_of(const std::filesystem::path& file) {
   return std::filesystem::symlink_status(file).permissions();
 }

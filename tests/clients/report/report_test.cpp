@@ -103,6 +103,7 @@ TEST(ReportHtml, WordsFromTheSessionCannotBreakThePage) {
   event.set_kind(msg::EVENT_KIND_FAULT);
   event.set_text("<img src=x onerror=alert(1)>");
   session.events.push_back(event);
+  session.notes.add_notes()->set_text("<img src=x onerror=alert(2)>");
   const std::string html = html_of(session);
   EXPECT_EQ(html.find("<script"), std::string::npos);
   EXPECT_EQ(html.find("<img src=x"), std::string::npos);

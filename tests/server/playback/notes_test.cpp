@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "proto/wire/mcap/notes_file.h"
 #include "server/playback/session_notes.h"
 
 namespace telepalp::playback {
@@ -67,7 +68,7 @@ TEST_F(Notes, WrongCommandsAreNamedAndChangeNothing) {
 
 TEST_F(Notes, AreBoundedInNumber) {
   std::string full = R"({"notes": [)";
-  for (int number = 1; number <= SessionNotes::kMostNotes; ++number)
+  for (int number = 1; number <= wire::kMostNotes; ++number)
     full += (number > 1 ? "," : "") + (R"({"number": ")" + std::to_string(number)) + R"(", "at_s": 1, "text": "x"})";
   write(full + "]}");
   SessionNotes notes = open();
@@ -77,7 +78,8 @@ TEST_F(Notes, AreBoundedInNumber) {
 }
 
 TEST_F(Notes, AFileThatHoldsNoNotesIsNamedAndNotOverwritten) {
-  for (const std::string& wrong : {std::string("{\"notes\": 3}"), std::string(5'000'000, ' ')}) {
+  for (const std::string& wrong : {std::string("{\"notes\": 3}"), std::string(5'000'000, ' '),
+                                   std::string(R"({"notes": [{"at_s": "NaN", "text": "never"}]})")}) {
     write(wrong);
     const auto opened = SessionNotes::open(session, 60.0);
     ASSERT_FALSE(opened);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "messages/playback.pb.h"
+#include "proto/words/result.h"
+
+namespace telepalp::wire {
+
+constexpr int kMostNotes = 1000;  ///< of a session
+
+/// The file of the notes on a session: SESSION.mcap.notes.json, in the session's folder.
+[[nodiscard]] std::filesystem::path notes_file(const std::filesystem::path& session);
+
+/// Reads the notes on `session`; without a file of notes the list is empty. Error: the file cannot be read, has more
+/// than kMostNotes notes, or a note without a time from 0 s on.
+[[nodiscard]] Result<msg::SessionNotes> read_notes(const std::filesystem::path& session);
+
+}  // namespace telepalp::wire
