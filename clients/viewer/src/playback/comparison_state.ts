@@ -50,20 +50,23 @@ function readRun(run: Record<string, unknown> | undefined): ComparedRun {
   };
 }
 
-const LONGEST_GAP = 3;  // bins: those of a short session can be shorter than the 10 ms from state to state
+/** From state to state: they come each 10 ms, two may be missing. Bins of a short session are shorter than that. */
+const LONGEST_GAP_S = 0.035;
 
 /** For each bin the bin whose values it shows: itself, or in a short gap between two states the last one before it. */
-function heldBins(phase: readonly Phase[]): number[] {
-  let last = 0;
-  return phase.map((now, bin) => {
-    if (now) last = bin;
-    const inGap = !now && bin - last <= LONGEST_GAP && phase.slice(bin + 1, bin + 1 + LONGEST_GAP).some((next) => next);
-    return inGap ? last : bin;
+function heldBins(phase: readonly Phase[], bin_s: number): number[] {
+  const held = phase.map((_, bin) => bin);
+  let last: number | undefined;
+  phase.forEach((now, bin) => {
+    if (!now) return;
+    if (last !== undefined && (bin - last) * bin_s <= LONGEST_GAP_S) held.fill(last, last + 1, bin);
+    last = bin;
   });
+  return held;
 }
 
-function withoutGaps({force_N, indentation_mm, phase}: ComparedRun): ComparedRun {
-  const held = heldBins(phase);
+function withoutGaps({force_N, indentation_mm, phase}: ComparedRun, bin_s: number): ComparedRun {
+  const held = heldBins(phase, bin_s);
   return {
     force_N: held.map((bin) => force_N[bin] ?? 0), indentation_mm: held.map((bin) => indentation_mm[bin] ?? 0),
     phase: held.map((bin) => phase[bin] ?? 0),
@@ -77,9 +80,9 @@ function readRuns(json: Record<string, unknown>): ComparedRuns | undefined {
   const [begin_s, bin_s] = [Number(json['begin_s']), Number(json['bin_s'])];
   return {
     at_s: apart_N.map((_, bin) => begin_s + (bin + 0.5) * bin_s),
-    a: withoutGaps(a),
-    b: withoutGaps(readRun(json['b'] as Record<string, unknown>)),
-    apart_N: heldBins(a.phase).map((bin) => apart_N[bin] ?? 0),
+    a: withoutGaps(a, bin_s),
+    b: withoutGaps(readRun(json['b'] as Record<string, unknown>), bin_s),
+    apart_N: heldBins(a.phase, bin_s).map((bin) => apart_N[bin] ?? 0),
     same_time: json['same_time'] === true,
     first: json['first'] === undefined || json['first'] === null ? undefined : json['first'] as FirstDifference,
   };

@@ -1,0 +1,68 @@
+// Two runs on one time axis, as the server sends them and as the page shows them: node comparison_test.mjs VIEWER_SOURCES VIEWER_WORK
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {bundled} from './bundled.mjs';
+
+const {readComparison} = await bundled('playback/comparison_state.ts');
+const {comparisonSays, momentSays} = await bundled('panel/qa/comparison/comparison_words.ts');
+
+const PHASES = {'.': 'PHASE_UNSPECIFIED', i: 'PHASE_IN_BODY', o: 'PHASE_OUT_BODY'};
+/** A run with a letter for the phase of each bin; bins with a state have the force 1, 2, 3 ... N. */
+const run = (phases) => ({
+  force_N: [...phases].map((phase, bin) => (phase === '.' ? 0 : bin + 1)),
+  indentation_mm: [...phases].map((phase, bin) => (phase === '.' ? 0 : 10 * (bin + 1))),
+  phase: [...phases].map((phase) => PHASES[phase]),
+});
+const reply = (a, b, more = {}) => JSON.stringify({
+  sessions: ['a.mcap', 'b.mcap'], with: 'b.mcap', complete: true, problem: '', begin_s: 2, bin_s: 0.005, same_time: true,
+  a: run(a), b: run(b), apart_N: run(a).force_N.map((force_N) => force_N / 10), first: null, ...more,
+});
+const forces = (a, more) => readComparison(reply(a, a, more)).runs.a.force_N;
+
+test('a bin without a state shows the last state before it, if the next one comes soon', () => {
+  const {a, b, apart_N} = readComparison(reply('i.i', 'o..o')).runs;
+  assert.deepEqual(a, {force_N: [1, 1, 3], indentation_mm: [10, 10, 30], phase: [1, 1, 1]});
+  assert.deepEqual(b.force_N, [1, 1, 1, 4]);
+  assert.deepEqual(apart_N, [0.1, 0.1, 0.3], 'the difference has a value where A has one');
+});
+
+test('a gap is filled as a whole or not at all', () => {
+  assert.deepEqual(forces('i......i'), [1, 1, 1, 1, 1, 1, 1, 8], '35 ms from state to state');
+  assert.deepEqual(forces('i.......i'), [1, 0, 0, 0, 0, 0, 0, 0, 9], '40 ms: the station was silent');
+});
+
+test('the length of a gap is a time: in a long session a bin without a state stays empty', () => {
+  assert.deepEqual(forces('i.i', {bin_s: 0.01}), [1, 1, 3]);
+  assert.deepEqual(forces('i.i', {bin_s: 0.1}), [1, 0, 3]);
+});
+
+test('nothing is claimed before the first state and behind the last', () => {
+  assert.deepEqual(forces('.i.i.'), [0, 2, 2, 4, 0]);
+  assert.deepEqual(forces('...'), [0, 0, 0]);
+});
+
+test('bins lie at their middle, and the words are those of the bin at the moment', () => {
+  const {runs} = readComparison(reply('i.i', 'o.o'));
+  assert.deepEqual(runs.at_s.map((at_s) => Number(at_s.toFixed(4))), [2.0025, 2.0075, 2.0125]);
+  assert.equal(momentSays(runs, 2.0125), '0:02.0: A 3.00 N, 30 mm, In body; B 3.00 N, 30 mm, Out body; apart 0.30 N');
+  assert.equal(momentSays(runs, 2.1), '', 'behind the end');
+  assert.equal(momentSays(readComparison(reply('...', 'o.o')).runs, 2.0025),
+      '0:02.0: A 0.00 N, 0 mm, no state; B 1.00 N, 10 mm, Out body; apart 0.00 N');
+});
+
+test('the state of a comparison is a sentence', () => {
+  const says = (more) => comparisonSays(readComparison(reply('i', 'i', more)));
+  assert.equal(says({with: ''}), 'A is the played session.');
+  assert.equal(says({complete: false}), 'Reading both sessions…');
+  assert.equal(says({problem: 'b.mcap has no station'}), 'b.mcap has no station');
+  assert.equal(says({same_time: false}), 'The hand feels no difference. Their first states are put together.');
+  assert.equal(says({first: {at_s: 2, force_a_N: 1, force_b_N: 1.25, apart_N: 0.3}}),
+      '1.00 N in A, 1.25 N in B, 0.30 N apart as vectors. Both share session time.');
+});
+
+test('a reply that is none is taken calmly', () => {
+  assert.equal(readComparison('no JSON'), undefined);
+  assert.equal(readComparison('{}'), undefined);
+  assert.equal(readComparison(reply('', '')).runs, undefined);
+});
