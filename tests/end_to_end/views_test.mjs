@@ -9,11 +9,11 @@ import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {promisify} from 'node:util';
 
+import {violations} from './accessibility.mjs';
 import {openBrowser, status, untilStatus} from './browser.mjs';
 import {until, Workplace} from './running_program.mjs';
 
 const borrowed = createRequire(new URL('../npm/package.json', import.meta.url));
-const AXE = readFileSync(borrowed.resolve('axe-core/axe.min.js'), 'utf8');
 const IWER = readFileSync(join(borrowed.resolve('iwer'), '../../build/iwer.min.js'), 'utf8');
 const pictures = process.env.TELEPALP_PICTURES;
 const VIEWS = ['doctor', 'technician', 'qa'];
@@ -47,15 +47,6 @@ const text = (id) => page.textContent(`#${id}`);
 const playback = async () => (await fetch(`${address}playback`)).json();
 const cardTitles = () => page.evaluate(() => [...document.querySelectorAll('#side h2')]
     .filter((title) => title.offsetParent !== null).map((title) => title.textContent));
-
-/** What axe finds against WCAG 2 A and AA, in one line for each element. */
-async function violations() {
-  await page.evaluate(AXE);
-  const {violations: found} = await page.evaluate(() => globalThis.axe.run(document, {
-    runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa'], resultTypes: ['violations'],
-  }));
-  return found.flatMap(({id, nodes}) => nodes.map(({target, failureSummary}) => `${id}: ${target}: ${failureSummary}`));
-}
 
 async function keepPicture(name) {
   if (pictures === undefined) return;
@@ -135,17 +126,17 @@ test('a snapshot is a picture file', async () => {
 test('no view breaks WCAG AA, in the dark and in the light; no size cuts its readings', async () => {
   for (const view of VIEWS) {
     await page.click(`#view-${view}`);
-    assert.deepEqual(await violations(), [], view);
+    assert.deepEqual(await violations(page), [], view);
   }
   await page.keyboard.press('l');
   assert.equal(await page.getAttribute('html', 'data-theme'), 'light');
   await page.click('#view-technician');  // it has texts of all colours
-  assert.deepEqual(await violations(), [], 'technician in the light');
+  assert.deepEqual(await violations(page), [], 'technician in the light');
   await page.setViewportSize({width: 390, height: 760});
   await page.waitForSelector('#side', {state: 'hidden'});  // a small window begins without details
   await page.keyboard.press('d');
   await page.waitForSelector('#side', {state: 'visible'});
-  assert.deepEqual(await violations(), [], 'details in a small window');
+  assert.deepEqual(await violations(page), [], 'details in a small window');
   for (const view of pictures === undefined ? [] : VIEWS) {
     await page.click(`#view-${view}`);
     for (const [width, height] of SIZES) {

@@ -9,6 +9,7 @@ import {after, before, test} from 'node:test';
 import {fileURLToPath} from 'node:url';
 import {promisify} from 'node:util';
 
+import {violations} from '../accessibility.mjs';
 import {openBrowser, untilStatus} from '../browser.mjs';
 import {until, Workplace} from '../running_program.mjs';
 import {HAPTIC_FROM_TRACKER_M} from './measured_rig.mjs';
@@ -59,7 +60,8 @@ async function take(number, press) {
 }
 
 async function savedPairs(name) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#calibration-save')]);
+  await page.focus('#calibration-save');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
   assert.equal(download.suggestedFilename(), 'pairs.csv');
   const file = join(place.folder, name);
   await download.saveAs(file);
@@ -83,6 +85,11 @@ test('three places by mouse and keyboard give the place of the tracker, and the 
     assert.ok(Math.abs(value - 1000 * HAPTIC_FROM_TRACKER_M[axis]) < 0.5, `translation ${shown_mm} mm`));
   const rms_mm = Number.parseFloat(await row('calibration-fit', 'Residual'));
   assert.ok(rms_mm < 1, `${rms_mm} mm; the tracker's noise is 0.3 mm at most`);
+  for (const theme of ['dark', 'light']) {
+    assert.deepEqual(await violations(page, '#calibration'), [], theme);
+    await page.focus('#scene');
+    await page.keyboard.press('l');
+  }
   if (pictures !== undefined) await keepPicture();
 
   const file = await savedPairs('pairs.csv');
@@ -97,7 +104,8 @@ test('three places by mouse and keyboard give the place of the tracker, and the 
 });
 
 test('a hand that slips on the end-effector is named, and its pairs are refused by the station, too', async () => {
-  await page.click('#calibration-again');
+  await page.focus('#calibration-again');
+  await page.keyboard.press('Space');
   assert.equal(await text('calibration-verdict'), 'At least 10 pairs are needed.');
   rig.stdin.write('slip on\n');
   await take(1, () => page.click('#calibration-take'));

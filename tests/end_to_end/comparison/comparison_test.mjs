@@ -8,6 +8,7 @@ import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {promisify} from 'node:util';
 
+import {violations} from '../accessibility.mjs';
 import {openBrowser} from '../browser.mjs';
 import {until, Workplace} from '../running_program.mjs';
 
@@ -49,7 +50,8 @@ const playback = async () => (await fetch(`${address}playback`)).json();
 
 test('the chosen run lies beside the played one, and the first felt difference is the report\'s', async () => {
   assert.deepEqual(await page.locator('#comparison-with option').allTextContents(), ['none', 'lan.mcap', 'wan.mcap']);
-  await page.selectOption('#comparison-with', 'wan.mcap');
+  await page.focus('#comparison-with');
+  await page.keyboard.press('End');
   await page.waitForSelector('#comparison', {state: 'visible', timeout: 60_000});
   assert.match(await text('comparison-said'), /^[\d.]+ N in A, [\d.]+ N in B, [\d.]+ N apart as vectors\. Both share session time\.$/);
   const {first} = await (await fetch(`${address}playback/comparison`)).json();
@@ -71,12 +73,29 @@ test('the first difference and a click into a plot move the played session there
   await until('the line follows', async () => /^0:0[01]\.\d: A /.test(await text('comparison-moment')));
 });
 
+test('the keyboard moves the line in the plots, by the timeline', async () => {
+  const line_px = () => page.evaluate(() => Number.parseFloat(document.querySelector('#comparison-force .comparison-now').style.left));
+  const before_px = await line_px();
+  await page.focus('#timeline-slider');
+  await page.keyboard.press('Home');
+  await until('the session is at its beginning', async () => (await playback()).position_s < 0.2);
+  await until('the line is there', async () => (await line_px()) < 0.5 * before_px);
+});
+
+test('two runs side by side break no rule of WCAG AA, in the dark and in the light', async () => {
+  for (const theme of ['dark', 'light']) {
+    for (const card of ['#comparison-card', '#comparison']) assert.deepEqual(await violations(page, card), [], `${card} ${theme}`);
+    await page.focus('#scene');
+    await page.keyboard.press('l');
+  }
+});
+
 test('a run beside itself has no difference; none ends the comparison', async () => {
-  await page.focus('#comparison-with');
   await page.selectOption('#comparison-with', 'lan.mcap');
   await until('they are equal', async () => /^The hand feels no difference\./.test(await text('comparison-said')));
   assert.equal(await page.isVisible('#comparison-first'), false);
-  await page.selectOption('#comparison-with', '');
+  await page.focus('#comparison-with');
+  await page.keyboard.press('Home');
   await page.waitForSelector('#comparison', {state: 'hidden'});
   assert.deepEqual(browser.problems, []);
 });
