@@ -30,9 +30,9 @@ before(async () => {
   const child = place.start(station, ['--connect', `127.0.0.1:${port}`, '--scene', 'calibration', '--control', control,
     '--device', `udp:127.0.0.1:${udp}`, '--tracker', `leap:ws://127.0.0.1:${leap}/v6.json`]);
   await until('the control loop runs', () => child.heard.includes('the control loop runs at 2 kHz'));
-  browser = await openBrowser(place.folder, {width: 1280, height: 1000});
+  browser = await openBrowser(place.folder, {width: 1280, height: 1080});
   page = browser.page;
-  await page.goto(`http://127.0.0.1:${http_port}/?view=technician${pictures === undefined ? '&mesh=off' : ''}`);
+  await page.goto(`http://127.0.0.1:${http_port}/?view=technician&mesh=off`);
   await page.waitForSelector('#calibration', {state: 'visible', timeout: 60_000});
 });
 after(async () => {
@@ -80,7 +80,7 @@ test('three places by mouse and keyboard give the place of the tracker, and the 
     await take(index + 2, () => page.keyboard.press('Enter'));
   }
   assert.equal(await text('calibration-verdict'), 'Good: the places agree.');
-  const shown_mm = (await row('calibration-fit', 'Translation')).split(', ').map(Number);
+  const shown_mm = (await row('calibration-fit', 'Translation')).split(', ').map(Number.parseFloat);
   shown_mm.forEach((value, axis) =>
     assert.ok(Math.abs(value - 1000 * HAPTIC_FROM_TRACKER_M[axis]) < 0.5, `translation ${shown_mm} mm`));
   const rms_mm = Number.parseFloat(await row('calibration-fit', 'Residual'));
@@ -116,7 +116,5 @@ test('a hand that slips on the end-effector is named, and its pairs are refused 
 });
 
 async function keepPicture() {
-  await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 200);
-  await page.locator('#calibration').evaluate((card) => card.scrollIntoView());
-  await page.screenshot({path: join(pictures, 'calibration.jpg'), type: 'jpeg', quality: 72, timeout: 120_000});
+  await page.locator('#calibration').screenshot({path: join(pictures, 'calibration.jpg'), type: 'jpeg', quality: 85, timeout: 120_000});
 }

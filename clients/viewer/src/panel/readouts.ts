@@ -74,7 +74,7 @@ export class Readouts {
     setText('force', force_N === undefined ? '–' : force_N.toFixed(1));
     setText('indentation', indentation_mm === undefined ? '–' : indentation_mm.toFixed(0));
     element('force').style.color = force_N === undefined || force_N < 0.05 ? '' : forceColor(force_N).getStyle();
-    element('limited').hidden = !limited;
+    element('limited').hidden = !limited || (force_N ?? 0) < 0.05;  // a scene without force has the limit 0 N
   }
 
   private showFreshness(reading: Reading): void {

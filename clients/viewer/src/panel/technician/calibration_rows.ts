@@ -3,13 +3,13 @@ import type {Vec3} from '../../link/messages';
 import type {Row} from '../rows';
 
 const mm = (metres: number) => `${(1000 * metres).toFixed(2)} mm`;
-const point = ({x, y, z}: Vec3) => [x, y, z].map((value) => (1000 * value).toFixed(1)).join(', ');
+const point = ({x, y, z}: Vec3) => [x, y, z].map((value) => (1000 * value).toFixed(1)).join(', ');  // mm, as the card says
 
 /** One row for each place: how many touches, and their residual. */
 export function placeRows(fit: OffsetFit | undefined): Row[] {
   return (fit?.places ?? []).map(({place, touches, rms_m, moved_m}) => ({
     name: `Place ${place}`,
-    value: `${mm(rms_m)} of ${touches}`,
+    value: `${mm(rms_m)}, ${touches} pairs`,
     says: `Residual (RMS) of ${touches} pairs. In this place the hand moved by up to ${mm(moved_m)}.`,
     level: rms_m > MOST_MOVED_M || moved_m > MOST_MOVED_M ? 'warn' : 'good',
   }));
@@ -19,10 +19,10 @@ export function placeRows(fit: OffsetFit | undefined): Row[] {
 export function fitRows(fit: OffsetFit | undefined): Row[] {
   if (fit === undefined) return [];
   return [
-    {name: 'Hand p0', value: point(fit.tracker0), says: 'Mean of the hand in the tracker’s frame L, in mm: S1 eq. (2)'},
-    {name: 'Device p0', value: point(fit.haptic0), says: 'Mean of the end-effector in the haptic base’s frame H, in mm: S1 eq. (2)'},
+    {name: 'Hand p0', value: point(fit.tracker0), says: 'Mean of the hand in the tracker’s frame L: S1 eq. (2)'},
+    {name: 'Device p0', value: point(fit.haptic0), says: 'Mean of the end-effector in the haptic base’s frame H: S1 eq. (2)'},
     {name: 'Rotation R', value: 'x, −y, −z', says: 'S1 eq. (4). Its inverse is itself, so eq. (3) uses it, too.'},
-    {name: 'Translation', value: point(fit.translation), says: 'Device p0 − R · hand p0, in mm'},
+    {name: 'Translation', value: point(fit.translation), says: 'Device p0 − R · hand p0'},
     {name: 'Residual', value: `${mm(fit.rms_m)} RMS`, level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',
      says: 'Distance between R · hand + translation and the end-effector, over all pairs'},
     {name: 'Largest', value: mm(fit.largest_m), level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',

@@ -20,9 +20,12 @@ const levelOf = (value: number, {warn, alarm}: Limits): Row['level'] =>
   value >= alarm ? 'alarm' : value >= warn ? 'warn' : 'good';
 const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
 
-/** How good the picture is for touching the patient: each property with its value, and how to mend what is bad. */
+/**
+ * How good the picture is for touching the patient: each property with its value, and how to mend what is bad.
+ * `frames_per_s`: of the camera; undefined without one, as in a played session.
+ */
 export function pictureRows(
-    {holes, middle_m, level_m, aside}: DepthSummary, light: Light | undefined, frames_per_s: number): Row[] {
+    {holes, middle_m, level_m, aside}: DepthSummary, light: Light | undefined, frames_per_s: number | undefined): Row[] {
   return [
     {name: 'Holes', value: percent(holes), level: levelOf(holes, HOLES),
      says: 'Share of the middle that is not measured. Turn the camera so that it looks straight at the skin, keep ' +
@@ -33,8 +36,7 @@ export function pictureRows(
          'the camera nearer.'},
     framingRow(aside),
     ...lightRows(light),
-    {name: 'Images', value: `${frames_per_s.toFixed(1)} /s`, level: frames_per_s < 20 ? 'warn' : 'good',
-     says: 'Depth images that the camera gave in the last second.'},
+    ...frames_per_s === undefined ? [] : [rateRow(frames_per_s)],
   ];
 }
 
@@ -48,6 +50,11 @@ function distanceRow(middle_m: number): Row {
         (tooNear ? 'move the camera away.' : tooFar ? 'move the camera nearer.' : 'leave the camera where it is.'),
   };
 }
+
+const rateRow = (frames_per_s: number): Row => ({
+  name: 'Images', value: `${frames_per_s.toFixed(1)} /s`, level: frames_per_s < 20 ? 'warn' : 'good',
+  says: 'Depth images that the camera gave in the last second.',
+});
 
 function framingRow({x, y}: DepthSummary['aside']): Row {
   const off = Math.max(Math.abs(x), Math.abs(y));

@@ -36,9 +36,10 @@ export class TechnicianPanel {
     this.calibration.add(touches);
   }
 
-  show({summary, light, cameraFrames_per_s, presence, connected, role, taking}: Reading): void {
+  show({summary, light, capture, cameraFrames_per_s, presence, connected, role, taking}: Reading): void {
     if (summary !== undefined) {
-      this.picture.show(pictureRows(summary, light, cameraFrames_per_s));
+      const plays = capture?.source.startsWith('session:') ?? false;
+      this.picture.show(pictureRows(summary, light, plays ? undefined : cameraFrames_per_s));
       this.range.show(summary);
     }
     this.point.show();
