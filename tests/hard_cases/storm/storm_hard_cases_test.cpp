@@ -27,6 +27,11 @@ StormCase drawn(const char* motion, const char* scene, double seconds, std::uint
   return storm;
 }
 
+StormCase tapping(StormCase storm) {
+  storm.scenario.hand = replay::HandScript::Tap;
+  return storm;
+}
+
 ::testing::AssertionResult invariants_hold(const StormCase& storm) {
   const auto outcome = replay::run_case(storm);
   if (!outcome) return ::testing::AssertionFailure() << to_string(outcome.error());
@@ -56,6 +61,15 @@ const HardCase kRows[] = {
      [] {
        return invariants_hold(
            drawn("regular", "skin_sliding", 5.0, 65, {}, {.clock_steps = {{{1858ms, 1297ms}, 65ms}}}));
+     }},
+    {"a tap throws the device 230 mm deep while nothing arrives", "no contact begins deeper than 90 mm",
+     "lifted, then felt",
+     [] {
+       StormCase storm = tapping(drawn("cough", "palpation", 9.0, 376, {.delay = 180ms, .jitter = 40ms, .loss = 0.02},
+                                       {.outages = {{1053ms, 1253ms}}}));
+       storm.patient_seed = 836;
+       storm.width_px = 640;
+       return invariants_hold(storm);
      }},
     {"an encoder glitch in deep contact", "the force of a jump is above the peak", "bounded force and slew",
      [] {

@@ -73,6 +73,19 @@ TEST(ReplayStorm, EveryInvariantCanFail) {
   fails_with(std::vector<TickRecord>(1002, {.phase = control::Phase::InBody, .surface_age_s = 2.6F}),
              "still gives force");
   fails_with(std::vector<TickRecord>(9100, {.depth_m = 0.006F, .surface_age_s = 0.1F}), "but there is no force");
+  fails_with(std::vector<TickRecord>(9100, {.phase = control::Phase::Released, .depth_m = 0.2F, .surface_age_s = 0.1F}),
+             "but there is no force");
+}
+
+TEST(ReplayStorm, ADeviceBelowTheReachOfContactsIsLifted) {
+  const auto lifted_at = [](float depth_m) {
+    Invariants invariants({}, {});
+    for (int i = 0; i < 9100; ++i)
+      invariants.add(TickRecord{.phase = control::Phase::BodyToPlane, .depth_m = depth_m, .surface_age_s = 0.1F});
+    return !invariants.violation();
+  };
+  EXPECT_TRUE(lifted_at(0.12F));
+  EXPECT_FALSE(lifted_at(0.08F)) << "here the contact begins";
 }
 
 TEST(ReplayStorm, ASilentOrDisorderedTopicIsSeen) {

@@ -16,7 +16,8 @@ namespace telepalp::replay {
 ///   most 0.25 J less from it than the measured skin would have taken;
 /// - 0.5 s after the newest surface is 2.5 s old, the station has released the hand;
 /// - 3 s and one network delay after the last fault, a device that stays deeper than 5 mm in the true skin, on surfaces
-///   younger than 0.8 s, feels it within 1.5 s;
+///   younger than 0.8 s, feels it within 1.5 s; deeper than 90 mm, where no contact begins, the station lifts the
+///   device;
 /// - on each topic, publication times do not decrease, and ticks are numbered without a gap.
 class Invariants {
  public:
