@@ -5,8 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "messages/scene.pb.h"
 #include "proto/words/frames.h"
 #include "proto/words/result.h"
+#include "proto/words/rotation_vector.h"
 #include "support/program/text_format.h"
 
 namespace telepalp::scenes {
@@ -24,6 +26,12 @@ class FieldCheck {
   explicit FieldCheck(std::string file, program::NumberPlaces places = program::NumberPlaces())
       : file_(std::move(file)), places_(std::move(places)) {}
 
+  /// The message that the next numbers and complaints are about; it gives their place in the file.
+  FieldCheck& in(const google::protobuf::Message& part) noexcept {
+    part_ = &part;
+    return *this;
+  }
+
   /// Assigns `value` to `into` when it is within `range`; otherwise records an error about `field`.
   void number(std::string_view field, double value, const Range& range, double& into) {
     if (std::isfinite(value) && value >= range.least && value <= range.most) {
@@ -34,7 +42,7 @@ class FieldCheck {
                  text(range.least) + " to " + text(range.most) + " " + std::string(range.unit),
              "give " + std::string(field) + " in " + std::string(range.unit) + " from " + text(range.least) + " to " +
                  text(range.most),
-             places_.where(file_, field, value));
+             part_ == nullptr ? places_.where(file_, field, value) : places_.where(file_, *part_, field, value));
   }
 
   /// Records an error that arose elsewhere, for example while reading a file that a field names.
@@ -42,7 +50,15 @@ class FieldCheck {
     if (!error_) error_ = std::move(error);
   }
 
-  void complain(std::string what, std::string fix) { complain(std::move(what), std::move(fix), file_); }
+  /// Records an error about a file that the message names: the error's place becomes that of the message.
+  void fail_in_file(const std::string& prefix, const Error& error) {
+    complain(prefix + error.where + ": " + error.what, error.fix);
+  }
+
+  void complain(std::string what, std::string fix) { complain(std::move(what), std::move(fix), place()); }
+
+  /// Place of the message that in() named; the file alone if there is none.
+  [[nodiscard]] std::string place() const { return part_ == nullptr ? file_ : places_.where(file_, *part_); }
 
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
@@ -60,7 +76,33 @@ class FieldCheck {
 
   std::string file_;
   program::NumberPlaces places_;
+  const google::protobuf::Message* part_ = nullptr;  // borrowed
   std::optional<Error> error_;
 };
 
+/// Three numbers of the same range; `field`: their common name, for errors.
+[[nodiscard]] inline Eigen::Vector3d read_xyz(FieldCheck& check, const std::string& field, const msg::Vec3& xyz,
+                                              const Range& range) {
+  Eigen::Vector3d out = Eigen::Vector3d::Zero();
+  check.in(xyz);
+  check.number(field + ".x", xyz.x(), range, out.x());
+  check.number(field + ".y", xyz.y(), range, out.y());
+  check.number(field + ".z", xyz.z(), range, out.z());
+  return out;
+}
+
+[[nodiscard]] inline Eigen::Isometry3d read_transform(FieldCheck& check, const std::string& field,
+                                                      const msg::RigidTransform& message) {
+  const Eigen::Vector3d translation_m =
+      read_xyz(check, field + ".translation_m", message.translation_m(), {-10, 10, "m"});
+  const Eigen::Vector3d turn =
+      read_xyz(check, field + ".rotation_vector_rad", message.rotation_vector_rad(), {-6.3, 6.3, "rad"});
+  return isometry_of(turn, translation_m);
+}
+
 }  // namespace telepalp::scenes
+
+/// Reads an optional field. If it is missing, the value keeps its default.
+#define TELEPALP_READ(check, prefix, message, field, into, ...) \
+  if ((message).has_##field())                                  \
+  (check).in(message).number(prefix #field, (message).field(), ::telepalp::scenes::Range __VA_ARGS__, into)

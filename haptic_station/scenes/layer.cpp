@@ -29,8 +29,7 @@ std::size_t offset_of(const std::string& text, int line, int column) {
   return start + static_cast<std::size_t>(std::max(column - 1, 0));
 }
 
-/// An error in the layer's Polish text, at its place in the scene's file. An error about another file, as that of a
-/// mesh, keeps its place.
+/// An error in the layer's Polish text, at its place in the scene's file.
 Error in_scene(Error error, const msg::SolidEffect& message, const FieldCheck& check) {
   int line = 0;
   int column = 0;
@@ -38,8 +37,7 @@ Error in_scene(Error error, const msg::SolidEffect& message, const FieldCheck& c
   const std::size_t offset = offset_of(message.polish(), line, column);
   const std::string place = check.places().where(check.file(), kPolish, message.polish(), offset);
   const bool known = place != check.file();  // a message that was not read from a text has no places
-  error.where = known ? place : check.file() + ": " + message.name() + ": " + error.where;
-  if (known) error.what = message.name() + ": " + error.what;
+  error.where = known ? place : check.file() + ": " + error.where;
   return error;
 }
 
@@ -52,20 +50,19 @@ Result<solids::Solid> polish_of(const msg::SolidEffect& message, const FieldChec
 
 Result<solids::Solid> polish_file_of(const msg::SolidEffect& message, const FieldCheck& check,
                                      const std::filesystem::path& folder, const solids::MeshReader& meshes) {
-  const std::filesystem::path file = folder / message.polish_file();
-  Result<solids::Solid> solid = solids::read_polish(file, meshes);
-  if (solid || solid.error().where != file.string()) return solid;
+  Result<solids::Solid> solid = solids::read_polish(folder / message.polish_file(), meshes);
+  if (solid) return solid;
   Error unread = solid.error();
-  unread.fix += "; " + check.places().where(check.file(), "polish_file", message.polish_file(), 0) + " names it";
+  unread.fix += "; " + check.places().where(check.file(), "polish_file", message.polish_file(), 0) + " names this file";
   return unread;
 }
 
-Result<solids::Solid> tree_of(const msg::SolidEffect& message, const FieldCheck& check,
-                              const std::filesystem::path& folder) {
+Result<solids::Solid> unnamed_tree_of(const msg::SolidEffect& message, const FieldCheck& check,
+                                      const std::filesystem::path& folder) {
   const solids::MeshReader meshes = mesh_reader(folder);
-  const std::string layer = check.file() + ": " + message.name();
-  const auto where = [&](std::string_view number, double value) {
-    return check.places().where(check.file(), number, value);
+  const auto where = [&](const google::protobuf::Message& part, std::string_view number, double value) {
+    return number.empty() ? check.places().where(check.file(), part)
+                          : check.places().where(check.file(), part, number, value);
   };
   switch (message.tree_case()) {
     case msg::SolidEffect::kPolish:
@@ -73,11 +70,21 @@ Result<solids::Solid> tree_of(const msg::SolidEffect& message, const FieldCheck&
     case msg::SolidEffect::kPolishFile:
       return polish_file_of(message, check, folder, meshes);
     case msg::SolidEffect::kSolid:
-      return solid_of(message.solid(), layer + ": solid", meshes, where);
+      return solid_of(message.solid(), check.file(), meshes, where);
     case msg::SolidEffect::TREE_NOT_SET:
       break;
   }
-  return Error{.what = "the layer has no solid", .where = layer, .fix = "give polish, polish_file or solid"};
+  return Error{.what = "the layer has no solid", .where = check.place(), .fix = "give polish, polish_file or solid"};
+}
+
+/// The layer's tree. Its error names the layer.
+Result<solids::Solid> tree_of(const msg::SolidEffect& message, const FieldCheck& check,
+                              const std::filesystem::path& folder) {
+  Result<solids::Solid> solid = unnamed_tree_of(message, check, folder);
+  if (solid) return solid;
+  Error error = solid.error();
+  error.what = message.name() + ": " + error.what;
+  return error;
 }
 
 /// The solid, moved to its place in H.
@@ -113,6 +120,7 @@ effects::Echo read_echo(FieldCheck& check, const msg::SolidEffect::Echo& message
 
 effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, const std::filesystem::path& folder) {
   effects::Solid::Settings settings;
+  check.in(message);
   if (message.has_stiffness_n_per_m())
     check.number("solid.stiffness_N_per_m", message.stiffness_n_per_m(), {0, 5000, "N/m"}, settings.stiffness_N_per_m);
   if (message.has_around_m()) check.number("solid.around_m", message.around_m(), {0, 0.1, "m"}, settings.around_m);

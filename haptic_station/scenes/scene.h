@@ -28,6 +28,12 @@ struct SceneLayer {
   std::uint32_t effect = 0;                          ///< place of that effect in Scene::effects
 };
 
+/// The lattice of an organ effect.
+struct SceneOrgan {
+  std::shared_ptr<const solids::DistanceLattice> shape;  ///< shared with its effect
+  std::uint32_t effect = 0;                              ///< place of that effect in Scene::effects
+};
+
 /// A checked scene in plain values. `message` is the parsed file: it is recorded, and message.surface() selects the
 /// surface settings.
 struct Scene {
@@ -37,6 +43,7 @@ struct Scene {
   Transform<HapticBase, HandTracker> haptic_from_tracker;
   effects::EffectBank effects;
   std::vector<SceneLayer> layers;  ///< of the solid effects, for pictures and meshes
+  std::vector<SceneOrgan> organs;  ///< of the organ effects, for pictures
   std::optional<Probe> probe;      ///< nullopt: the tool is the hand
   control::ControlSettings control;
   device::SimulatedDeviceSettings simulated_device;

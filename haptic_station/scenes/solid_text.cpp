@@ -18,19 +18,26 @@ std::size_t word_named(std::string_view text_name) {
   return index;
 }
 
+/// The end of a path that is too long for one line.
+std::string shortened(const std::string& path) {
+  constexpr std::size_t kShown = 60;
+  if (path.size() <= kShown) return path;
+  return "..." + path.substr(path.find('.', path.size() - kShown));
+}
+
 /// Walks the tree. Field names are the words' names, so one walk reads all kinds.
 class TreeReader {
  public:
-  TreeReader(const std::string& where, const solids::MeshReader& meshes, const WhereNumber& where_number)
-      : where_(where), meshes_(meshes), where_number_(where_number) {}
+  TreeReader(const std::string& where, const solids::MeshReader& meshes, const WherePart& where_part)
+      : where_(where), meshes_(meshes), where_part_(where_part) {}
 
   Result<void> read(const msg::Solid& message, const std::string& path, int level) {
     const FieldDescriptor* kind =
         message.GetReflection()->GetOneofFieldDescriptor(message, message.GetDescriptor()->oneof_decl(0));
     if (kind == nullptr)
-      return error(path, "a solid without a kind", "name it, as in of { sphere { radius_m: 0.02 } }");
+      return error(message, path, "a solid without a kind", "name it, as in of { sphere { radius_m: 0.02 } }");
     if (level > solids::kMostNesting)
-      return error(path, "operators nest deeper than " + std::to_string(solids::kMostNesting),
+      return error(message, path, "operators nest deeper than " + std::to_string(solids::kMostNesting),
                    "give a union more than two solids instead of nesting unions");
     const Message& body = message.GetReflection()->GetMessage(message, kind);
     Node node{.word = word_named(kind->name())};
@@ -42,22 +49,25 @@ class TreeReader {
   [[nodiscard]] Solid& solid() { return solid_; }
 
  private:
-  [[nodiscard]] Error error(const std::string& path, std::string what, std::string fix) const {
-    return {.what = (path.empty() ? "" : path + ": ") + what, .where = where_, .fix = std::move(fix)};
+  [[nodiscard]] Error error(const Message& part, const std::string& path, const std::string& what,
+                            std::string fix) const {
+    return {.what = (path.empty() ? "" : shortened(path) + ": ") + what,
+            .where = where_part_ ? where_part_(part, "", 0.0) : where_,
+            .fix = std::move(fix)};
   }
 
   Result<void> read_numbers(const Message& body, Node& node, const std::string& path) {
     for (std::size_t i = 0; i < node.kind().numbers.size(); ++i) {
       const std::string name(node.kind().numbers[i].name);
       const FieldDescriptor* field = body.GetDescriptor()->FindFieldByName(name);
-      if (!body.GetReflection()->HasField(body, field)) return error(path, name + " is missing", "give " + name);
+      if (!body.GetReflection()->HasField(body, field)) return error(body, path, name + " is missing", "give " + name);
       node.numbers[i] = body.GetReflection()->GetDouble(body, field);
     }
     const auto complaint = solids::complaint_about(node);
     if (!complaint) return {};
-    Error about = error(path, complaint->what, complaint->fix);
-    if (where_number_)
-      about.where = where_number_(node.kind().numbers[complaint->number].name, node.numbers[complaint->number]);
+    Error about = error(body, path, complaint->what, complaint->fix);
+    if (where_part_)
+      about.where = where_part_(body, node.kind().numbers[complaint->number].name, node.numbers[complaint->number]);
     return about;
   }
 
@@ -66,9 +76,9 @@ class TreeReader {
     const auto& mesh = static_cast<const msg::Solid::Mesh&>(body);
     node.file = mesh.file();
     if (node.file.empty() || node.file.find_first_of(" \t\n#") != std::string::npos)
-      return error(path, "file is empty or has a space or # in it", "name a closed mesh, .ply or .obj");
+      return error(body, path, "file is empty or has a space or # in it", "name a closed mesh, .ply or .obj");
     auto lattice = meshes_(node.file, node.numbers[0], node.numbers[1]);
-    if (!lattice) return lattice.error();
+    if (!lattice) return error(body, path, lattice.error().where + ": " + lattice.error().what, lattice.error().fix);
     node.lattice = std::move(lattice).value();
     return {};
   }
@@ -83,7 +93,9 @@ class TreeReader {
     const int count = body.GetReflection()->FieldSize(body, field);
     const bool chain = node.kind().op == Op::Union;
     if (count < wanted || (count > wanted && !chain))
-      return error(path, "has " + std::to_string(count) + " operands instead of " + std::to_string(wanted),
+      return error(body, path,
+                   "has " + std::to_string(count) + (count == 1 ? " operand" : " operands") + " instead of " +
+                       std::to_string(wanted) + (chain ? " or more" : ""),
                    "give each as of { ... }");
     for (int i = 0; i < count; ++i) {
       const bool opens = chain ? i + 1 < count : i == 0;
@@ -97,7 +109,7 @@ class TreeReader {
 
   const std::string& where_;
   const solids::MeshReader& meshes_;
-  const WhereNumber& where_number_;
+  const WherePart& where_part_;
   Solid solid_;
 };
 
@@ -128,8 +140,8 @@ std::size_t write(const Solid& solid, std::size_t at, msg::Solid& message) {
 }  // namespace
 
 Result<Solid> solid_of(const msg::Solid& message, const std::string& where, const solids::MeshReader& meshes,
-                       const WhereNumber& where_number) {
-  TreeReader reader(where, meshes, where_number);
+                       const WherePart& where_part) {
+  TreeReader reader(where, meshes, where_part);
   if (const Result<void> done = reader.read(message, "", 0); !done) return done.error();
   return std::move(reader.solid());
 }

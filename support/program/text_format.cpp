@@ -3,6 +3,7 @@
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/text_format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -38,6 +39,8 @@ class FirstError : public google::protobuf::io::ErrorCollector {
     constexpr std::string_view kFoundNumber = "Expected identifier, got: ";
     if (message_.starts_with(kFoundNumber) && message_.find_first_of("0123456789") == kFoundNumber.size())
       return "write a decimal point, as in 0.5, not a comma";
+    if (message_.starts_with("Message is too deep"))
+      return "nest fewer braces within each other; a union takes more than two solids";
     if (message_.starts_with("Interpreting non ascii") || message_.starts_with("Invalid control"))
       return "save the file as plain text in UTF-8";
     return "correct that line; names carry their unit, as in radius_m";
@@ -72,7 +75,13 @@ std::string place_text(const std::string& file, int line, int column) {
 struct Places {
   std::vector<NumberPlaces::Place> numbers;
   std::vector<NumberPlaces::Text> texts;
+  std::vector<NumberPlaces::Part> parts;
 };
+
+bool is_of(const NumberPlaces::Place& place, std::string_view field, double value) {
+  return place.field == field.substr(field.rfind('.') + 1) &&
+         (place.value == value || (std::isnan(place.value) && std::isnan(value)));
+}
 
 void collect(const Message& message, ParseInfoTree& tree, const std::string& source, Places& places) {
   std::vector<const FieldDescriptor*> fields;
@@ -92,8 +101,13 @@ void collect(const Message& message, ParseInfoTree& tree, const std::string& sou
     for (int index = 0; index < count; ++index) {
       const Message& nested = field->is_repeated() ? message.GetReflection()->GetRepeatedMessage(message, field, index)
                                                    : message.GetReflection()->GetMessage(message, field);
-      ParseInfoTree* below = tree.GetTreeForNested(field, field->is_repeated() ? index : -1);
-      if (below != nullptr) collect(nested, *below, source, places);
+      const int place = field->is_repeated() ? index : -1;
+      const auto at = tree.GetLocation(field, place);
+      const std::size_t part = places.parts.size();
+      places.parts.push_back({&nested, at.line + 1, at.column + 1, places.numbers.size(), 0});
+      if (ParseInfoTree* below = tree.GetTreeForNested(field, place); below != nullptr)
+        collect(nested, *below, source, places);
+      places.parts[part].end_number = places.numbers.size();
     }
   }
 }
@@ -101,11 +115,28 @@ void collect(const Message& message, ParseInfoTree& tree, const std::string& sou
 }  // namespace
 
 std::string NumberPlaces::where(const std::string& file, std::string_view field, double value) const {
-  const std::string_view last = field.substr(field.rfind('.') + 1);
   for (const Place& place : places_)
-    if (place.field == last && (place.value == value || (std::isnan(place.value) && std::isnan(value))))
-      return place_text(file, place.line, place.column);
+    if (is_of(place, field, value)) return place_text(file, place.line, place.column);
   return file;
+}
+
+const NumberPlaces::Part* NumberPlaces::find(const Message& part) const noexcept {
+  const auto found = std::ranges::find(parts_, &part, &Part::message);
+  return found == parts_.end() ? nullptr : &*found;
+}
+
+std::string NumberPlaces::where(const std::string& file, const Message& part) const {
+  const Part* const found = find(part);
+  return found == nullptr ? file : place_text(file, found->line, found->column);
+}
+
+std::string NumberPlaces::where(const std::string& file, const Message& part, std::string_view field,
+                                double value) const {
+  const Part* const found = find(part);
+  if (found == nullptr) return where(file, field, value);
+  for (std::size_t i = found->first_number; i < found->end_number; ++i)
+    if (is_of(places_[i], field, value)) return place_text(file, places_[i].line, places_[i].column);
+  return place_text(file, found->line, found->column);
 }
 
 std::string NumberPlaces::where(const std::string& file, std::string_view field, std::string_view value,
@@ -120,6 +151,12 @@ std::string NumberPlaces::where(const std::string& file, std::string_view field,
 
 Result<NumberPlaces> parse_text_format(const std::string& text, const std::string& name,
                                        google::protobuf::Message& message) {
+  if (const std::size_t valid = valid_utf8_bytes(text); valid < text.size()) {
+    const TextPlace at = place_of(text, valid);
+    return Error{.what = "the text is not UTF-8",
+                 .where = place_text(name, at.line, at.column),
+                 .fix = "save the file as plain text in UTF-8"};
+  }
   FirstError first_error;
   ParseInfoTree tree;
   google::protobuf::TextFormat::Parser parser;
@@ -129,7 +166,7 @@ Result<NumberPlaces> parse_text_format(const std::string& text, const std::strin
   if (!parser.ParseFromString(text, &message)) return first_error.error(name);
   Places places;
   collect(message, tree, text, places);
-  return NumberPlaces(std::move(places.numbers), std::move(places.texts), text);
+  return NumberPlaces(std::move(places.numbers), std::move(places.texts), std::move(places.parts), text);
 }
 
 Result<NumberPlaces> read_text_format(const std::filesystem::path& file, google::protobuf::Message& message) {

@@ -11,8 +11,8 @@
 
 namespace telepalp::program {
 
-/// Line and column of each number and text in a text-format file, so that an error about a value can state its
-/// position.
+/// Line and column of each number, text and nested message in a text-format file, so that an error about a value can
+/// state its position.
 class NumberPlaces {
  public:
   struct Place {
@@ -26,8 +26,17 @@ class NumberPlaces {
     std::string value;
     std::size_t byte;  ///< of the field's name in the file
   };
-  explicit NumberPlaces(std::vector<Place> places = {}, std::vector<Text> texts = {}, std::string source = {})
-      : places_(std::move(places)), texts_(std::move(texts)), source_(std::move(source)) {}
+  /// A nested message and the numbers in it.
+  struct Part {
+    const google::protobuf::Message* message;  ///< only compared
+    int line;                                  ///< from 1
+    int column;                                ///< from 1
+    std::size_t first_number;                  ///< index of its first number, of all numbers
+    std::size_t end_number;                    ///< index after its last number
+  };
+  explicit NumberPlaces(std::vector<Place> places = {}, std::vector<Text> texts = {}, std::vector<Part> parts = {},
+                        std::string source = {})
+      : places_(std::move(places)), texts_(std::move(texts)), parts_(std::move(parts)), source_(std::move(source)) {}
 
   /// `file:line:column` of the first field of that name with that value; `file` alone when there is no such field. Of a
   /// path such as `cylinder.radius_m` only the last name is compared.
@@ -38,9 +47,21 @@ class NumberPlaces {
   [[nodiscard]] std::string where(const std::string& file, std::string_view field, std::string_view value,
                                   std::size_t offset) const;
 
+  /// `file:line:column` of the name of `part`, a message inside the one that was parsed, which must not have moved;
+  /// `file` alone for another message.
+  [[nodiscard]] std::string where(const std::string& file, const google::protobuf::Message& part) const;
+
+  /// `file:line:column` of the first field of that name with that value inside `part`; the place of `part` when it has
+  /// no such field.
+  [[nodiscard]] std::string where(const std::string& file, const google::protobuf::Message& part,
+                                  std::string_view field, double value) const;
+
  private:
+  [[nodiscard]] const Part* find(const google::protobuf::Message& part) const noexcept;
+
   std::vector<Place> places_;
   std::vector<Text> texts_;
+  std::vector<Part> parts_;
   std::string source_;  // of the file; at most 1 MiB
 };
 

@@ -208,6 +208,18 @@ TEST(TextFormat, ANumberIsFoundWhereItStands) {
   EXPECT_EQ(read->where("c.textproto", "depth_unit_m", 2.0), "c.textproto");
 }
 
+TEST(TextFormat, ANumberIsFoundInItsOwnMessageAndAMessageByItsName) {
+  msg::CameraFile camera;
+  const auto read = parse_text_format("depth { fx: 3 }\n\n  color {\n fx: 3 }\n", "c.textproto", camera);
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->where("c.textproto", camera.color(), "color.fx", 3.0), "c.textproto:4:2");
+  EXPECT_EQ(read->where("c.textproto", camera.depth(), "depth.fx", 3.0), "c.textproto:1:9");
+  EXPECT_EQ(read->where("c.textproto", camera.color()), "c.textproto:3:3");
+  EXPECT_EQ(read->where("c.textproto", camera.color(), "cx", 0.0), "c.textproto:3:3") << "the field is not given";
+  const msg::CameraFile another;
+  EXPECT_EQ(read->where("c.textproto", another.color()), "c.textproto");
+}
+
 TEST(TextFormat, AnUnknownFieldIsNamedWithLineAndColumn) {
   msg::CameraFile camera;
   const auto read = parse_text_format("depth {\n  fx_px: 3\n}\n", "camera.textproto", camera);

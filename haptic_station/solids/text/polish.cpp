@@ -86,7 +86,7 @@ class PolishReader {
       return error(places[complaint->number], complaint->what, complaint->fix);
     if (node.kind().op == Op::Mesh) {
       auto lattice = meshes_(node.file, node.numbers[0], node.numbers[1]);
-      if (!lattice) return lattice.error();
+      if (!lattice) return error(token, lattice.error().where + ": " + lattice.error().what, lattice.error().fix);
       node.lattice = std::move(lattice).value();
     }
     expect_operands(node.kind(), missing.level);

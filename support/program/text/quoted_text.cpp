@@ -28,11 +28,22 @@ std::size_t past_space(std::string_view source, std::size_t at) noexcept {
   return at;
 }
 
-TextPlace place_of(std::string_view source, std::size_t at) noexcept {
-  const std::string_view before = source.substr(0, at);
-  const auto lines = std::count(before.begin(), before.end(), '\n');
-  const std::size_t line_start = lines == 0 ? 0 : before.rfind('\n') + 1;
-  return {static_cast<int>(lines) + 1, static_cast<int>(at - line_start) + 1};
+bool continues(std::string_view text, std::size_t at) noexcept {
+  return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+}
+
+/// Bytes of the letter that begins at `at`; 0: none begins there.
+std::size_t letter_bytes(std::string_view text, std::size_t at) noexcept {
+  const auto first = static_cast<unsigned char>(text[at]);
+  if (first < 0x80) return 1;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  const std::size_t bytes = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  for (std::size_t i = 1; i < bytes; ++i)
+    if (!continues(text, at + i)) return 0;
+  const auto second = static_cast<unsigned char>(text[at + 1]);
+  const bool too_long = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool surrogate = first == 0xED && second >= 0xA0;
+  return too_long || surrogate || (first == 0xF4 && second >= 0x90) ? 0 : bytes;
 }
 
 }  // namespace
@@ -60,6 +71,23 @@ TextPlace place_in_quoted(std::string_view source, std::size_t from, std::size_t
     at = next;
   }
   return place_of(source, std::min(at, source.size()));
+}
+
+TextPlace place_of(std::string_view source, std::size_t byte) noexcept {
+  const std::string_view before = source.substr(0, byte);
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_start = lines == 0 ? 0 : before.rfind('\n') + 1;
+  return {static_cast<int>(lines) + 1, static_cast<int>(byte - line_start) + 1};
+}
+
+std::size_t valid_utf8_bytes(std::string_view text) noexcept {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t bytes = letter_bytes(text, at);
+    if (bytes == 0) return at;
+    at += bytes;
+  }
+  return at;
 }
 
 }  // namespace telepalp::program

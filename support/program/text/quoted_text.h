@@ -20,4 +20,10 @@ struct TextPlace {
 /// end.
 [[nodiscard]] TextPlace place_in_quoted(std::string_view source, std::size_t from, std::size_t offset) noexcept;
 
+/// The place of a byte of `source`.
+[[nodiscard]] TextPlace place_of(std::string_view source, std::size_t byte) noexcept;
+
+/// The number of bytes before the first one that is not part of a letter in UTF-8 (RFC 3629).
+[[nodiscard]] std::size_t valid_utf8_bytes(std::string_view text) noexcept;
+
 }  // namespace telepalp::program

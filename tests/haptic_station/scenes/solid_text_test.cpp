@@ -45,20 +45,21 @@ TEST(SolidText, AUnionOfSeveralIsAChain) {
 TEST(SolidText, ALayersErrorNamesFileLayerAndPlace) {
   const std::pair<const char*, const char*> kBad[] = {
       {"polish: \"sphere 0.1\"", "a solid without a name"},
-      {"name: \"x\"", "bad.scene.textproto: x: the layer has no solid"},
+      {"name: \"x\"", "bad.scene.textproto:2:11: x: the layer has no solid"},
       {"name: \"x\" polish: \"sphere -1\"", "bad.scene.textproto:2:45: x: radius_m of sphere is -1"},
       {"name: \"x\" polish:\n\"+ sphere 1 \"  # first\n  \"sphere -2\"", "bad.scene.textproto:4:11: x: radius_m"},
       {R"(name: "x" polish: "sphere\t\n-3")", "bad.scene.textproto:2:48: x: radius_m of sphere is -3"},
       {"name: \"x\" polish: \"+ sphere 1\"", "bad.scene.textproto:2:48: x: expected the solid that is operand 2"},
       {"name: \"x\" stiffness_N_per_m: 0,5 polish: \"sphere 1\"", "write a decimal point"},
-      {"name: \"x\" polish_file: \"none.solid\"", "bad.scene.textproto:2:43 names it"},
-      {"name: \"x\" polish: \"mesh none.ply 1 0.004\"", "none.ply"},
-      {"name: \"x\" solid { sphere {} }", "sphere: radius_m is missing"},
-      {"name: \"x\" solid { union { of { sphere { radius_m: 1 } } } }", "union: has 1 operands instead of 2"},
+      {"name: \"x\" polish_file: \"none.solid\"", "bad.scene.textproto:2:43 names this file"},
+      {"name: \"x\" polish: \"mesh none.ply 1 0.004\"", "bad.scene.textproto:2:38: x: none.ply: cannot be read"},
+      {"name: \"x\"\nsolid { sphere {} }", "bad.scene.textproto:3:9: x: sphere: radius_m is missing"},
+      {"name: \"x\"\nsolid { union { of { sphere { radius_m: 1 } } } }",
+       "bad.scene.textproto:3:9: x: union: has 1 operand instead of 2 or more"},
       {"name: \"x\" solid { translate { x_m: 1 y_m: 0 z_m: nan of { sphere { radius_m: 1 } } } }",
-       "bad.scene.textproto:2:63: translate: z_m of tr is nan"},
+       "bad.scene.textproto:2:63: x: translate: z_m of tr is nan"},
       {"name: \"x\" solid { difference { of { sphere { radius_m: 1 } } of {} } }",
-       "difference.of[1]: a solid without a kind"},
+       "bad.scene.textproto:2:79: x: difference.of[1]: a solid without a kind"},
       {"name: \"x\" polish: \"sphere 1\" stiffness_N_per_m: 90000", "solid.stiffness_N_per_m is 90000 N/m"},
   };
   for (const auto& [layer, wanted] : kBad)

@@ -1,0 +1,176 @@
+#include "haptic_station/scenes/read_effects.h"
+
+#include <algorithm>
+
+#include "haptic_station/effects/tissue_presets.h"
+#include "haptic_station/organs/organ_shape.h"
+#include "haptic_station/scenes/layer.h"
+
+namespace telepalp::scenes {
+namespace {
+
+std::string tissue_names() {
+  std::string names;
+  for (const effects::TissuePreset& preset : effects::kTissuePresets)
+    names += (names.empty() ? "" : ", ") + std::string(preset.name);
+  return names;
+}
+
+/// Reads a law that replaces S1's: a linear spring, a curve, or the curve of a tissue.
+void read_tissue(FieldCheck& check, const msg::SkinEffect& message, effects::SkinLaw& law) {
+  check.in(message);
+  if (int{message.has_linear_stiffness_n_per_m()} + int{message.has_tissue()} + int{message.has_measured()} > 1)
+    check.complain("skin gives more than one of linear_stiffness_N_per_m, tissue and measured", "give one of them");
+  if (message.has_measured()) {
+    const msg::SkinEffect::Curve& curve = message.measured();
+    law = effects::linear_law(0.0);
+    check.number("skin.measured.constant_N_per_m", curve.constant_n_per_m(), {0, 5000, "N/m"}, law.constant_N_per_m);
+    check.number("skin.measured.slope_N_per_m2", curve.slope_n_per_m2(), {0, 1e6, "N/m^2"}, law.slope_N_per_m2);
+    check.number("skin.measured.curve_N_per_m3", curve.curve_n_per_m3(), {0, 1e8, "N/m^3"}, law.curve_N_per_m3);
+  }
+  if (message.has_linear_stiffness_n_per_m()) {
+    law = effects::linear_law(0.0);
+    TELEPALP_READ(check, "skin.", message, linear_stiffness_n_per_m, law.constant_N_per_m, {0, 5000, "N/m"});
+  }
+  if (!message.has_tissue()) return;
+  const effects::TissuePreset* preset = effects::find_tissue(message.tissue());
+  if (preset == nullptr)
+    check.complain("skin.tissue \"" + message.tissue() + "\" is not known", "use one of: " + tissue_names());
+  else
+    law = preset->law;
+}
+
+effects::Skin::Settings read_skin_settings(FieldCheck& check, const msg::SkinEffect& message) {
+  effects::Skin::Settings skin;
+  check.in(message);
+  double stiffness = 160.0;
+  double at_m = 0.06;
+  TELEPALP_READ(check, "skin.", message, stiffness_n_per_m, stiffness, {1, 5000, "N/m"});
+  TELEPALP_READ(check, "skin.", message, at_indentation_m, at_m, {0.001, 0.2, "m"});
+  double alpha = effects::alpha_for(stiffness, at_m);
+  if (message.has_alpha_n_per_m2()) {
+    if (message.has_stiffness_n_per_m() || message.has_at_indentation_m())
+      check.complain("skin gives both alpha_N_per_m2 and a stiffness", "give one of the two");
+    TELEPALP_READ(check, "skin.", message, alpha_n_per_m2, alpha, {1, 1e6, "N/m^2"});
+  }
+  skin.law = effects::paper_law(alpha);
+  read_tissue(check, message, skin.law);
+  skin.law.by_axis = message.stiffness_by_axis();
+  if (message.anchor() == msg::SkinEffect::ANCHOR_FIXED) skin.anchor = effects::SkinAnchor::Fixed;
+  if (message.anchor() == msg::SkinEffect::ANCHOR_SLIDING) skin.anchor = effects::SkinAnchor::Sliding;
+  return skin;
+}
+
+effects::InnerCylinder read_cylinder(FieldCheck& check, const msg::CylinderEffect& message) {
+  effects::InnerCylinder::Settings cylinder;
+  cylinder.top_center.m = read_xyz(check, "cylinder.top_center_m", message.top_center_m(), {-1, 1, "m"});
+  TELEPALP_READ(check, "cylinder.", message, radius_m, cylinder.radius_m, {0.001, 0.3, "m"});
+  TELEPALP_READ(check, "cylinder.", message, height_m, cylinder.height_m, {0.001, 0.5, "m"});
+  TELEPALP_READ(check, "cylinder.", message, stiffness_n_per_m, cylinder.stiffness_N_per_m, {0, 5000, "N/m"});
+  TELEPALP_READ(check, "cylinder.", message, around_m, cylinder.around_m, {0, 0.1, "m"});
+  return effects::InnerCylinder(cylinder);
+}
+
+effects::InnerSphere read_sphere(FieldCheck& check, const msg::SphereEffect& message) {
+  effects::InnerSphere::Settings sphere;
+  sphere.center.m = read_xyz(check, "sphere.center_m", message.center_m(), {-1, 1, "m"});
+  TELEPALP_READ(check, "sphere.", message, radius_m, sphere.radius_m, {0.001, 0.3, "m"});
+  TELEPALP_READ(check, "sphere.", message, stiffness_n_per_m, sphere.stiffness_N_per_m, {0, 5000, "N/m"});
+  TELEPALP_READ(check, "sphere.", message, around_m, sphere.around_m, {0, 0.1, "m"});
+  return effects::InnerSphere(sphere);
+}
+
+/// The load is the force of the first skin in the scene, at any position in the file.
+effects::Friction read_friction(FieldCheck& check, const msg::FrictionEffect& message, const msg::Scene& scene) {
+  effects::Friction::Settings friction;
+  TELEPALP_READ(check, "friction.", message, coefficient, friction.coefficient, {0, 3, ""});
+  TELEPALP_READ(check, "friction.", message, bristle_stiffness_n_per_m, friction.bristle_stiffness_N_per_m,
+                {10, 3000, "N/m"});
+  const auto skin = std::ranges::find_if(scene.effects(), [](const msg::Effect& effect) { return effect.has_skin(); });
+  if (skin == scene.effects().end())
+    check.in(message).complain("friction needs a skin effect", "add effects { skin { anchor: ANCHOR_SLIDING } }");
+  else
+    friction.load = read_skin_settings(check, skin->skin()).law;
+  return effects::Friction(friction);
+}
+
+effects::StiffRegions read_regions(FieldCheck& check, const msg::RegionsEffect& message) {
+  effects::StiffRegions regions;
+  if (message.region().empty())
+    check.in(message).complain("regions names no region", "add region { center_m { x: 0 z: 0 } }");
+  for (const msg::RegionsEffect::Region& given : message.region()) {
+    effects::StiffRegion region;
+    region.center.m = read_xyz(check, "region.center_m", given.center_m(), {-1, 1, "m"});
+    TELEPALP_READ(check, "region.", given, radius_m, region.radius_m, {0, 0.3, "m"});
+    TELEPALP_READ(check, "region.", given, fade_m, region.fade_m, {0.001, 0.3, "m"});
+    TELEPALP_READ(check, "region.", given, added_n_per_m, region.added_N_per_m, {0, 3000, "N/m"});
+    if (!regions.add(region))
+      check.in(given).complain(
+          "regions names more than " + std::to_string(effects::StiffRegions::kMostRegions) + " regions",
+          "leave some out, or add a second effect");
+  }
+  return regions;
+}
+
+/// The mesh file is read only when the numbers of the message are valid.
+effects::Organ read_organ(FieldCheck& check, const msg::OrganEffect& message, const std::filesystem::path& folder,
+                          Scene& scene) {
+  organs::OrganShapeSettings shape;
+  effects::Organ::Settings organ;
+  TELEPALP_READ(check, "organ.", message, unit_m, shape.unit_m, {1e-6, 1000, "m"});
+  TELEPALP_READ(check, "organ.", message, stiffness_n_per_m, organ.stiffness_N_per_m, {0, 5000, "N/m"});
+  TELEPALP_READ(check, "organ.", message, around_m, organ.around_m, {0, 0.1, "m"});
+  TELEPALP_READ(check, "organ.", message, cell_m, shape.cell_m, {0.001, 0.02, "m"});
+  shape.haptic_from_model = read_transform(check, "organ.haptic_from_model", message.haptic_from_model());
+  shape.margin_m = organ.around_m + 3.0 * shape.cell_m;
+  if (message.file().empty()) check.in(message).complain("organ.file is empty", "name a closed mesh, .ply or .obj");
+  if (check.error()) return effects::Organ(organ);
+  const auto read = organs::read_organ_shape(folder / message.file(), shape);
+  if (!read) {
+    check.in(message).fail_in_file("organ: ", read.error());
+    return effects::Organ(organ);
+  }
+  organ.shape = *read;
+  scene.organs.push_back({*read, static_cast<std::uint32_t>(scene.effects.size())});
+  return effects::Organ(organ);
+}
+
+bool add_layer(FieldCheck& check, const msg::SolidEffect& message, const std::filesystem::path& folder, Scene& scene) {
+  const effects::Solid layer = read_layer(check, message, folder);
+  if (std::ranges::any_of(scene.layers, [&](const SceneLayer& one) { return one.solid->name == message.name(); }))
+    check.in(message).complain("an earlier layer has the name " + message.name(),
+                               "give each layer a name of its own, as in name: \"" + message.name() + " 2\"");
+  if (layer.layer()) scene.layers.push_back({layer.layer(), static_cast<std::uint32_t>(scene.effects.size())});
+  return scene.effects.add(layer);
+}
+
+}  // namespace
+
+void read_effects(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene) {
+  effects::EffectBank& bank = scene.effects;
+  if (message.effects().empty()) check.in(message).complain("names no effect", "add at least effects { skin {} }");
+  for (const msg::Effect& effect : message.effects()) {
+    bool room = true;
+    if (effect.has_skin())
+      room = bank.add(effects::Skin(read_skin_settings(check, effect.skin())));
+    else if (effect.has_cylinder())
+      room = bank.add(read_cylinder(check, effect.cylinder()));
+    else if (effect.has_sphere())
+      room = bank.add(read_sphere(check, effect.sphere()));
+    else if (effect.has_friction())
+      room = bank.add(read_friction(check, effect.friction(), message));
+    else if (effect.has_regions())
+      room = bank.add(read_regions(check, effect.regions()));
+    else if (effect.has_organ())
+      room = bank.add(read_organ(check, effect.organ(), folder, scene));
+    else if (effect.has_solid())
+      room = add_layer(check, effect.solid(), folder, scene);
+    else
+      check.in(effect).complain("an effect without a kind", "name it, as in effects { skin {} }");
+    if (!room)
+      check.in(effect).complain("more than " + std::to_string(effects::EffectBank::kMostEffects) + " effects",
+                                "name fewer");
+  }
+}
+
+}  // namespace telepalp::scenes
