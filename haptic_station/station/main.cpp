@@ -10,9 +10,8 @@
 #include "haptic_station/station/faults/rearm_command.h"
 #include "haptic_station/station/rigs/calibrated_scene.h"
 #include "haptic_station/station/rigs/rig_choice.h"
-#include "haptic_station/station/rigs/static_patient.h"
+#include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/station/station.h"
-#include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/trials/trials_command.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"
@@ -93,18 +92,6 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
                                                      : station::default_state_folder()};
 }
 
-Result<surface::SurfaceSettings> surface_of(const scenes::Scene& scene) {
-  const std::string& name = scene.message.surface().name();
-  return name.empty() ? surface::SurfaceSettings{} : surface::surface_settings(name);
-}
-
-Result<std::optional<tracking::HandTrace>> trace_of(const scenes::Scene& scene) {
-  if (!scene.hand_trace) return std::optional<tracking::HandTrace>{};
-  Result<tracking::HandTrace> trace = tracking::read_hand_trace(*scene.hand_trace);
-  if (!trace) return trace.error();
-  return std::optional{std::move(trace).value()};
-}
-
 /// The scene with the transforms of this site's calibration.
 Result<scenes::Scene> read_calibrated(const std::filesystem::path& scene_file, const program::Arguments& arguments) {
   Result<scenes::Scene> scene = scenes::read_scene(scene_file);
@@ -114,27 +101,15 @@ Result<scenes::Scene> read_calibrated(const std::filesystem::path& scene_file, c
   return station::calibrated(std::move(scene).value(), arguments.text("calibration"));
 }
 
-/// The static model of the scene; nullopt if the scene has none.
-Result<std::optional<station::StaticPatient>> model_of(const scenes::Scene& scene,
-                                                       const std::filesystem::path& scene_file, bool anyway) {
-  if (!scene.message.patient_surface().has_static_model()) return std::optional<station::StaticPatient>{};
-  Result<station::StaticPatient> patient = station::open_static_patient(scene, scene_file.parent_path(), anyway);
-  if (!patient) return patient.error();
-  return std::optional{std::move(patient).value()};
-}
-
 int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene_file, bool anyway) {
   if (!scene) return program::fail(scene.error());
-  const Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
-  if (!trace) return program::fail(trace.error());
-  const Result<surface::SurfaceSettings> surface = surface_of(*scene);
-  if (!surface) return program::fail(surface.error());
-  const Result<std::optional<station::StaticPatient>> model = model_of(*scene, scene_file, anyway);
-  if (!model) return program::fail(model.error());
-  const std::string touched = *model ? std::to_string((*model)->snapshot->points) + " points of " +
-                                           scene->message.patient_surface().static_model().file() +
-                                           ((*model)->remarks.empty() ? "" : " (" + (*model)->remarks + ")")
-                                     : surface->name;
+  const Result<station::SceneParts> parts = station::read_parts(*scene, scene_file, anyway);
+  if (!parts) return program::fail(parts.error());
+  const std::optional<station::StaticPatient>& model = parts->model;
+  const std::string touched = model ? std::to_string(model->snapshot->points) + " points of " +
+                                          scene->message.patient_surface().static_model().file() +
+                                          (model->remarks.empty() ? "" : " (" + model->remarks + ")")
+                                    : parts->surface.name;
   std::string effects;
   for (const effects::EffectBill& line : scene->effects.bill()) effects += std::string(" ") + line.name;
   std::printf("%s: %s; surface: %s; effects:%s\n", scene->name.c_str(), scene->message.purpose().c_str(),
@@ -155,17 +130,14 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
 int run(station::StationOptions options, const Result<scenes::Scene>& scene, const std::filesystem::path& scene_file,
         const station::RigChoice& rig_choice, bool anyway) {
   if (!scene) return program::fail(scene.error());
-  Result<std::optional<tracking::HandTrace>> trace = trace_of(*scene);
-  if (!trace) return program::fail(trace.error());
-  const Result<surface::SurfaceSettings> surface = surface_of(*scene);
-  if (!surface) return program::fail(surface.error());
-  Result<std::optional<station::StaticPatient>> model = model_of(*scene, scene_file, anyway);
-  if (!model) return program::fail(model.error());
-  options.model = std::move(model).value();
+  Result<station::SceneParts> read = station::read_parts(*scene, scene_file, anyway);
+  if (!read) return program::fail(read.error());
+  station::SceneParts parts = std::move(read).value();
+  options.model = std::move(parts.model);
   Result<station::ConnectedRig> rig = station::connect_rig(rig_choice, *scene);
   if (!rig) return program::fail(rig.error());
   boost::asio::io_context io{1};
-  station::Station station(io, options, *scene, *surface, std::move(trace).value(), std::move(rig).value());
+  station::Station station(io, options, *scene, parts.surface, std::move(parts.trace), std::move(rig).value());
   const Result<void> done = station.run();
   return done ? program::kDone : program::fail(done.error());
 }

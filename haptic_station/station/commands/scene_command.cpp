@@ -10,8 +10,9 @@
 
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/solids/solid_mesh.h"
-#include "haptic_station/solids/solid_picture.h"
 #include "haptic_station/station/commands/scene_bill.h"
+#include "haptic_station/station/picture/scene_picture.h"
+#include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/ultrasound/b_mode.h"
 #include "support/images/image_file.h"
 #include "support/program/options.h"
@@ -21,11 +22,11 @@ namespace {
 
 program::Usage usage() {
   return {.program = "telepalp-station scene",
-          .purpose = "checks a scene file, measures its computing time, and draws the solids under the skin",
+          .purpose = "checks a scene file, measures its computing time, and draws what lies under the skin",
           .positional = "",
           .options = {{"out", "FILE", "show, image: a PNG; mesh: a .ply or .obj"},
-                      {"from", "above|feet|side", "show: side from which the solids are seen", "above"},
-                      {"width-m", "M", "show: width of the picture", "0.4"},
+                      {"from", "above|feet|side", "show: side from which the scene is seen", "above"},
+                      {"width-m", "M", "show: width of the part that is seen; default: all objects"},
                       {"at", "X,Z", "image: place of the probe on the skin, in metres", "0,0"},
                       {"turn-deg", "DEG", "image: turn of the probe about the vertical", "0"},
                       {"layer", "NAME", "mesh: one layer; default: the first"},
@@ -33,7 +34,7 @@ program::Usage usage() {
           .example = "telepalp-station scene show ribs-ultrasound --out ribs.png",
           .commands = {{"check", "SCENE", "read the scene and name its effects"},
                        {"bill", "SCENE", "computing time and memory of each effect"},
-                       {"show", "SCENE", "a picture of the solids under the skin"},
+                       {"show", "SCENE", "a picture of what lies under the skin"},
                        {"image", "SCENE", "the ultrasound image under a probe"},
                        {"mesh", "SCENE", "a layer's surface, watertight"}},
           .needs_command = true};
@@ -57,28 +58,37 @@ Result<std::string> out_of(const program::Arguments& arguments, const char* endi
                .fix = std::string("give one, as in --out x") + ending};
 }
 
-Result<scenes::Scene> read_scene_named(const std::string& name) {
+struct ReadScene {
+  scenes::Scene scene;
+  std::filesystem::path file;
+};
+
+Result<ReadScene> read_scene_named(const std::string& name) {
   const Result<std::filesystem::path> file = scenes::find_scene(name);
   if (!file) return file.error();
-  return scenes::read_scene(*file);
+  Result<scenes::Scene> scene = scenes::read_scene(*file);
+  if (!scene) return scene.error();
+  return ReadScene{std::move(scene).value(), *file};
 }
 
-Result<void> check(const scenes::Scene& scene, const program::Arguments&) {
+Result<void> check(const ReadScene& read, const program::Arguments&) {
+  const scenes::Scene& scene = read.scene;
+  if (const Result<SceneParts> parts = read_parts(scene, read.file, false); !parts) return parts.error();
   std::printf("%s: %s; effects:", scene.name.c_str(), scene.message.purpose().c_str());
   for (const effects::EffectBill& line : scene.effects.bill()) std::printf(" %s", line.name);
   std::printf("\n");
   return {};
 }
 
-Result<void> bill(const scenes::Scene& scene, const program::Arguments& arguments) {
+Result<void> bill(const ReadScene& read, const program::Arguments& arguments) {
   const auto before = std::chrono::steady_clock::now();
-  const Result<scenes::Scene> again = read_scene_named(arguments.positional().back());
+  const Result<ReadScene> again = read_scene_named(arguments.positional().back());
   const double start_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
   if (!again) return again.error();
   std::printf("%-12s %10s %10s %8s %10s  %s\n", "effect", "mean, us", "max, us", "shapes", "memory, B",
               "error of the depth");
   double total_us = 0.0;
-  for (const EffectPrice& price : price_of(scene)) {
+  for (const EffectPrice& price : price_of(read.scene)) {
     std::printf("%-12s %10.3f %10.1f %8zu %10zu  %s\n", price.name.c_str(), price.mean_us, price.largest_us,
                 price.shapes, price.bytes, price.depth_error.c_str());
     total_us += price.mean_us;
@@ -87,37 +97,33 @@ Result<void> bill(const scenes::Scene& scene, const program::Arguments& argument
   return {};
 }
 
-/// Colours that colour-blind people can tell apart (Okabe and Ito 2008).
-constexpr std::array<std::array<std::uint8_t, 3>, 7> kColors{
-    {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {240, 228, 66}, {204, 121, 167}, {0, 114, 178}, {213, 94, 0}}};
-
-Result<solids::PictureView> view_of(const program::Arguments& arguments) {
-  const Result<double> width_m = arguments.number("width-m", 0.01, 10.0);
-  if (!width_m) return width_m.error();
-  solids::PictureView view{.width_m = *width_m};
+Result<PictureSide> side_of(const program::Arguments& arguments) {
   const std::string from = arguments.text("from");
-  if (from == "above") return view;
-  view.up = Eigen::Vector3d::UnitY();
-  view.center.y() = -0.25 * *width_m;
-  if (from != "feet" && from != "side")
-    return Error{
-        .what = "'" + from + "' is not one of above, feet and side", .where = "--from", .fix = "give one of them"};
-  view.towards =
-      from == "feet" ? Eigen::Vector3d(-Eigen::Vector3d::UnitZ()) : Eigen::Vector3d(-Eigen::Vector3d::UnitX());
-  return view;
+  if (from == "above") return PictureSide::Above;
+  if (from == "feet") return PictureSide::Feet;
+  if (from == "side") return PictureSide::Side;
+  return Error{
+      .what = "'" + from + "' is not one of above, feet and side", .where = "--from", .fix = "give one of them"};
 }
 
-Result<void> show(const scenes::Scene& scene, const program::Arguments& arguments) {
+Result<std::optional<double>> width_of(const program::Arguments& arguments) {
+  if (!arguments.has("width-m")) return std::optional<double>{};
+  const Result<double> width_m = arguments.number("width-m", 0.01, 10.0);
+  if (!width_m) return width_m.error();
+  return std::optional(*width_m);
+}
+
+Result<void> show(const ReadScene& read, const program::Arguments& arguments) {
   const Result<std::string> out = out_of(arguments, ".png");
   if (!out) return out.error();
-  const Result<solids::PictureView> view = view_of(arguments);
-  if (!view) return view.error();
-  if (scene.layers.empty())
-    return Error{.what = "the scene has no solid to draw", .where = scene.name, .fix = "add effects { solid { ... } }"};
-  std::vector<solids::PaintedSolid> painted;
-  for (const auto& layer : scene.layers)
-    painted.push_back({layer.solid->tree.get(), kColors[painted.size() % kColors.size()]});
-  return write(images::encode_png(solids::picture_of(painted, *view)), *out);
+  const Result<PictureSide> side = side_of(arguments);
+  if (!side) return side.error();
+  const Result<std::optional<double>> width_m = width_of(arguments);
+  if (!width_m) return width_m.error();
+  const Result<SceneParts> parts = read_parts(read.scene, read.file, false);
+  if (!parts) return parts.error();
+  const std::span<const SkinPoint> skin = parts->model ? std::span(parts->model->skin) : std::span<const SkinPoint>{};
+  return write(images::encode_png(picture_of_scene(read.scene, skin, *side, *width_m)), *out);
 }
 
 Result<ultrasound::ProbePose> probe_of(const program::Arguments& arguments) {
@@ -133,7 +139,8 @@ Result<ultrasound::ProbePose> probe_of(const program::Arguments& arguments) {
   return ultrasound::ProbePose{.at = {x, 0.0, z}, .across = {std::cos(turn), 0.0, -std::sin(turn)}};
 }
 
-Result<void> image(const scenes::Scene& scene, const program::Arguments& arguments) {
+Result<void> image(const ReadScene& read, const program::Arguments& arguments) {
+  const scenes::Scene& scene = read.scene;
   const Result<std::string> out = out_of(arguments, ".png");
   if (!out) return out.error();
   const Result<ultrasound::ProbePose> probe = probe_of(arguments);
@@ -146,7 +153,8 @@ Result<void> image(const scenes::Scene& scene, const program::Arguments& argumen
   return write(images::encode_png(color), *out);
 }
 
-Result<void> mesh(const scenes::Scene& scene, const program::Arguments& arguments) {
+Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
+  const scenes::Scene& scene = read.scene;
   const Result<std::string> out = out_of(arguments, ".ply");
   if (!out) return out.error();
   const bool as_obj = out->ends_with(".obj");
@@ -170,7 +178,7 @@ Result<void> mesh(const scenes::Scene& scene, const program::Arguments& argument
 
 struct Task {
   std::string_view name;
-  Result<void> (*run)(const scenes::Scene&, const program::Arguments&);
+  Result<void> (*run)(const ReadScene&, const program::Arguments&);
 };
 constexpr std::array kTasks{Task{"check", check}, Task{"bill", bill}, Task{"show", show}, Task{"image", image},
                             Task{"mesh", mesh}};
@@ -190,7 +198,7 @@ int scene_command(int argc, const char* const* argv) {
          .where = "telepalp-station scene",
          .fix = "give check, bill, show, image or mesh, then a scene; see telepalp-station scene --help"},
         program::kAskedWrongly);
-  const Result<scenes::Scene> scene = read_scene_named(words.back());
+  const Result<ReadScene> scene = read_scene_named(words.back());
   if (!scene) return program::fail(scene.error());
   const Result<void> done = task->run(*scene, arguments);
   return done ? program::kDone : program::fail(done.error());

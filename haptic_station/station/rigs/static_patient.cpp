@@ -26,23 +26,31 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// The highest point (H's y is up) near the vertical through the middle of `points`, or the highest of all points if
+/// The highest point (H's y is up) near the vertical through the middle of `skin`, or the highest of all points if
 /// none is near it.
-Vector3d skin_on_top(const std::vector<Vector3d>& points) {
+Vector3d skin_on_top(const std::vector<SkinPoint>& skin) {
   std::vector<double> across;
   std::vector<double> along;
-  for (const Vector3d& at : points) {
-    across.push_back(at.x());
-    along.push_back(at.z());
+  for (const SkinPoint& point : skin) {
+    across.push_back(point.at_m.x());
+    along.push_back(point.at_m.z());
   }
   const double x = median_of(std::move(across));
   const double z = median_of(std::move(along));
-  const auto higher = [&](const Vector3d& a, const Vector3d& b) {
-    const bool a_near = std::hypot(a.x() - x, a.z() - z) < kBesideAxis_m;
-    const bool b_near = std::hypot(b.x() - x, b.z() - z) < kBesideAxis_m;
-    return a_near != b_near ? b_near : a.y() < b.y();
+  const auto higher = [&](const SkinPoint& a, const SkinPoint& b) {
+    const bool a_near = std::hypot(a.at_m.x() - x, a.at_m.z() - z) < kBesideAxis_m;
+    const bool b_near = std::hypot(b.at_m.x() - x, b.at_m.z() - z) < kBesideAxis_m;
+    return a_near != b_near ? b_near : a.at_m.y() < b.at_m.y();
   };
-  return *std::max_element(points.begin(), points.end(), higher);
+  return std::max_element(skin.begin(), skin.end(), higher)->at_m;
+}
+
+std::vector<SkinPoint> skin_of(const surface::CloudSnapshot& snapshot, const Eigen::Isometry3d& haptic_from_model) {
+  std::vector<SkinPoint> skin;
+  for (const surface::CloudPoint& point : snapshot.cloud())
+    skin.push_back({haptic_from_model * (snapshot.shape().origin_m + point.at_m.cast<double>()),
+                    haptic_from_model.linear() * point.normal.cast<double>()});
+  return skin;
 }
 
 }  // namespace
@@ -69,17 +77,17 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
     return error;
   }
   const std::string between = made->remarks.empty() || made->sampling.empty() ? "" : "; ";
-  StaticPatient patient{made->snapshot, {}, made->remarks + between + made->sampling};
+  StaticPatient patient{made->snapshot, {}, made->remarks + between + made->sampling, {}};
   patient.haptic_from_model.iso = transform_of(asked.haptic_from_model());
   if (!patient.haptic_from_model.iso.matrix().allFinite())
     return Error{.what = "patient_surface.static_model.haptic_from_model is not finite",
                  .where = scene.name,
                  .fix = "give translation_m and rotation_vector_rad finite numbers"};
+  patient.skin = skin_of(*made->snapshot, patient.haptic_from_model.iso);
   if (!scene.center_on_surface) return patient;
-  std::vector<Vector3d> points;
-  for (const surface::CloudPoint& point : made->snapshot->cloud())
-    points.push_back(patient.haptic_from_model.iso * (made->snapshot->shape().origin_m + point.at_m.cast<double>()));
-  patient.haptic_from_model.iso.pretranslate(-skin_on_top(points));
+  const Vector3d origin = skin_on_top(patient.skin);
+  patient.haptic_from_model.iso.pretranslate(-origin);
+  for (SkinPoint& point : patient.skin) point.at_m -= origin;
   return patient;
 }
 

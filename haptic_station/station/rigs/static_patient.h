@@ -3,11 +3,18 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 
 namespace telepalp::station {
+
+/// A point of a patient's skin, in H.
+struct SkinPoint {
+  Eigen::Vector3d at_m;
+  Eigen::Vector3d outwards;  ///< unit
+};
 
 /// A patient from a model file, touched without camera or server.
 struct StaticPatient {
@@ -15,6 +22,7 @@ struct StaticPatient {
   /// The frame of the model takes the place of the depth camera's frame.
   Transform<HapticBase, DepthCamera> haptic_from_model;
   std::string remarks;
+  std::vector<SkinPoint> skin;  ///< the model's samples, in H
 };
 
 /// Reads and places the model of `scene`. `folder`: base of the model's relative path. With scene.center_on_surface,

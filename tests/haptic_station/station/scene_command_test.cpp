@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "haptic_station/scenes/scene_objects.h"
 #include "support/images/image_file.h"
+#include "support/images/lettering.h"
 #include "tests/support/child_process.h"
 #include "where.h"
 
@@ -101,6 +103,73 @@ TEST_F(SceneCommand, TheImageHasTheSizeOfTheScenesProbe) {
   }
 }
 
+/// The number of pixels of a colour that stands in the legend, in the picture itself.
+int seen(const ColorImage& image, const images::Rgb& rgb) {
+  int count = 0;
+  constexpr int kFirstRow = 80;  // below the title and the word "head"
+  constexpr int kLastRow = 515;  // above the scale
+  for (int row = kFirstRow; row < kLastRow; ++row)
+    for (int column = 20; column < image.width - 20; ++column) {
+      const auto at = 3 * static_cast<std::size_t>(row * image.width + column);
+      int off = 0;
+      for (std::size_t i = 0; i < 3; ++i) off = std::max(off, std::abs(image.rgb[at + i] - rgb[i]));
+      count += off <= 2 ? 1 : 0;
+    }
+  return count;
+}
+
+TEST_F(SceneCommand, ShowDrawsSkinAndObjectsOfAnyKind) {
+  constexpr images::Rgb kSkin{246, 221, 203};
+  constexpr images::Rgb kGrid{228, 200, 180};
+  for (const char* name : {"skin", "calibration", "palpation", "sphere", "regions", "mass-search"}) {
+    const Outcome done = run({"show", name, "--out", file("picture.png")});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const auto image = images::read_color_image(file("picture.png"));
+    ASSERT_TRUE(image.ok()) << to_string(image.error());
+    const int flat = seen(*image, kSkin) + seen(*image, kGrid);
+    const int all = (image->width - 40) * (515 - 80);
+    const bool is_skin_alone = std::string_view(name) == "skin" || std::string_view(name) == "calibration";
+    EXPECT_GT(flat, all / 4) << name;
+    EXPECT_TRUE(is_skin_alone ? flat > all - 500 : flat < all - 1500) << name << ": " << flat << " of " << all;
+  }
+}
+
+TEST_F(SceneCommand, ShowDrawsEachObjectOfEachSceneThatShips) {
+  int read = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kScenes)) {
+    if (!entry.path().string().ends_with(".scene.textproto")) continue;
+    const Result<scenes::Scene> scene = scenes::read_scene(entry.path());
+    ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+    const auto objects = std::ranges::count_if(scene->effects.bill(), [](const effects::EffectBill& line) {
+      return std::string_view(line.name) != "skin" && std::string_view(line.name) != "friction";
+    });
+    EXPECT_GE(static_cast<std::ptrdiff_t>(scenes::objects_of(*scene).size()), objects) << entry.path();
+    ++read;
+  }
+  EXPECT_GE(read, 15);
+}
+
+TEST_F(SceneCommand, ShowIsToScale) {
+  const std::string scene =
+      written(file("ball.textproto"), kCamera +
+                                          "name: \"ball\" effects { sphere { center_m { x: 0.3 y: "
+                                          "-0.05 } radius_m: 0.03 } }");
+  ASSERT_EQ(run({"show", scene, "--width-m", "0.2", "--out", file("ball.png")}).code, 0);
+  const auto image = images::read_color_image(file("ball.png"));
+  ASSERT_TRUE(image.ok());
+  constexpr int kPictureWidth_px = 512;
+  int widest = 0;
+  for (int row = 80; row < 540; ++row) {
+    int drawn = 0;
+    for (int column = 20; column < image->width - 20; ++column) {
+      const auto at = 3 * static_cast<std::size_t>(row * image->width + column);
+      drawn += image->rgb[at + 2] < 140 ? 1 : 0;  // orange has little blue, skin and grid have much
+    }
+    widest = std::max(widest, drawn);
+  }
+  EXPECT_NEAR(widest * 0.2 / kPictureWidth_px, 0.06, 0.001);
+}
+
 TEST_F(SceneCommand, ShowTakesEachSide) {
   for (const char* side : {"above", "feet", "side"})
     EXPECT_EQ(run({"show", kMass, "--from", side, "--out", file("picture.png")}).code, 0) << side;
@@ -136,7 +205,7 @@ TEST_F(SceneCommand, SaysWhatIsWrongAndWritesNothing) {
       {{"show", itself, "--out", out}, 1, "found 'haptic_from_camera'"},
       {{"show", kMass}, 1, "--out"},
       {{"show", kMass, "--from", "below", "--out", out}, 1, "'below' is not one of above, feet and side"},
-      {{"show", kScenes + "skin.scene.textproto", "--out", out}, 1, "no solid to draw"},
+      {{"show", kMass, "--width-m", "-1", "--out", out}, 1, "--width-m"},
       {{"image", kMass, "--at", "1;2", "--out", out}, 1, "--at"},
       {{"mesh", kMass, "--layer", "spleen", "--out", file("x.ply")}, 1, "no layer 'spleen'"},
       {{"mesh", kMass, "--out", file("x.stl")}, 1, "neither .ply nor .obj"},

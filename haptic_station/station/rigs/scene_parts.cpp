@@ -1,0 +1,25 @@
+#include "haptic_station/station/rigs/scene_parts.h"
+
+namespace telepalp::station {
+
+Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem::path& scene_file, bool anyway) {
+  SceneParts parts;
+  if (const std::string& name = scene.message.surface().name(); !name.empty()) {
+    const Result<surface::SurfaceSettings> surface = surface::surface_settings(name);
+    if (!surface) return surface.error();
+    parts.surface = *surface;
+  }
+  if (scene.hand_trace) {
+    Result<tracking::HandTrace> trace = tracking::read_hand_trace(*scene.hand_trace);
+    if (!trace) return trace.error();
+    parts.trace = std::move(trace).value();
+  }
+  if (scene.message.patient_surface().has_static_model()) {
+    Result<StaticPatient> model = open_static_patient(scene, scene_file.parent_path(), anyway);
+    if (!model) return model.error();
+    parts.model = std::move(model).value();
+  }
+  return parts;
+}
+
+}  // namespace telepalp::station

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "proto/words/rgbd_frame.h"
+
+namespace telepalp::images {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// In pixels; (x, y) is the upper left corner.
+struct Rectangle {
+  int x;
+  int y;
+  int width;
+  int height;
+};
+
+/// Fills the part of the rectangle that lies in the image.
+void fill(ColorImage& image, const Rectangle& where, const Rgb& rgb);
+
+inline constexpr int kLetterWidth_dots = 6;   ///< with the space beside it
+inline constexpr int kLetterHeight_dots = 8;  ///< with the part below the line, as in p
+
+/// Writes a line of text; (x, y) is its upper left corner. A dot of a letter is `dot_px` pixels wide. Letters that are
+/// not ASCII are shown as a question mark; dots outside the image are left out.
+void write_text(ColorImage& image, int x, int y, std::string_view text, const Rgb& rgb, int dot_px);
+
+/// Width of write_text() in pixels.
+[[nodiscard]] int width_of(std::string_view text, int dot_px) noexcept;
+
+}  // namespace telepalp::images
