@@ -59,7 +59,7 @@ TEST(SolidText, ALayersErrorNamesFileLayerAndPlace) {
       {"name: \"x\" solid { translate { x_m: 1 y_m: 0 z_m: nan of { sphere { radius_m: 1 } } } }",
        "bad.scene.textproto:2:63: x: translate: z_m of tr is nan"},
       {"name: \"x\" solid { difference { of { sphere { radius_m: 1 } } of {} } }",
-       "bad.scene.textproto:2:79: x: difference.of[1]: a solid without a kind"},
+       "bad.scene.textproto:2:80: x: difference.of[1]: a solid without a kind"},
       {"name: \"x\" polish: \"sphere 1\" stiffness_N_per_m: 90000", "solid.stiffness_N_per_m is 90000 N/m"},
   };
   for (const auto& [layer, wanted] : kBad)
