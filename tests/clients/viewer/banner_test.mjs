@@ -55,3 +55,9 @@ test('the picture of a paused session is paused, not stale', () => {
   assert.equal(banner({...old, paused: true}).title, 'Paused');
   assert.equal(banner({...old, paused: true, graphicsLost: true}).title, 'No picture');
 });
+
+test('without a picture, a camera is waited for, and a played session says that it has none', () => {
+  const from = (source) => banner({picture_ms: undefined, capture: {state: 0, source, detail: ''}}).title;
+  assert.equal(from('openni2'), 'Waiting for the camera');
+  assert.equal(from('session:run.mcap'), 'No picture');
+});

@@ -50,6 +50,8 @@ export function bannerFor(health: Health): Banner | undefined {
     };
   if (health.capture?.state === CaptureState.Lost)
     return {level: 'alarm', title: 'Camera lost', text: health.capture.detail || 'The server keeps trying.'};
+  if (health.picture_ms === undefined && health.capture?.source.startsWith('session:'))
+    return {level: 'wait', title: 'No picture', text: 'The played session has given no depth image yet. A session of telepalp-replay has none.'};
   if (health.picture_ms === undefined)
     return {level: 'wait', title: 'Waiting for the camera', text: health.capture?.detail || 'No depth image yet.'};
   if (health.capture?.state === CaptureState.Ended)
