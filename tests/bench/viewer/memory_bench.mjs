@@ -2,7 +2,7 @@
 // [--seconds 3600] [--every 30] [--log FILE]. Server, station and Chromium without a graphics card run side by side. Each
 // reading follows a forced garbage collection and is a line of FILE (JSON). The first twelfth of the time is left out: the
 // plots fill and the browser compiles. Prints rows {name, value, unit, reach, holds} like telepalp-bench: by how much the
-// mean of the last sixth of the time differs from the mean of the first sixth after that twelfth.
+// median of the last sixth of the time differs from that of the first sixth after that twelfth.
 import {appendFileSync, writeFileSync} from 'node:fs';
 import {loadavg} from 'node:os';
 import {join} from 'node:path';
@@ -61,6 +61,7 @@ async function measure() {
 }
 
 const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 const between = (readings, from, to) => readings.filter(({at_s}) => at_s >= from * seconds && at_s < to * seconds);
 
 function rowsOf(readings) {
@@ -68,7 +69,7 @@ function rowsOf(readings) {
   const late = between(readings, 10 / 12, Infinity);
   const row = (name, value, unit, reach, holds) => ({name, value: Number(value.toFixed(2)), unit, reach, holds});
   const rows = Object.entries(KINDS).flatMap(([kind, name]) => {
-    const [before_MB, after_MB] = [early, late].map((part) => mean(part.map((reading) => reading[kind])));
+    const [before_MB, after_MB] = [early, late].map((part) => median(part.map((reading) => reading[kind])));
     const grown_percent = 100 * (after_MB / before_MB - 1);
     return [
       row(name, after_MB, 'MB', null, true),
