@@ -62,7 +62,7 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     await untilStatus(page, 'the hand is drawn again', (now) => now.handPosition_m !== undefined);
 
     running.child.stdin.write('phase PHASE_CYLINDER_UPPER\n');
-    await page.waitForSelector('#phase-name:text-is("Cylinder upper area")');
+    await page.waitForSelector('#phase-name:text-is("Cylinder upper")');
     running.child.stdin.write('phase PHASE_FAULTED\n');
     await until('the banner names the fault', async () => (await banner(page)).includes('Station faulted'));
     running.child.stdin.write('phase PHASE_OUT_BODY\nstale on\n');

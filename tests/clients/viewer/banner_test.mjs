@@ -15,9 +15,9 @@ const banner = (changes) => bannerFor({...WELL, ...changes});
 
 test('all is well: no banner', () => assert.equal(banner({}), undefined));
 
-for (const [place, says] of [['site', /^It is 2\.\d s old\. Patient’s site: .* 2\.0 s/],
-                             ['network', /^It is 2\.\d s old\. Network: 2\.0 s/],
-                             ['computer', /^It is 2\.\d s old\. This computer: .* 2\.0 s/]])
+for (const [place, says] of [['site', /^The picture is 2\.\d s old\. Patient’s site: .* 2\.0 s/],
+                             ['network', /^The picture is 2\.\d s old\. Network: images need 2\.0 s/],
+                             ['computer', /^The picture is 2\.\d s old\. This computer: .* 2\.0 s/]])
   test(`an old picture names the place where the time went: ${place}`, () => {
     const {title, text} = banner({account: {...WELL.account, [place]: 2000}});
     assert.equal(title, 'Stale picture');
@@ -25,7 +25,7 @@ for (const [place, says] of [['site', /^It is 2\.\d s old\. Patient’s site: .*
   });
 
 test('while the session clock is not known, an old picture blames nobody', () => {
-  assert.equal(banner({account: undefined, picture_ms: 1500}).text, 'It is 1.5 s old.');
+  assert.equal(banner({account: undefined, picture_ms: 1500}).text, 'The picture is 1.5 s old.');
 });
 
 test('numbers that are much older than the picture are a warning', () => {

@@ -53,7 +53,7 @@ test('the chosen run lies beside the played one, and the first felt difference i
   await page.focus('#comparison-with');
   await page.keyboard.press('End');
   await page.waitForSelector('#comparison', {state: 'visible', timeout: 60_000});
-  assert.match(await text('comparison-said'), /^[\d.]+ N in A, [\d.]+ N in B, [\d.]+ N apart as vectors\. Both share session time\.$/);
+  assert.match(await text('comparison-said'), /^[\d.]+ N in A, [\d.]+ N in B; the force vectors differ by [\d.]+ N\. Both runs are shown at their session times\.$/);
   const {first} = await (await fetch(`${address}playback/comparison`)).json();
   const [at_s, a_N, b_N] = reported;
   assert.ok(first.at_s > at_s - 0.02 && first.at_s < at_s + 0.05, `${first.at_s} s, and ${at_s} s in the report`);

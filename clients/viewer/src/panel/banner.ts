@@ -35,9 +35,9 @@ const seconds = (ms: number) => `${(ms / 1000).toFixed(1)} s`;
 /** The most important message for the user, or undefined if everything works. The worst problem comes first. */
 export function bannerFor(health: Health): Banner | undefined {
   if (!health.connected) {
-    const wait = health.retryIn_ms === undefined ? 'Connecting…' : `Trying again in ${seconds(health.retryIn_ms)}`;
+    const wait = health.retryIn_ms === undefined ? 'Connecting…' : `Trying again in ${seconds(health.retryIn_ms)}.`;
     return health.everConnected
-        ? {level: 'alarm', title: 'Disconnected', text: `${wait}. The picture is old.`}
+        ? {level: 'alarm', title: 'Disconnected', text: `${wait} The picture is old.`}
         : {level: 'wait', title: 'Connecting to the patient’s site', text: wait};
   }
   if (health.phase === Phase.Faulted && isRecent(health.station_ms))
@@ -69,7 +69,7 @@ export function bannerFor(health: Health): Banner | undefined {
     return {
       level: 'warn',
       title: 'The hand feels an old surface',
-      text: health.surface_ms === undefined ? '' : `It is ${seconds(health.surface_ms)} old.`,
+      text: health.surface_ms === undefined ? '' : `The surface is ${seconds(health.surface_ms)} old.`,
     };
   if (health.station_ms !== undefined && health.station_ms > STALE_MS)
     return {level: 'warn', title: 'Station silent', text: `No message for ${seconds(health.station_ms)}.`};
@@ -83,16 +83,16 @@ export function bannerFor(health: Health): Banner | undefined {
 }
 
 const BLAME: Record<Place, (part: string) => string> = {
-  site: (part) => `Patient’s site: it sent no newer picture for ${part}. The connection works.`,
-  network: (part) => `Network: ${part} passed between sending and arrival here.`,
+  site: (part) => `Patient’s site: no newer image was sent for ${part}. The connection works.`,
+  network: (part) => `Network: images need ${part} from the server to this computer.`,
   computer: (part) => `This computer: it needs ${part} to decode and draw. Close other programs, or make the window smaller.`,
 };
 
 /** Names the place that causes most of the picture's age. */
 function whereTo(age_ms: number, account: TimeAccount | undefined): string {
-  if (account === undefined) return `It is ${seconds(age_ms)} old.`;
+  if (account === undefined) return `The picture is ${seconds(age_ms)} old.`;
   const place = slowest(account);
-  return `It is ${seconds(age_ms)} old. ${BLAME[place](seconds(account[place]))}`;
+  return `The picture is ${seconds(age_ms)} old. ${BLAME[place](seconds(account[place]))}`;
 }
 
 function isRecent(age_ms: number | undefined): boolean {

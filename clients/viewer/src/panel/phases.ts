@@ -12,9 +12,9 @@ const LOOKS: Record<Phase, PhaseLook> = {
   [Phase.BodyToPlane]: {name: 'Body to plane', tone: 'between', says: 'the device lifts the hand away from the body'},
   [Phase.OutBody]: {name: 'Out body', tone: 'free', says: 'the device follows the hand above the body'},
   [Phase.PlaneToBody]: {name: 'Plane to body', tone: 'between', says: 'no force: push the device down to the skin'},
-  [Phase.ObjectLateral]: {name: 'Cylinder lateral area', tone: 'inner', says: 'against the side of the inner object'},
-  [Phase.AroundObject]: {name: 'Around the cylinder', tone: 'inner', says: 'beside the inner object'},
-  [Phase.ObjectUpper]: {name: 'Cylinder upper area', tone: 'inner', says: 'on top of the inner object'},
+  [Phase.ObjectLateral]: {name: 'Cylinder lateral', tone: 'inner', says: 'against the side of the inner object'},
+  [Phase.AroundObject]: {name: 'Around cylinder', tone: 'inner', says: 'beside the inner object'},
+  [Phase.ObjectUpper]: {name: 'Cylinder upper', tone: 'inner', says: 'on top of the inner object'},
   [Phase.Released]: {name: 'Released', tone: 'quiet', says: 'no force: waiting for valid data'},
   [Phase.Faulted]: {name: 'Faulted', tone: 'alarm', says: 'no force until an operator re-arms'},
 };

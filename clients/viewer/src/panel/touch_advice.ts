@@ -34,13 +34,13 @@ export function touchAdvice(health: TouchHealth): Banner | undefined {
   if (handShown !== false) return placementAdvice(health) ?? motionAdvice(health);
   return holdsHand
       ? {level: 'wait', title: 'Touch', text: 'Move the pointer over the skin; hold the button down to push in.'}
-      : {level: 'wait', title: 'No hand', text: 'Press Touch (T) to hold it here, if the station runs with --tracker browser.'};
+      : {level: 'wait', title: 'No hand', text: 'Press Touch (T) to hold the hand in this browser, if the station runs with --tracker browser.'};
 }
 
 /** Says that the patient's motion does not fit the station's prediction; undefined while it fits. */
 function motionAdvice({unmodelled}: TouchHealth): Banner | undefined {
   return unmodelled
-      ? {level: 'wait', title: 'Unusual motion of the patient', text: 'The force follows the newest image. It may lag behind the patient.'}
+      ? {level: 'wait', title: 'Unusual motion of the patient', text: 'The force follows the newest image, and may lag behind the patient.'}
       : undefined;
 }
 

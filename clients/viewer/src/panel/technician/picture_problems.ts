@@ -28,7 +28,7 @@ export function pictureRows(
     {holes, middle_m, level_m, aside}: DepthSummary, light: Light | undefined, frames_per_s: number | undefined): Row[] {
   return [
     {name: 'Holes', value: percent(holes), level: levelOf(holes, HOLES),
-     says: 'Share of the middle that is not measured. Turn the camera so that it looks straight at the skin, keep ' +
+     says: 'Share of the picture’s middle that is not measured. Turn the camera so that it looks straight at the skin, keep ' +
          'sunlight off it, and cover shiny things.'},
     distanceRow(middle_m),
     {name: 'Depth step', value: level_m === 0 ? '–' : `${(1000 * level_m).toFixed(1)} mm`, level: levelOf(level_m, LEVEL_M),
@@ -68,13 +68,13 @@ function framingRow({x, y}: DepthSummary['aside']): Row {
 }
 
 function lightRows(light: Light | undefined): Row[] {
-  if (light === undefined) return [{name: 'Light', value: 'no colour', says: 'No colour picture has come.'}];
+  if (light === undefined) return [{name: 'Light', value: 'no colour', says: 'No colour image has come.'}];
   const {mean, clipped} = light;
   const word = mean < DARK ? 'too dark' : mean > BRIGHT ? 'too bright' : 'good';
   return [
     {name: 'Light', value: `${word} (${mean.toFixed(0)})`, level: word === 'good' ? 'good' : 'warn',
-     says: 'Mean brightness of the colour picture, 0 to 255. Change the lamps or the camera’s exposure.'},
+     says: 'Mean brightness of the colour image, 0 to 255. Change the lamps or the camera’s exposure.'},
     {name: 'Overexposed', value: percent(clipped), level: levelOf(clipped, CLIPPED),
-     says: 'Share of the picture that is white. Turn lamps away, or lower the exposure.'},
+     says: 'Share of the colour image that is white. Turn lamps away, or lower the exposure.'},
   ];
 }

@@ -9,10 +9,10 @@ export function comparisonSays({with: other, complete, problem, runs}: Compariso
   if (other === '') return 'A is the played session.';
   if (!complete) return 'Reading both sessions…';
   if (problem !== '' || runs === undefined) return problem;
-  const aligned = runs.same_time ? 'Both share session time.' : 'Their first states are put together.';
+  const aligned = runs.same_time ? 'Both runs are shown at their session times.' : 'The runs have different times: their first states are put at the same time.';
   if (runs.first === undefined) return `The hand feels no difference. ${aligned}`;
   const {force_a_N, force_b_N, apart_N} = runs.first;
-  return `${newtons(force_a_N)} in A, ${newtons(force_b_N)} in B, ${newtons(apart_N)} apart as vectors. ${aligned}`;
+  return `${newtons(force_a_N)} in A, ${newtons(force_b_N)} in B; the force vectors differ by ${newtons(apart_N)}. ${aligned}`;
 }
 
 /** What both runs are at `at_s`; empty outside the time axis. */
@@ -23,5 +23,5 @@ export function momentSays({at_s, a, b, apart_N}: ComparedRuns, moment_s: number
   if (bin < 0 || bin >= at_s.length) return '';
   const run = (name: string, {force_N, indentation_mm, phase}: typeof a) =>
     `${name} ${newtons(force_N[bin])}, ${(indentation_mm[bin] ?? 0).toFixed(0)} mm, ${phase[bin] ? lookOf(phase[bin]).name : 'no state'}`;
-  return `${clock(at_s[bin] ?? 0)}: ${run('A', a)}; ${run('B', b)}; apart ${newtons(apart_N[bin])}`;
+  return `${clock(at_s[bin] ?? 0)}: ${run('A', a)}; ${run('B', b)}; vectors differ by ${newtons(apart_N[bin])}`;
 }
