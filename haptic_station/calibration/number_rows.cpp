@@ -10,7 +10,8 @@ Result<std::string> read_rows(const std::filesystem::path& file) {
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code) return Error{.what = "cannot be read: " + code.message(), .where = file.string(), .fix = "check the path"};
-  if (size > kMostBytes) return Error{.what = "larger than 16 MiB", .where = file.string(), .fix = "give fewer rows"};
+  if (size > kMostBytes)
+    return Error{.what = "is larger than 16 MiB", .where = file.string(), .fix = "give fewer rows"};
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();

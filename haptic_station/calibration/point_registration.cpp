@@ -128,11 +128,12 @@ Residuals residuals_of(std::span<const PointPair> pairs, const Eigen::Isometry3d
 }  // namespace
 
 Result<Registration> register_points(std::span<const PointPair> pairs, const RegistrationSettings& settings) {
-  if (pairs.size() > kMostPairs) return refusal(std::to_string(pairs.size()) + " pairs", "give at most 100000");
+  if (pairs.size() > kMostPairs)
+    return refusal(std::to_string(pairs.size()) + " pairs are too many", "give at most 100000");
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (const auto far = [](const Vector3d& p) { return !p.allFinite() || p.cwiseAbs().maxCoeff() > kFurthest_m; };
         far(pairs[i].to) || far(pairs[i].from))
-      return refusal("pair " + std::to_string(i + 1) + " is not finite, or further than 10 m",
+      return refusal("pair " + std::to_string(i + 1) + " is not finite, or further than 10 m away",
                      "give positions in metres; leave out points at which the tracker lost its position");
 
   const std::vector<Place> places = averaged(pairs);
@@ -146,7 +147,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
                    "check the sign of each axis: both frames must be right-handed");
   if (settings.rotation_by == RotationBy::AffinePolar && rank < 3)
     return refusal("the places lie in a plane (rank 2); an affine fit needs rank 3",
-                   "measure places outside this plane, or choose RotationBy::Covariance");
+                   "measure places outside this plane, or fit by the covariance (RotationBy::Covariance)");
 
   Registration fit;
   fit.rank = rank;

@@ -91,7 +91,9 @@ Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh) {
   for (const Triangle& t : triangles)
     for (const std::uint32_t corner : t)
       if (!mesh.points[corner].allFinite())
-        return Error{.what = "has a face with a corner that is not finite", .where = {}, .fix = "export it anew"};
+        return Error{.what = "has a face with a corner whose position is not finite",
+                     .where = {},
+                     .fix = "export the mesh again"};
   if (const std::size_t open = open_edges(triangles); open > 0)
     return Error{.what = "is not closed: " + std::to_string(open) + " edges have a face on one side only",
                  .where = {},

@@ -76,8 +76,9 @@ Result<solids::DistanceLattice> lattice_around(const std::vector<ClosedFace>& fa
   lattice.spacing_m = spacing_m;
   const Vector3d cells = ((box.sizes().array() + 2.0 * margin_m) / spacing_m).ceil();
   if (!(cells.prod() < kMostNodes))
-    return Error{
-        .what = "needs more than 16 million nodes", .where = {}, .fix = "give larger cells, or check the unit"};
+    return Error{.what = "needs a grid of more than 16 million nodes",
+                 .where = {},
+                 .fix = "give larger cells, or check the unit"};
   for (int axis = 0; axis < 3; ++axis) lattice.size[static_cast<std::size_t>(axis)] = static_cast<int>(cells[axis]) + 1;
   lattice.nodes_m.resize(lattice.index(0, 0, lattice.size[2]));
   return lattice;

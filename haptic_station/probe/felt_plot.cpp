@@ -38,7 +38,7 @@ Result<void> plot_felt(const std::filesystem::path& file, const std::vector<Felt
       {.title = title,
        .x = {.label = ""},
        .y = {.label = "distance [mm]"},
-       .series = {over_time(felt, "device from the surface", plot::kBlue,
+       .series = {over_time(felt, "distance of the device from the surface", plot::kBlue,
                             [](const Felt& one) { return 1e3 * one.distance_m; })}},
       {.title = "",
        .x = {.label = ""},

@@ -188,7 +188,7 @@ int path(const program::Arguments& arguments) {
   if (!path) return program::fail(path.error());
   if (const auto done = probe::write_trajectory(arguments.text("out"), *path); !done)
     return program::fail(done.error());
-  std::fprintf(stderr, "%zu waypoints, %.3g s\n", path->size(), path->back().t_s);
+  std::fprintf(stderr, "wrote %zu waypoints, which last %.3g s\n", path->size(), path->back().t_s);
   return program::kDone;
 }
 

@@ -229,7 +229,7 @@ Result<ProbedSurface> open_depth(const std::filesystem::path& png, const std::fi
     return Error{.what = "describes another image: the PNG has " + std::to_string(image->width) + " x " +
                          std::to_string(image->height) + " pixels",
                  .where = camera_file.string(),
-                 .fix = "give depth { width height fx fy cx cy } of this camera"};
+                 .fix = "give depth { width: … height: … fx: … fy: … cx: … cy: … } of the camera that took the PNG"};
   if (camera.ignore_above() > 0)
     for (std::uint16_t& sample : image->samples)
       if (sample > camera.ignore_above()) sample = 0;

@@ -46,7 +46,7 @@ Result<std::vector<Waypoint>> parse_trajectory(std::string_view text, const std:
     if (!values) return Error{.what = "does not have four columns", .where = where, .fix = fix};
     const auto& [t_s, x, y, z] = *values;
     if (!all_numbers && waypoints.empty() && line.find("t_s") != std::string_view::npos) continue;  // the header
-    if (!std::isfinite(t_s)) return Error{.what = "has no time", .where = where, .fix = fix};
+    if (!std::isfinite(t_s)) return Error{.what = "its first column is not a finite time", .where = where, .fix = fix};
     if (!waypoints.empty() && t_s < waypoints.back().t_s)
       return Error{.what = "the time decreases from " + std::to_string(waypoints.back().t_s) + " s to " +
                            std::to_string(t_s) + " s",

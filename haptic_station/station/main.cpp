@@ -31,7 +31,7 @@ program::Usage usage() {
                       {"accept-touch", "", "take the touch when its holder offers it to you"},
                       {"scene", "FILE|NAME", "a *.scene.textproto, or one that ships", "palpation"},
                       {"surface", "NAME|model:FILE", "surface setting, or a model; default: the scene's"},
-                      {"anyway", "", "touch a model that is otherwise refused"},
+                      {"anyway", "", "touch a model even if it is refused as coarse or noisy"},
                       {"calibration", "FILE", "calibration file (telepalp-station calibrate)"},
                       program::patience_option("longest wait for the first image; 0: for ever"),
                       {"device", station::kDeviceWords, "the haptic device", "simulated"},

@@ -350,7 +350,7 @@ void Station::every_10_ms() {
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   const bool time_is_up = haptic_ && options_.seconds > 0.0 &&
                           std::chrono::steady_clock::now() - ticking_since_ >= from_seconds(options_.seconds);
-  if (time_is_up) return stop("done");
+  if (time_is_up) return stop("the time of --seconds is over");
   if (!haptic_ && options_.patience && std::chrono::steady_clock::now() - started_ > *options_.patience)
     return lose_patience();
   fast_timer_.expires_after(kStatePeriod);

@@ -133,7 +133,7 @@ Result<HandTrace> read_hand_trace(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code) return Error{.what = "cannot be read: " + code.message(), .where = file.string(), .fix = "check the path"};
   if (size > kMostBytes)
-    return Error{.what = "larger than 64 MiB", .where = file.string(), .fix = "give a shorter hand trace"};
+    return Error{.what = "is larger than 64 MiB", .where = file.string(), .fix = "give a shorter hand trace"};
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();

@@ -128,7 +128,7 @@ const char* name(FaultCause cause) noexcept {
     case FaultCause::DeviceSilent:
       return "the haptic device is silent";
     case FaultCause::NotFinite:
-      return "a number that is not finite";
+      return "a position, speed, age or force is not a finite number";
     case FaultCause::DeviceImplausible:
       return "the haptic device reports impossibly fast movements";
     case FaultCause::HandImplausible:

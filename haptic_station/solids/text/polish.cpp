@@ -158,7 +158,7 @@ Result<std::shared_ptr<const DistanceLattice>> no_meshes(const std::string& file
 
 Result<Solid> parse_polish(std::string_view text, const std::string& name, const MeshReader& meshes) {
   if (text.size() > kMostPolishBytes)
-    return Error{.what = "larger than 4 MiB", .where = name, .fix = "give fewer solids"};
+    return Error{.what = "is larger than 4 MiB", .where = name, .fix = "give fewer solids"};
   return PolishReader(text, name, meshes).read();
 }
 
@@ -167,7 +167,7 @@ Result<Solid> read_polish(const std::filesystem::path& file, const MeshReader& m
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code) return Error{.what = "cannot be read: " + code.message(), .where = file.string(), .fix = "check the path"};
   if (size > kMostPolishBytes)
-    return Error{.what = "larger than 4 MiB", .where = file.string(), .fix = "give a solid in Polish notation"};
+    return Error{.what = "is larger than 4 MiB", .where = file.string(), .fix = "give a solid in Polish notation"};
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();

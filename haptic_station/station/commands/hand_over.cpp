@@ -20,13 +20,14 @@ void say(const std::string& text) { program::log("telepalp-station", text); }
 program::Usage usage() {
   return {
       .program = "telepalp-station hand-over",
-      .purpose = "hands the touch over to another doctor, or accepts it; the holder's force ends when it is accepted",
+      .purpose =
+          "offers the touch to another doctor, or accepts an offer; then the force of the first doctor's device ends",
       .positional = "",
       .options = {{"to", "NAME", "offer the touch for 60 s to the doctor whose key has this name"},
                   {"withdraw", "", "withdraw the offer"},
                   {"accept", "", "accept the touch that is offered to you, now or later"},
                   {"control", "PATH", "the station's control socket; default: that of the only station"},
-                  program::patience_option("how long to wait for its answer; 0: for ever", "3")},
+                  program::patience_option("longest wait for the station's answer; 0: for ever", "3")},
       .example = "telepalp-station hand-over --to bert"};
 }
 

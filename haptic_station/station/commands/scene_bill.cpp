@@ -76,7 +76,7 @@ std::string depth_error_of(const msg::Effect& effect, const effects::SolidLayer*
     std::snprintf(words, sizeof words, "depends on the mesh, sampled every %.3g mm", 1e3 * cell_m);
     return words;
   }
-  if (layer == nullptr) return "none: a formula";
+  if (layer == nullptr) return "none: computed by a formula";
   std::snprintf(words, sizeof words, "%.3g um while the hand rests", 1e6 * solids::ProxySettings{}.tolerance_m);
   return words;
 }

@@ -30,7 +30,7 @@ void print_law(const effects::SkinLaw& law) {
 }
 
 int list_presets() {
-  std::printf("%-14s %-12s %10s %10s %10s   %s\n", "tissue", "material", "10 mm, N", "20 mm, N", "30 mm, N",
+  std::printf("%-14s %-12s %10s %10s %10s   %s\n", "tissue", "material", "N at 10 mm", "N at 20 mm", "N at 30 mm",
               "RMS fit error, % of the largest load");
   for (const effects::TissuePreset& preset : effects::kTissuePresets) {
     const auto force_N = [&](double d) { return preset.law.stiffness_N_per_m(d) * d; };

@@ -58,7 +58,7 @@ void FaultMonitor::look(bool ending) {
   if (flight_recorder_.valid() && (ending || flight_recorder_.wait_for(0s) == std::future_status::ready)) {
     const Result<std::filesystem::path> written = flight_recorder_.get();
     say(written ? "flight recorder: " + written->string() +
-                      " holds the last seconds before the fault. read it by telepalp-report"
+                      " holds the last seconds before the fault; telepalp-report shows them"
                 : "the last seconds before the fault could not be written: " + to_string(written.error()));
   }
 }

@@ -15,7 +15,7 @@ program::Usage usage() {
           .purpose = "ends the fault of a station, so that it gives force again, once the cause of the fault is gone",
           .positional = "",
           .options = {{"control", "PATH", "the station's control socket; default: that of the only station"},
-                      program::patience_option("how long to wait for its answer; 0: for ever", "3")},
+                      program::patience_option("longest wait for the station's answer; 0: for ever", "3")},
           .example = "telepalp-station rearm"};
 }
 

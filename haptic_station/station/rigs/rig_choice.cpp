@@ -73,7 +73,7 @@ Result<RigChoice> read_rig_choice(const std::string& device, const std::string& 
   if (!simulated && std::holds_alternative<Browser>(*chosen_tracker))
     return Error{.what = "a hand in a browser cannot touch the real device " + device,
                  .where = "--tracker",
-                 .fix = "give --device simulated with it, or --tracker leap, or --tracker held"};
+                 .fix = "give --device simulated, or --tracker leap, or --tracker held"};
   return RigChoice{*chosen_device, *chosen_tracker};
 }
 

@@ -62,7 +62,7 @@ void SurfaceWorker::work_off(const Work& work) {
   if (!message.ParseFromString(*work.depth.payload))
     return handlers_.on_bad_frame({.what = "the message is not a depth image",
                                    .where = "/camera/depth",
-                                   .fix = "check that both ends were built from the same version"});
+                                   .fix = "install the same telepalp at both ends"});
   if (!is_newest) return reader_.skip(std::move(*message.mutable_data()));
   const Result<codec::DecodedDepth> depth = read(message);
   if (!depth) {
@@ -84,8 +84,8 @@ Result<codec::DecodedDepth> SurfaceWorker::read(const msg::DepthImage& message) 
   if (depth->image.width != static_cast<int>(message.width()) ||
       depth->image.height != static_cast<int>(message.height()))
     return Error{.what = "the image's size is not the one that its message declares",
-                 .where = "/camera/depth " + std::to_string(message.sequence()),
-                 .fix = "check that both ends were built from the same version"};
+                 .where = "/camera/depth, image " + std::to_string(message.sequence()),
+                 .fix = "install the same telepalp at both ends"};
   return depth;
 }
 
@@ -106,7 +106,7 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
     builder_.watch(loop::mark_lines(effects_, haptic_from_camera_->inverse()));
   if (!haptic_from_camera_)
     return Error{.what = "nothing is measured around the image's centre, where the patient should be",
-                 .where = "/camera/depth " + std::to_string(message.sequence()),
+                 .where = "/camera/depth, image " + std::to_string(message.sequence()),
                  .fix = "aim the camera at the patient"};
   const SessionTime captured = session_time(static_cast<std::int64_t>(message.captured_ns()));
   const SessionTime begun = handlers_.now();
@@ -114,7 +114,7 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   const auto snapshot = builder_.add(depth, work.camera, captured, reach());
   if (!snapshot)
     return Error{.what = "the image is not newer than the last one, or not well formed",
-                 .where = "/camera/depth " + std::to_string(message.sequence()),
+                 .where = "/camera/depth, image " + std::to_string(message.sequence()),
                  .fix = "check the camera's time stamps"};
   to_haptic_.put({snapshot, *haptic_from_camera_});
   msg::SurfaceReport report;

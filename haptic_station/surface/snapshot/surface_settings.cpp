@@ -58,7 +58,8 @@ Result<SurfaceSettings> surface_settings(std::string_view name) {
     if (settings.name == name) return settings;
     known += (known.empty() ? "" : ", ") + settings.name;
   }
-  return Error{.what = "'" + std::string(name) + "' is not a surface setting", .where = "", .fix = "one of " + known};
+  return Error{
+      .what = "'" + std::string(name) + "' is not a surface setting", .where = "", .fix = "give one of " + known};
 }
 
 }  // namespace telepalp::surface

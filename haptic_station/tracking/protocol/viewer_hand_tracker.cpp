@@ -40,7 +40,7 @@ const char* in_words(ViewerHandTracker::Taken taken) noexcept {
     case ViewerHandTracker::Taken::Passing:
       return "not followed yet: another viewer has just let go of the hand";
     case ViewerHandTracker::Taken::OutOfReach:
-      return "not followed, its hand is out of the device's reach";
+      return "not followed: its hand is out of the device's reach";
   }
   return "?";
 }

@@ -47,14 +47,14 @@ class SceneCommand : public ::testing::Test {
 TEST_F(SceneCommand, CheckNamesTheEffects) {
   const Outcome done = run({"check", kMass});
   EXPECT_EQ(done.code, 0) << done.err;
-  EXPECT_EQ(done.out, "mass-search: search a hidden mass by palpation; effects: skin mass\n");
+  EXPECT_EQ(done.out, "mass-search: search for a hidden mass by palpation; effects: skin mass\n");
 }
 
 TEST_F(SceneCommand, BillPricesTheEffectsThatTheSceneNames) {
   const Outcome done = run({"bill", kMass});
   EXPECT_EQ(done.code, 0) << done.err;
-  for (const char* line :
-       {"effect ", "error of the depth\nskin ", "none: a formula\nmass ", "1 um while the hand rests\ntotal "})
+  for (const char* line : {"effect ", "error of the depth\nskin ", "none: computed by a formula\nmass ",
+                           "1 um while the hand rests\ntotal "})
     EXPECT_NE(done.out.find(line), std::string::npos) << line << " in\n" << done.out;
   EXPECT_EQ(done.out.find("liver"), std::string::npos) << "an effect that the scene does not name is not priced";
 }
