@@ -48,13 +48,13 @@ program::Usage usage() {
                       {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; default: none"},
                       {.name = "allow-origin",
                        .argument = "ORIGIN",
-                       .help = "page that may open the stream, by its origin: https://app.foxglove.dev",
+                       .help = "origin of a page that may open the stream: https://app.foxglove.dev",
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: those built beside this program"},
                       {"record-dir", "DIR", "where recordings from the web page go; default: none"},
                       {"compare-dir", "DIR", "sessions that QA may compare with the played one"},
-                      {"record-key", "FILE", "key file for such recordings, needed with --key"},
-                      {"ready-file", "FILE", "file to write the ports to once it listens"},
+                      {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
+                      {"ready-file", "FILE", "file for the ports; written once clients can connect"},
                       {"depth-mode", "MODE",
                        "fast, intra, temporal (lossless) or bounded (near-lossless, for display only)", "fast"},
                       {"depth-bound", "LEAST,PER_M2",
@@ -362,7 +362,7 @@ int run(Asked asked) {
   if (asked.seconds.count() > 0.0) {
     time_is_up.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(asked.seconds));
     time_is_up.async_wait([&](const boost::system::error_code& cancelled) {
-      if (!cancelled) stop("the time limit is over");
+      if (!cancelled) stop("the time of --seconds is over");
     });
   }
   const auto on_end = [&] { stop("the source has ended"); };

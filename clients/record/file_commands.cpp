@@ -52,7 +52,7 @@ program::Usage cut_usage() {
 
 program::Usage merge_usage() {
   return {.program = "telepalp-record merge",
-          .purpose = "joins sessions, or the parts of one, to a new file in order of time",
+          .purpose = "joins sessions, or the parts of a session, to a new file in order of time",
           .positional = "FILE...",
           .options = {{"out", "FILE.mcap", "the new file"}},
           .example = "telepalp-record merge part.mcap session.mcap --out both.mcap"};

@@ -31,14 +31,14 @@ program::Usage usage() {
                        .help = "another file to attach, such as a report",
                        .repeatable = true},
                       program::patience_option("how long to wait for the server at the start; 0: for ever"),
-                      {"ready-file", "FILE", "file to write once the subscription is active"}},
+                      {"ready-file", "FILE", "file that is written when the recording begins"}},
           .example = "telepalp-record --out session.mcap --seconds 60",
           .commands = {{"info", "FILE", "describe a session file", record::info_command},
                        {"verify", "FILE", "check all of a session file", record::verify_command},
                        {"repair", "FILE", "finish a recording that was cut off, or repair a damaged file",
                         record::repair_command},
                        {"cut", "FILE", "copy a part of a session", record::cut_command},
-                       {"merge", "FILE...", "join sessions, or the parts of one", record::merge_command}}};
+                       {"merge", "FILE...", "join sessions, or the parts of a session", record::merge_command}}};
 }
 
 Result<record::Splitting> splitting_of(const program::Arguments& arguments) {

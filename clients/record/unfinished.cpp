@@ -102,7 +102,7 @@ Result<RepairReport> finish(const fs::path& partial) {
 }
 
 std::string in_words(const RepairReport& finished) {
-  std::string text = finished.file.string() + " was not finished by its recorder; finished it now, with " +
+  std::string text = finished.file.string() + " was not finished by its recorder; it is finished now, with " +
                      std::to_string(finished.messages) + " messages";
   if (!only_the_end_is_missing(finished))
     text += "; " + std::to_string(finished.damages.size()) + " places were damaged, so the partial file stays";

@@ -34,7 +34,7 @@ Result<std::string> alt_names(std::vector<std::string> hosts) {
   for (const char* own : {"localhost", "127.0.0.1", "::1"})
     if (std::find(hosts.begin(), hosts.end(), own) == hosts.end()) hosts.emplace_back(own);
   if (hosts.size() > kMostHosts)
-    return Error{.what = "more than 13 hosts", .where = "--host", .fix = "make a second server key"};
+    return Error{.what = "more than 13 hosts are given", .where = "--host", .fix = "make a second server key"};
   std::string text;
   for (const std::string& host : hosts) {
     if (!is_plain(host, ".-:"))
@@ -142,7 +142,8 @@ Result<std::string> Authority::server_key(const Issue& asked, const std::vector<
 Result<std::string> Authority::client_key(const Issue& asked) const {
   if (const Result<void> fine = check_name(asked.name); !fine) return fine.error();
   if (asked.role == Role::Local)
-    return Error{.what = "there is no key for this role", .where = "--role", .fix = "see --help"};
+    return Error{
+        .what = "there is no key for this role", .where = "--role", .fix = "give technician, doctor, viewer or qa"};
   return issue({.name = asked.name,
                 .alt_names = "URI:" + std::string(kRoleUri) + std::string(keys::name(asked.role)),
                 .usage = "clientAuth",

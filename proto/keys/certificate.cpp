@@ -88,7 +88,7 @@ Result<CertificatePtr> make_certificate(const CertificateRequest& request, EVP_P
 Result<Identity> identity_of(X509& certificate) {
   const Error no_role{.what = "the certificate of '" + common_name(certificate) + "' names no role",
                       .where = "key",
-                      .fix = "make one with telepalp-keys client"};
+                      .fix = "make a key with a role: telepalp-keys client --name NAME --role ROLE"};
   const NamesPtr names = alt_names_of(certificate);
   for (int i = 0; names && i < sk_GENERAL_NAME_num(names.get()); ++i) {
     const GENERAL_NAME& one = *sk_GENERAL_NAME_value(names.get(), i);

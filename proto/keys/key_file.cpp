@@ -15,7 +15,7 @@ namespace {
 Error not_a_key(const std::string& file) {
   return {.what = "this is not a key file, or it is damaged",
           .where = file,
-          .fix = "give a file that telepalp-keys wrote, whole"};
+          .fix = "give a whole file that telepalp-keys wrote"};
 }
 
 std::string token_line(std::string_view text) {
@@ -105,7 +105,7 @@ Result<std::shared_ptr<const KeyFile>> load_client_key(const std::filesystem::pa
   Result<KeyFile> key = load_key(file, now);
   if (!key) return key.error();
   if (key->kind == KeyFile::Kind::Server)
-    return Error{.what = "this is the key of a server",
+    return Error{.what = "this is the key of a server, not of a person",
                  .where = file.string(),
                  .fix = "ask for a key of your own: telepalp-keys client --name NAME --role ROLE"};
   return std::make_shared<const KeyFile>(std::move(key).value());

@@ -70,7 +70,7 @@ Error bad_server(long verdict, const KeyFile& key, const std::string& host) {
       return refused("the server's key is not valid yet", "set the clock of this computer");
     default:
       return refused("the server's key was not made by the authority " + key.authority_name +
-                         ", which made this key (" + X509_verify_cert_error_string(verdict) + ")",
+                         ", which made your key (" + X509_verify_cert_error_string(verdict) + ")",
                      "give a key of this server's authority, or check which server has this address");
   }
 }
@@ -79,18 +79,18 @@ Error bad_server(long verdict, const KeyFile& key, const std::string& host) {
 std::optional<Error> bad_client(int reason) {
   switch (reason) {
     case SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED:
-      return refused("the server refuses this key: it has expired",
+      return refused("the server refuses your key: it has expired",
                      "ask the technician of the server to renew it: telepalp-keys renew FILE");
     case SSL_R_SSLV3_ALERT_CERTIFICATE_REVOKED:
-      return refused("the server refuses this key: it is revoked", kAskTechnician);
+      return refused("the server refuses your key: it is revoked", kAskTechnician);
     case SSL_R_TLSV1_ALERT_UNKNOWN_CA:
-      return refused("the server refuses this key: another authority made it", kAskTechnician);
+      return refused("the server refuses your key: another authority made it", kAskTechnician);
     case SSL_R_TLSV13_ALERT_CERTIFICATE_REQUIRED:
     case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:
     case SSL_R_SSLV3_ALERT_UNSUPPORTED_CERTIFICATE:
     case SSL_R_SSLV3_ALERT_CERTIFICATE_UNKNOWN:
     case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
-      return refused("the server refuses this key", kAskTechnician);
+      return refused("the server refuses your key", kAskTechnician);
     default:
       return std::nullopt;
   }

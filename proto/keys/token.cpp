@@ -115,7 +115,7 @@ Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, Wal
 
 Result<Identity> read_token(std::string_view token, std::string_view authority_pem, WallTime now) {
   const std::vector<CertificatePtr> authority = certificates_in(authority_pem);
-  if (authority.empty()) return refused("the authority's certificate cannot be read", "make the key anew");
+  if (authority.empty()) return refused("the authority's certificate cannot be read", "make the key again");
   return read_token(token, *X509_get0_pubkey(authority.front().get()), now);
 }
 

@@ -293,7 +293,7 @@ Result<void> Connection::on_advertise(const msg::Advertise& advertise) {
     if (topic && !owner_->accepts(*topic)) return bad_peer("may not publish " + std::string(topic->name));
     if (channels_.size() >= kMaxChannels) return bad_peer("advertises more than 256 channels");
     if (entry.channel() == 0 || !channels_.try_emplace(entry.channel(), Incoming{topic, 0}).second)
-      return bad_peer("advertises channel " + std::to_string(entry.channel()) + ", which is 0 or advertised already");
+      return bad_peer("advertises channel " + std::to_string(entry.channel()) + " twice, or channel 0");
   }
   return {};
 }

@@ -49,7 +49,7 @@ Result<void> Access::open_key(const Options& options) {
   if (key->kind != keys::KeyFile::Kind::Server)
     return Error{.what = "this is the key of a person, not of a server",
                  .where = options.key.string(),
-                 .fix = "make one: telepalp-keys server --host NAME-OR-ADDRESS-OF-THIS-SERVER"};
+                 .fix = "make a server's key: telepalp-keys server --host NAME-OR-ADDRESS-OF-THIS-SERVER"};
   // weak: the settings are a member of this object
   const auto is_revoked = [self = weak_from_this()](const std::string& serial) {
     const std::shared_ptr<Access> access = self.lock();
@@ -100,8 +100,8 @@ Result<keys::Identity> Access::bearer(std::string_view token, const std::string&
 
 Result<void> Access::may(const keys::Identity& who, keys::Operation operation) const {
   if (keys::allows(who.role, operation)) return {};
-  return refused("the role " + std::string(keys::name(who.role)) + " of " + who.name + " does not allow to " +
-                     std::string(keys::name(operation)),
+  return refused("the role " + std::string(keys::name(who.role)) + " of " + who.name + " lacks the right '" +
+                     std::string(keys::name(operation)) + "'",
                  "use a key whose role allows it; `telepalp-keys show FILE` tells what a key allows");
 }
 

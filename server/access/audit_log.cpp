@@ -88,7 +88,7 @@ Result<std::unique_ptr<AuditLog>> AuditLog::open(const fs::path& file,
       const fs::path damaged = free_name(file);
       std::error_code failed;
       fs::rename(file, damaged, failed);
-      say("the audit log " + file.string() + " was altered or cut off; it is now " + damaged.string() +
+      say("the audit log " + file.string() + " was altered or cut off; it is renamed to " + damaged.string() +
           ", and a new log begins. fix: find the altered line with telepalp-keys audit-verify");
     }
   }

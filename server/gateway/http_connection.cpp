@@ -110,8 +110,9 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     const RequestPolicy& policy = context()->options.policy;
     const std::string_view host = view(request[http::field::host]);
     if (!host_is_ours(policy, host))
-      return write(refuse(request, http::status::misdirected_request,
-                          "the Host header is not a name of this server: use its IP address, or a host of its key"));
+      return write(
+          refuse(request, http::status::misdirected_request,
+                 "the Host header is not a name of this server: use its IP address, or a host that its key names"));
     if (!origin_is_allowed(policy, view(request[http::field::origin]), host, visit_->is_from_trusted_program()))
       return write(
           refuse(request, http::status::forbidden,

@@ -90,9 +90,9 @@ HttpReply refuse(const HttpRequest& request, http::status status, std::string_vi
 
 HttpReply reply_to(const HttpRequest& request, const StaticFiles& files, const RequestPolicy& policy, SessionTime now) {
   if (!host_is_ours(policy, view(request[http::field::host])))
-    return refuse(
-        request, http::status::misdirected_request,
-        "this server is not known by the name in the Host header: open it by its IP address, or by a host of its key");
+    return refuse(request, http::status::misdirected_request,
+                  "this server is not known by the name in the Host header: open it by its IP address, or by a host "
+                  "that its key names");
   if (request.method() != http::verb::get && request.method() != http::verb::head)
     return refuse(request, http::status::method_not_allowed, "this address answers only GET and HEAD");
   if (view(request.target()) == kClockTarget) return clock(request, now);

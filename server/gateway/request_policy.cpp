@@ -43,7 +43,7 @@ bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std
 Result<void> check_origin(std::string_view origin) {
   const std::string where = "--allow-origin " + std::string(origin);
   if (origin == "*" || origin == "null")
-    return Error{.what = "it would let any web page that this computer opens see the patient",
+    return Error{.what = "this would let every web page that a user of this server opens see the patient",
                  .where = where,
                  .fix = "name each origin, such as https://app.foxglove.dev"};
   const std::size_t scheme = origin.find("://");
@@ -51,7 +51,7 @@ Result<void> check_origin(std::string_view origin) {
   const bool is_exact = scheme != 0 && !host.empty() && host.find_first_of("/*?# ,") == std::string_view::npos &&
                         std::none_of(origin.begin(), origin.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
   if (is_exact) return {};
-  return Error{.what = "it is not an origin",
+  return Error{.what = "this is not the origin of a web page",
                .where = where,
                .fix =
                    "give scheme://host or scheme://host:port in lower case, without a path, such as "

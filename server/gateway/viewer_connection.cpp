@@ -160,7 +160,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (!may && !std::exchange(denied_, true)) {
       const std::string who = visitor_ ? describe(visitor_->who) : "stranger";
       context()->options.access->note(access::AuditEvent::Refused, "who=" + who + " program=browser why=may not touch");
-      warn("the role of " + who + " does not allow to touch. fix: sign in with a doctor's token");
+      warn("the role of " + who + " lacks the right 'touch'. fix: sign in with a doctor's token");
     }
     return may;
   }

@@ -33,7 +33,7 @@ bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
 }
 
 constexpr std::string_view kNotOurName =
-    "the Host header is not a name of this server: use its IP address, or a host of its key";
+    "the Host header is not a name of this server: use its IP address, or a host that its key names";
 constexpr std::string_view kNoSession = "no session is played here. fix: telepalp-server --source session:FILE.mcap";
 
 HttpReply json_reply(const HttpRequest& request, const std::string& json) {

@@ -127,7 +127,8 @@ void PeerListener::accept() {
 
 /// Called at the first failure to accept after a success, not at the failures that follow it.
 void PeerListener::note_pause(const error_code& why) {
-  const std::string text = "no connection can be accepted (" + why.message() + "): accepting pauses and is tried again";
+  const std::string text =
+      "no connection can be accepted (" + why.message() + "): accepting pauses, and the server tries again";
   options_.access->note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(text));
   note_refusal(text);
 }

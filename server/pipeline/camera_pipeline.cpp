@@ -33,7 +33,8 @@ bool CameraPipeline::step() {
 
 void CameraPipeline::publish_frame(const RgbdFrame& frame) {
   ++frames_;
-  refused_ = is_well_formed(frame) ? "" : "a frame's sizes or intrinsics contradict each other; it is not sent";
+  refused_ =
+      is_well_formed(frame) ? "" : "a frame's sizes or intrinsics contradict each other, so the frame is not sent";
   if (!refused_.empty()) return;
   color_registered_ = frame.camera.color_registered;
   publish_calibration_when_due(frame);

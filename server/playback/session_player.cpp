@@ -30,7 +30,7 @@ Result<std::unique_ptr<SessionPlayer>> SessionPlayer::open(const PlaybackSpec& s
   if (!timeline) return timeline.error();
   const double duration_s = seconds_between(timeline->begin(), timeline->end());
   if (spec.from_s > duration_s)
-    return Error{.what = "the session lasts " + std::to_string(duration_s) + " s",
+    return Error{.what = "the session lasts only " + std::to_string(duration_s) + " s",
                  .where = "from_s=" + std::to_string(spec.from_s),
                  .fix = "give an earlier time"};
   return std::unique_ptr<SessionPlayer>(new SessionPlayer(std::move(*timeline), spec, loop, clock));
@@ -71,7 +71,7 @@ void SessionPlayer::stop() {
 Result<void> SessionPlayer::apply(const msg::PlaybackCommand& command) {
   const std::scoped_lock lock(mutex_);
   if (command.has_seek_s() && command.seek_s() > state_.duration_s())
-    return Error{.what = "the session lasts " + std::to_string(state_.duration_s()) + " s",
+    return Error{.what = "the session lasts only " + std::to_string(state_.duration_s()) + " s",
                  .where = "seek_s",
                  .fix = "give an earlier time"};
   commands_.push_back(command);
@@ -248,7 +248,7 @@ void SessionPlayer::publish_status_when_due() {
   status.set_source("session:" + file_);
   status.set_detail("recorded session " + file_ + ", " + how + speed);
   if (timeline_.damaged() > 0)
-    status.set_detail(status.detail() + "; " + std::to_string(timeline_.damaged()) + " damaged places skipped");
+    status.set_detail(status.detail() + "; " + std::to_string(timeline_.damaged()) + " damaged parts skipped");
   status.set_frames(depth_images_);
   status.set_color_registered(color_registered_);
   hand_over(wire::make_message(wire::kCameraStatus, now, status));

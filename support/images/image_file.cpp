@@ -38,16 +38,16 @@ Result<GrayImage16> read_depth_image(const std::filesystem::path& file) {
   Result<AnyImage> image = read_image(file);
   if (!image) return image.error();
   if (auto* depth = std::get_if<GrayImage16>(&*image)) return std::move(*depth);
-  return Error{.what = "is a picture, not 16-bit gray depth",
+  return Error{.what = "is an 8-bit image, not 16-bit grey depth",
                .where = file.string(),
-               .fix = "save depth as 16-bit gray PNG or TIFF"};
+               .fix = "save depth as 16-bit grey PNG or TIFF"};
 }
 
 Result<ColorImage> read_color_image(const std::filesystem::path& file) {
   Result<AnyImage> image = read_image(file);
   if (!image) return image.error();
   if (auto* color = std::get_if<ColorImage>(&*image)) return std::move(*color);
-  return Error{.what = "holds 16-bit gray samples, not a picture",
+  return Error{.what = "holds 16-bit grey samples, not an 8-bit image",
                .where = file.string(),
                .fix = "give an 8-bit RGB PNG or TIFF"};
 }

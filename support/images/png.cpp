@@ -17,7 +17,7 @@ struct PngState {
   std::span<const std::byte> rest;  // bytes that are not read yet
   std::string* out = nullptr;       // written so far
   models::PngBounds bounds;
-  char message[160] = "is damaged";
+  char message[160] = "the file is damaged";
 };
 
 void on_error(png_structp png, png_const_charp message) {
@@ -30,7 +30,7 @@ void on_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 void take_bytes(png_structp png, png_bytep to, size_t count) {
   auto* state = static_cast<PngState*>(png_get_io_ptr(png));
   models::check_png_bytes(png, state->info, state->bounds, count);
-  if (count > state->rest.size()) png_error(png, "ends too early");
+  if (count > state->rest.size()) png_error(png, "the file ends too early");
   std::memcpy(to, state->rest.data(), count);
   state->rest = state->rest.subspan(count);
 }

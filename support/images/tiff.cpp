@@ -119,7 +119,7 @@ Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string
   const auto refuse = [&name](std::string what) {
     return Error{.what = std::move(what),
                  .where = name,
-                 .fix = "give a whole TIFF, 16-bit gray for depth or 8-bit RGB for colour, at most " +
+                 .fix = "give a whole TIFF, 16-bit grey for depth or 8-bit RGB for colour, at most " +
                         std::to_string(kMaxImageSide) + " pixels a side"};
   };
   Memory memory{bytes};

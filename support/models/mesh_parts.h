@@ -6,7 +6,7 @@ namespace telepalp::models {
 
 /// Error of the PLY and OBJ readers. `name`: of the file. `what`: its defect.
 [[nodiscard]] inline Error bad_mesh(const std::string& name, const std::string& what) {
-  return {.what = what, .where = name, .fix = "export the model anew, as ascii or binary_little_endian PLY, or OBJ"};
+  return {.what = what, .where = name, .fix = "export the model again, as ascii or binary_little_endian PLY, or OBJ"};
 }
 
 /// Adds a polygon as a fan of triangles around its first corner.

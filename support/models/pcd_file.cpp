@@ -27,7 +27,7 @@ struct Header {
 };
 
 Error bad(const std::string& name, const std::string& what) {
-  return {.what = what, .where = name, .fix = "write the cloud anew, as PCD v0.7"};
+  return {.what = what, .where = name, .fix = "write the cloud again, as PCD v0.7"};
 }
 
 /// Field indices of x, y, z, the normal and the colour in a point.

@@ -85,7 +85,8 @@ Result<PlyHeader> parse_ply_header(std::span<const std::byte> bytes, const std::
     const std::string_view first = TextCursor::word_of(rest);
     if (key == "format") {
       header.ascii = first == "ascii";
-      if (!header.ascii && first != "binary_little_endian") return bad_mesh(name, "has format " + std::string(first));
+      if (!header.ascii && first != "binary_little_endian")
+        return bad_mesh(name, "has the format " + std::string(first) + ", which cannot be read");
     } else if (key == "element") {
       const auto count = TextCursor::number<std::size_t>(TextCursor::word_of(rest));
       if (!count || *count > 3 * kMostModelPoints || *count > bytes.size())

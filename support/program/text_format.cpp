@@ -174,7 +174,9 @@ Result<NumberPlaces> read_text_format(const std::filesystem::path& file, google:
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code) return Error{.what = "cannot be read: " + code.message(), .where = file.string(), .fix = "check the path"};
   if (size > kMaxTextBytes)
-    return Error{.what = "larger than 1 MiB", .where = file.string(), .fix = "give a text-format file"};
+    return Error{.what = "is larger than 1 MiB",
+                 .where = file.string(),
+                 .fix = "give a protobuf text-format file, such as a scene"};
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();

@@ -71,8 +71,9 @@ Result<void> visit_session(const fs::path& file, const Visit& visit, const PassO
     if (!*message) return {};
     msg::DepthImage image;
     if (!image.ParseFromString(*(*message)->payload))
-      return Error{
-          .what = "message " + std::to_string(number) + " is not a depth image", .where = file.string(), .fix = ""};
+      return Error{.what = "message " + std::to_string(number) + " is not a depth image",
+                   .where = file.string(),
+                   .fix = "check the session: telepalp-record verify " + file.string()};
     Result<DepthImage> depth = decoder.decode(std::as_bytes(std::span(image.data())));
     if (!depth) {
       if (!pass_over) return depth.error();
@@ -99,7 +100,7 @@ Result<void> visit_source(const std::string& spec, const Visit& visit, const Pas
     } else if ((*source)->state() == capture::CaptureState::Ended) {
       const std::string complaint = (*source)->complaint();
       if (complaint.empty()) return {};
-      const Error damage{.what = complaint, .where = spec, .fix = "copy the recording again, whole"};
+      const Error damage{.what = complaint, .where = spec, .fix = "copy the whole recording again"};
       if (!pass_over || number == 0) return damage;
       pass_over(damage);
       return {};
@@ -126,7 +127,7 @@ Result<void> for_each_depth(const fs::path& input, double unit_m, const Visit& v
   if (input.extension() == ".pcd") return visit_source("pcd:" + input.string(), visit, pass_over);
   return Error{.what = "is not a depth file",
                .where = input.string(),
-               .fix = "give PNG, TIFF, PGM, .oni, .pcd, .mcap, or a directory of images"};
+               .fix = "give PNG, TIFF, PGM, .oni, .pcd, .mcap, or a folder of images"};
 }
 
 std::size_t count_depth_files(const fs::path& input) {

@@ -55,7 +55,10 @@ Result<Totals> for_each_packet(const std::filesystem::path& input, Visit visit) 
     visit(totals.frames, *packet, image.data().size(), wire::depth_fidelity(image));
     totals.add(1.0 * packet->width * packet->height, image.data().size());
   }
-  if (totals.frames == 0) return Error{.what = "holds no depth", .where = input.string(), .fix = "give a session file"};
+  if (totals.frames == 0)
+    return Error{.what = "holds no depth image",
+                 .where = input.string(),
+                 .fix = "give a session in which /camera/depth was recorded"};
   return totals;
 }
 

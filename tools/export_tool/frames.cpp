@@ -117,7 +117,7 @@ Result<RgbdFrame> Frames::at(double at_s) {
     if (color_ && wire::stamp_ns(color_->timestamp()) == waiting_->captured_ns)
       waiting_->color = std::exchange(color_, std::nullopt);
   }
-  if (!waiting_) return no_frame("no depth image was published in the 10 s before that time");
+  if (!waiting_) return no_frame("no depth image was published in the 10 s before the given time");
   return decode(*std::exchange(waiting_, std::nullopt));
 }
 

@@ -120,8 +120,8 @@ Result<std::string> renew(const Asked& asked) {
       issue(asked, {.name = old->identity.name, .role = old->identity.role, .now = asked.now, .valid = valid}, *old,
             asked.file, true, *folder);
   if (!renewed) return renewed.error();
-  return *renewed + "the old one is valid until " + keys::in_words(old->identity.expires) +
-         "; to end it now: telepalp-keys revoke " + old->identity.serial + " --dir " + asked.folder.string() + "\n";
+  return *renewed + "the old key or token is valid until " + keys::in_words(old->identity.expires) +
+         "; to revoke it now: telepalp-keys revoke " + old->identity.serial + " --dir " + asked.folder.string() + "\n";
 }
 
 Result<std::string> revoke(const Asked& asked) {

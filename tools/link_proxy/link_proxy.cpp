@@ -101,10 +101,10 @@ std::string LinkProxy::live_line() {
   const double seconds = std::max(1e-3, to_seconds(now - parts_->last_line));
   const LinkStatistics& down = parts_->lines.to_client.statistics();
   const LinkStatistics& up = parts_->lines.to_server.statistics();
-  const std::string line = live_part("down", down, parts_->last_down, seconds, parts_->lines.to_client.queued_B()) +
-                           " | " + live_part("up", up, parts_->last_up, seconds, parts_->lines.to_server.queued_B()) +
-                           " | TCP " + std::to_string(parts_->tcp_proxy.connections()) + ", UDP " +
-                           std::to_string(parts_->udp_proxy.clients());
+  const std::string line =
+      live_part("to clients", down, parts_->last_down, seconds, parts_->lines.to_client.queued_B()) + " | " +
+      live_part("to server", up, parts_->last_up, seconds, parts_->lines.to_server.queued_B()) + " | TCP connections " +
+      std::to_string(parts_->tcp_proxy.connections()) + ", UDP clients " + std::to_string(parts_->udp_proxy.clients());
   parts_->last_line = now;
   parts_->last_down = down;
   parts_->last_up = up;

@@ -88,7 +88,7 @@ std::string topic_table(const SessionFacts& facts) {
 std::string peer_table(const SessionFacts& facts) {
   if (facts.peers.empty()) return {};
   std::vector<std::vector<std::string>> rows{
-      {"peer", "address", "sender", "published", "dropped_for_it", "dropped_by_it"}};
+      {"peer", "address", "sender", "published", "dropped_for_peer", "dropped_by_peer"}};
   for (const SessionFacts::Peer& peer : facts.peers)
     rows.push_back({peer.name.empty() ? "unknown" : program::escaped(peer.name), program::escaped(peer.address),
                     peer.sender == 0 ? "" : std::to_string(peer.sender), std::to_string(peer.messages),

@@ -98,12 +98,13 @@ class Recording {
     signals_.async_wait([this](const error_code& cancelled, int) {
       if (cancelled) return;
       program::end_within(program::kTimeToEnd, kNotFinished);
-      stop("stopped by the operator");
+      stop("the operator stopped the recorder");
     });
     deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.patience.value_or(program::kForEver)));
     deadline_.async_wait([this](const error_code& cancelled) {
       if (!cancelled)
-        fail({"does not answer", program::to_text(options_.server), "start telepalp-server, or see --connect"});
+        fail({"does not answer", program::to_text(options_.server),
+              "start telepalp-server, or name another server by --connect"});
     });
     watch();
     link_.start();

@@ -71,8 +71,8 @@ std::string states_in_words(const Run& a, const Run& b, const Instant& instant) 
 
 std::string forces_in_words(const Run& a, const Run& b, const Instant& instant) {
   return "the force is " + readable(force_N(a.session, instant.tick_a)) + " N in A and " +
-         readable(force_N(b.session, instant.tick_b)) + " N in B, " + readable(instant.force_apart_N) +
-         " N apart as vectors";
+         readable(force_N(b.session, instant.tick_b)) + " N in B, and the force vectors differ by " +
+         readable(instant.force_apart_N) + " N";
 }
 
 std::string cause_in_words(const Run& a, const Run& b, const Instant& instant) {
@@ -88,8 +88,8 @@ std::string cause_in_words(const Run& a, const Run& b, const Instant& instant) {
   if (std::isfinite(age_a) != std::isfinite(age_b))
     return std::string(std::isfinite(age_a) ? "B" : "A") + " has no surface yet";
   if (ages_differ) return ages(age_a, age_b);
-  return "not known: hand, state and age of the surface agree; compare the settings and the first differing "
-         "message";
+  return "not known: hand, state and age of the surface agree; compare the settings and the first message "
+         "that differs";
 }
 
 }  // namespace telepalp::report

@@ -78,8 +78,8 @@ std::string account(const Comparison& comparison) {
   text += settings_sentence(comparison);
   if (ticks.common == 0 || comparison.equal()) return text;
   const double share = 100.0 * static_cast<double>(ticks.phase_other) / static_cast<double>(ticks.common);
-  text += " Over " + std::to_string(ticks.common) + " common ticks the forces are " + readable(ticks.force_rms_N) +
-          " N apart (RMS)";
+  text += " Over " + std::to_string(ticks.common) + " ticks that both runs have, the forces are " +
+          readable(ticks.force_rms_N) + " N apart (RMS)";
   if (ticks.largest)
     text += ", at most " + readable(ticks.largest->force_apart_N) + " N at " + number(ticks.largest->at_s, 3) + " s";
   return text + ", and the states differ at " + readable(share) + " % of the ticks.";

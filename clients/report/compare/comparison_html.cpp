@@ -123,11 +123,11 @@ std::string metric_rows(const std::vector<MetricPair>& pairs) {
 std::string metrics_sections(const Comparison& comparison) {
   std::string out;
   if (!comparison.replay_metrics.empty())
-    out +=
-        section("Effect of the network",
-                "Metrics of telepalp-replay against the run over a network without faults, and against the true skin "
-                "where it is known. docs/replay.md defines each metric.",
-                metric_rows(comparison.replay_metrics));
+    out += section(
+        "Effect of the network",
+        "Metrics of telepalp-replay: each run compared with the run over an unimpaired network, and with the true "
+        "skin where it is known. docs/replay.md defines each metric.",
+        metric_rows(comparison.replay_metrics));
   return out + section("Figures of the sessions", "Each figure in both runs. A row is marked where B is worse.",
                        metric_rows(comparison.metrics));
 }

@@ -104,7 +104,8 @@ std::vector<Chart> overlaid(const Session& a, const Session& b, const TickCompar
                    .series = {{"", comparison.at_s, comparison.apart_N, std::string(plot::kBlack)}},
                    .height_px = 230.0};
   if (comparison.first_felt)
-    difference.rules.push_back({comparison.first_felt->at_s, "first felt", std::string(plot::kPurple), true});
+    difference.rules.push_back(
+        {comparison.first_felt->at_s, "first felt difference", std::string(plot::kPurple), true});
   return {states(a, b, {}), forces(a, b, {}), std::move(difference), heights(a, b)};
 }
 

@@ -36,9 +36,9 @@ std::string camera_words(const Session& session) {
   const auto found = session.calibrations.find("camera_depth");
   if (found == session.calibrations.end() || found->second.k_size() != 9) return {};
   const foxglove::CameraCalibration& camera = found->second;
-  return std::to_string(camera.width()) + "x" + std::to_string(camera.height()) + ", f " + plot::number(camera.k(0)) +
-         " " + plot::number(camera.k(4)) + " px, centre " + plot::number(camera.k(2)) + " " +
-         plot::number(camera.k(5)) + " px";
+  return std::to_string(camera.width()) + "x" + std::to_string(camera.height()) + ", focal length " +
+         plot::number(camera.k(0)) + " " + plot::number(camera.k(4)) + " px, centre " + plot::number(camera.k(2)) +
+         " " + plot::number(camera.k(5)) + " px";
 }
 
 std::string timer_words(const Session& session) {

@@ -64,10 +64,10 @@ std::string view_section(const Session& session, const std::string& view_png) {
   if (session.states.empty())
     return section("The patient", "What the camera saw. No station took part in this session.",
                    "<img alt=\"the patient\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
-  return section(
-      "The augmented view at the deepest touch",
-      "What the camera saw, with the doctor's hand displaced to the proxy on the skin and reddened with depth.",
-      "<img alt=\"augmented view\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
+  return section("The augmented view at the deepest touch",
+                 "What the camera saw, with the doctor's hand drawn at the proxy on the skin; the deeper it presses, "
+                 "the redder it is.",
+                 "<img alt=\"augmented view\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
 }
 
 std::string notes_section(const Session& session) {
@@ -100,9 +100,9 @@ std::string motion_sections(const Session& session) {
               "pushes it. There should be no jump where the state changes.",
               stacked({position_by_state(session)}));
   out += section("Force against indentation",
-                 "In contact; the indentation is measured from the first contact point. The curves of pressing and "
-                 "leaving enclose the energy that was lost. A loop in the other direction would be energy given to the "
-                 "hand.",
+                 "In contact; the indentation is measured from the first contact point. The area between the curves "
+                 "of pressing and leaving is energy that the skin took from the hand. Where the force is larger in "
+                 "leaving than in pressing, the hand was given energy.",
                  in_pairs(force_against_indentation(session)));
   const auto cylinder = around_the_cylinder(session);
   out += cylinder.empty() ? section("The cylinder under the skin",
@@ -129,8 +129,9 @@ std::string energy_sections(const Session& session, const Summary& summary) {
   if (const std::vector<plot::Chart> warm = heat(session); !warm.empty())
     out += section("Heat",
                    std::to_string(summary.heat_warnings) +
-                       " warnings. Warm motors cannot hold a large force. Four seconds before the force must fall, it "
-                       "vibrates and the station warns; then it falls slowly to the force that the motors can hold.",
+                       " warnings. Warm motors cannot hold a large force. Four seconds before the force must fall, "
+                       "the force vibrates and the station warns; then the force falls slowly to what the motors can "
+                       "hold.",
                    stacked(warm));
   return out;
 }
@@ -148,10 +149,11 @@ std::string timing_sections(const Session& session, const Summary& summary) {
   way += plot::to_svg(frame_rate(session));
   out += section("From the camera to the hand", "Latency by stage, age of the touched surface, and frame rate.", way);
   if (const std::vector<plot::Chart> done = compensation(session); !done.empty())
-    out += section("Compensation of delay",
-                   "Hand and surface are predicted to now by their own motion; a newer surface is displayed gradually. "
-                   "Where the uncertainty is larger than the predicted motion, the felt place is uncertain.",
-                   stacked(done));
+    out += section(
+        "Compensation of delay",
+        "Where hand and surface are now is predicted from their motion; a newer surface is displayed gradually. "
+        "Where the uncertainty is larger than the predicted motion, the felt place is uncertain.",
+        stacked(done));
   out += energy_sections(session, summary);
   if (summary.bill.empty()) return out;
   std::vector<std::vector<std::string>> rows;
@@ -171,9 +173,10 @@ std::string senders_section(const Summary& summary) {
     rows.push_back({in_words(sender), std::to_string(sender.messages), std::to_string(sender.ticks),
                     std::to_string(sender.touches), count(sender.frames_sent), count(sender.frames_received),
                     count(sender.frames_dropped)});
-  return section("Senders",
-                 "Programs that published as a station. All other figures on this page are of the first program.",
-                 table({"sender", "messages", "ticks", "touches", "frames sent to it", "received", "dropped"}, rows));
+  return section(
+      "Senders", "Programs that published as a station. All other figures on this page are of the first program.",
+      table({"sender", "messages", "ticks", "touches", "frames sent to it", "frames received", "frames dropped"},
+            rows));
 }
 
 std::string events_section(const Session& session) {

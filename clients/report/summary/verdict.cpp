@@ -76,7 +76,7 @@ std::vector<Check> checks_of(const Summary& s) {
        "some frames were old when they became touchable"},
       {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, "the camera sent too few depth frames a second"},
       {"frames lost", percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped)), 5.0, "%", true,
-       "the network or the station was too slow for all frames"},
+       "the network or the station was too slow, so that frames were lost"},
       depth_check(s),
   };
   const std::vector<Check> deadlines = deadline_checks(s);

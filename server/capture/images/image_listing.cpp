@@ -105,7 +105,7 @@ Result<std::vector<ImagePair>> order_images(const std::vector<fs::path>& files, 
   if (depth.empty()) depth = std::move(unmarked);
   if (depth.empty())
     return bad(where, "holds no depth images",
-               "give a directory of 16-bit gray PNG or TIFF images, or with depth/ and rgb/");
+               "give a folder of 16-bit grey PNG or TIFF images, or a folder that holds the folders depth and rgb");
   std::sort(depth.begin(), depth.end(),
             [](const Image& a, const Image& b) { return a.number != b.number ? a.number < b.number : a.key < b.key; });
   if (const Result<void> checked = check_numbers(depth, where); !checked) return checked.error();

@@ -28,7 +28,7 @@ Result<std::vector<fs::path>> list(const fs::path& folder) {
       return Error{.what = "holds more than 200000 files", .where = folder.string(), .fix = "split the recording"};
   }
   if (code)
-    return Error{.what = "cannot be listed: " + code.message(), .where = folder.string(), .fix = "give a directory"};
+    return Error{.what = "cannot be listed: " + code.message(), .where = folder.string(), .fix = "give a folder"};
   return files;
 }
 
@@ -47,7 +47,7 @@ Error other_size(const fs::path& file, int width, int height, int first_width, i
   return {
       .what = "is " + size_text(width, height) + " pixels, the first image has " + size_text(first_width, first_height),
       .where = file.string(),
-      .fix = "keep images of one size in a directory"};
+      .fix = "keep images of one size in a folder"};
 }
 
 Result<RgbdFrame> load(const Recording& recording, std::size_t number) {

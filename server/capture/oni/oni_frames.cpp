@@ -136,7 +136,7 @@ std::string OniFrames::describe() const {
   const OniStream& depth = recording_.depth;
   return "recording " + file_ + ", " + std::to_string(depth.images.size()) + " frames of " +
          std::to_string(depth.width) + "x" + std::to_string(depth.height) +
-         (recording_.color.images.empty() ? " depth" : " depth and colour, not registered");
+         (recording_.color.images.empty() ? " depth" : " depth and colour, colour not aligned with depth");
 }
 
 }  // namespace telepalp::capture

@@ -47,7 +47,7 @@ Result<OniRecordWalk> OniRecordWalk::open(std::istream& file, const std::string&
   if (!header)
     return Error{.what = "cannot be played: it is cut off inside its header",
                  .where = name,
-                 .fix = "copy the recording again, whole"};
+                 .fix = "copy the whole recording again"};
   const std::tuple version{little_endian<std::uint8_t>(*header, 4), little_endian<std::uint8_t>(*header, 5),
                            little_endian<std::uint16_t>(*header, 6), little_endian<std::uint32_t>(*header, 8)};
   if (version < std::tuple{1, 0, 0, 4U} || std::get<0>(version) != 1)

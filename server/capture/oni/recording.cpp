@@ -148,7 +148,7 @@ std::string complaint_of(const OniRecordWalk& walk, std::uint64_t senseless, con
         "the recording is cut off at byte " + std::to_string(walk.file_bytes()) + ", without its end record");
   const std::size_t images = depth.stream.images.size();
   if (depth.declared_frames > 0 && images != depth.declared_frames)
-    say(complaint, "it holds " + std::to_string(images) + " depth images, its header says " +
+    say(complaint, "the recording holds " + std::to_string(images) + " depth images, but its header says " +
                        std::to_string(depth.declared_frames));
   return complaint;
 }
@@ -178,7 +178,7 @@ Result<OniRecording> read_oni_recording(std::istream& file, const std::string& n
     return Error{
         .what = "cannot be played: " + reason + (recording.complaint.empty() ? "" : "; ") + recording.complaint,
         .where = name,
-        .fix = "copy the recording again, whole, or record it anew with OpenNI's recorder (NiViewer)"};
+        .fix = "copy the whole recording again, or record again with OpenNI's recorder (NiViewer)"};
   recording.depth = depth->stream;
   sort_by_time(recording.depth);
   const Gathering* color = first_of(nodes, kImageNode);
@@ -198,7 +198,7 @@ Result<DepthImage> read_oni_depth(std::istream& file, const OniStream& depth, co
                                   const std::string& name) {
   const auto failed = [&](const std::string& what) {
     return Error{
-        .what = what, .where = name + ": byte " + std::to_string(image.at), .fix = "copy the recording again, whole"};
+        .what = what, .where = name + ": byte " + std::to_string(image.at), .fix = "copy the whole recording again"};
   };
   const std::optional<std::string> packet = read_at(file, image.at, image.bytes);
   if (!packet) return failed("a depth image cannot be read: the file has become shorter");

@@ -132,7 +132,7 @@ Result<void> OpenNiDevice::start_streams() {
   description_ = (name.empty() ? "camera " + std::string(device_.getDeviceInfo().getUri()) : name) + " " +
                  std::to_string(camera_.depth.width) + "x" + std::to_string(camera_.depth.height) +
                  (color_.isValid() ? " depth and colour" : " depth") +
-                 (camera_.color_registered || !color_.isValid() ? "" : ", not registered");
+                 (camera_.color_registered || !color_.isValid() ? "" : ", colour not aligned with depth");
   return {};
 }
 

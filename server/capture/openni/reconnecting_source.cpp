@@ -72,7 +72,7 @@ CaptureState ReconnectingSource::state() const {
 std::string ReconnectingSource::detail() const {
   if (phase_ == CameraPhase::Lost)
     return device_->describe() + " is lost: " + why_lost_ +
-           ". fix: plug it in again; the server looks for it once a second";
+           ". fix: plug the camera in again; the server looks for it once a second";
   const std::string lost = times_lost_ == 0 ? "" : "; was lost " + std::to_string(times_lost_) + " times";
   return device_->describe() + lost;
 }

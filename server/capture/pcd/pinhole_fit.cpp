@@ -51,7 +51,8 @@ std::optional<Error> refuse_shape(const models::PointModel& cloud, const std::st
                  .fix = fix};
   const std::size_t height = cloud.points.size() / static_cast<std::size_t>(cloud.width);
   if (cloud.width > kMaxImageSide || height > static_cast<std::size_t>(kMaxImageSide))
-    return Error{.what = "is " + std::to_string(cloud.width) + " x " + std::to_string(height) + " points",
+    return Error{.what = "is " + std::to_string(cloud.width) + " x " + std::to_string(height) + " points, more than " +
+                         std::to_string(kMaxImageSide) + " a side",
                  .where = name,
                  .fix = fix};
   return std::nullopt;

@@ -52,7 +52,7 @@ Result<std::string> SessionComparison::apply(const std::string& json) {
   if (!command.has_with()) return this->json();
   const std::vector<std::string> known = sessions();
   if (!command.with().empty() && std::ranges::find(known, command.with()) == known.end())
-    return Error{.what = "no session of the folder has this name", .where = kWhere, .fix = kExample};
+    return Error{.what = "the folder of --compare-dir holds no session of this name", .where = kWhere, .fix = kExample};
   begin(command.with());
   return this->json();
 }

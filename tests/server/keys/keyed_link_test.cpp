@@ -38,7 +38,7 @@ TEST(KeyedLink, EachRoleMayDoWhatTheTableSaysAndNothingElse) {
 TEST(KeyedLink, ADeniedRoleIsToldWhichAndTheAuditLogNamesIt) {
   KeyedSite site;
   KeyedClient vera(site, site.ring.key("vera", Role::Viewer), "doctor");
-  expect_refused(site, vera, "the role viewer of vera does not allow to touch", "use a key whose role allows it");
+  expect_refused(site, vera, "the role viewer of vera lacks the right 'touch'", "use a key whose role allows it");
   EXPECT_NE(site.ring.audit().find("event=refused who=viewer vera"), std::string::npos) << site.ring.audit();
 }
 
@@ -53,12 +53,12 @@ TEST(KeyedLink, AKeyOfAnotherAuthorityIsRefusedAtBothEnds) {
   KeyedSite site;
   const KeyRing other;
   KeyedClient stranger(site, other.key("eve", Role::Doctor), "doctor");
-  expect_refused(site, stranger, "the server's key was not made by the authority site, which made this key",
+  expect_refused(site, stranger, "the server's key was not made by the authority site, which made your key",
                  "which server");
   auto forged = std::make_shared<keys::KeyFile>(*other.key("eve", Role::Doctor));
   forged->authority = site.ring.authority.certificate();  // a client that takes any server
   KeyedClient eve(site, forged, "doctor");
-  expect_refused(site, eve, "the server refuses this key: another authority made it", "telepalp-keys client");
+  expect_refused(site, eve, "the server refuses your key: another authority made it", "telepalp-keys client");
 }
 
 TEST(KeyedLink, ATokenOfAnotherAuthorityIsRefused) {

@@ -105,9 +105,9 @@ TEST(HandOver, OnlyTheHolderMayOffer) {
     EXPECT_TRUE(client->link.hand_over("bert"));
     ASSERT_TRUE(site.run_until([&] { return !client->hand_over_answers.empty(); }));
   }
-  EXPECT_NE(vera.hand_over_answers.front().find("the role viewer of vera does not allow to hand over"),
+  EXPECT_NE(vera.hand_over_answers.front().find("the role viewer of vera lacks the right 'hand over'"),
             std::string::npos);
-  EXPECT_NE(quinn.hand_over_answers.front().find("the role qa of quinn does not allow to hand over"),
+  EXPECT_NE(quinn.hand_over_answers.front().find("the role qa of quinn lacks the right 'hand over'"),
             std::string::npos);
   EXPECT_NE(dora.hand_over_answers.front().find("does not hold the touch"), std::string::npos);
   EXPECT_NE(site.ring.audit().find("event=refused who=viewer vera"), std::string::npos) << site.ring.audit();

@@ -42,7 +42,9 @@ void add_figures(program::Json& json, std::string_view key, const Figures& figur
 
 std::string windows_in_words(const std::vector<Window>& windows) {
   std::string text;
-  for (const Window& window : windows) text += (text.empty() ? "" : ",") + window_in_words(window);
+  for (const Window& window : windows)
+    text += (text.empty() ? "from " : " and from ") + number(to_seconds(window.from)) + " s for " +
+            number(to_seconds(window.length)) + " s";
   return text;
 }
 

@@ -40,7 +40,7 @@ struct Share {
 };
 const std::vector<Share>& shares() {
   static const std::vector<Share> all{
-      {{"loss", "P", "packets lost: 5% or 0.05"}, &Impairment::loss},
+      {{"loss", "P", "share of the packets that is lost: 5% or 0.05"}, &Impairment::loss},
       {{"reorder", "P", "share of the packets that is reordered"}, &Impairment::reorder}};
   return all;
 }
@@ -101,7 +101,7 @@ std::vector<program::Option> network_options() {
                                  {"tracker-lost", "10s+2s", "the tracker gives no samples for 2 s"},
                                  {"glitch", "10s+4ms:MM", "the device reports a position MM mm off for 4 ms"},
                                  {"clock-step", "10s+2s:60ms", "the station's clock is 60 ms ahead for 2 s"},
-                                 {"deadline-ms", "MS", "deadline of a frame; default: 100 + delay"},
+                                 {"deadline-ms", "MS", "deadline of a frame; default: 100 ms plus the delay"},
                                  {"seed", "N", "seed of network and tracker; first seed of a storm", "1"}});
   return options;
 }

@@ -53,8 +53,8 @@ Error McapStreamReader::skip_to_next_chunk() {
   const std::optional<std::uint64_t> found = mcap::find_chunk(*source_, trusted_end_);
   ended_ = !found;
   if (!found) return cut_off();
-  const Error skipped =
-      mcap::damaged(*source_, "no valid record; reading continues at byte " + std::to_string(*found), offset_);
+  const Error skipped = mcap::damaged(
+      *source_, "no valid record before byte " + std::to_string(*found) + ", where reading continues", offset_);
   offset_ = *found;
   trusted_end_ = *found + 1;  // the next search begins behind this chunk, so that reading always ends
   learn_channels_from_summary();

@@ -38,7 +38,7 @@ std::filesystem::path OutputFile::partial_name() const { return partial(name_); 
 Result<OutputFile> OutputFile::create(const std::filesystem::path& name) {
   std::error_code code;
   if (std::filesystem::exists(name, code))
-    return Error{.what = "exists already", .where = name.string(), .fix = "choose another name, or move it away"};
+    return Error{.what = "exists already", .where = name.string(), .fix = "choose another name, or move this file away"};
   const int descriptor = ::open(partial(name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0640);
   if (descriptor >= 0) {
     (void)::flock(descriptor, LOCK_EX | LOCK_NB);  // errors are ignored: some file systems do not support it

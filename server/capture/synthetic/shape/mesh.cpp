@@ -9,7 +9,8 @@ Result<TriangleMesh> mesh_of(models::PointModel model, const std::string& name) 
   constexpr const char* kFix = "give a mesh of triangles, as PLY or OBJ";
   for (std::size_t i = 0; i < model.points.size(); ++i)
     if (!model.points[i].allFinite())
-      return Error{.what = "has a vertex that is not finite, number " + std::to_string(i), .where = name, .fix = kFix};
+      return Error{
+          .what = "vertex " + std::to_string(i) + " has a coordinate that is not finite", .where = name, .fix = kFix};
   if (model.triangles.empty()) return Error{.what = "has no triangles", .where = name, .fix = kFix};
   return TriangleMesh{std::move(model.points), std::move(model.triangles)};
 }

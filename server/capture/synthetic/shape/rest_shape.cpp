@@ -74,7 +74,7 @@ Result<RestShape> lay_under_camera(const TriangleMesh& mesh, const Intrinsics& c
   for (const Eigen::Vector3f& vertex : mesh.vertices) box.extend(vertex);
   const double largest_m = box.isEmpty() ? 0.0 : static_cast<double>(box.sizes().maxCoeff());
   if (!(largest_m >= kSmallestBody_m && largest_m <= kLargestBody_m))
-    return unusable(where, "is " + std::to_string(largest_m) + " m long, which cannot be a patient in metres");
+    return unusable(where, "is " + std::to_string(largest_m) + " m long; a patient is 0.1 to 4 m long");
 
   const TriangleMesh placed = under_camera(mesh, box, camera_above_body_m);
   const double table_depth_m = camera_above_body_m + static_cast<double>(box.sizes().z());
