@@ -11,10 +11,12 @@
 #include "haptic_station/station/rigs/calibrated_scene.h"
 #include "haptic_station/station/rigs/rig_choice.h"
 #include "haptic_station/station/rigs/scene_parts.h"
+#include "haptic_station/station/signals/station_signals.h"
 #include "haptic_station/station/station.h"
 #include "haptic_station/trials/trials_command.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"
+#include "support/program/log.h"
 #include "support/program/options.h"
 #include "support/program/patience.h"
 
@@ -127,19 +129,43 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
   return program::kDone;
 }
 
-int run(station::StationOptions options, const Result<scenes::Scene>& scene, const std::filesystem::path& scene_file,
-        const station::RigChoice& rig_choice, bool anyway) {
-  if (!scene) return program::fail(scene.error());
-  Result<station::SceneParts> read = station::read_parts(*scene, scene_file, anyway);
-  if (!read) return program::fail(read.error());
-  station::SceneParts parts = std::move(read).value();
-  options.model = std::move(parts.model);
-  Result<station::ConnectedRig> rig = station::connect_rig(rig_choice, *scene);
-  if (!rig) return program::fail(rig.error());
+/// The scene with all that it names.
+Result<station::LoadedScene> load(const std::filesystem::path& scene_file, const program::Arguments& arguments,
+                                  bool anyway) {
+  Result<scenes::Scene> scene = read_calibrated(scene_file, arguments);
+  if (!scene) return scene.error();
+  Result<station::SceneParts> parts = station::read_parts(*scene, scene_file, anyway);
+  if (!parts) return parts.error();
+  return station::LoadedScene{std::move(scene).value(), std::move(parts).value()};
+}
+
+/// Runs the station with one scene. Error: the reason why it could not work.
+Result<void> run_with(station::LoadedScene loaded, station::StationSignals& signals, station::StationOptions options,
+                      const station::RigChoice& rig_choice) {
+  options.model = std::move(loaded.parts.model);
+  Result<station::ConnectedRig> rig = station::connect_rig(rig_choice, loaded.scene);
+  if (!rig) return rig.error();
   boost::asio::io_context io{1};
-  station::Station station(io, options, *scene, parts.surface, std::move(parts.trace), std::move(rig).value());
-  const Result<void> done = station.run();
-  return done ? program::kDone : program::fail(done.error());
+  signals.keep_end();
+  station::Station station(io, signals, options, loaded.scene, loaded.parts.surface, std::move(loaded.parts.trace),
+                           std::move(rig).value());
+  return station.run();
+}
+
+/// Runs the station with its first scene, then with each accepted scene that an operator asks for by SIGHUP.
+int run(const station::StationOptions& options, const station::StationSignals::ReadScene& read,
+        const station::RigChoice& rig_choice) {
+  station::StationSignals signals(read);
+  Result<station::LoadedScene> first = read();
+  if (!first) return program::fail(first.error());
+  std::optional<station::LoadedScene> scene = std::move(first).value();
+  while (scene) {
+    const Result<void> done = run_with(std::move(*scene), signals, options, rig_choice);
+    if (!done) return program::fail(done.error());
+    scene = signals.take_scene();
+    if (scene) program::log("telepalp-station", "starts again with the new scene " + scene->scene.name);
+  }
+  return program::kDone;
 }
 
 }  // namespace
@@ -155,7 +181,8 @@ int main(int argc, char** argv) {
   if (!rig) return program::fail(rig.error(), program::kAskedWrongly);
   const Result<std::filesystem::path> scene = scenes::find_scene((*read)->text("scene"));
   if (!scene) return program::fail(scene.error());
-  const Result<scenes::Scene> calibrated = read_calibrated(*scene, **read);
   const bool anyway = (*read)->has("anyway");
-  return (*read)->has("check") ? check(calibrated, *scene, anyway) : run(*options, calibrated, *scene, *rig, anyway);
+  if ((*read)->has("check")) return check(read_calibrated(*scene, **read), *scene, anyway);
+  return run(
+      *options, [&] { return load(*scene, **read, anyway); }, *rig);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
-#include <csignal>
 #include <cstdio>
 #include <utility>
 
@@ -57,15 +56,16 @@ wire::ClientLink::Options link_options(const StationOptions& options, bool takes
 
 }  // namespace
 
-Station::Station(boost::asio::io_context& io, const StationOptions& options, const scenes::Scene& scene,
-                 const surface::SurfaceSettings& surface, std::optional<tracking::HandTrace> trace, ConnectedRig rig)
+Station::Station(boost::asio::io_context& io, StationSignals& signals, const StationOptions& options,
+                 const scenes::Scene& scene, const surface::SurfaceSettings& surface,
+                 std::optional<tracking::HandTrace> trace, ConnectedRig rig)
     : options_(options),
       scene_(scene),
       trace_(std::move(trace)),
       io_(io),
+      signals_(signals),
       fast_timer_(io),
       slow_timer_(io),
-      signals_(io, SIGINT, SIGTERM),
       link_(io, link_options(options, rig.browser != nullptr),
             {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); },
@@ -126,12 +126,6 @@ void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
 }
 
 Result<void> Station::run() {
-  signals_.async_wait([this](const boost::system::error_code& error, int) {
-    if (error) return;
-    program::end_within(program::kTimeToEnd,
-                        "telepalp-station: did not end within 5 s and is aborted. fix: run it again");
-    stop("the operator stopped the station");
-  });
   if (const Result<void> listening = faults_.listen(); !listening) {
     if (options_.control_is_asked_for) return listening.error();
     say("this station has no control socket, so telepalp-station rearm cannot end a fault: " +
@@ -144,12 +138,21 @@ Result<void> Station::run() {
   link_.start();
   if (options_.model) touch_model();
   every_10_ms();
-  every_second();
+  if (!stopped_) every_second();
   io_.run();
   if (haptic_) haptic_->stop();
   collision_.reset();
   if (failure_) return *failure_;
   return {};
+}
+
+void Station::look_at_signals() {
+  const StationSignals::Asked asked = signals_.asked();
+  if (asked == StationSignals::Asked::NewScene) stop("a new scene is accepted");
+  if (asked != StationSignals::Asked::End) return;
+  program::end_within(program::kTimeToEnd,
+                      "telepalp-station: did not end within 5 s and is aborted. fix: run it again");
+  stop("the operator stopped the station");
 }
 
 void Station::stop(const std::string& reason) {
@@ -165,7 +168,6 @@ void Station::stop(const std::string& reason) {
         line_of(costs_, std::chrono::duration<double, std::micro>(kTickPeriod).count()));
   fast_timer_.cancel();
   slow_timer_.cancel();
-  signals_.cancel();
   faults_.stop();
   link_.stop(reason);
 }
@@ -337,6 +339,8 @@ void Station::look_inside() {
 }
 
 void Station::every_10_ms() {
+  look_at_signals();
+  if (stopped_) return;
   telemetry_.drain(now());
   faults_.look(false);
   say_clock_step();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <filesystem>
 #include <limits>
@@ -17,6 +16,7 @@
 #include "haptic_station/station/inside/inside_thread.h"
 #include "haptic_station/station/rigs/rig_choice.h"
 #include "haptic_station/station/rigs/static_patient.h"
+#include "haptic_station/station/signals/station_signals.h"
 #include "haptic_station/station/telemetry/image_ages.h"
 #include "haptic_station/station/telemetry/telemetry_publisher.h"
 #include "haptic_station/station/threads/collision_thread.h"
@@ -43,13 +43,15 @@ struct StationOptions {
 };
 
 /// The station: a link to the server, the surface thread and the haptic thread, joined by wait-free hand-offs. run()
-/// turns the calling thread into the network thread and returns when the time is up or a signal arrives.
+/// turns the calling thread into the network thread and returns when the time is up, an operator ends it, or the
+/// operator's new scene is accepted.
 class Station {
  public:
   /// `io`: the network thread's io_context; run() runs it, and it must outlive the station. `trace`: the scene's
   /// recorded hand movement, if it has one. `rig`: a connected rig; when empty, the scene's simulated rig is used.
-  Station(boost::asio::io_context& io, const StationOptions& options, const scenes::Scene& scene,
-          const surface::SurfaceSettings& surface, std::optional<tracking::HandTrace> trace, ConnectedRig rig = {});
+  Station(boost::asio::io_context& io, StationSignals& signals, const StationOptions& options,
+          const scenes::Scene& scene, const surface::SurfaceSettings& surface, std::optional<tracking::HandTrace> trace,
+          ConnectedRig rig = {});
   ~Station();
   Station(const Station&) = delete;
   Station& operator=(const Station&) = delete;
@@ -80,6 +82,7 @@ class Station {
   void look_at_clock();
   void say_clock_step();
   void publish_totals();
+  void look_at_signals();
   void stop(const std::string& reason);
   void give_up(const Error& error);
   void lose_patience();
@@ -92,9 +95,9 @@ class Station {
   scenes::Scene scene_;
   std::optional<tracking::HandTrace> trace_;
   boost::asio::io_context& io_;  // of the network thread
+  StationSignals& signals_;
   boost::asio::steady_timer fast_timer_;
   boost::asio::steady_timer slow_timer_;
-  boost::asio::signal_set signals_;
   wire::ClientLink link_;
   HandOver hand_over_;
   std::optional<Intrinsics> camera_;

@@ -8,11 +8,16 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/write.hpp>
 #include <fstream>
+#include <functional>
+#include <set>
 #include <sstream>
 #include <thread>
 
+#include "messages/station.pb.h"
+#include "proto/wire/client_link.h"
 #include "proto/wire/connection.h"
 #include "tests/support/child_process.h"
+#include "tests/support/terminal.h"
 #include "where.h"
 
 namespace telepalp {
@@ -38,12 +43,51 @@ std::size_t times(const std::string& text, const std::string& phrase) {
 
 /// Waits until `phrase` is in `log`, `least` times.
 bool hears(const fs::path& log, const std::string& phrase, std::size_t least = 1) {
-  for (int tenth = 0; tenth < 200; ++tenth) {
+  for (int tenth = 0; tenth < 600; ++tenth) {
     if (times(text_of(log), phrase) >= least) return true;
     std::this_thread::sleep_for(100ms);
   }
   return false;
 }
+
+/// What a station publishes, as a subscriber of its server sees it.
+class Subscriber {
+ public:
+  explicit Subscriber(const std::string& port)
+      : link_(io_,
+              {.port = static_cast<std::uint16_t>(std::stoi(port)),
+               .name = "test",
+               .subscribes = {std::string(wire::kStationTicks.name), std::string(wire::kStationStats.name)},
+               .datagrams = false},
+              {.on_message = [this](const wire::Message& message) { on_message(message); }}) {
+    link_.start();
+  }
+  bool awaits(const std::function<bool()>& done) {
+    for (int tenth = 0; tenth < 600 && !done(); ++tenth) io_.run_for(100ms);
+    return done();
+  }
+
+  std::uint64_t tick = 0;         // number of the last tick since the station's start
+  int starts = 0;                 // starts of the station: its ticks are numbered from 0 again
+  std::set<std::string> effects;  // of the newest bill
+
+ private:
+  void on_message(const wire::Message& message) {
+    if (msg::StationTicks ticks; message.topic.name == wire::kStationTicks.name) {
+      ASSERT_TRUE(ticks.ParseFromString(*message.payload));
+      if (ticks.first_tick() <= tick) ++starts;
+      tick = ticks.first_tick();
+    }
+    if (msg::StationStats stats; message.topic.name == wire::kStationStats.name) {
+      ASSERT_TRUE(stats.ParseFromString(*message.payload));
+      effects.clear();
+      for (const msg::EffectCost& cost : stats.bill()) effects.insert(cost.name());
+    }
+  }
+
+  boost::asio::io_context io_;
+  wire::ClientLink link_;
+};
 
 class StationProgram : public ::testing::Test {
  protected:
@@ -98,6 +142,54 @@ TEST_F(StationProgram, KeepsItsSceneWhileANewOneIsRefused) {
   station.signal(SIGINT);
   EXPECT_EQ(station.wait(10s), 0) << text_of(log());
   EXPECT_EQ(times(text_of(log()), "error:"), 0u) << text_of(log());
+}
+
+TEST_F(StationProgram, ReadsItsSceneAgainAtSighupAndKeepsItsSceneIfTheNewOneIsRefused) {
+  ::signal(SIGHUP, SIG_DFL);  // a station that is started with nohup, as this test may be, ignores SIGHUP
+  const fs::path shipped = TELEPALP_SOURCE_DIR "/haptic_station/scenes";
+  const fs::path scene = folder_.path() / "mine.scene.textproto";
+  fs::copy_file(shipped / "skin.scene.textproto", scene);
+  const std::string port = start_server("0");
+  ASSERT_FALSE(port.empty());
+  Subscriber subscriber(port);
+  ChildProcess station(kPrograms / "telepalp-station", {"--connect", "127.0.0.1:" + port, "--scene", scene.string()},
+                       log());
+  ASSERT_TRUE(subscriber.awaits([&] { return subscriber.effects == std::set<std::string>{"skin"}; })) << text_of(log());
+  const int starts = subscriber.starts;
+
+  std::ofstream(scene) << "haptic_from_camera { }\neffects { solid { name: \"a\" polish: \"sphere -1\" } }\n";
+  station.signal(SIGHUP);
+  ASSERT_TRUE(hears(log(), "the station keeps its scene; the new one is refused: ")) << text_of(log());
+  EXPECT_EQ(times(text_of(log()), "mine.scene.textproto:2:"), 1u) << "names the line: " << text_of(log());
+  EXPECT_EQ(times(text_of(log()), "radius_m of sphere is -1"), 1u) << text_of(log());
+  const std::uint64_t tick = subscriber.tick;
+  EXPECT_TRUE(subscriber.awaits([&] { return subscriber.tick > tick + 4000; })) << "2 s of ticks: " << text_of(log());
+  EXPECT_EQ(subscriber.starts, starts) << "the ticks go on";
+  EXPECT_EQ(subscriber.effects, std::set<std::string>{"skin"});
+  EXPECT_EQ(times(text_of(log()), "link connected"), 1u) << text_of(log());
+  EXPECT_EQ(times(text_of(log()), "link lost"), 0u) << text_of(log());
+  EXPECT_EQ(times(text_of(log()), "ending"), 0u) << text_of(log());
+
+  fs::copy_file(shipped / "mass-search.scene.textproto", scene, fs::copy_options::overwrite_existing);
+  station.signal(SIGHUP);
+  ASSERT_TRUE(hears(log(), "starts again with the new scene mass-search")) << text_of(log());
+  EXPECT_TRUE(subscriber.awaits([&] { return subscriber.effects.contains("mass"); })) << text_of(log());
+  EXPECT_EQ(subscriber.starts, starts + 1);
+  EXPECT_EQ(times(text_of(log()), "link connected"), 2u) << text_of(log());
+  station.signal(SIGTERM);
+  EXPECT_EQ(station.wait(60s), 0) << text_of(log());
+}
+
+TEST_F(StationProgram, EndsWhenItsTerminalIsClosed) {
+  ::signal(SIGHUP, SIG_DFL);
+  support::Terminal terminal(
+      {"sh", "-c", "exec " + (kPrograms / "telepalp-station").string() + " --connect 127.0.0.1:9 2>" + log().string()});
+  ASSERT_TRUE(hears(log(), "waiting for the server")) << text_of(log());
+  ::kill(terminal.pid(), SIGHUP);
+  ASSERT_TRUE(hears(log(), "starts again with the new scene palpation")) << text_of(log());
+  terminal.close();
+  EXPECT_EQ(terminal.wait(60s), 0) << text_of(log());
+  EXPECT_EQ(times(text_of(log()), "reads the scene again"), 1u) << text_of(log());
 }
 
 TEST_F(StationProgram, WaitsForAServerThatComesLaterAndSaysSoOnce) {

@@ -34,7 +34,12 @@ Terminal::~Terminal() {
     ::kill(pid_, SIGKILL);
     (void)wait(std::chrono::seconds(5));
   }
-  ::close(keyboard_and_screen_);
+  close();
+}
+
+void Terminal::close() {
+  if (keyboard_and_screen_ >= 0) ::close(keyboard_and_screen_);
+  keyboard_and_screen_ = -1;  // poll() skips it
 }
 
 void Terminal::type(std::string_view keys) const {

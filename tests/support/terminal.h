@@ -21,6 +21,8 @@ class Terminal {
 
   [[nodiscard]] pid_t pid() const noexcept { return pid_; }
   void type(std::string_view keys) const;
+  /// Closes the terminal, as a user closes its window: the command gets SIGHUP from the kernel.
+  void close();
   /// All that was shown so far, once it holds `text`; whether it does within `patience`.
   [[nodiscard]] bool await_text(std::string_view text, std::chrono::milliseconds patience);
   /// The command's exit code, or 128 + signal; nullopt while it still runs after `patience`.

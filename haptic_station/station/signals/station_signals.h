@@ -1,0 +1,57 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <functional>
+#include <future>
+#include <optional>
+
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/rigs/scene_parts.h"
+
+namespace telepalp::station {
+
+/// A scene that was read and checked, with what it names besides its effects.
+struct LoadedScene {
+  scenes::Scene scene;
+  SceneParts parts;
+};
+
+/// What an operator asks of the station by signals: SIGINT and SIGTERM end it, SIGHUP makes it read its scene again. It
+/// outlives each Station of the process, so that a signal that comes between two of them is kept for the second. Owner:
+/// network thread, except for the reading, which has a thread of its own.
+class StationSignals {
+ public:
+  enum class Asked { Nothing, End, NewScene };
+  using ReadScene = std::function<Result<LoadedScene>()>;
+
+  /// From now on, SIGHUP is kept for asked(). A process that ignores SIGHUP (nohup) goes on ignoring it. `read`: called
+  /// on another thread.
+  explicit StationSignals(ReadScene read);
+
+  /// From now on, SIGINT and SIGTERM are kept for asked(); before, they end the process at once.
+  void keep_end();
+
+  /// Never waits. NewScene: a scene was read again and is accepted. A refused scene is only logged.
+  [[nodiscard]] Asked asked();
+
+  /// The scene that asked() announced last; nullopt if it has been taken.
+  [[nodiscard]] std::optional<LoadedScene> take_scene();
+
+ private:
+  void wait();
+  void on_signal(int number);
+  void read_again();
+
+  const ReadScene read_;
+  const bool had_terminal_;
+  boost::asio::io_context io_{1};  // polled by asked()
+  boost::asio::signal_set signals_{io_};
+  bool end_asked_ = false;
+  bool reading_asked_ = false;
+  std::future<Result<LoadedScene>>
+      reading_;  // valid: the reading has begun; its destructor waits for the reading's end
+  std::optional<LoadedScene> accepted_;
+};
+
+}  // namespace telepalp::station
