@@ -37,7 +37,9 @@ export const untilStatus = (page, what, holds, timeout_ms = 120_000) =>
     until(what, async () => {
       const now = await status(page);
       return now !== undefined && holds(now) ? now : undefined;
-    }, timeout_ms);
+    }, timeout_ms).catch(async (problem) => {
+      throw new Error(`${problem.message}; the page says ${JSON.stringify(await status(page))}`);
+    });
 
 /** For the middle of the picture: the share that differs from the empty background, and the number of colours. */
 export async function lookAtMiddle(context, png) {

@@ -18,9 +18,13 @@ test('a station that is silent, far behind or not there is not waited for', () =
 });
 
 test('numbers go on without a picture once none came for a quarter of a second', () => {
-  assert.equal(continuesWithoutPicture(ms(1200), ms(1000)), false);
-  assert.equal(continuesWithoutPicture(ms(1251), ms(1000)), true);
-  assert.equal(continuesWithoutPicture(ms(1), undefined), true);
+  assert.equal(continuesWithoutPicture(ms(1200), ms(1000), ms(0)), false);
+  assert.equal(continuesWithoutPicture(ms(1251), ms(1000), ms(0)), true);
+});
+
+test('numbers wait a second for the first picture', () => {
+  assert.equal(continuesWithoutPicture(ms(1900), undefined, ms(1000)), false);
+  assert.equal(continuesWithoutPicture(ms(2001), undefined, ms(1000)), true);
 });
 
 test('a picture falls in a gap when numbers on both sides are too far from it, for a second at most', () => {

@@ -54,6 +54,7 @@ export class Instants {
   private newestCapture_ns = 0n;
   private presentedCapture_ns: bigint | undefined;
   private presentedStamp_ns = 0n;
+  private first_ns: bigint | undefined;  // time of the first of the station's values
 
   constructor(private readonly callbacks: Callbacks) {}
 
@@ -89,6 +90,7 @@ export class Instants {
     const newest = this.states[this.states.length - 1];
     if (newest !== undefined && state.stampNs < newest.stampNs) this.states = [];  // the station was restarted
     this.states.push(state);
+    this.first_ns ??= state.stampNs;
     if (this.states.length > MOST_STATES) this.states.shift();
     this.serve();
   }
@@ -112,7 +114,7 @@ export class Instants {
     this.states = [];
     this.colors = [];
     this.arrivals = [];
-    this.ready = this.presentedCapture_ns = undefined;
+    this.ready = this.presentedCapture_ns = this.first_ns = undefined;
     this.presentedStamp_ns = 0n;
     this.outdated = this.decoding;
   }
@@ -162,7 +164,7 @@ export class Instants {
   private presentWithoutPicture(): void {
     const station = this.newestState;
     if (station === undefined || station.stampNs <= this.presentedStamp_ns) return;
-    if (!continuesWithoutPicture(station.stampNs, this.presentedCapture_ns)) return;
+    if (!continuesWithoutPicture(station.stampNs, this.presentedCapture_ns, this.first_ns ?? station.stampNs)) return;
     this.give({decoded: undefined, color: undefined, arrival: undefined, station, trail: this.trailTo(station)});
   }
 

@@ -36,9 +36,17 @@ export function fallsInGap(
   return off_ns > APART_NS && presentedCapture_ns !== undefined && capture_ns - presentedCapture_ns < LONGEST_SKIP_NS;
 }
 
-/** True when the station's values are presented without a new picture, because no picture comes. */
-export function continuesWithoutPicture(stamp_ns: bigint, presentedCapture_ns: bigint | undefined): boolean {
-  return presentedCapture_ns === undefined || stamp_ns - presentedCapture_ns > WITHOUT_PICTURE_NS;
+/** For this long after the station's first values, the viewer waits for the first picture: it takes time to draw both. */
+const FIRST_PICTURE_NS = 1_000_000_000n;
+
+/**
+ * True when the station's values are presented without a new picture, because no picture comes. `first_ns`: the time of
+ * the first values.
+ */
+export function continuesWithoutPicture(
+    stamp_ns: bigint, presentedCapture_ns: bigint | undefined, first_ns: bigint): boolean {
+  if (presentedCapture_ns === undefined) return stamp_ns - first_ns > FIRST_PICTURE_NS;
+  return stamp_ns - presentedCapture_ns > WITHOUT_PICTURE_NS;
 }
 
 /** The item whose time is nearest to `at_ns`; undefined when there is none. */

@@ -49,11 +49,13 @@ void main() {
 #else
   vec3 lit = shade * base;
 #endif
-  vec3 off = place - touchedAt;
-  float away2 = dot(off, off);
-  float glow = clamp(1.0 - away2 / 0.0012, 0.0, 1.0);
-  float ring = clamp(1.0 - abs(away2 - 0.0009) / 0.00015, 0.0, 1.0);
-  lit = mix(lit, touchScreenColor, touched * min(0.85, 0.55 * glow * glow + 0.6 * ring));
+  if (touched > 0.0) {
+    vec3 off = place - touchedAt;
+    float away2 = dot(off, off);
+    float glow = clamp(1.0 - away2 / 0.0012, 0.0, 1.0);
+    float ring = clamp(1.0 - abs(away2 - 0.0009) / 0.00015, 0.0, 1.0);
+    lit = mix(lit, touchScreenColor, touched * min(0.85, 0.55 * glow * glow + 0.6 * ring));
+  }
   color = vec4(lit, opacity);
 }
 `;

@@ -5,7 +5,10 @@ export interface Detail {
 }
 
 const POLL_MS = 4;
-/** Longest rest after a slow frame. The page rests for the duration of the frame, so that messages are handled. */
+/**
+ * Longest rest after a slow frame in the canvas. The page rests for the duration of the frame, so that messages are
+ * handled.
+ */
 const LONGEST_REST_MS = 500;
 const TOO_SLOW_MS = 90;
 const EASY_MS = 12;
@@ -28,13 +31,15 @@ export class FramePacer {
   private easy = 0;
 
   /**
-   * `draw` is called in the animation frame and returns whether its duration counts. `onDrawn` is called when the frame
-   * is finished, `onFree` when the next one may begin. `level` stays below `levels`.
+   * `draw` returns whether its duration counts. It draws aside, and `show` shows the finished frame; without `show`,
+   * `draw` draws into the canvas, and is called in the animation frame. `onDrawn` is called when the frame is finished,
+   * `onFree` when the next one may begin. `level` stays below `levels`.
    */
   constructor(
       private readonly gl: WebGL2RenderingContext,
       private readonly levels: number,
       private readonly draw: () => boolean,
+      private readonly show: (() => void) | undefined,
       private readonly onDrawn: () => void,
       private readonly onFree: () => void,
   ) {}
@@ -44,7 +49,8 @@ export class FramePacer {
     this.wanted = true;
     if (this.busy) return;
     this.busy = true;
-    requestAnimationFrame(() => this.begin());
+    if (this.show === undefined) requestAnimationFrame(() => this.begin());
+    else window.setTimeout(() => this.begin(), 0);  // drawing aside shows nothing yet
   }
 
   private begin(): void {
@@ -65,10 +71,17 @@ export class FramePacer {
       return;
     }
     if (done !== null) this.gl.deleteSync(done);
+    if (this.show === undefined) return this.finish(began_ms, representative);
+    this.show();
+    // The browser reads the canvas after the callbacks of its next animation frame.
+    requestAnimationFrame(() => window.setTimeout(() => this.finish(began_ms, representative), 0));
+  }
+
+  private finish(began_ms: number, representative: boolean): void {
     this.onDrawn();
     this.drawn_ms = performance.now() - began_ms;
     if (representative) this.judge(this.drawn_ms);
-    if (this.drawn_ms < TOO_SLOW_MS) this.rested();
+    if (this.show !== undefined || this.drawn_ms < TOO_SLOW_MS) this.rested();
     else window.setTimeout(() => this.rested(), Math.min(this.drawn_ms, LONGEST_REST_MS));
   }
 

@@ -29,7 +29,6 @@ const CHAINS: readonly (readonly Joint[])[] = [
 
 const PALM_BLEND_MM = 13;
 const FINGER_BLEND_MM = 8;
-const CELL_MM = 3;
 const LEAST: Point = [-84, -168, -40];
 /** The forearm fades out between these positions along y. */
 const FADED_MM = -142;
@@ -64,16 +63,19 @@ function distanceToHand(x: number, y: number, z: number): number {
   return smoothMin(whole, fingers, FINGER_BLEND_MM);
 }
 
-/** Surface nets (Gibson 1998): a vertex in each cell that the surface crosses, a quad across each crossed edge. */
-export function handGeometry(): BufferGeometry {
-  const [nx, ny, nz] = [0, 1, 2].map((axis) => Math.ceil((MOST[axis]! - LEAST[axis]!) / CELL_MM) + 1) as
+/**
+ * Surface nets (Gibson 1998): a vertex in each cell that the surface crosses, a quad across each crossed edge.
+ * `cell_mm`: the size of a cell.
+ */
+export function handGeometry(cell_mm: number): BufferGeometry {
+  const [nx, ny, nz] = [0, 1, 2].map((axis) => Math.ceil((MOST[axis]! - LEAST[axis]!) / cell_mm) + 1) as
       [number, number, number];
   const at = (i: number, j: number, k: number) => (k * ny + j) * nx + i;
   const field = new Float32Array(nx * ny * nz);
   for (let k = 0; k < nz; ++k)
     for (let j = 0; j < ny; ++j)
       for (let i = 0; i < nx; ++i)
-        field[at(i, j, k)] = distanceToHand(LEAST[0] + i * CELL_MM, LEAST[1] + j * CELL_MM, LEAST[2] + k * CELL_MM);
+        field[at(i, j, k)] = distanceToHand(LEAST[0] + i * cell_mm, LEAST[1] + j * cell_mm, LEAST[2] + k * cell_mm);
 
   const positions: number[] = [];
   const colors: number[] = [];  // white, with an opacity
@@ -84,8 +86,8 @@ export function handGeometry(): BufferGeometry {
         const middle = crossing(i, j, k, (a, b, c) => field[at(a, b, c)] as number);
         if (middle === undefined) continue;
         vertexOf[at(i, j, k)] = positions.length / 3;
-        colors.push(1, 1, 1, solidity(LEAST[1] + middle[1] * CELL_MM));
-        middle.forEach((value, axis) => positions.push((LEAST[axis]! + value * CELL_MM - PAD[axis]!) / 1000));
+        colors.push(1, 1, 1, solidity(LEAST[1] + middle[1] * cell_mm));
+        middle.forEach((value, axis) => positions.push((LEAST[axis]! + value * cell_mm - PAD[axis]!) / 1000));
       }
 
   const triangles: number[] = [];

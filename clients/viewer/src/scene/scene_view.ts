@@ -18,6 +18,7 @@ import {
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 
 import type {DepthSummary} from '../depth/depth_summary';
+import {DrawnAside} from './drawn_aside';
 import {type Detail, FramePacer} from './frame_pacer';
 import {drawsInSoftware, plainContext} from './graphics';
 import {Halo} from './halo';
@@ -47,10 +48,17 @@ const SOFTWARE_DETAILS: readonly Detail[] = [
 const SOFTWARE_LEVEL = 2;  // the first level without a graphics card: an index into SOFTWARE_DETAILS
 const EYE_DISTANCE_M = 0.063;  // the mean of adults
 
+/** The size of the picture [CSS pixels], and its own pixels per CSS pixel. */
+interface Sight {
+  width: number;
+  height: number;
+  ratio: number;
+}
+
 /** The 3D view: its objects, its camera, and its drawing, which happens only after a change. */
 export class SceneView {
   readonly surface: Surface;
-  readonly hand = new Hand();
+  readonly hand: Hand;
   readonly transducer = new Transducer();
   readonly inner = new InnerStructuresView();
   readonly probePlane = new ProbePlane();
@@ -80,10 +88,12 @@ export class SceneView {
   private stereo: StereoCamera | undefined;  // undefined: one picture
   private readonly home = {target: new Vector3(0, 0, -1), distance_m: 0.9};
   private placed = false;
-  private size = '';
+  private sight: Sight = {width: 1, height: 1, ratio: 1};
+  private size = '';  // of the canvas now
   private box = {width: 0, height: 0};  // of the canvas [CSS pixels], by a ResizeObserver: clientWidth forces a layout
   private drawingVertices = 0;
   private readonly details: readonly Detail[];
+  private readonly aside: DrawnAside | undefined;  // undefined: a graphics card draws into the canvas
   private readonly pacer: FramePacer;
   readonly headset: Headset;
 
@@ -92,10 +102,13 @@ export class SceneView {
     const software = drawsInSoftware();
     document.documentElement.dataset['graphics'] = software ? 'software' : 'card';
     this.surface = new Surface(software);
+    this.hand = new Hand(software);
     this.details = software ? SOFTWARE_DETAILS : DETAILS;
     this.renderer = new WebGLRenderer(software ? {canvas, context: plainContext(canvas)} : {canvas, antialias: true, powerPreference: 'high-performance'});
+    this.aside = software ? new DrawnAside(this.renderer) : undefined;
     this.pacer = new FramePacer(
         this.renderer.getContext() as WebGL2RenderingContext, this.details.length, () => this.draw(),
+        this.aside && (() => this.show()),
         () => {
           this.drawnVertices = this.drawingVertices;
           this.onDrawn();
@@ -245,11 +258,28 @@ export class SceneView {
   private draw(): boolean {
     if (this.headset.isOn) return false;  // the headset asks for its own frames
     this.onDraw();
-    this.fit(this.detail);
+    const {detail} = this;
+    this.surface.setStride(detail.stride);
+    this.sight = this.sizeAt(detail) ?? this.sight;
+    this.fitCamera(this.sight);
     if (this.controls.update()) this.invalidate();
     this.drawingVertices = this.surface.meshVertices;
-    this.render();
+    if (this.aside === undefined || this.stereo !== undefined) {
+      this.fitCanvas(this.sight);
+      this.render();
+    } else {
+      this.aside.begin(Math.floor(this.sight.width * this.sight.ratio), Math.floor(this.sight.height * this.sight.ratio));
+      this.render();
+      this.aside.end();
+    }
     return this.drawingVertices > 0;
+  }
+
+  /** Shows the picture that was drawn aside. */
+  private show(): void {
+    if (this.headset.isOn || this.stereo !== undefined) return;
+    this.fitCanvas(this.sight);
+    this.aside?.copyToCanvas();
   }
 
   private render(): void {
@@ -269,18 +299,26 @@ export class SceneView {
     renderer.setViewport(0, 0, size.width, size.height);
   }
 
-  /** Sets the size of the canvas. Called just before drawing, because it clears the picture. */
-  private fit({stride, pixelRatio}: Detail): void {
-    this.surface.setStride(stride);
+  /** The size of the picture at this level of detail; undefined: the canvas has none yet. */
+  private sizeAt({pixelRatio}: Detail): Sight | undefined {
     const {width, height} = this.box;
-    if (width === 0 || height === 0) return;
-    const ratio = Math.min(window.devicePixelRatio, pixelRatio);
+    if (width === 0 || height === 0) return undefined;
+    return {width, height, ratio: Math.min(window.devicePixelRatio, pixelRatio)};
+  }
+
+  private fitCamera({width, height}: Sight): void {
+    const aspect = width / height;
+    if (aspect === this.camera.aspect) return;
+    this.camera.aspect = aspect;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** Sets the size of the canvas. Called just before drawing or copying into it, because it clears the picture. */
+  private fitCanvas({width, height, ratio}: Sight): void {
     const size = `${width} x ${height} at ${ratio}`;
     if (size === this.size) return;
     this.size = size;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
   }
 }
