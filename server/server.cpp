@@ -32,7 +32,7 @@ std::string_view word_for(msg::CaptureState state) noexcept {
     case msg::CAPTURE_STATE_LOST:
       return "lost, connecting again";
     case msg::CAPTURE_STATE_ENDED:
-      return "at its end";
+      return "has no more images";
     default:
       return "in an unknown state";
   }

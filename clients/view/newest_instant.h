@@ -13,7 +13,7 @@
 namespace telepalp::view {
 
 /// Collects a server's messages, in any order, and draws the newest instant that has depth and a camera model.
-/// Pure. Owner: one thread.
+/// No input, output, clock or thread of its own. Owner: one thread.
 class NewestInstant {
  public:
   /// How a message was used.

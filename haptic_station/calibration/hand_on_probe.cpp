@@ -19,7 +19,7 @@ std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name
   constexpr double kRotationError = 1e-3;
   if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > 10.0)
     return refusal(name + " is not finite, or further than 10 m away",
-                   "leave out poses in which the tracker or the device lost its position");
+                   "leave out poses in which the tracker did not see the hand, or the device gave no position");
   const Matrix3d r = pose.linear();
   if ((r * r.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() > kRotationError)
     return refusal(name + " is not a rotation: its axes are not perpendicular, or not of length one",

@@ -26,8 +26,9 @@ Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const
   Vector3d end_effector = Vector3d::Zero();
   for (const Touch& touch : touches) {
     if (!usable(touch.hand.m) || !usable(touch.end_effector.m))
-      return refusal("a position of hand or end-effector is not finite, or further than 10 m away",
-                     "leave out measurements in which the tracker or the device lost its position");
+      return refusal(
+          "a position of hand or end-effector is not finite, or further than 10 m away",
+          "leave out measurements in which the tracker did not see the hand, or the device gave no position");
     hand += touch.hand.m / static_cast<double>(touches.size());
     end_effector += touch.end_effector.m / static_cast<double>(touches.size());
   }

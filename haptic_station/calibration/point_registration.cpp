@@ -134,7 +134,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
     if (const auto far = [](const Vector3d& p) { return !p.allFinite() || p.cwiseAbs().maxCoeff() > kFurthest_m; };
         far(pairs[i].to) || far(pairs[i].from))
       return refusal("pair " + std::to_string(i + 1) + " is not finite, or further than 10 m away",
-                     "give positions in metres; leave out points at which the tracker lost its position");
+                     "give positions in metres; leave out points that were not measured");
 
   const std::vector<Place> places = averaged(pairs);
   const Centred c = centred(places);

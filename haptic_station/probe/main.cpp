@@ -138,7 +138,7 @@ int touch(const program::Arguments& arguments) {
   if (!trajectory) return program::fail(trajectory.error());
   const Result<probe::ProbedSurface> surface = open_surface(arguments);
   if (!surface) return program::fail(surface.error());
-  std::fprintf(stderr, "touching %u points; neighbours are found by the %s\n", surface->snapshot->points,
+  std::fprintf(stderr, "the surface has %u points; neighbour search: %s\n", surface->snapshot->points,
                surface->snapshot->index_name);
   const std::vector<probe::Felt> felt = probe::touch_along(*surface->snapshot, *trajectory, *stiffness);
   if (const auto done = probe::write_felt(arguments.text("out"), felt); !done) return program::fail(done.error());

@@ -34,7 +34,7 @@ struct SolidAt {
 };
 
 /// A node that can be evaluated. Its placement maps its own frame to the frame of the operator that contains it:
-/// p_above = scale turn p + shift. A small shape that is not turned is evaluated from two cache lines.
+/// p_above = scale turn p + shift. A shape that is neither a mesh nor turned is evaluated from two cache lines.
 struct alignas(64) TreeNode {
   Op op = Op::Sphere;
   std::uint8_t axis = 0;

@@ -159,9 +159,11 @@ std::string to_html(std::span<const TrialResult> results) {
       "<style>body{font-family:sans-serif;max-width:940px;margin:2em auto}"
       "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>Run in virtual time by a "
       "simulated hand on a simulated device, through the live haptic loop. Plane: a level skin that is known exactly, "
-      "so that the controller alone is seen. Camera: a belly under a Kinect-like camera, with noise and disparity "
+      "so that errors come from the controller alone. Camera: a belly under a Kinect-like camera, with noise and "
+      "disparity "
       "steps, through the surface builder. There is no network. The numbers in the charts name the controller's "
-      "phase: 0 in body, 1 body to plane, 2 out body, 3 plane to body, -1 to -3 the phases of the cylinder.</p>\n";
+      "phase: 0 in body, 1 body to plane, 2 out body, 3 plane to body, -1 cylinder lateral, -2 around the cylinder, "
+      "-3 cylinder upper.</p>\n";
   for (const TrialResult& result : results) {
     const TrialFigures& f = result.figures;
     out += "<h2>" + std::string(title(result.trial)) + ", on the " + result.surface + "</h2>\n<p>largest force " +

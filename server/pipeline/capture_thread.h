@@ -27,7 +27,7 @@ class CaptureThread {
   ~CaptureThread();
 
   void stop();
-  /// Requests a key frame as soon as the pacing allows one. Any thread.
+  /// Requests a key frame; at most one of four frames becomes a requested key frame. Any thread.
   void request_key_frame() noexcept { key_frame_requested_ = true; }
   /// False: from the next image on, each depth image is a key frame. Any thread.
   void let_predict(bool may) noexcept { may_predict_ = may; }

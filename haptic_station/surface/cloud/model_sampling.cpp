@@ -106,7 +106,8 @@ std::string description_of(const SampledMesh& sampled) {
   }
   if (sampled.fidelity.jumps > 0.0) {
     std::snprintf(text, sizeof text,
-                  "; in %.1f %% of the presses tried, a hand that slides beside a fold jumps from one wall to another",
+                  "; in %.1f %% of the simulated presses beside folds, the contact jumps from one wall of a fold to "
+                  "the other",
                   100.0 * sampled.fidelity.jumps);
     description += text;
   }

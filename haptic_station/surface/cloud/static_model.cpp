@@ -73,12 +73,12 @@ void say(std::string& remarks, const std::string& remark) { remarks += (remarks.
 float mended(models::PointModel& mesh, const Winding& winding, std::string& remarks) {
   if (winding.turned > 0)
     say(remarks, std::to_string(winding.turned) + " of " + std::to_string(mesh.triangles.size()) +
-                     " faces were oriented against their neighbours: they are reversed");
-  if (mesh.normals.empty()) say(remarks, "the mesh has no normals: face normals are used");
+                     " faces were oriented against their neighbours: telepalp has reversed them");
+  if (mesh.normals.empty()) say(remarks, "the mesh has no normals: telepalp uses those of its faces");
   Closure closure = closure_of(mesh);
   constexpr double kLeastAgreement = 0.4;  // smooth shading over the edges of a cube gives 0.58
   if (!mesh.normals.empty() && std::abs(closure.agreement) < kLeastAgreement) {
-    say(remarks, "the mesh's normals contradict its faces: face normals are used");
+    say(remarks, "the mesh's normals contradict its faces: telepalp uses the normals of the faces");
     mesh.normals.clear();
     closure.agreement = 0.0;
   }
@@ -92,7 +92,7 @@ float mended(models::PointModel& mesh, const Winding& winding, std::string& rema
     return 1.0F;
   }
   if ((closure.volume6 < 0.0) == (closure.agreement < 0.0)) return 1.0F;
-  say(remarks, "the mesh is inside out: its normals are reversed");
+  say(remarks, "the mesh is inside out: telepalp has reversed its normals");
   return -1.0F;
 }
 

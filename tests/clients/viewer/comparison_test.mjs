@@ -45,10 +45,10 @@ test('nothing is claimed before the first state and behind the last', () => {
 test('bins lie at their middle, and the words are those of the bin at the moment', () => {
   const {runs} = readComparison(reply('i.i', 'o.o'));
   assert.deepEqual(runs.at_s.map((at_s) => Number(at_s.toFixed(4))), [2.0025, 2.0075, 2.0125]);
-  assert.equal(momentSays(runs, 2.0125), '0:02.0: A 3.00 N, 30 mm, In body; B 3.00 N, 30 mm, Out body; apart 0.30 N');
+  assert.equal(momentSays(runs, 2.0125), '0:02.0: A 3.00 N, 30 mm, In body; B 3.00 N, 30 mm, Out body; vectors differ by 0.30 N');
   assert.equal(momentSays(runs, 2.1), '', 'behind the end');
   assert.equal(momentSays(readComparison(reply('...', 'o.o')).runs, 2.0025),
-      '0:02.0: A 0.00 N, 0 mm, no state; B 1.00 N, 10 mm, Out body; apart 0.00 N');
+      '0:02.0: A 0.00 N, 0 mm, no state; B 1.00 N, 10 mm, Out body; vectors differ by 0.00 N');
 });
 
 test('the state of a comparison is a sentence', () => {
@@ -56,9 +56,9 @@ test('the state of a comparison is a sentence', () => {
   assert.equal(says({with: ''}), 'A is the played session.');
   assert.equal(says({complete: false}), 'Reading both sessions…');
   assert.equal(says({problem: 'b.mcap has no station'}), 'b.mcap has no station');
-  assert.equal(says({same_time: false}), 'The hand feels no difference. Their first states are put together.');
+  assert.equal(says({same_time: false}), 'The hand feels no difference. The runs have different times: their first states are put at the same time.');
   assert.equal(says({first: {at_s: 2, force_a_N: 1, force_b_N: 1.25, apart_N: 0.3}}),
-      '1.00 N in A, 1.25 N in B, 0.30 N apart as vectors. Both share session time.');
+      '1.00 N in A, 1.25 N in B; the force vectors differ by 0.30 N. Both runs are shown at their session times.');
 });
 
 test('a reply that is none is taken calmly', () => {

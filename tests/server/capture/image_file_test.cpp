@@ -69,7 +69,7 @@ TEST(ImageFile, ReadsRealDepthAndColourOfBothFormats) {
 TEST(ImageFile, SaysWhichKindItFoundInsteadOfTheOneAsked) {
   const auto depth = images::read_depth_image(kData + "/images_rgb_depth/rgb/40.png");
   ASSERT_FALSE(depth.ok());
-  EXPECT_NE(depth.error().what.find("picture"), std::string::npos);
+  EXPECT_NE(depth.error().what.find("image"), std::string::npos);
   EXPECT_FALSE(images::read_color_image(kData + "/images_rgb_depth/depth/40.png").ok());
   EXPECT_FALSE(images::read_image(kData + "/ATTRIBUTION.md").ok());
   EXPECT_FALSE(images::read_image(kData + "/no_such.png").ok());

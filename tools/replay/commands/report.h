@@ -12,7 +12,7 @@ namespace telepalp::replay {
 [[nodiscard]] std::string report_text(const Request& request, const RunResults& results,
                                       const std::vector<Judgement>& judgements);
 
-/// The text of report.json, with the figures of report_text(). `scenario`: the scenario of the last run.
+/// The text of report.json, with the figures of report_text(). `scenario`: the scenario of the impaired run.
 [[nodiscard]] std::string report_json(const Request& request, const Scenario& scenario, const RunResults& results,
                                       const std::vector<Judgement>& judgements);
 

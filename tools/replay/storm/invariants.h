@@ -15,9 +15,10 @@ namespace telepalp::replay {
 /// - in a contact, the device gives the hand at most 20 mJ that the measured skin would not have given, and takes at
 ///   most 0.25 J less from it than the measured skin would have taken;
 /// - 0.5 s after the newest surface is 2.5 s old, the station has released the hand;
-/// - 3 s and one network delay after the last fault, a device that stays deeper than 5 mm in the true skin, on surfaces
-///   younger than 0.8 s, feels it within 1.5 s; deeper than 90 mm, where no contact begins, the station lifts the
-///   device;
+/// - 3 s and one network delay after the last injected fault, a device that stays deeper than 5 mm in the true skin, on
+/// surfaces
+///   younger than 0.8 s, gets a force of the skin within 1.5 s; deeper than 90 mm, where no contact begins, the station
+///   lifts the device;
 /// - on each topic, publication times do not decrease, and ticks are numbered without a gap.
 class Invariants {
  public:
@@ -29,8 +30,9 @@ class Invariants {
   /// The worst of both energy ledgers so far.
   struct Ledgers {
     double least_passivity_J = 0.0;
-    double most_excess_J = 0.0;
-    double most_gained_J = 0.0;  ///< by the hand in one contact, and not from the measured skin
+    double most_excess_J = 0.0;  ///< the largest hand_excess_J that the station reported
+    double most_gained_J =
+        0.0;  ///< most energy from device to hand in a contact that the measured skin would not have given
   };
 
   Invariants(const Scenario& scenario, const control::ControlSettings& control);

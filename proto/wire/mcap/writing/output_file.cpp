@@ -38,7 +38,8 @@ std::filesystem::path OutputFile::partial_name() const { return partial(name_); 
 Result<OutputFile> OutputFile::create(const std::filesystem::path& name) {
   std::error_code code;
   if (std::filesystem::exists(name, code))
-    return Error{.what = "exists already", .where = name.string(), .fix = "choose another name, or move this file away"};
+    return Error{
+        .what = "exists already", .where = name.string(), .fix = "choose another name, or move this file away"};
   const int descriptor = ::open(partial(name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0640);
   if (descriptor >= 0) {
     (void)::flock(descriptor, LOCK_EX | LOCK_NB);  // errors are ignored: some file systems do not support it
@@ -47,7 +48,8 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& name) {
   if (errno == EEXIST)
     return Error{.what = "exists already: a recording that was cut off, or one that is running",
                  .where = partial(name).string(),
-                 .fix = "telepalp-record repair " + partial(name).string() + ", then choose another name"};
+                 .fix = "choose another name. If no recorder is running, telepalp-record repair " +
+                        partial(name).string() + " mends the file"};
   return Error{.what = std::string("cannot be created: ") + std::strerror(errno),
                .where = name.string(),
                .fix = "check that the folder exists and may be written"};

@@ -22,7 +22,7 @@ export function fitRows(fit: OffsetFit | undefined): Row[] {
     {name: 'Hand p0', value: point(fit.tracker0), says: 'Mean of the hand in the tracker’s frame L: S1 eq. (2)'},
     {name: 'Device p0', value: point(fit.haptic0), says: 'Mean of the end-effector in the haptic base’s frame H: S1 eq. (2)'},
     {name: 'Rotation R', value: 'x, −y, −z', says: 'S1 eq. (4). Its inverse is itself, so eq. (3) uses it, too.'},
-    {name: 'Translation', value: point(fit.translation), says: 'Device p0 − R · hand p0'},
+    {name: 'Translation', value: point(fit.translation), says: 'Device p0 − R · hand p0: the rows above'},
     {name: 'Residual', value: `${mm(fit.rms_m)} RMS`, level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',
      says: 'Distance between R · hand + translation and the end-effector, over all pairs'},
     {name: 'Largest', value: mm(fit.largest_m), level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',
@@ -36,8 +36,8 @@ export function verdict(fit: OffsetFit | undefined): string {
   const moved = fit.places.find(({moved_m}) => moved_m > MOST_MOVED_M);
   if (moved !== undefined) return `The hand moved at place ${moved.place}: begin again.`;
   if (fit.largest_m > MOST_MOVED_M)
-    return 'The places disagree: the tracker is not turned as eq. (4) states. Save the pairs, and use the second command: it measures the rotation, too.';
+    return 'The places disagree: the tracker is turned otherwise than S1 eq. (4) assumes. Save the pairs, and use the second command: it measures the rotation, too.';
   if (fit.places.length < 3)
-    return 'Good here. Take three places that are 5 cm apart: one place cannot show a wrongly mounted tracker.';
+    return 'Good here. Take three places that are 5 cm apart: with one place, a turned tracker is not noticed.';
   return 'Good: the places agree.';
 }

@@ -31,7 +31,7 @@ function rates(before: ServerStats, after: ServerStats): Row[] {
   const all = topics.reduce((sum, {bytes_per_s}) => sum + bytes_per_s, 0);
   const lost = topics.reduce((sum, {dropped}) => sum + dropped, 0);
   return [
-    {name: 'Published', value: `${(all / MEGABIT).toFixed(2)} Mbit/s`, says: 'All topics; each subscriber gets its own copy.'},
+    {name: 'Published', value: `${(all / MEGABIT).toFixed(2)} Mbit/s`, says: 'All topics, each message counted once. Each subscriber of a topic is sent its own copy.'},
     ...topics.slice(0, MOST_TOPICS).map(({topic, per_s, bytes_per_s}) => ({
       name: topic, part: true, value: `${(bytes_per_s / MEGABIT).toFixed(2)} Mbit/s`, says: `${per_s.toFixed(1)} messages/s`,
     })),
