@@ -15,5 +15,7 @@ export function commandForKey(key: string, focus: Focus, state: PlaybackState): 
   if (focus === 'scene') return undefined;                    // its arrows turn the view
   if (key === 'ArrowLeft') return seekTo(state, state.position_s - LEAP_S);
   if (key === 'ArrowRight') return seekTo(state, state.position_s + LEAP_S);
+  if (key === 'Home') return seekTo(state, 0);
+  if (key === 'End') return seekTo(state, state.duration_s);
   return undefined;
 }
