@@ -46,7 +46,7 @@ AssertionResult fold_of_an_open_mesh() {
   return all_of({below_N("no force step", worst_N, 0.2),
                  {says("24 % of the mesh lies inside other parts"), "walls inside the liver are left out"},
                  {says("contact is felt in free air"), "free air of an open mesh is looked at"},
-                 {says("jumps from one wall to another"), "folds that still jump are said"}});
+                 {says("jumps from one wall of a fold to the other"), "folds that still jump are said"}});
 }
 
 /// A real carton, taken from all points of a depth camera's view, with noise along each axis.
