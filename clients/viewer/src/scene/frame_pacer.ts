@@ -10,7 +10,7 @@ const POLL_MS = 4;
  * handled.
  */
 const LONGEST_REST_MS = 500;
-const TOO_SLOW_MS = 90;
+const TOO_SLOW_MS = 60;  // fewer than 15 pictures a second
 const EASY_MS = 12;
 const SLOW_FRAMES = 4;
 const EASY_FRAMES = 240;
