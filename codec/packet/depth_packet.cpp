@@ -80,7 +80,8 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
   header.mode = static_cast<DepthMode>(mode);
   header.coding = static_cast<Coding>(coding);
   if (!is_side(header.width) || !is_side(header.height))
-    return damaged("declares " + std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels");
+    return damaged("declares " + std::to_string(header.width) + " x " + std::to_string(header.height) +
+                   " pixels, not 1 to " + std::to_string(kMaxImageSide) + " a side");
   if (!std::isfinite(header.unit_m) || header.unit_m <= 0.0) return damaged("depth unit is not a positive length");
   if ((header.coding == Coding::Dependent) != (header.since_key != 0))
     return damaged("is marked both as a key frame and as a predicted frame");
