@@ -146,8 +146,9 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
     return refusal("the two sets of positions are mirror images (rank 3, determinant negative)",
                    "check the sign of each axis: both frames must be right-handed");
   if (settings.rotation_by == RotationBy::AffinePolar && rank < 3)
-    return refusal("the places lie in a plane (rank 2); an affine fit needs rank 3",
-                   "measure places outside this plane, or fit by the covariance (RotationBy::Covariance)");
+    return refusal(
+        "the places lie in a plane (rank 2); an affine fit needs rank 3",
+        "measure places outside this plane, or fit a rotation without scale and shear, for which a plane is enough");
 
   Registration fit;
   fit.rank = rank;

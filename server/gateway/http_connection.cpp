@@ -116,7 +116,8 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     if (!origin_is_allowed(policy, view(request[http::field::origin]), host, visit_->is_from_trusted_program()))
       return write(
           refuse(request, http::status::forbidden,
-                 "web pages from that origin may not open the stream. fix: telepalp-server --allow-origin ORIGIN"));
+                 "this web page is from another site, which may not open the stream. fix: allow the page's scheme and "
+                 "host: telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"));
     const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));
     if (!subprotocol)
       return write(refuse(request, http::status::bad_request,

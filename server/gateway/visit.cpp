@@ -160,7 +160,9 @@ HttpReply Visit::played(const HttpRequest& request, const JsonResource& part) co
   constexpr CommandRight kChange{
       .operation = keys::Operation::Play,
       .people = "only technicians and QA may change a played session",
-      .pages = "web pages from that origin may not change the session. fix: telepalp-server --allow-origin ORIGIN"};
+      .pages =
+          "this web page is from another site, which may not change the session. fix: allow the page's scheme and "
+          "host: telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"};
   if (std::optional<HttpReply> refusal = refusal_to_command(request, kChange)) return std::move(*refusal);
   if (!part.state) return refuse(request, http::status::not_found, kNoSession);
   return answer_state(request, part, describe(visitor_->who));
@@ -179,7 +181,9 @@ HttpReply Visit::recording(const HttpRequest& request) const {
   constexpr CommandRight kRecord{
       .operation = keys::Operation::Record,
       .people = "recording is for doctors, technicians and QA",
-      .pages = "web pages from that origin may not record. fix: telepalp-server --allow-origin ORIGIN"};
+      .pages =
+          "this web page is from another site, which may not record. fix: allow the page's scheme and host: "
+          "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"};
   if (std::optional<HttpReply> refusal = refusal_to_command(request, kRecord)) return std::move(*refusal);
   const JsonResource& recording = context_.options.recording;
   const bool commands = request.method() == http::verb::post;

@@ -33,9 +33,12 @@ Result<std::string> read_file(const fs::path& file, std::size_t most) {
   if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (stream.is_open() && text.size() <= most) return text;
-  return Error{.what = stream.is_open() ? "the file is too large" : "the file cannot be read",
+  if (!stream.is_open())
+    return Error{
+        .what = "the file cannot be read", .where = file.string(), .fix = "check its name, and that you may read it"};
+  return Error{.what = "the file is larger than " + std::to_string(most) + " B, too large for a file of telepalp-keys",
                .where = file.string(),
-               .fix = "check its name, and that you may read it"};
+               .fix = "give a file that telepalp-keys wrote"};
 }
 
 Result<KeyFolder> KeyFolder::create(const fs::path& folder, const std::string& name, keys::WallTime now,

@@ -24,7 +24,7 @@ std::string scene_name(const std::string& scene) {
       const std::size_t from = line.find('"'), to = line.rfind('"');
       if (from != std::string::npos && to > from) return line.substr(from + 1, to - from - 1);
     }
-  return "without a name, " + std::to_string(std::count(scene.begin(), scene.end(), '\n')) + " lines";
+  return "unnamed scene of " + std::to_string(std::count(scene.begin(), scene.end(), '\n')) + " lines";
 }
 
 std::string scene_words(const Run& run, const Run& other) {

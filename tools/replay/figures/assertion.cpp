@@ -79,7 +79,8 @@ bool holds(const Assertion& assertion, double value) noexcept {
 }
 
 std::string reason(const Assertion& assertion, double value) {
-  if (!std::isfinite(value)) return std::string(assertion.metric->name) + " is not known in this run";
+  if (!std::isfinite(value))
+    return std::string(assertion.metric->name) + " cannot be computed: this run has no data for it";
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g", value);
   return std::string(assertion.metric->name) + " is " + text.data();

@@ -82,7 +82,7 @@ export function networkRows(state: NetworkState): Row[] {
   return [
     effect,
     {name: 'Packets', value: `${packets_sent}, ${share(packets_lost, packets_sent)} lost`,
-     says: 'Sent since the last change; lost on the way or in a full queue'},
+     says: 'Packets sent since these settings last changed, and the share lost on the way or in a full queue'},
     {name: 'Images', value: `${images_arrived} of ${images} arrived`, says: 'Depth images'},
     {name: 'too late', value: String(images_late), part: true, says: 'Complete after a newer one, and dropped'},
     {name: 'lost', value: String(images_lost), part: true,
