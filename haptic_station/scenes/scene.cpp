@@ -157,9 +157,9 @@ Result<std::filesystem::path> find_scene(const std::string& scene) {
   if (scene.find('/') == std::string::npos)
     if (const auto shipped = program::shipped_file("haptic_station/scenes/" + scene + ".scene.textproto"))
       return *shipped;
-  return Error{.what = "is neither a file nor a scene that ships",
+  return Error{.what = "is neither a file nor the name of a scene in telepalp's library",
                .where = scene,
-               .fix = "give a *.scene.textproto, or a name such as skin or palpation"};
+               .fix = "give a *.scene.textproto, or the name of a scene in the library, such as skin or palpation"};
 }
 
 Result<Scene> read_scene(const std::filesystem::path& file) {

@@ -57,8 +57,8 @@ struct Scene {
   [[nodiscard]] std::vector<std::shared_ptr<const effects::SolidLayer>> solids() const;
 };
 
-/// The file of a scene: `scene` itself if it is a file, else the scene of this name that ships, such as "skin". Error:
-/// neither.
+/// The file of a scene: `scene` itself if it is a file, else the scene of this name in
+/// telepalp's library, such as "skin". Error: neither.
 [[nodiscard]] Result<std::filesystem::path> find_scene(const std::string& scene);
 
 /// Reads and checks a *.scene.textproto. Error: an unknown field, reported with line and column, or a value out of its

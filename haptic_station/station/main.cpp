@@ -31,7 +31,7 @@ program::Usage usage() {
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
                       {"accept-touch", "", "take the touch when its holder offers it to you"},
-                      {"scene", "FILE|NAME", "a *.scene.textproto, or one that ships", "palpation"},
+                      {"scene", "FILE|NAME", "a *.scene.textproto, or a scene of the library", "palpation"},
                       {"surface", "NAME|model:FILE", "surface setting, or a model; default: the scene's"},
                       {"anyway", "", "touch a model even if it is refused as coarse or noisy"},
                       {"calibration", "FILE", "calibration file (telepalp-station calibrate)"},

@@ -12,7 +12,7 @@ struct StormCase {
   std::string motion = "regular";
   std::uint64_t patient_seed = 1;
   int width_px = 320;          ///< of the camera; few pixels, so that more seeds run in a night
-  std::string scene = "skin";  ///< name of a scene that ships
+  std::string scene = "skin";  ///< name of a scene in the library
   Scenario scenario{};
   double seconds = 10.0;
 };
