@@ -17,8 +17,8 @@ struct QueueLimit {
   std::size_t bytes;
 };
 
-/// The limits of a topic: two messages for images, whose older frames are worthless; 256 messages and 1 MiB for other
-/// topics, as a short history.
+/// The limits of a topic that TCP carries: two messages for images, whose older frames are worthless; 256 messages and
+/// 1 MiB for other topics, as a short history. Each topic that datagrams carry has the limits of images.
 [[nodiscard]] QueueLimit queue_limit(std::string_view topic) noexcept;
 
 /// The queue of messages to one peer. It is bounded by topic, in messages and bytes: at a topic's limit its own oldest

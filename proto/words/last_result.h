@@ -6,7 +6,7 @@
 namespace telepalp {
 
 /// Remembers a function's last argument and result. For a function like exp() whose argument stays the same over many
-/// ticks, because the time between ticks does. Always use one object with the same function.
+/// ticks, because it depends only on the time between ticks. Always use one object with the same function.
 class LastResult {
  public:
   /// `function(x)`, which is called only if `x` differs from the last argument.

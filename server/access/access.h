@@ -19,15 +19,15 @@
 namespace telepalp::access {
 
 /// Decides which peers may connect and what each may do, and writes it to the audit log. Without a key every peer has
-/// the role `local`, and the server listens on loopback alone. Owner: the server's network thread. Its listeners share
-/// it by shared_ptr, because TLS handshakes under way ask it for revocations.
+/// the role `local`, and the server listens on loopback alone. Owner: the server's network thread. The listeners for
+/// peers and browsers hold it by shared_ptr, so that a TLS handshake can ask it for revocations through a weak_ptr.
 class Access : public std::enable_shared_from_this<Access> {
  public:
   struct Options {
-    std::filesystem::path key;      ///< key file that `telepalp-keys server` made
-    std::filesystem::path revoked;  ///< empty: revoked.crl beside the key, if it exists
-    std::filesystem::path audit;    ///< empty: audit.log beside the key
-    std::function<void(const std::string&)> say{};
+    std::filesystem::path key;                      ///< key file that `telepalp-keys server` made
+    std::filesystem::path revoked;                  ///< empty: revoked.crl beside the key, if it exists
+    std::filesystem::path audit;                    ///< empty: audit.log beside the key
+    std::function<void(const std::string&)> say{};  ///< log lines for the technician
   };
 
   [[nodiscard]] static std::shared_ptr<Access> without_keys();
@@ -43,7 +43,7 @@ class Access : public std::enable_shared_from_this<Access> {
   [[nodiscard]] const std::vector<std::string>& hosts() const;
 
   /// The person behind a peer (not a browser): named by its certificate, else by its `token`. `is_sealed`: the peer
-  /// uses TLS. `address`: without the port. Error: no TLS, or neither names a person.
+  /// uses TLS. `address`: without the port. Error: no TLS, or neither names a person. Without keys: always `local`.
   [[nodiscard]] Result<keys::Identity> who(bool is_sealed, const std::optional<keys::Identity>& certificate,
                                            std::string_view token, const std::string& address);
   /// The person whom `token` names. After wrong tokens from an `address`, further attempts from there must wait.
@@ -52,7 +52,7 @@ class Access : public std::enable_shared_from_this<Access> {
   /// Checks that the role of `who` allows `operation`. Each operation is checked where it enters the server.
   [[nodiscard]] Result<void> may(const keys::Identity& who, keys::Operation operation) const;
 
-  /// False once the key has expired or is revoked.
+  /// False once the key of `who` has expired or is revoked.
   [[nodiscard]] bool still_holds(const keys::Identity& who) const;
 
   /// Reads the revocation list again if its file changed. Call it each second.

@@ -42,8 +42,8 @@ class AuditLog {
 
   /// Writes one line. It never fails, because a full disk must not stop the patient's stream: lines that could not be
   /// written are counted in the next line, and `say` gets one message. In 10 s at most 20 refusals of strangers (peers
-  /// that no key or token names) and 200 of others are written, so that nobody can fill the disk; the next line counts
-  /// the rest.
+  /// that no key or token names) and 200 of others are written, so that nobody can fill the disk; the next line states
+  /// how many refusals were left out.
   void note(AuditEvent event, const std::string& text, keys::WallTime now);
 
   [[nodiscard]] std::uint64_t lines() const noexcept { return position_.lines; }

@@ -24,7 +24,7 @@ class TokenBackOff {
     TimePoint until{};
     TimePoint last{};
   };
-  std::map<std::string, Failures> addresses_;  // at most kMostAddresses: the oldest is forgotten
+  std::map<std::string, Failures> addresses_;  // at most 1024; the one that failed longest ago is forgotten
 };
 
 }  // namespace telepalp::access

@@ -12,8 +12,8 @@ namespace telepalp::access {
 /// may take it. When the holder's connection breaks, the same doctor may take the touch again within kLease. The holder
 /// may offer the touch to another doctor, who gets it by accepting. An offer ends after kOffer, with the holder's
 /// lease, or when the touch changes hands. It survives a broken connection of the holder: within kLease, the touch goes
-/// to whoever of the two doctors asks first. A holder that leaves with a Goodbye after an offer leaves the touch to the
-/// other doctor for kLease. Pure; owner: the server's network thread.
+/// to the holder or to the doctor of the offer, whoever asks first. A holder that leaves with a Goodbye after
+/// an offer leaves the touch to the other doctor for kLease. Pure; owner: the server's network thread.
 class TouchLease {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

@@ -11,7 +11,7 @@
 
 namespace telepalp::capture {
 
-/// State of a capture source, as shown to the technician. Equals msg.CaptureState.
+/// State of a capture source, as shown to the technician: the states of msg.CaptureState, under other numbers.
 enum class CaptureState { Waiting, Live, Lost, Ended };
 
 /// The images of a frame as a session file stores them.

@@ -17,13 +17,13 @@ struct RecordedCamera {
   std::string warning;                 ///< not empty when the parameters are assumed
 };
 
-/// Reads DIR/camera.textproto (msg.CameraFile) for depth images of the size given. Error: an unknown field, reported
-/// with line and column, or a missing or invalid value, reported with the field's name.
+/// Reads the camera file `file` (text format of msg.CameraFile) of depth images of `width` x `height` pixels. Error: an
+/// unknown field, reported with line and column, or a missing or invalid value, reported with the field's name.
 [[nodiscard]] Result<RecordedCamera> read_camera_file(const std::filesystem::path& file, int width, int height);
 
-/// Assumed parameters of images without a camera file: focal length 525 pixels at a width of 640, principal point at
-/// the centre, unit 1 mm, range 10 m, colour registered to depth. `warning` states this, with the text that a camera
-/// file at `file` should have.
+/// Assumed parameters of images without a camera file: focal length 525/640 of the width, principal point at the
+/// centre, unit 1 mm, depths above 10 m ignored, colour registered to depth. `warning` states this, with the text that
+/// a camera file at `file` should have.
 [[nodiscard]] RecordedCamera assumed_camera(const std::filesystem::path& file, int width, int height);
 
 }  // namespace telepalp::capture

@@ -28,10 +28,10 @@ enum class OniRecordKind : std::uint32_t {
 
 struct OniRecord {
   OniRecordKind kind{};
-  std::uint32_t node = 0;
-  std::uint64_t at = 0;  ///< file offset of its beginning
-  std::string fields;
-  std::uint64_t payload_at = 0;
+  std::uint32_t node = 0;           ///< number of the device or stream
+  std::uint64_t at = 0;             ///< file offset of its beginning
+  std::string fields;               ///< the bytes between the record's header and its payload
+  std::uint64_t payload_at = 0;     ///< file offset
   std::uint32_t payload_bytes = 0;  ///< checked to lie within the file
 };
 

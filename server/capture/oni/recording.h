@@ -28,7 +28,7 @@ struct OniStream {
   double depth_unit_m = 0.001;
   double horizontal_view_rad = 0.0;  ///< horizontal field of view; 0: not stated in the file
   double vertical_view_rad = 0.0;
-  bool is_jpeg_or_rgb = true;  ///< true if a colour stream can be decoded
+  bool is_jpeg_or_rgb = true;  ///< of colour: the pixel format is JPEG or 8-bit RGB; others are not decoded
   bool cropped = false;
   std::vector<OniImage> images;  ///< in order of time
 };

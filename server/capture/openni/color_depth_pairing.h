@@ -19,7 +19,7 @@ class ColorDepthPairing {
     ColorImage color;  ///< empty when no colour image lies within kStaleColor
   };
 
-  static constexpr std::chrono::microseconds kSameInstant{17'000};  ///< largest gap in a pair: half a period at 30 Hz
+  static constexpr std::chrono::microseconds kSameInstant{17'000};  ///< nearer images form a pair; half a 30 Hz period
   static constexpr std::chrono::microseconds kStaleColor{200'000};
   static constexpr Nanoseconds kWaitForColor{15'000'000};
 
@@ -27,6 +27,7 @@ class ColorDepthPairing {
   void add_depth(std::chrono::microseconds driver_time, SessionTime arrival, DepthImage depth);
 
   /// Returns the depth image with its colour image; after kWaitForColor, with the last one within kStaleColor, or none.
+  /// nullopt: no depth image, or it still waits.
   [[nodiscard]] std::optional<Pair> take(SessionTime now);
 
   /// True while a depth image waits for its colour.

@@ -10,11 +10,12 @@
 
 namespace telepalp::capture {
 
-/// One point of the true surface with its velocity.
+/// One point of the true surface with its velocity. Breathing and rising of the body move the skin along the camera's
+/// ray through the point, sliding moves it across this ray.
 struct TrueSurfacePoint {
   Point<DepthCamera> at;
   Vector<DepthCamera> normal;            ///< unit, out of the body, towards the camera
-  Vector<DepthCamera> velocity_m_per_s;  ///< of the skin: along the ray by breathing and rising, across it by sliding
+  Vector<DepthCamera> velocity_m_per_s;  ///< of the skin at `at`; zero on the table
   double normal_velocity_m_per_s = 0.0;  ///< velocity along the normal: positive while the patient breathes in
   bool on_body = false;                  ///< skin; false: the table
 };
@@ -52,8 +53,8 @@ class TrueSurface {
   [[nodiscard]] std::optional<TrueSurfacePoint> at_xy(double x_m, double y_m) const noexcept;
 
   /// The surface point nearest to `point`, which lies in front of the camera and within about 50 mm of the surface. The
-  /// search follows tangent planes from the ray through `point`, on that ray's layer. nullopt where it does not
-  /// converge (near silhouettes). Error: at most 1e-7 m.
+  /// search begins where the ray through `point` meets the surface, stays on this layer and follows its tangent planes.
+  /// nullopt where it does not converge (near silhouettes). Error: at most 1e-7 m.
   [[nodiscard]] std::optional<TrueSurfacePoint> closest_to(const Point<DepthCamera>& point) const noexcept;
 
   /// Height of the surface on the line through `point` along the unit vector `up`: `point + m * up` lies on it.
@@ -62,7 +63,7 @@ class TrueSurface {
   [[nodiscard]] std::optional<TrueHeight> height_along(const Point<DepthCamera>& point,
                                                        const Vector<DepthCamera>& up) const noexcept;
 
-  /// Distance from `point` to the nearest surface point [m]: positive outside, negative inside the body.
+  /// Distance from `point` to closest_to(point) [m]: positive outside, negative inside the body. nullopt as there.
   [[nodiscard]] std::optional<double> signed_distance_m(const Point<DepthCamera>& point) const noexcept;
 
  private:

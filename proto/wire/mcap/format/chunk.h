@@ -9,8 +9,8 @@
 
 namespace telepalp::wire::mcap {
 
-/// Decompresses the records of a chunk, at most kMaxChunkBytes, and checks the CRC. Errors do not name the file. An
-/// error without `fix` means that the chunk is damaged.
+/// Decompresses the records of a chunk, at most 64 MiB (kMaxChunkBytes), and checks the CRC. Errors do not name the
+/// file. An error without `fix` means that the chunk is damaged.
 [[nodiscard]] Result<std::string> unpack(const ChunkRecord& chunk);
 
 /// Iterates over the records of a decompressed chunk, which must outlive this object.

@@ -10,11 +10,11 @@
 
 namespace telepalp::wire::mcap {
 
-/// Upper limit of a chunk's declared decompressed size and of any record that is read into memory: it bounds the
-/// allocations that a malicious file can cause. telepalp's own chunks hold 1 MiB plus at most one message.
+/// Upper limit of a chunk's declared decompressed size. With kMaxRecordBytes it bounds the allocations that a malicious
+/// file can cause. telepalp's own chunks hold 1 MiB plus at most one message.
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{64} << 20;
 
-/// Upper limit of a record's content: a chunk of that size and its header.
+/// Upper limit of a record's content that is read into memory: an uncompressed chunk of kMaxChunkBytes and its header.
 inline constexpr std::uint64_t kMaxRecordBytes = kMaxChunkBytes + 4096;
 
 struct RecordHead {
@@ -35,7 +35,7 @@ struct RecordHead {
 /// Reads the record head at `offset`. Error: the head or its declared content reaches past `end`.
 [[nodiscard]] Result<RecordHead> read_head(ByteSource& source, std::uint64_t offset, std::uint64_t end);
 
-/// Reads the content of a record. Error: larger than kMaxChunkBytes plus a chunk's header.
+/// Reads the content of a record. Error: it is larger than kMaxRecordBytes, or cannot be read.
 [[nodiscard]] Result<void> read_content(ByteSource& source, const RecordHead& head, std::string& into);
 
 /// Error: `source` does not start with the magic bytes of MCAP version 0.

@@ -154,7 +154,7 @@ std::size_t append(std::string& out, const SummaryOffset& offset);
 std::size_t append(std::string& out, const DataEnd& end);
 
 /// Parses a record's content (without its head); nullopt if it is malformed. Bytes after the known fields are skipped,
-/// as the specification requires. Allocates no more than the size of `content`.
+/// as the specification requires. Allocates at most in proportion to the size of `content`, whatever sizes it declares.
 template <class Record>
 [[nodiscard]] std::optional<Record> parse(std::string_view content);
 template <>

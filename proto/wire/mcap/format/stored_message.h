@@ -25,7 +25,7 @@ class ChannelTable {
   [[nodiscard]] bool add(Schema schema);
   [[nodiscard]] bool add(Channel channel);
 
-  /// True for the id 0, "no schema", too.
+  /// True if the schema `id` was added, and for the id 0, which means "no schema".
   [[nodiscard]] bool has_schema(std::uint16_t id) const noexcept { return id == 0 || schemas_.contains(id); }
   [[nodiscard]] const StoredChannel* find(std::uint16_t channel_id) const noexcept;
   [[nodiscard]] const std::map<std::uint16_t, StoredChannel>& all() const noexcept { return channels_; }

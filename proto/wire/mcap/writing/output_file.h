@@ -13,8 +13,8 @@ namespace telepalp::wire::mcap {
 [[nodiscard]] int rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// A file that gets its name only when it is complete: it grows as `NAME.partial` and is renamed at the end. create()
-/// fails if either name exists, so no file is ever overwritten. While it grows it is locked with flock, so that other
-/// programs can distinguish a file being written from one whose writer has died.
+/// fails if either name exists, so no existing file is overwritten. While it grows it is locked with flock, so that
+/// other programs can distinguish a file being written from one whose writer has died.
 class OutputFile {
  public:
   [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& name);

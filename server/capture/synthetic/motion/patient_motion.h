@@ -18,7 +18,7 @@ enum class Motion {
   Cough,      ///< coughs one to four times, about every six seconds
   Hold,       ///< holds the breath for eight of twenty seconds
   Speech,     ///< short inhales, long exhales with syllables
-  Shift,      ///< moves by up to 20 mm sideways and -10 to 20 mm in height, about every six seconds
+  Shift,      ///< every six seconds, moves to up to 20 mm from rest along the table, and -10 to 20 mm in height
   Drift,      ///< sinks and rises by up to 5 mm, at up to 2 mm/s
   SitUp,      ///< sits up by 14 to 24 degrees for some seconds, every thirty seconds
 };

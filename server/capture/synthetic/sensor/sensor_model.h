@@ -18,8 +18,8 @@ class SensorModel {
   /// `rest` is shared with the patient's TrueSurface, so that both use one immutable shape.
   SensorModel(std::shared_ptr<const RestShape> rest, const SyntheticSettings& settings);
 
-  /// Measures a patient in `pose`. `instant` selects the noise: equal instant and seed give equal noise. `out`: one
-  /// sample per pixel; 0 means "not measured".
+  /// Measures a patient in `pose`. `instant` selects the noise: equal instant and seed give equal noise. `out`:
+  /// depth of each pixel in units of the settings' depth_unit_m, row by row; 0 means "not measured".
   void measure(const PatientPose& pose, std::int64_t instant, std::vector<std::uint16_t>& out) const;
 
  private:
