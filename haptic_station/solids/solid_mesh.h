@@ -14,9 +14,9 @@ struct SolidMesh {
 
 inline constexpr std::size_t kMostCells = 64'000'000;
 
-/// The surface of a solid, by marching cubes with each cube cut into six tetrahedra (Doi and Koide 1991): no case is
-/// ambiguous, so each edge belongs to exactly two triangles. Parts thinner than a cell may be missing. Error: the solid
-/// has no bounds, or its box has more than kMostCells cells.
+/// The surface of a solid, by marching cubes of side `cell_m`, each cut into six tetrahedra (Doi and Koide 1991): no
+/// case is ambiguous, so each edge belongs to exactly two triangles. Parts thinner than `cell_m` may be missing. Error:
+/// the solid has no bounds, or its box has more than kMostCells cubes.
 [[nodiscard]] Result<SolidMesh> mesh_of(const SolidTree& tree, double cell_m);
 
 /// The number of edges that do not belong to exactly two triangles with opposite directions; 0: watertight.

@@ -9,7 +9,7 @@
 
 namespace telepalp::solids {
 
-/// What the proxy feels at one tick.
+/// Result of SolidProxy::step().
 struct ProxyAt {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();        ///< the proxy: the device point itself while nothing is touched
   Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< unit, from the device to the proxy; zero without touch

@@ -12,12 +12,12 @@ struct Measured {
   bool of_camera = false;
 };
 
-/// Measures by point pairs from a file; each point was measured in both frames (paper S3, docs/sources.md, 4.2).
+/// Measures either transform from a file of points measured in both of its frames (paper S3, docs/sources.md, 4.2).
 [[nodiscard]] Result<Measured> from_points(const program::Arguments& arguments);
-/// Measures with the hand resting on the end-effector (paper S1 eq. (2) to (4)): now, or from a file of point pairs that
-/// a viewer saved.
+/// Measures haptic_from_tracker with the hand resting on the end-effector (paper S1 eq. (2) to (4)): with the device
+/// and tracker that `arguments` names, or from a file of point pairs that a viewer saved.
 [[nodiscard]] Result<Measured> from_offset(const program::Arguments& arguments);
-/// Measures by poses of a hand on a probe, from a file (paper S2 II.C).
+/// Measures haptic_from_tracker from a file of poses of a hand that rests on a probe (paper S2 II.C).
 [[nodiscard]] Result<Measured> from_probe(const program::Arguments& arguments);
 
 }  // namespace telepalp::station

@@ -14,8 +14,8 @@ struct HeldProbe {
 
 /// The probe at a tick. Its face looks out of the palm and its long side lies along the hand's x (paper S1 eq. 1,
 /// docs/sources.md: the attitude that the tracker's three wrist angles give). While no attitude is known, the probe
-/// stands upright on the skin, with its long side along the image's rows. A probe that is turned more than 60 degrees
-/// away from the skin is not on the skin. No allocation.
+/// stands perpendicular to the skin, with its long side along the depth image's rows. A probe whose scan lines are more
+/// than 60 degrees off the skin's inward normal is not on the skin. No allocation.
 [[nodiscard]] HeldProbe held_probe(const loop::TickSample& tick,
                                    const Transform<HapticBase, DepthCamera>& haptic_from_camera) noexcept;
 

@@ -11,12 +11,12 @@
 
 namespace telepalp::station {
 
-/// The surfaces of the layers by marching cubes, thinned to one point for each place of a grid and moved onto the true
-/// surface: at most 36 000 points in all, and the grid is as wide as that needs. A layer without bounds is left out.
-/// Takes up to some seconds.
+/// The surfaces of the layers by marching cubes, thinned to one point in each cell of a grid and moved onto the true
+/// surface. The cells grow until all layers together have at most 36 000 points. A layer without bounds, or with too
+/// many points after six attempts, is left out. Takes up to some seconds.
 [[nodiscard]] msg::InnerStructures inner_structures(std::span<const scenes::SceneLayer> layers);
 
-/// Says where H is: the structures are displayed there.
+/// Sets the pose of H in the depth camera's frame: the points of `inside` are in H.
 void set_place(msg::InnerStructures& inside, const Transform<HapticBase, DepthCamera>& haptic_from_camera);
 
 /// The message of /station/ultrasound without an image, with the probe's pose.

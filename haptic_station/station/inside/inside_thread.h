@@ -32,11 +32,11 @@ class InsideThread {
 
   [[nodiscard]] bool has_probe() const noexcept { return settings_.has_value(); }
 
-  /// The probe at a tick, and how far the layers have moved with the body.
+  /// The probe at a tick, the camera's pose, and how far the layers have moved with the body.
   struct View {
     loop::TickSample tick;
     Transform<HapticBase, DepthCamera> haptic_from_camera;
-    loop::ObjectPlacements objects;  ///< by effect
+    loop::ObjectPlacements objects;  ///< one for each effect of the scene, in its order
   };
   /// Asks for the image of a view; ignored while the last one is computed or without a probe. Network thread only.
   void offer(const View& view);

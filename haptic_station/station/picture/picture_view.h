@@ -20,7 +20,7 @@ struct Directions {
 };
 [[nodiscard]] Directions directions_of(PictureSide side);
 
-/// A view of everything that has bounds, at least 0.2 m wide unless `width_m` is given.
+/// A view of all points of `skin` and all objects that have bounds, 0.2 to 4 m wide unless `width_m` is given.
 [[nodiscard]] solids::PictureView view_of(const std::vector<scenes::SceneObject>& objects,
                                           std::span<const SkinPoint> skin, const Directions& directions,
                                           std::optional<double> width_m, int side_px);

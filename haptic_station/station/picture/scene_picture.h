@@ -10,7 +10,7 @@
 
 namespace telepalp::station {
 
-/// The side from which a scene is seen, when the patient lies on the back.
+/// The side from which a scene is seen, when the patient lies on the back. Side: the patient's left.
 enum class PictureSide : std::uint8_t { Above, Feet, Side };
 
 /// A picture of a scene, to scale: the objects inside the body below a translucent skin, with the scene's name, a grid,

@@ -19,7 +19,7 @@ namespace telepalp::station {
 struct Simulated {};
 struct Haply {
   device::WebSocketUrl url;
-  Point<device::haply::InverseBase> origin = device::middle_of_inverse3();
+  Point<device::haply::InverseBase> origin = device::middle_of_inverse3();  ///< this point becomes H's origin
 };
 struct Leap {
   device::WebSocketUrl url;
@@ -52,7 +52,7 @@ inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser"
 /// How long a device or tracker may take to answer at the start, unless the operator asks for another time.
 inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 
-/// Connects to the device or tracker. Error: it does not answer within `within`.
+/// Connects to the device or tracker. Error: no answer within `within`. Simulated: a device moved by the tracked hand.
 [[nodiscard]] Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice,
                                                                     const scenes::Scene& scene,
                                                                     std::chrono::milliseconds within = kAnswerWithin);

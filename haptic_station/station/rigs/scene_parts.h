@@ -17,8 +17,8 @@ struct SceneParts {
   std::optional<StaticPatient> model;        ///< nullopt: the patient is streamed
 };
 
-/// Reads the files that the scene names besides those of its effects, and no other file. `scene_file`: for relative
-/// paths. `anyway`: accept a model that open_static_patient() would refuse.
+/// Reads the files that the scene names besides those of its effects, and no other file. `scene_file`: relative paths
+/// start at its folder. `anyway`: accept a model that open_static_patient() would refuse.
 [[nodiscard]] Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem::path& scene_file,
                                             bool anyway);
 

@@ -17,9 +17,9 @@ struct LoadedScene {
   SceneParts parts;
 };
 
-/// What an operator asks of the station by signals: SIGINT and SIGTERM end it, SIGHUP makes it read its scene again. It
-/// outlives each Station of the process, so that a signal that comes between two of them is kept for the second. Owner:
-/// network thread, except for the reading, which has a thread of its own.
+/// Requests of an operator by signals: SIGINT and SIGTERM end the station; SIGHUP makes it read its scene again, or
+/// ends it if its terminal was closed. This object outlives each Station of the process, so that a signal that comes
+/// between two of them is kept for the second. Owner: network thread; the scene is read on a thread of its own.
 class StationSignals {
  public:
   enum class Asked { Nothing, End, NewScene };

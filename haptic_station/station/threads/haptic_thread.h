@@ -29,7 +29,7 @@ struct HapticCounts {
 /// timer and the rig.
 class HapticThread {
  public:
-  /// `device_to_surface`: gets the device's position at every tick, for the surface thread.
+  /// `device_to_surface`: gets the device's position in H (HapticLoop::in_patient_frame()) at every tick.
   HapticThread(loop::HapticLoop& loop, ports::Rig& rig, LatestValue<loop::TouchableSurface>& surfaces, TickRing& ticks,
                LatestValue<Point<HapticBase>>& device_to_surface)
       : loop_(loop), rig_(rig), surfaces_(surfaces), ticks_(ticks), device_to_surface_(device_to_surface) {}
@@ -48,7 +48,7 @@ class HapticThread {
   [[nodiscard]] LatestValue<Bill>& bill() noexcept { return bill_; }
   /// The delay compensation, 100 times a second. Read by the network thread.
   [[nodiscard]] LatestValue<loop::Compensation>& compensation() noexcept { return compensation_; }
-  /// The device's position, at every tick. Read by the collision thread, if it exists.
+  /// The device's position in H (HapticLoop::in_patient_frame()), at every tick. Read by the collision thread, if any.
   [[nodiscard]] LatestValue<Point<HapticBase>>& device() noexcept { return device_; }
 
   /// Sets session time minus this machine's steady clock. The network thread updates it.
