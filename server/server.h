@@ -46,7 +46,7 @@ class Server {
   /// The player; nullptr unless play() was called.
   [[nodiscard]] playback::SessionPlayer* player() noexcept { return player_.get(); }
 
-  /// The network that play() lets the session cross; it passes all on until it is told to impair.
+  /// The network that the played session crosses; it passes each message on at once until a command impairs it.
   [[nodiscard]] playback::SessionNetwork& network() noexcept { return network_; }
 
   /// Stops capturing, sends queued messages and a Goodbye with `reason`. io.run() then returns within 1 s.

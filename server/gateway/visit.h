@@ -47,8 +47,8 @@ class Visit {
   Visit(GatewayContext& context, const HttpRequest& request, const boost::asio::ip::address& peer);
 
   [[nodiscard]] const std::optional<Visitor>& visitor() const noexcept { return visitor_; }
-  /// True if the request, when it names no origin, comes from a program that may act for its user: one on this machine,
-  /// or one that sent a valid token.
+  /// True if the request comes from this machine or brought a valid token. Such a request needs no origin: if it names
+  /// none, it comes from a program that may act for its user.
   [[nodiscard]] bool is_from_trusted_program() const noexcept { return is_on_this_machine_ || brought_token_; }
   [[nodiscard]] bool may(keys::Operation operation) const;
 

@@ -21,16 +21,16 @@ using SubscriberId = std::uint64_t;
 /// Distributes each published message to the subscribers of its topic. It does not encode or copy: all subscribers
 /// share one payload. A slow subscriber loses its own oldest messages, topic by topic; other subscribers are not
 /// affected. A new subscriber gets the last message of each latched topic (camera models, camera status, holder of the
-/// viewer's hand). A predicted frame goes only to subscribers that have its reference frame. A subscriber that missed a
-/// frame gets no message of that topic until the next key frame, which the hub requests from the publisher. Owner: the
-/// server's network thread; no locks, no sockets, no clock.
+/// viewer's hand, structures inside the body). A predicted frame goes only to subscribers that have its reference
+/// frame. A subscriber that missed a frame gets no message of that topic until the next key frame, which the hub
+/// requests from the publisher. Owner: the server's network thread; no locks, no sockets, no clock.
 class Hub {
  public:
   /// Limit of the queued bytes of all topics outside /camera/..., over all subscribers. A payload that is queued for
   /// several subscribers counts once for each.
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
 
-  /// Adds a subscriber. publish() calls `wake` when the subscriber's empty queue gets a message.
+  /// Adds a subscriber. `wake` is called when its empty queue gets a message, and at each message while `by_datagram`.
   /// `sender`: the number that marks the messages that this peer publishes; 0: it publishes none.
   SubscriberId join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender = 0);
   void leave(SubscriberId subscriber);
@@ -46,8 +46,8 @@ class Hub {
   /// A subscriber requests a key frame: it could not decode the message of `topic` published at `undecodable`.
   void request_key_frame(SubscriberId subscriber, const wire::Topic& topic, SessionTime undecodable);
 
-  /// Sets the function that requests a key frame of a topic from its publisher. It is called once until the key frame
-  /// comes.
+  /// Sets the function that requests a key frame of a topic from its publisher. After a call for a topic, it is not
+  /// called again for this topic until a key frame comes.
   void on_key_frame_request(std::function<void(std::string_view topic)> handler) {
     key_frame_requested_ = std::move(handler);
   }

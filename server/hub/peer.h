@@ -225,7 +225,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   bool audited_ = false;        // the audit log already has the reason for this peer's refusal
   bool advertised_ = false;     // the peer has advertised an allowed topic
   bool subscribed_ = false;     // the peer is subscribed to at least one topic
-  Clock::time_point useful_{};  // when it last published, subscribed or sent its Hello
+  Clock::time_point useful_{};  // when it last published, ended its subscriptions or sent its Hello
   UpstreamRates rates_;
   bool over_rate_noted_ = false;
   std::uint32_t sender_ = 0;                      // 0: no Hello yet

@@ -35,7 +35,8 @@ class PeerDatagrams : private DatagramPort::Session {
   /// Leaves the port and calls no handler afterwards. The closed object may outlive port and hub. A handler must not
   /// destroy the object that calls it.
   void close() noexcept;
-  /// True if the depth images of this peer may depend on each other; see link::references_arrive().
+  /// True if the depth images of this peer may be predicted from each other: they go over TCP, or
+  /// link::references_arrive() holds for the datagrams' path.
   [[nodiscard]] bool references_arrive() const noexcept;
   /// Call it when the hub has a message for the peer.
   void wake() { end_->pump(); }

@@ -43,9 +43,9 @@ class PeerListener {
   };
   struct Counts {
     std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;      ///< peers refused: key, permission, too many, or another station active; and pauses
-                                    ///< in accepting, because no file descriptor was free
-    std::uint64_t let_go_idle = 0;  ///< connections closed because they neither received nor published
+    std::uint64_t refused = 0;  ///< peers refused for their key, their right, want of a place or the touch of another
+                                ///< doctor; and pauses in accepting, because no file descriptor was free
+    std::uint64_t let_go_idle = 0;       ///< connections closed because they neither received nor published
     std::uint64_t invalid_messages = 0;  ///< invalid messages of peers, dropped
     std::uint64_t over_rate = 0;         ///< messages dropped because the peer exceeded its rate
   };

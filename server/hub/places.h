@@ -43,7 +43,7 @@ struct PlaceLimits {
 
 /// Time limits after which a peer that neither receives nor publishes is disconnected.
 struct IdleLimits {
-  std::chrono::milliseconds without_topics{5'000};  ///< for a peer without subscription and advertised topic
+  std::chrono::milliseconds without_topics{5'000};  ///< for a peer with neither a subscription nor an advertised topic
   std::chrono::milliseconds silent{60'000};         ///< for a peer that has advertised a topic and publishes nothing
 };
 

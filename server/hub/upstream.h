@@ -21,9 +21,9 @@ inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 /// and statistics.
 [[nodiscard]] bool may_publish_upstream(const wire::Topic& topic) noexcept;
 
-/// True if the topic of `message` is allowed, its payload parses as the topic's type, and for images of an ultrasound
-/// probe and structures inside the body its values are possible. Otherwise every subscriber and
-/// every recording would get an unreadable message.
+/// True if a peer may publish the topic of `message`, its payload is at most kMaxUpstreamBytes and parses as the
+/// topic's type, and the values of an ultrasound image or of structures inside the body are possible. If the server
+/// passed on other messages, every subscriber and every recording would get an unreadable message.
 [[nodiscard]] bool is_valid_upstream(const wire::Message& message);
 
 /// The largest rate at which a peer may publish `topic`: more than twice a station's rate, with a burst for the

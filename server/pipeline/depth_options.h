@@ -11,8 +11,8 @@ namespace telepalp::pipeline {
 
 /// Names of a program's options for depth compression. The third option is `--key-every` in every program.
 struct DepthOptionNames {
-  std::string_view mode;   ///< "depth-mode"
-  std::string_view bound;  ///< "depth-bound"
+  std::string_view mode;   ///< "depth-mode" of telepalp-server, "mode" of telepalp-codec
+  std::string_view bound;  ///< "depth-bound" of telepalp-server, "bound" of telepalp-codec
 };
 
 /// Parses "LEAST_MM,PER_M2_MM": the error of depth z [m] is at most max(LEAST_MM, PER_M2_MM * z²) millimetres. Error:

@@ -23,13 +23,13 @@ class ImpairedPath {
 
   ImpairedPath(SessionTime now, const impaired::Profile& network, std::uint64_t seed);
 
-  /// Changes the impairments of both directions. The datagram link begins a new session, as after a reconnect, so that
-  /// its estimate of the path is not that of the path before; its datagrams on the way are lost. The TCP stream goes
-  /// on.
+  /// Changes the impairments of both directions. The datagram link begins a new session, as after a reconnect, and so
+  /// forgets its estimate of the former path; its datagrams on the way are lost. The TCP stream goes on.
   void change(SessionTime now, const impaired::Profile& network);
-  /// Takes a message. `sequence` of a deadline topic counts its messages without a gap.
+  /// Takes a message. The caller numbers the messages of each deadline topic without a gap (`message.sequence`).
   void send(SessionTime now, wire::Message message);
-  /// The messages that have arrived by `now`. A predicted depth image arrives only after the image before it.
+  /// The messages that have arrived by `now`. A predicted depth image arrives only after the image before it. A message
+  /// by datagram that arrives after a newer one of its topic is left out.
   [[nodiscard]] std::vector<wire::Message> receive(SessionTime now);
   /// When to call receive() again; nullopt: only after send().
   [[nodiscard]] std::optional<SessionTime> due(SessionTime now) const;
@@ -39,6 +39,7 @@ class ImpairedPath {
 
   /// Counts of the direction from the patient's site.
   [[nodiscard]] const impaired::LinkStatistics& statistics() const noexcept { return down_.statistics(); }
+  /// Number of depth images that were left out, because a newer one had arrived before.
   [[nodiscard]] std::uint64_t late_images() const noexcept { return late_images_; }
 
  private:

@@ -28,7 +28,7 @@ class SessionPlayer {
     std::function<void()> on_end;                   ///< on the network thread, once, at the end unless `loop`
   };
 
-  /// Error: the file cannot be read, or the session is shorter than `from_s`.
+  /// Error: the file cannot be read, or the session is shorter than `spec.from_s`.
   [[nodiscard]] static Result<std::unique_ptr<SessionPlayer>> open(const PlaybackSpec& spec, bool loop,
                                                                    wire::SessionClock clock);
   ~SessionPlayer();
@@ -65,9 +65,9 @@ class SessionPlayer {
   [[nodiscard]] bool wait_until(SessionTime due);
   void show_state();
 
-  Timeline timeline_;  // used by the player's thread only, like all members up to `mutex_`
+  Timeline timeline_;  // after start(): the player's thread alone uses it and the members up to repeated_at_
   const std::string file_;
-  const SessionTime begin_;
+  const SessionTime begin_;  // begin() reads it on any thread
   const wire::SessionClock clock_;
   TimeMap map_;
   std::optional<wire::Message> next_;
@@ -83,9 +83,9 @@ class SessionPlayer {
   std::optional<std::string> status_;  // text of the status published last
   SessionTime repeated_at_{};
 
-  boost::asio::io_context* network_ = nullptr;
-  Handlers handlers_;
-  mutable std::mutex mutex_;  // guards commands_, again_, state_ and stopping_
+  boost::asio::io_context* network_ = nullptr;  // set by start()
+  Handlers handlers_;                           // set by start(); called on the network thread
+  mutable std::mutex mutex_;                    // guards commands_, again_, state_ and stopping_
   std::condition_variable changed_;
   std::vector<msg::PlaybackCommand> commands_;
   bool again_ = false;  // show_again() was called

@@ -11,7 +11,7 @@
 
 namespace telepalp::gateway::foxglove {
 
-/// The played session, as the WebSocket sees it. Both are unset when the server plays none.
+/// The played session, as the WebSocket sees it. Both functions are unset when the server plays none.
 struct PlaybackPort {
   std::function<msg::PlaybackState()> state;
   std::function<Result<void>(const msg::PlaybackCommand&)> move;
@@ -40,7 +40,7 @@ struct PlaybackRequest {
 /// a seek was done | u32 length | id of the request that it answers. Times are session times of the recording.
 [[nodiscard]] std::string playback_state(const msg::PlaybackState& state);
 
-/// The reply to `request`: the state that it leads to.
+/// The reply to `request`, as a state message: the state to which `request` leads from the present `state`.
 [[nodiscard]] std::string playback_reply(const msg::PlaybackState& state, const PlaybackRequest& request);
 
 /// Session time of the recording's last message [ns].

@@ -4,8 +4,8 @@
 
 namespace telepalp::gateway {
 
-/// True when an Accept-Encoding header allows `coding`, "gzip" or "br": it lists it, or else "*", with a weight above 0
-/// (RFC 9110, 12.5.3).
+/// True when an Accept-Encoding header allows `coding`, "gzip" or "br": the header lists `coding`, or else "*", with a
+/// weight above 0 (RFC 9110, 12.5.3).
 [[nodiscard]] bool takes_coding(std::string_view accept_encoding, std::string_view coding) noexcept;
 
 /// True when an If-None-Match header lists `etag` or "*". A prefix "W/" of a tag is ignored (RFC 9110, 13.1.2). `etag`

@@ -13,7 +13,7 @@ inline constexpr double kFeltDifference_N = 0.05;
 
 /// Puts two runs on one time axis. Runs that share session time are compared at equal times, others from their first
 /// states on, as by `telepalp-report A B`, which compares the ticks at 2 kHz. Forces are compared at the states of `a`
-/// that have a state of `b` within 10 ms. Both tracks have points.
+/// that have a state of `b` within 10 ms, if at least one of these states is in contact. Both tracks have points.
 [[nodiscard]] msg::ComparisonState compare_tracks(const StateTrack& a, const StateTrack& b);
 
 }  // namespace telepalp::playback
