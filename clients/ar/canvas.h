@@ -21,8 +21,8 @@ struct Paint {
 
 /// Lights of the scene, as unit directions towards the light in the depth camera's frame.
 struct Lights {
-  Eigen::Vector3f key;
-  Eigen::Vector3f up;
+  Eigen::Vector3f key;  ///< of the main light, which casts the shadow
+  Eigen::Vector3f up;   ///< to the brightest part of the sky, which lights all sides diffusely
 };
 
 /// A software renderer with a z-buffer; it needs no graphics card. It renders at twice the size in both directions and
@@ -37,7 +37,7 @@ class Canvas {
   /// The finished picture in 8-bit sRGB.
   [[nodiscard]] ColorImage resolved() const;
 
-  /// The camera scaled to the supersampled pixels of this canvas.
+  /// `camera`, given for the finished picture, scaled to the supersampled pixels of this canvas, as draw() uses it.
   [[nodiscard]] ViewCamera supersampled(ViewCamera camera) const noexcept;
 
  private:

@@ -14,8 +14,8 @@ struct HandAvatar {
 };
 [[nodiscard]] HandAvatar hand_avatar();
 
-/// The hand's colour: skin that turns red with the indentation (paper S1 §II.E, docs/sources.md) and is fully red at
-/// 60 mm, the indentation for which S1 states its largest force.
+/// The hand's colour (linear RGB): skin that turns red with the indentation (paper S1 §II.E, docs/sources.md) and is
+/// fully red at 60 mm, the indentation for which S1 states its largest force.
 [[nodiscard]] Eigen::Vector3f avatar_color(double indentation_m) noexcept;
 
 }  // namespace telepalp::ar

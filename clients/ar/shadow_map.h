@@ -9,7 +9,7 @@ namespace telepalp::ar {
 /// A shadow map of a distant light. The hand's shadow on the body shows the height of the hand.
 class ShadowMap {
  public:
-  /// The map covers `reach_m` around `centre`. `light`: unit direction towards the light.
+  /// The map covers `reach_m` to each side of `centre`. `light`: unit direction towards the light.
   ShadowMap(const Eigen::Vector3f& centre, const Eigen::Vector3f& light, float reach_m);
 
   /// Adds a mesh that casts a shadow.

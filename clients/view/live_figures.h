@@ -40,7 +40,7 @@ class LiveFigures {
   std::map<std::string_view, Heard> topics_;
 };
 
-/// A table, or JSON: {"seconds", "clock_uncertainty_ms", "topics": {NAME: {"per_s", "bytes_per_s", "age_p50_ms", …}}}.
+/// The figures as a table, or as JSON: {"seconds", "clock_uncertainty_ms", "topics": {NAME: {"per_s", …}}}.
 [[nodiscard]] std::string in_table(const std::vector<LiveFigures::Topic>& topics, double clock_uncertainty_ms);
 [[nodiscard]] std::string in_json(const std::vector<LiveFigures::Topic>& topics, double seconds,
                                   double clock_uncertainty_ms);

@@ -11,7 +11,7 @@
 namespace telepalp::codec {
 
 /// The distinct depths of a frame, ascending. `levels[0]` is 0, "not measured". A pixel's rank is its index in this
-/// list. A Kinect-class frame has a few hundred levels, and successive ranks are successive disparities, near and far.
+/// list. A Kinect-class frame has a few hundred levels, and from rank to rank the disparity changes by one step.
 struct LevelPalette {
   std::vector<std::uint16_t> levels{0};
 

@@ -18,8 +18,8 @@ namespace telepalp::calibration {
                                               const std::string& method, std::chrono::system_clock::time_point date,
                                               int rank = 0);
 
-/// The rigid motion of a message. Error: a number that is not finite, a translation beyond 10 m, or a rotation vector
-/// longer than 2 pi.
+/// The rigid motion of a message. `where`: place of the message, for errors. Error: a number that is not finite, a
+/// translation beyond 10 m, or a rotation vector longer than 6.3 rad.
 [[nodiscard]] Result<Eigen::Isometry3d> transform_of(const msg::MeasuredTransform& message, const std::string& where);
 
 /// Reads a *.calibration.textproto and checks both transforms. Error: a damaged file, reported with line and column.

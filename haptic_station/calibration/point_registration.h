@@ -28,8 +28,8 @@ enum class RotationBy {
 struct RegistrationSettings {
   RotationBy rotation_by = RotationBy::Covariance;
   double least_spread_m = 0.005;     ///< least standard deviation along a direction that counts for the rank
-  double least_spread_share = 0.02;  ///< the same / that along the widest direction; the greater limit counts
-  double largest_rms_share = 0.1;    ///< largest rms residual / standard deviation along the widest direction
+  double least_spread_share = 0.02;  ///< the same, as a share of that along the widest direction; the greater counts
+  double largest_rms_share = 0.1;    ///< largest rms residual, as a share of the widest direction's standard deviation
 };
 
 /// A rigid motion and how well it fits.
@@ -41,10 +41,11 @@ struct Registration {
 
 /// The rigid motion from `from` to `to` with the least sum of squared distances. Repeats are averaged first, so that
 /// each point has equal weight.
-/// Error: fewer than three points, a number that is not finite or beyond 10 m, points on a line (reported with their
-/// rank), mirrored sets, sets of different scale (metres against millimetres), or pairs that do not match.
-/// Source: paper S3 4.2 (centroids, least squares, nearest rotation). Unlike S3, the translation is computed after the
-/// rotation, because the translation T as printed in S3 is correct only if the axes of both frames are parallel.
+/// Error: fewer than three points, over 100 000 pairs, a number that is not finite or beyond 10 m, points on a line
+/// (reported with their rank), mirrored sets, sets of different scale (metres against millimetres), or pairs that do
+/// not match. Source: paper S3 4.2 (centroids, least squares, nearest rotation). Unlike S3, the translation is computed
+/// after the rotation, because the translation T as printed in S3 is correct only if the axes of both frames are
+/// parallel.
 [[nodiscard]] Result<Registration> register_points(std::span<const PointPair> pairs,
                                                    const RegistrationSettings& settings = {});
 

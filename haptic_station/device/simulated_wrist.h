@@ -6,8 +6,8 @@
 
 namespace telepalp::device {
 
-/// The wrist of a simulated hand that examines with an ultrasound probe. Each of its three angles swings about zero, and
-/// an encoder reads it. At zero the palm looks straight down and the fingers point to the patient's head.
+/// The wrist of a simulated hand that examines with an ultrasound probe. Each of its three angles swings about zero,
+/// and an encoder reads it. At zero the palm looks straight down and the fingers point to the patient's head.
 struct SimulatedWristSettings {
   struct Swing {
     double most_rad;

@@ -41,7 +41,7 @@ enum class ObjectTouch { None, Near, Lateral, Upper };
 // - only objects whose wall moves by itself, as an artery's: Vector<HapticBase> wall_velocity(double dt_s), the
 //   mean velocity of the wall in the coming tick, relative to place()
 // - only layers (the effect Solid): const char* label(), the layer's name in the scene
-// - all others: Vector<HapticBase> carried_at(const EffectInput&), the velocity of the surface to which the effect is
-//   fixed, for example the breathing skin
+// - only effects that are no object inside the body: Vector<HapticBase> carried_at(const EffectInput&), the velocity of
+//   the surface to which the effect is fixed, for example the breathing skin
 
 }  // namespace telepalp::effects

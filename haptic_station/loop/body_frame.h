@@ -18,7 +18,7 @@ struct ObjectPlacement {
   bool watched = false;          ///< false: this entry has no object
   bool unseen = false;           ///< the camera does not see the skin above it: the object stays where it is
   bool slide_unseen = false;     ///< the skin's tangential motion (slide) cannot be measured: the last slide is held
-  const char* name = "";         ///< name of the effect
+  const char* name = "";         ///< name of the effect; BodyFrame leaves it empty, and HapticLoop fills it in
   std::array<float, 3> moved{};  ///< displacement from its place in the scene, in the haptic base's frame H [m]
   float sigma_normal_m = 0.0F;   ///< 1-sigma of the displacement along the skin's normal
   float sigma_slide_m = 0.0F;    ///< 1-sigma along the skin, in the least certain direction

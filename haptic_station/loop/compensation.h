@@ -24,7 +24,7 @@ struct Compensation {
   // The surface: predicted from its capture to now. Displacements are along its normal, positive out of the body.
   double surface_age_s = 0.0;
   double surface_carried_m = 0.0;
-  double unmodelled = 0.0;       ///< 1: motion much faster than usual, or a pushed camera; after it, falls to 0 in 1 s
+  double unmodelled = 0.0;       ///< 1: the skin moves unusually fast, or the camera was pushed; then falls to 0 in 1 s
   double surface_sigma_m = 0.0;  ///< standard deviation of its position, from noise, fit and prediction
   double slewed_m = 0.0;         ///< offset that hides the step from one snapshot to the next; decays to 0
   double support = 0.0;          ///< displayed share of the contact force; 0 at rims and on a stale surface

@@ -13,16 +13,16 @@
 namespace telepalp::loop {
 
 /// A simulated device, a simulated hand that holds it, and a simulated tracker that observes the hand. The hand follows
-/// the scripted path of a trial or repeats a recorded movement. A recorded attitude takes precedence over `wrist`. In the station it runs on the haptic thread; tests step
-/// it in virtual time.
+/// the scripted path of a trial or repeats a recorded movement; a recorded attitude takes precedence over
+/// Settings::wrist. The station runs this class on the haptic thread; tests step it in virtual time.
 class SimulatedRig final : public ports::Rig {
  public:
   struct Settings {
     device::SimulatedDeviceSettings device;
     device::SimulatedHandSettings hand;
     device::SimulatedTrackerSettings tracker;
-    std::optional<device::SimulatedWristSettings> wrist = {};  ///< nullopt: its attitude is not measured
-    Point<HapticBase> rest;  ///< start position of device and hand
+    std::optional<device::SimulatedWristSettings> wrist = {};  ///< nullopt: the hand's attitude is not measured
+    Point<HapticBase> rest;                                    ///< start position of device and hand
     std::uint64_t seed = 1;
   };
   using Person = std::variant<device::ScriptedIntention, tracking::RecordedIntention>;

@@ -39,7 +39,7 @@ struct TickSample {
   float distance_m = 0.0F;     ///< signed distance of the device point from the skin; negative inside
   float passivity_J = 0.0F;    ///< PassivityController::balance_J(); negative: the display is active
   float hand_excess_J = 0.0F;  ///< work on the hand in this contact minus the measured skin's on the same path
-  float unmodelled = 0.0F;     ///< 1: motion much faster than usual, or a pushed camera; then falls to 0 within 1 s
+  float unmodelled = 0.0F;     ///< 1: the skin moves unusually fast, or the camera was pushed; then falls to 0 in 1 s
   float yields_in_s = 0.0F;    ///< time until the motors' heat lowers the contact force; infinite: never
   float device_age_s = 0.0F;   ///< this and the next two: ages of the inputs of the controller at this tick
   float hand_age_s = 0.0F;

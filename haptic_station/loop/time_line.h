@@ -4,8 +4,8 @@
 
 namespace telepalp::loop {
 
-/// Largest step back of the session clock within a session. Corrections below 1 s are slewed, so the clock itself does
-/// not step back by less; but another thread may have read it a moment later than this tick.
+/// Margin for comparing times of the session clock that different threads have read, a moment apart. A larger step back
+/// is a new session: the clock never steps back by less than 1 s, because smaller corrections are slewed.
 inline constexpr std::chrono::milliseconds kSameSession{50};
 
 /// True if the session clock, which read `latest` before, has stepped back to `now`: another session has begun, so that

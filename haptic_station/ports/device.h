@@ -11,8 +11,8 @@ class Device {
   virtual ~Device() = default;
   /// The position of the end-effector. The reading's age is infinite until the device has answered once.
   [[nodiscard]] virtual DeviceReading read() noexcept = 0;
-  /// Holds `force` for the next `dt_s`. `contact`: the contact at the last reading, for devices with a controller of
-  /// their own.
+  /// Applies `force` for the next `dt_s`. `contact`: the contact at the last read(); only a device with a controller of
+  /// its own uses it.
   virtual void apply(const Force<HapticBase>& force, const SurfaceContact& contact, double dt_s) noexcept = 0;
   /// The position of the hand that the tracker sees. A simulated device follows it, as if the hand held the device.
   virtual void hand_seen(const Point<HapticBase>&) noexcept {}

@@ -15,8 +15,8 @@ class Rig {
   [[nodiscard]] virtual DeviceReading read() noexcept = 0;
   /// The newest sample of the hand. Each sample is returned once; nullopt means that there is no newer one.
   [[nodiscard]] virtual std::optional<HandSample> hand(SessionTime now) noexcept = 0;
-  /// The force to hold for the next `dt_s`. `contact`: the contact at the last reading, for simulated persons and for
-  /// devices with a controller of their own.
+  /// Applies `force` for the next `dt_s`. `contact`: the contact at the last read(). Only a simulated hand, which finds
+  /// the skin's height from it, and a device with a controller of its own use it.
   virtual void apply(const Force<HapticBase>& force, const SurfaceContact& contact, double dt_s) noexcept = 0;
 };
 

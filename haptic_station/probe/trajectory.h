@@ -15,8 +15,9 @@ struct Waypoint {
   Eigen::Vector3d at_m = Eigen::Vector3d::Zero();  ///< may be NaN: touched without force
 };
 
-/// Reads lines `t_s,x,y,z`, with or without that header line. Error: a time that decreases or is not a number, reported
-/// with its line. A position that is not a number is kept, to test that touch_along() survives it.
+/// Reads lines `t_s,x,y,z`, with or without that header line. Error: a line without four columns, or a time that
+/// decreases or is not a number, each reported with its line; no waypoint, or more than 20 million. A position that is
+/// not a number is kept, to test that touch_along() survives it.
 [[nodiscard]] Result<std::vector<Waypoint>> read_trajectory(const std::filesystem::path& file);
 [[nodiscard]] Result<std::vector<Waypoint>> parse_trajectory(std::string_view text, const std::string& name);
 

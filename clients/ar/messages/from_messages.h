@@ -13,10 +13,11 @@ namespace telepalp::ar {
 /// The intrinsics `camera` rescaled to an image of `width` × `height`; pixel centres have integer coordinates.
 [[nodiscard]] Intrinsics scaled_to(const Intrinsics& camera, int width, int height);
 
-/// True once the station knows the position of its hand in the camera's frame.
+/// True if the state has a position of the device point in front of the camera.
 [[nodiscard]] bool is_drawable(const msg::StationState& state);
 
-/// The touch to draw. Call it only for a state for which is_drawable() is true.
+/// The touch to draw; where the state has no proxy or hand, the device point stands in for it. Call it only for a state
+/// for which is_drawable() is true.
 [[nodiscard]] Touch touch_of(const msg::StationState& state);
 
 /// Lines of the panel: state, force, indentation, age of the surface, and the time since `start_ns` (session time), if

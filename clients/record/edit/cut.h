@@ -24,9 +24,11 @@ struct EditReport {
   std::vector<std::string> damages;  ///< places that could not be read, at most 100
 };
 
-/// Writes the messages of `file` from `from` until `to` to `out`, with all metadata and attachments. `out` begins with
-/// the messages that a player needs for the first instant, with their own times: the last camera models and states, and
-/// the depth images since the last key frame. Error: no message lies in that time, or a file cannot be read or written.
+/// Writes the messages of `file` from options.from until options.to to `out`, with all metadata and attachments. `out`
+/// begins with the messages that a player needs at options.from: the last message of each latched topic (such as camera
+/// model and status), and the depth images since the last key frame. They keep their times unless these are more than
+/// 10 s before options.from, which then replaces them. Error: there is nothing to write, or a file cannot be read or
+/// written.
 [[nodiscard]] Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem::path& out,
                                      const CutOptions& options);
 

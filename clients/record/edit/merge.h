@@ -7,7 +7,7 @@
 
 namespace telepalp::record {
 
-/// At most this many files are merged at once: each keeps the chunks of one instant in memory.
+/// At most this many files are merged at once: of each file, the chunks around the present time are in memory.
 inline constexpr std::size_t kMostMerged = 256;
 
 /// Writes the messages of all `files` to `out` in order of time, with all metadata and attachments. A message that is

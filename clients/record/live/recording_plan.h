@@ -11,6 +11,4 @@ namespace telepalp::record {
 /// cannot be read.
 [[nodiscard]] Result<SessionFiles::Plan> plan_of(const RecordingOptions& options);
 
-/// "127.0.0.1:7400"
-
 }  // namespace telepalp::record

@@ -21,14 +21,14 @@ namespace telepalp::record {
 struct Splitting {
   std::optional<std::uint64_t> bytes;    ///< a file of this size ends at the next depth key frame, or after 2 s
   std::optional<Nanoseconds> time;       ///< likewise a file of this duration
-  std::optional<Nanoseconds> keep_last;  ///< older files are removed; the last files with at least this duration stay
+  std::optional<Nanoseconds> keep_last;  ///< a file is removed when its last message is older than this
 };
 
-/// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session: it
-/// begins with a depth key frame, unless none comes within 2 s, and repeats the camera models and states that were
-/// published last. When a write fails, the part is completed with the messages that it holds. Later messages are
-/// dropped and counted until there is room for a new part. Owner: the disk thread, except where a comment says
-/// otherwise.
+/// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session. It
+/// repeats the last message of each latched topic (such as camera model and status), and continues with a depth key
+/// frame, unless none comes within 2 s. When a write fails, the part is completed with the messages that it holds.
+/// Messages are then dropped and counted until a new part begins, for which there must be room on the disk. Owner: the
+/// disk thread, except where a comment says otherwise.
 class SessionFiles {
  public:
   struct Plan {
@@ -48,18 +48,18 @@ class SessionFiles {
   /// Completes the last part with `notes`. Call it when the disk thread has ended. Error: messages were lost because
   /// the disk failed or was full, or the last part could not be completed.
   [[nodiscard]] Result<void> close(const wire::mcap::Metadata& notes);
-  /// Removes the first file, which holds no message.
+  /// Removes the only file. Call it instead of close() when the server never answered.
   void discard();
 
   struct Counts {
     std::uint64_t messages = 0;  ///< written
-    std::uint64_t bytes = 0;     ///< size of all parts that were not removed
+    std::uint64_t bytes = 0;     ///< size of the completed parts that were not removed
     std::vector<std::filesystem::path> files;
   };
   [[nodiscard]] Counts counts() const;
-  /// Messages dropped because the disk failed or was full. Any thread.
+  /// Messages dropped because the disk failed or was full, or while needs_key_frame() was true. Any thread.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
-  /// True while messages are dropped because a new part waits for a key frame. Any thread.
+  /// True while, after a failure, a new part waits for a key frame, and messages are dropped. Any thread.
   [[nodiscard]] bool needs_key_frame() const noexcept { return needs_key_frame_; }
 
  private:

@@ -35,8 +35,8 @@ struct Run {
 /// Reads a session file, or the file session.mcap in the folder `asked`. Error: see read_session().
 [[nodiscard]] Result<Run> read_run(const std::filesystem::path& asked);
 
-/// The facts in `json`, the text of telepalp-replay's report.json, about its run; `unimpaired`: about its reference run
-/// over a network without delay, loss and faults. nullopt: `json` is not from telepalp-replay.
+/// The facts in `json`, the text of telepalp-replay's report.json: about its run or, if `unimpaired` is true, about its
+/// reference run over a network without delay, loss and faults. nullopt: `json` is not from telepalp-replay.
 [[nodiscard]] std::optional<ReplayFacts> replay_facts(const std::string& json, bool unimpaired);
 
 /// Labels both runs with the shortest tails of their paths that differ: "lte/session.mcap" and "lan/session.mcap".

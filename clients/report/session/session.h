@@ -68,7 +68,7 @@ struct Subscription {
   std::string name, address;
   bool was_there_first = false;  ///< true: the connection existed when the recording began
   Growth depth_sent, depth_dropped;
-  std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< in the recording's first /server/stats message
+  std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< in the first /server/stats that lists it
 };
 
 /// The content of a session file, without images: the images of a long session do not fit into memory. After settle(),

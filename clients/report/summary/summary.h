@@ -27,7 +27,7 @@ struct SenderSummary {
 
 /// Timer statistics of the station's computer, measured while idle before the run.
 struct IdleTimer {
-  std::uint64_t wakeups = 0, missed = 0;
+  std::uint64_t wakeups = 0, missed = 0;  ///< missed: wake-ups that came after the next one was due
   [[nodiscard]] double missed_share() const noexcept {
     return wakeups > 0 ? static_cast<double>(missed) / static_cast<double>(wakeups) : 0.0;
   }

@@ -26,7 +26,7 @@ class ForceControl {
   /// Call after the limiter. `wanted`: the parts of the limiter's input. `given_N`: the limiter's output, which the
   /// device applies until the next step.
   void gave(const HeldForce& wanted, const Eigen::Vector3d& given_N) noexcept;
-  /// The force that the device applies until the next step [N].
+  /// Magnitude of the force that the device applies until the next step.
   [[nodiscard]] double given_N() const noexcept { return (held_.skin + held_.fade + held_.drive).norm(); }
 
   /// Moves the displayed share of the effects' force towards 0 (`release`) or back towards 1. The full range takes

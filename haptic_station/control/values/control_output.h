@@ -19,7 +19,7 @@ struct ControlOutput {
   double hand_excess_J = 0.0;  ///< work on the hand in this contact minus the measured skin's; HandLedger::excess_J()
   double drive_J = 0.0;  ///< work on the hand since this contact began by the lift, which raises the end-effector from
                          ///< the body, by the position control outside the body and by the recall of workspace indexing
-  double yields_in_s = 0.0;             ///< time until the motors' heat lowers the contact force; infinite: never
+  double yields_in_s = 0.0;             ///< time until heat lowers the contact force; infinite: never, or no contact
   Force<HapticBase> damping;            ///< the part of `force` that the passivity controller added
   double surface_speed_m_per_s = 0.0;   ///< speed of the displayed skin along its normal
   bool limited = false;                 ///< the limiter changed the force, or the contact fades

@@ -11,22 +11,23 @@ namespace telepalp::solids {
 /// Value and gradient of a node, in the frame of the operator that contains it.
 [[nodiscard]] SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Eigen::Vector3d& p) noexcept;
 
-/// From a node's own frame to that of the operator that contains it.
+/// Converts a value and gradient from a node's own frame to that of the operator that contains it.
 [[nodiscard]] inline SolidAt placed(const TreeNode& node, SolidAt at) noexcept {
   at.m *= node.scale;
   if (node.turned) at.gradient = node.turn * at.gradient;
   return at;
 }
 
-/// The inverse, of a point.
+/// Converts a point in the other direction: to the node's own frame.
 [[nodiscard]] inline Eigen::Vector3d in_frame_of(const TreeNode& node, const Eigen::Vector3d& p) noexcept {
   if (!node.placed) return p;
   const Eigen::Vector3d moved = (p - node.shift) / node.scale;
   return node.turned ? Eigen::Vector3d(node.turn.transpose() * moved) : moved;
 }
 
-/// A bound is at least the distance to the box of its node. So no value is lower than the distance to its box, and
-/// skipping a part by its box changes nothing.
+/// `at`, or the distance from `p` to the node's box if this is greater. An operator's value may be only a lower bound
+/// of the distance; with this function it is never lower than the distance to the node's box. A part whose box is
+/// farther than the least value so far can thus be skipped without a change of the result.
 [[nodiscard]] SolidAt at_least_the_box(const TreeNode& node, const Eigen::Vector3d& p, const SolidAt& at) noexcept;
 
 using Lanes = std::array<double, BoxNode::kWidth>;
