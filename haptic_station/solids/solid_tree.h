@@ -16,7 +16,7 @@ struct Box {
   Eigen::Vector3d high = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
 
   [[nodiscard]] bool bounded() const noexcept { return low.allFinite() && high.allFinite(); }
-  /// 0 inside. For an unbounded box, 0 along its unbounded sides.
+  /// 0 inside. The unbounded sides contribute nothing.
   [[nodiscard]] double squared_distance_m2(const Eigen::Vector3d& p) const noexcept {
     return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
   }

@@ -30,9 +30,9 @@ struct HandTrace {
 /// Reads a trace as CSV with a header row. Columns may be in any order; unknown ones are ignored. Required:
 /// timestamp_us, palm_x_mm, palm_y_mm, palm_z_mm. Optional: vel_x_mm_s, vel_y_mm_s, vel_z_mm_s, hand_id, and
 /// the attitude, either as a quaternion qx, qy, qz, qw of the hand's axes, or as the directions nx, ny, nz out of the
-/// palm and dx, dy, dz along the fingers. Only the hand
-/// of the first row is read. Damaged rows, rows out of time order and rows of other hands are skipped and counted.
-/// Numbers have a decimal point in every locale. Error: a file over 64 MiB, or fewer than two valid rows.
+/// palm and dx, dy, dz along the fingers. Only the hand of the first valid row is read. Damaged rows, rows out of time
+/// order and rows of other hands are skipped and counted. Numbers have a decimal point in every locale. Error: a file
+/// over 64 MiB, a required column is missing, or fewer than two valid rows.
 [[nodiscard]] Result<HandTrace> read_hand_trace(const std::filesystem::path& file);
 [[nodiscard]] Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name);
 

@@ -28,7 +28,7 @@ class SampleNoise {
   Eigen::Vector3d innovation_m_ = Eigen::Vector3d::Zero();
   double dt_s_ = 0.0;        ///< between the last two samples
   double ratio_ = 1.0;       ///< last interval between samples / the one before
-  double covariance_ = 0.0;  ///< weighted sum of minus the covariance of successive innovations
+  double covariance_ = 0.0;  ///< weighted sum of -1/3 times the scalar product of successive innovations
   double share_ = 0.0;       ///< weighted sum of the values that `covariance_` would have for unit noise
   double variance_m2_ = 0.0;
 };

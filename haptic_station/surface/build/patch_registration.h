@@ -15,7 +15,7 @@ struct PatchPose {
   double sigma_slide_m = 0.0;  ///< 1-sigma of `slide_m` in its least certain direction
 };
 
-/// The residuals of a patch's nodes, measured minus expected depth.
+/// The residuals of those nodes of a patch that the image measures: measured minus expected depth.
 struct PatchResiduals {
   std::vector<double> m;
   std::vector<double> terms;    ///< eight per node: derivatives of its expected depth by the eight coefficients
@@ -28,8 +28,8 @@ struct PatchFit {
   double scale_m = 0.0;  ///< 1-sigma of the residuals, from the median of their magnitudes
   Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Identity() * 1e-6;
   Eigen::Matrix<double, 8, 1> by = Eigen::Matrix<double, 8, 1>::Zero();
-  double middle_weight = 0.0;
-  double middle_m = 0.0;  ///< mean residual within 20 mm of the mark
+  double middle_weight = 0.0;  ///< sum of the weights within 20 mm of the mark
+  double middle_m = 0.0;       ///< weighted mean of the residuals there
 };
 
 /// Finds the pose of a patch in an image by iteratively reweighted least squares with Tukey's weights, from the pose

@@ -41,8 +41,8 @@ class SurfaceBuilder {
   /// Follows the places where these lines cross the skin, from the next frame on. SurfaceSnapshot::marks holds them.
   void watch(const MarkLines& lines);
 
-  /// Discards the temporal average, the estimated motion and the patches of the marks. Call it when the camera is
-  /// replaced or moved.
+  /// Discards the temporal average, the estimated motion, the patches of the marks and the last capture time. Call it
+  /// when the camera is replaced or moved, or when session time has stepped back.
   void restart();
 
  private:

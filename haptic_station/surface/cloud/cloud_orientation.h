@@ -12,7 +12,7 @@ namespace telepalp::surface {
 /// Source: Hoppe et al. 1992 (propagation along a minimum spanning tree), Barill et al. 2018 (winding number).
 class CloudOrientation {
  public:
-  /// `cloud`: points with normals that are correct except for their sign. `noise_m`: scatter along the normal.
+  /// `cloud`: points with normals that are correct except for their sign. `noise_m`: 1-sigma along the normal.
   CloudOrientation(const std::vector<CloudPoint>& cloud, double noise_m);
 
   /// Share of input normals that disagree with the propagated sign, where the sign of each connected piece is that of

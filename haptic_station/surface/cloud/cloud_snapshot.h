@@ -12,7 +12,7 @@ namespace telepalp::surface {
 /// A cloud with normals that owns its points and index. Its geometry is static: a model, or one unorganised capture.
 class CloudSnapshot final : public CloudSurface {
  public:
-  /// A `support_m` of 0 selects three times the cloud's spacing.
+  /// A `shape.support_m` of 0 selects three times the cloud's spacing.
   CloudSnapshot(std::vector<CloudPoint> cloud, const CloudShape& shape, Index index);
   CloudSnapshot(const CloudSnapshot&) = delete;
   CloudSnapshot& operator=(const CloudSnapshot&) = delete;

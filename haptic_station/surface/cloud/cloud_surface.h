@@ -14,9 +14,9 @@ struct CloudPoint {
 };
 
 struct CloudShape {
-  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
-  double support_m = 0.02;     ///< a point farther than this from the query has no weight
-  std::size_t neighbors = 0;   ///< k > 0: the k-th neighbour's distance replaces a greater support
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< origin of CloudPoint::at_m, in the snapshot's frame
+  double support_m = 0.02;                             ///< a point farther than this from the query has no weight
+  std::size_t neighbors = 0;   ///< k > 0: the distance of the k-th neighbour replaces a greater support; 0: k is 256
   double seed_radius_m = 0.3;  ///< search radius for the nearest point
 };
 

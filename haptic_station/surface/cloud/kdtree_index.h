@@ -21,7 +21,7 @@ struct IndexedPoints {
 /// concrete type.
 [[nodiscard]] std::shared_ptr<const NeighborIndex> make_index(Index kind, const IndexedPoints& points);
 
-/// One function per kind of index, each in its own translation unit because the library headers are slow to compile.
+/// One function per kind of index, in a translation unit per library because the library headers are slow to compile.
 [[nodiscard]] std::shared_ptr<const NeighborIndex> make_nanoflann_index(const IndexedPoints& points);
 [[nodiscard]] std::shared_ptr<const NeighborIndex> make_pcl_kdtree_index(const IndexedPoints& points);
 [[nodiscard]] std::shared_ptr<const NeighborIndex> make_pcl_organized_index(const IndexedPoints& points);

@@ -21,7 +21,7 @@ struct Fidelity {
 /// the mesh.
 class MeshJudge {
  public:
-  /// `mesh`: in metres, relative to its centre. `side` -1 reverses all normals.
+  /// `mesh`: points in metres, relative to their mean. `side`: 1, or -1 to reverse all normals.
   MeshJudge(const models::PointModel& mesh, float side, std::uint64_t seed);
 
   /// False when the mesh has no area that can be reached from outside.

@@ -16,16 +16,18 @@ struct SampledMesh {
   Fidelity fidelity;
 };
 
-/// Samples `mesh`, in metres relative to its centre. `settings` give the number of points or their spacing. If they
-/// give neither, the spacing is reduced until the surface lies within kFaithful_m of the mesh and gives no contact in
-/// free air, until a reduction leaves more than 70 % of the error, or until kMostSamples is reached. `side` -1 reverses
-/// all normals. Parts of the mesh that lie inside other parts are left out: no finger reaches them, and they would pull
-/// the surface inwards and make it jump from wall to wall.
+/// Samples `mesh`, whose points are in metres relative to their mean. `origin_m`: this mean, in the file's frame, which
+/// is the snapshot's. `settings` give the number of points or their spacing. If they give neither, the spacing is
+/// reduced until the surface lies within kFaithful_m of the mesh and gives no contact in free air, until a reduction
+/// leaves more than 70 % of the error, or until kMostSamples is reached. `side`: 1, or -1 to reverse all normals. Parts
+/// of the mesh that lie inside other parts are left out: no finger reaches them, and they would pull the surface
+/// inwards and make it jump from wall to wall.
 [[nodiscard]] SampledMesh sample_mesh(const models::PointModel& mesh, const StaticModelSettings& settings,
                                       const Eigen::Vector3d& origin_m, float side);
 
-// error_m, missing and in_air are members of Fidelity (model_fidelity.h).
-inline constexpr double kFaithful_m = 0.001;
+// Limits of Fidelity (model_fidelity.h). error_m: distance between surface and mesh in 99 of 100 places. in_air: share
+// of the test points in free air that give contact. missing: share of those on the mesh that have no surface.
+inline constexpr double kFaithful_m = 0.001;   ///< a greater error_m makes sample_mesh() try more points
 inline constexpr double kTooCoarse_m = 0.003;  ///< a surface with a greater error_m is refused
 inline constexpr double kMostInAir = 0.002;    ///< a surface with an in_air between this and kOverlap is refused
 inline constexpr double kOverlap = 0.05;       ///< a mesh with a greater in_air overlaps itself: accepted with a remark

@@ -12,9 +12,9 @@ struct StaticModelSettings {
   std::size_t samples = 0;  ///< number of points sampled from a mesh; 0: it follows from `spacing_m`
   double spacing_m = 0.0;   ///< spacing of a mesh's samples; 0: refined until the surface fits the mesh
   bool anyway = false;  ///< accept too coarse samples, a too noisy cloud, or normals that contradict their neighbours
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;                                 ///< of a mesh's random samples
   int normal_neighbors = 16;                              ///< smallest number of neighbours per estimated normal
-  Eigen::Vector3d viewpoint_m = Eigen::Vector3d::Zero();  ///< estimated normals point towards this point
+  Eigen::Vector3d viewpoint_m = Eigen::Vector3d::Zero();  ///< in the file's frame; estimated normals point towards it
   double support_m = 0.0;     ///< a point farther from the query has no weight; 0: three spacings, more for noise
   bool flip_normals = false;  ///< reverse all normals
 };
@@ -28,10 +28,11 @@ struct StaticModel {
 
 /// Makes a touchable surface from a mesh or cloud, in the frame of the file. A mesh is resampled by Poisson-disk sample
 /// elimination, with vertex normals, or face normals if it has no vertex normals. Faces that are oriented against their
-/// neighbours are reversed. A closed mesh with inward normals is inverted; an open mesh is not. A cloud keeps its
-/// points; it keeps its normals if they agree with the points, as touched_cloud() describes. Error: no point has a
-/// normal, the coordinates cannot be metres, or `anyway` is not set and the samples are too coarse for the mesh, the
-/// cloud is too noisy, or the normals of an open cloud contradict their neighbours.
+/// neighbours are reversed. A closed mesh with inward normals is inverted; an open mesh is not. A very noisy cloud
+/// is thinned at random. A cloud keeps its normals if they agree with the points, else normals are estimated; see
+/// touched_cloud(). Error: no point has a normal, the coordinates cannot be metres, or `anyway` is not set and the
+/// samples are too coarse for the mesh, the cloud is too noisy, or the normals of an open cloud contradict each other
+/// or the points.
 [[nodiscard]] Result<StaticModel> make_static_model(const models::PointModel& model,
                                                     const StaticModelSettings& settings);
 

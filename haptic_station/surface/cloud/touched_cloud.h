@@ -4,9 +4,12 @@
 
 namespace telepalp::surface {
 
-/// Makes a touchable surface from a cloud without triangles, in metres relative to its centre. The support follows the
-/// noise of the points, and normals that face the wrong side are reversed when the right side is certain. Error: the
-/// cloud is too noisy, or it is not closed and its normals contradict each other or its points; `anyway` accepts both.
+/// Makes a touchable surface from a cloud without triangles. `cloud`: points in metres relative to their mean, which is
+/// `origin_m` in the file's frame. The support follows the noise of the points, unless `settings` give it; if the noise
+/// makes it wider than eight spacings, only a random part of the points is kept. Normals are estimated if the cloud has
+/// none, or if its normals differ from the estimate by 20 degrees or more (median). Normals that face the wrong side
+/// are reversed when the right side is certain. Error: the cloud is too noisy, or it is not closed and its normals
+/// contradict each other or its points; `anyway` accepts both.
 [[nodiscard]] Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticModelSettings& settings,
                                                 const Eigen::Vector3d& origin_m);
 

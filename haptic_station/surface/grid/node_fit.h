@@ -17,9 +17,11 @@ struct FitSettings {
 
 /// Fits nodes on a lattice over `box`, a rectangle inside the image. Position, normal and confidence of a node come
 /// from a weighted quadratic fit of inverse depth over its window; in inverse depth a plane is linear in the pixel
-/// coordinates, so planes are exact. A window without hole or depth break is fitted by three separable sums. Any other
-/// window is fitted by least squares to the pixels that are connected to its centre. Writes the lattice in `layout`
-/// (columns, rows, left, top, step, origin) and the nodes.
+/// coordinates, so planes are exact. A window without hole or depth break is fitted in closed form, from separable
+/// sums. A window of about half the radius replaces it on slanted skin (make_nodes()), and where only the smaller one
+/// has no hole or break. Any other window is fitted by least squares to the pixels that are connected to its centre.
+/// Reads `layout.origin_m`, to which the nodes are relative. Writes the lattice in `layout` (camera, columns, rows,
+/// left, top, step) and the nodes.
 void fit_nodes(const DepthField& depth, const Intrinsics& camera, const PixelBox& box, const FitSettings& settings,
                GridLayout& layout, std::vector<GridNode>& nodes);
 

@@ -12,7 +12,7 @@ struct NodeRow {
   explicit NodeRow(std::size_t nodes);
 
   // inputs
-  std::vector<float> wide_at, wide_across, wide_down;  ///< wide window: inverse depth less a reference [1/m], slopes
+  std::vector<float> wide_at, wide_across, wide_down;  ///< wide window: 1/z - reference_per_m [1/m], slopes [1/(m px)]
   std::vector<float> narrow_at, narrow_across, narrow_down;  ///< the same of the narrow window
   std::vector<float> wide;                                   ///< 1 where the wide window has no hole or break, else 0
   std::vector<float> frames;                                 ///< number of frames averaged at the node's pixel, >= 1
@@ -21,16 +21,16 @@ struct NodeRow {
   // outputs
   std::vector<float> x, y, z;  ///< relative to the grid's origin [m]
   std::vector<float> normal_x, normal_y, normal_z;
-  std::vector<float> deviation;
+  std::vector<float> deviation;  ///< standard deviation of the position along the normal [m]
 };
 
 /// Values that all nodes of a row share.
 struct NodeRowView {
-  float fx = 1.0F, fy = 1.0F;  ///< focal lengths [px]
-  float ray_y = 0.0F;          ///< y of the row's rays at 1 m depth
-  float origin_x = 0.0F, origin_y = 0.0F, origin_z = 0.0F;
-  float reference_per_m = 0.0F;
-  float wide_gain = 0.0F, narrow_gain = 0.0F;  ///< variance of the fit at the centre / variance of a pixel
+  float fx = 1.0F, fy = 1.0F;                               ///< focal lengths [px]
+  float ray_y = 0.0F;                                       ///< y of the row's rays at 1 m depth
+  float origin_x = 0.0F, origin_y = 0.0F, origin_z = 0.0F;  ///< of the grid, in the depth camera's frame [m]
+  float reference_per_m = 0.0F;                             ///< subtracted from the inverse depths of NodeRow
+  float wide_gain = 0.0F, narrow_gain = 0.0F;               ///< variance of the fit at the centre / variance of a pixel
 };
 
 /// Blends the two windows' fits by slant and computes position, normal and deviation of each node. On a slanted

@@ -21,8 +21,8 @@ struct WeightedSums {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
 };
 
-/// Derivatives of the sums by the gate, along each node's normal. The gate is the factor that a node loses when its
-/// plane is far from the query, so all are zero where no other surface is near.
+/// The gate is the factor by which a node's weight falls when its plane is far from the query. These are derivatives of
+/// the sums by the query's position, through the gate alone; all are zero where no other surface is near.
 struct GateSums {
   bool any = false;
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();
@@ -36,8 +36,8 @@ struct NodeSums {
   WeightedSums value;
   WeightedSums by_column;
   WeightedSums by_row;
-  double velocity = 0.0;   ///< of the nodes along their normals, weighted [m/s]
-  double deviation = 0.0;  ///< weighted [m]
+  double velocity = 0.0;   ///< weighted sum of the nodes' velocities along their normals [m/s]
+  double deviation = 0.0;  ///< weighted sum of the nodes' standard deviations [m]
   GateSums gate;
 };
 

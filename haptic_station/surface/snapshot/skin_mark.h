@@ -23,7 +23,7 @@ struct SkinMark {
   bool watched = false;     ///< false: this entry has no mark
   bool seen = false;        ///< the skin around the mark was measured; false: the last values are held
   bool slide_seen = false;  ///< its slide (tangential motion) can be measured; false: the last one is held
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();       ///< the mark
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();       ///< position of the mark [m]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< normal of the skin there, unit, out of the body
   Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();  ///< displacement since the mark was first seen
   double sigma_normal_m = 0.0;                        ///< 1-sigma of `moved_m` along the normal

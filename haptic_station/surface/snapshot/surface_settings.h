@@ -45,8 +45,8 @@ struct SurfaceSettings {
 
   // Paper and Cloud
   Index index = Index::PclKdTree;
-  int neighbors = 10;     ///< N
-  double radius_m = 0.1;  ///< R; for Paper also the influence radius of the weights
+  int neighbors = 10;     ///< N; Cloud uses it with Support::KthNeighbor only
+  double radius_m = 0.1;  ///< R: search radius, at which the weights reach zero
   Support support = Support::FixedRadius;
 };
 
@@ -54,8 +54,8 @@ struct SurfaceSettings {
 [[nodiscard]] Result<SurfaceSettings> surface_settings(std::string_view name);
 [[nodiscard]] std::vector<SurfaceSettings> all_surface_settings();
 
-/// True when the haptic thread may evaluate snapshots of this setting. The method of the paper searches and allocates
-/// at each query.
+/// True when the haptic thread may evaluate snapshots of this setting. Paper allocates at each query, and so may the
+/// index of Cloud.
 [[nodiscard]] constexpr bool runs_in_tick(const SurfaceSettings& settings) noexcept {
   return settings.method == Method::Grid;
 }

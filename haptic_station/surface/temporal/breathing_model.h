@@ -26,8 +26,8 @@ class BreathingModel {
   [[nodiscard]] double rad_per_s() const noexcept { return fit_.rad_per_s; }
   /// Weight of the model's prediction, 0 (unused) to 1; it changes gradually.
   [[nodiscard]] double confidence() const noexcept { return confidence_; }
-  /// The predicted displacement of a cell at the time τ from now: A (cos ωτ − 1) + B sin ωτ, plus the same form with
-  /// 2ω. The first of the terms, a linear velocity, is 0.
+  /// The coefficients of a cell's predicted displacement at the time τ from now, A (cos ωτ − 1) + B sin ωτ plus the
+  /// same form with 2ω. The first of the five, a linear velocity, is 0.
   [[nodiscard]] MotionTerms motion_of(std::size_t cell) const noexcept;
 
  private:

@@ -46,9 +46,9 @@ class MotionField {
  private:
   struct Cell {
     double velocity_m_per_s = 0.0;  ///< beyond the cell's share of the motion common to the body (SharedMotion)
-    double energy = 0.0;  ///< running mean of the squared velocity; sets this cell's weight in the breathing model
+    double energy = 0.0;  ///< running mean of the squared speed, shared part included; gives the cell's weight_
     double frames = 0.0;
-    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation minus SharedMotion's; not 0: it lags
+    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation less SharedMotion's; 0: no lag
   };
 
   void update_moving(const std::vector<CellInnovation>& seen);

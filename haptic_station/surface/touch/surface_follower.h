@@ -15,7 +15,8 @@ struct FollowLimits {
   double fastest_surface_m_per_s = 0.3;  ///< a greater speed of the newest surface is limited to this
 };
 
-/// The share of the error in a rate that one step removes. Remembers it, because the time between ticks seldom changes.
+/// The share of the difference between wanted and present rate that one step removes, 1 - exp(-2 bandwidth dt). Keeps
+/// the last result, because the time between ticks seldom changes.
 class FollowShare {
  public:
   [[nodiscard]] double of(const FollowLimits& limits, double dt_s) noexcept;

@@ -29,7 +29,7 @@ struct TouchSample {
   bool in_body = false;      ///< the device is below the displayed surface, and not behind a rim or a sheet
   Point<DepthCamera> proxy;  ///< in the body: device + support · (foot − device); else: the device. So a spring
                              ///< k·(proxy − device) fades at rims, over holes and with age
-  Point<DepthCamera> foot;   ///< the surface point nearest to the device
+  Point<DepthCamera> foot;   ///< the surface point nearest to the device; the device itself when not valid
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, out of the body, at the foot; zero when not valid
   double distance_m = 0.0;                ///< signed distance of the device from the foot; negative in the body
   double surface_velocity_m_per_s = 0.0;  ///< speed of the displayed surface at the foot, along the normal

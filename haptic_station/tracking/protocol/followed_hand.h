@@ -10,7 +10,7 @@ namespace telepalp::tracking {
 
 struct FollowedHandSettings {
   double same_within_m = 0.06;  ///< a hand with a new id this near to the predicted position is the followed hand
-  double other_after_s = 0.3;   ///< another hand is followed after the followed one was missing so long
+  double other_after_s = 0.3;   ///< another hand is followed when the followed one has been missing for this long
 };
 
 /// Selects the examining hand among the hands of a frame. Trackers give a hand a new id after losing it for a moment,

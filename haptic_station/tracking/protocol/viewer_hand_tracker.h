@@ -16,9 +16,9 @@ class ViewerHandTracker final : public ports::Tracker {
 
   enum class Taken {
     Followed,
-    /// The message comes from another viewer than the followed one, which was heard less than 0.3 s ago. For that time
-    /// no hand is followed, so the station releases its force. It then follows the new hand like a first hand, without
-    /// a jump between the two places.
+    /// Not followed yet: another viewer is followed, and was heard less than 0.3 s ago. Until that viewer has been
+    /// silent for 0.3 s, no new hand is followed, so the station releases its force. It then follows the new hand like
+    /// a first hand, without a jump between the two places.
     Passing,
     OutOfReach,  ///< further than 0.5 m from the origin of the haptic base's frame
   };
