@@ -35,8 +35,8 @@ struct TrialFigures {
   double worst_shown_step_m = 0.0;        ///< largest displacement of the displayed hand in one tick
   double most_force_N = 0.0;
   double contact_s = 0.0;
-  double unfelt_s = 0.0;  ///< time deeper than 2 mm in the true skin without a contact
-  double least_passivity_J = 0.0;
+  double unfelt_s = 0.0;           ///< time deeper than 2 mm in the true skin without a contact
+  double least_passivity_J = 0.0;  ///< least balance of the passivity controller; negative: active
 
   [[nodiscard]] int entered(control::Phase phase) const noexcept {
     return entries[static_cast<std::size_t>(phase) - 1];

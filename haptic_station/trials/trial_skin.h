@@ -30,7 +30,7 @@ class TrialSkin {
 /// A barrel-shaped belly under a Kinect-like camera with noise and disparity steps, made into a surface by
 /// SurfaceBuilder, as in the station.
 struct BellySettings {
-  double breathing_m = 0.0;
+  double breathing_m = 0.0;  ///< amplitude of the belly's rise and fall, a sine
   double rate_hz = 0.25;
   double begins_s = 0.0;        ///< time of the breath at the trial's start
   double along_radius_m = 0.6;  ///< radius of curvature from head to feet

@@ -41,8 +41,8 @@ class ImpairedLink {
  public:
   ImpairedLink(const Impairment& impairment, std::uint64_t seed, Trace trace = {});
 
-  /// Changes the impairments at `now`. Packets in the link arrive when they would have arrived before; the bytes in the
-  /// bottleneck's queue leave it at the new rate. A link with a trace keeps following the trace.
+  /// Changes the impairments at `now`. Packets in the link keep their times of arrival. Later packets wait in the
+  /// bottleneck's queue until its bytes have left at the new rate. A link with a trace keeps following the trace.
   void change(Nanoseconds now, const Impairment& impairment) noexcept;
 
   void send(Nanoseconds now, Packet packet);

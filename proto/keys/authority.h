@@ -35,7 +35,7 @@ class Authority {
   [[nodiscard]] std::string certificate() const;  ///< PEM, for browsers and other programs: nothing secret
   [[nodiscard]] std::string name() const;
 
-  /// `hosts`: the names and addresses under which clients reach the server; localhost is always added.
+  /// `hosts`: the names and addresses under which clients reach the server; localhost, 127.0.0.1 and ::1 are added.
   [[nodiscard]] Result<std::string> server_key(const Issue& issue, const std::vector<std::string>& hosts) const;
   [[nodiscard]] Result<std::string> client_key(const Issue& issue) const;
   [[nodiscard]] Result<std::string> token(const Issue& issue) const;

@@ -13,7 +13,7 @@ struct CertificateRequest {
   std::string name;       ///< common name
   std::string alt_names;  ///< subjectAltName as in OpenSSL's configuration: "DNS:host,IP:10.0.0.1"; empty: none
   std::string usage;      ///< extendedKeyUsage: "serverAuth", "clientAuth"; empty: the certificate of an authority
-  std::string serial;
+  std::string serial;     ///< in hexadecimal
   WallTime from{};
   WallTime until{};
 };

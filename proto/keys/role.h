@@ -35,7 +35,7 @@ inline constexpr std::array kOperations{Operation::Watch,  Operation::Touch,   O
 /// The role that a key may carry, by its name; nullopt: no such role, or `local`.
 [[nodiscard]] std::optional<Role> role_named(std::string_view name) noexcept;
 
-/// The names of the operations that `role` allows: "watch, touch, record".
+/// The names of the operations that `role` allows: "watch, record, metrics, play" for Technician.
 [[nodiscard]] std::string permissions(Role role);
 
 }  // namespace telepalp::keys

@@ -35,7 +35,7 @@ using IsRevoked = std::function<bool(const std::string& serial)>;
 /// Lets the client's `session` accept only a server whose certificate names `host`, a name or an address.
 void expect_host(SSL& session, const std::string& host);
 
-/// The person whom the peer's verified certificate names; nullopt: the peer sent no certificate.
+/// The person whom the peer's verified certificate names; nullopt: it sent no certificate, or one without a role.
 [[nodiscard]] std::optional<Identity> identity_of_peer(SSL& session);
 
 /// 32 bytes that both ends of a session share and nobody else knows (RFC 8446, 7.5). nullopt before the handshake ends.

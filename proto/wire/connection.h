@@ -52,7 +52,7 @@ class ConnectionOwner {
 /// Received messages of one topic.
 struct ReceivedCount {
   std::uint64_t messages = 0;
-  std::uint64_t missed = 0;  ///< messages that the sender dropped: gaps in the sequence numbers
+  std::uint64_t missed = 0;  ///< gaps in the sequence numbers: messages dropped, lost, or overtaken by a newer one
 };
 
 /// One connection to one peer with the protocol of WIRE.md, over any ByteStream. Owner: the stream's thread; no locks.

@@ -24,7 +24,7 @@ inline constexpr std::array kDeadlineTopics{kCameraDepth, kCameraColor, kStation
 
 /// A message of a deadline topic as a frame of datagrams: 8 bytes published_ns, 8 bytes sequence, little-endian, and
 /// the payload. The frame's deadline counts from the publication, or from `now` if the publication is in the future or
-/// more than a second ago: with such a stamp the frame would be late, or never late.
+/// a second or more ago: a stamp in the future would make the frame never late, and an old one late at once.
 [[nodiscard]] link::Frame frame_of(const Message& message, SessionTime now);
 
 /// nullopt: no deadline topic has the frame's channel, or the frame is too short.

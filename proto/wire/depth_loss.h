@@ -21,7 +21,8 @@ struct DepthFidelity {
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::DepthImage& image);
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::SurfaceReport& report);
 
-/// The bound of depth that is about to be compressed again. nullopt: depth is as measured.
+/// The bound of depth that is about to be compressed again; DepthErrorBound::unknown() if it is not stated. nullopt:
+/// depth is as measured.
 [[nodiscard]] std::optional<DepthErrorBound> loss_of(const DepthFidelity& fidelity) noexcept;
 
 /// The one of both with the larger error at a depth of 1 m; `newer` when both are equal. An unstated bound counts as

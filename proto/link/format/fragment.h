@@ -16,7 +16,7 @@ inline constexpr std::size_t kFragmentHeaderBytes = 15;
 inline constexpr std::size_t kMostShardBytes = kPayloadBytes - kFragmentHeaderBytes;
 inline constexpr std::size_t kMostFrameBytes = std::size_t{8} << 20U;
 inline constexpr std::uint8_t kMostChannels = 16;
-/// Data shards of a block. With at most 127 repair shards a block has 255 shards; the Cauchy matrix over GF(2^8) allows
+/// Largest numbers of data shards and of repair shards in a block: 255 together. The Cauchy matrix over GF(2^8) allows
 /// 256.
 inline constexpr std::size_t kMostDataShards = 128;
 inline constexpr std::size_t kMostRepairShards = 127;

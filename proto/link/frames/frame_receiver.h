@@ -17,7 +17,7 @@ struct ReceiverStatistics {
   std::uint64_t incomplete = 0;   ///< frames given up because shards were missing
   std::uint64_t undecodable = 0;  ///< complete frames given up because the frame they depend on is missing
   std::uint64_t restored_shards = 0;
-  std::uint64_t malformed = 0;
+  std::uint64_t malformed = 0;  ///< fragments refused: the frame is too small or large, or contradicts earlier ones
 };
 
 /// Assembles frames from fragments in any order. A frame is delivered only when it is complete, and once. A key frame

@@ -45,7 +45,7 @@ class FrameSender {
   /// The payload of the next datagram; nullopt: nothing to send, or no room on the path.
   [[nodiscard]] std::optional<std::vector<std::byte>> next(SessionTime now, PathEstimate& path);
 
-  /// True when all fragments of the started frames are sent and no frame waits: the next one can start at once.
+  /// True when no frame waits and the started ones are sent, apart from requested repairs: the next one can start.
   [[nodiscard]] bool idle() const noexcept { return first_round_.empty() && waiting_.empty(); }
   /// True while fragments wait for room on the path.
   [[nodiscard]] bool holds_fragments() const noexcept { return !first_round_.empty() || !requested_.empty(); }
