@@ -21,8 +21,8 @@ inline void bound_png(png_structp png, png_uint_32 most_pixels_a_side) {
   png_set_benign_errors(png, 0);
 }
 
-/// The read callback calls this before it delivers `count` bytes. Calls png_error when compressed data continues after
-/// the last row. Until this call libpng buffers at most 8 KiB, which inflate to at most 8 MiB.
+/// The read callback calls this before it delivers `count` bytes. Calls png_error when more than 1 KiB of compressed
+/// data follows the last row. Until this call libpng buffers at most 8 KiB, which inflate to at most 8 MiB.
 inline void check_png_bytes(png_structp png, png_infop info, PngBounds& bounds, std::size_t count) {
   constexpr png_uint_32 kImageData = 0x49444154;  // "IDAT"
   constexpr std::size_t kMostBytes = 1024;        // the end of a zlib stream takes about ten bytes

@@ -17,7 +17,7 @@ namespace telepalp::models {
 /// file.
 struct PointModel {
   std::vector<Eigen::Vector3f> points;              ///< NaN in the holes of an organised cloud
-  std::vector<Eigen::Vector3f> normals;             ///< one per point, or empty
+  std::vector<Eigen::Vector3f> normals;             ///< one per point, of any length; or empty
   std::vector<std::array<std::uint8_t, 3>> colors;  ///< RGB, one per point, or empty; only from PCD files
   std::vector<std::array<std::uint32_t, 3>> triangles;
   int width = 0;  ///< width of an organised cloud; 0: unorganised
@@ -27,7 +27,7 @@ inline constexpr std::size_t kMostModelPoints = 20'000'000;
 
 /// Reads a file by its ending: .pcd (ascii, binary, binary_compressed), .ply (ascii, binary_little_endian), .obj. Of an
 /// OBJ file with a group `body`, only that group is read, because the other groups of MakeHuman's files are helper
-/// geometry. A vertex whose corners have different normals gets their mean. Declared sizes are checked against the
+/// geometry. A vertex of an OBJ file gets the sum of its corners' normals. Declared sizes are checked against the
 /// file's size before memory is allocated. Each error names the file and a fix.
 [[nodiscard]] Result<PointModel> read_point_model(const std::filesystem::path& file);
 

@@ -17,9 +17,10 @@ class TextCursor {
 
   [[nodiscard]] bool at_end() const noexcept { return at_ >= text_.size(); }
   [[nodiscard]] std::size_t offset() const noexcept { return at_; }
+  /// Number of lines that line() has read; word() does not count the line ends that it passes.
   [[nodiscard]] std::size_t line_number() const noexcept { return line_; }
 
-  /// Reads the next line and returns it without its line end.
+  /// Reads from the present position to the end of the line, and returns this text without the line end.
   std::string_view line() noexcept {
     const std::size_t end = text_.find('\n', at_);
     std::string_view line = text_.substr(at_, end == std::string_view::npos ? end : end - at_);

@@ -8,7 +8,7 @@ namespace telepalp::plot {
 /// it is not finite. The decimal point does not depend on the locale, unlike printf's; a comma would break SVG.
 [[nodiscard]] std::string number(double value, int decimals = 2);
 
-/// Formats `value` with about three significant digits: 0.0123, 1.23, 12.3, 1230.
+/// Formats `value` with three significant digits, or with all digits before the point: 0.0123, 1.23, 12.3, 1234.
 [[nodiscard]] std::string readable(double value);
 
 }  // namespace telepalp::plot

@@ -16,7 +16,7 @@ struct Pixel {
 
 enum class Anchor { Start, Middle, End };
 
-/// Escapes XML's reserved characters and removes control characters.
+/// Escapes XML's reserved characters and replaces each control character by a space.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 /// Writes an SVG document element by element. Coordinates have two decimals.

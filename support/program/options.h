@@ -36,8 +36,8 @@ class Arguments {
   std::vector<std::string> positional_;
 };
 
-/// Reads argv. An option given twice, or with an empty value, is an error. nullopt: `--help` or `--version` was given
-/// and its text has been printed to stdout; exit with kDone.
+/// Reads argv. Error: an unknown option, an empty value, or an option given twice that is not `repeatable`. nullopt:
+/// `--help` or `--version` was given, and its text has been printed to stdout; exit with kDone.
 [[nodiscard]] Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv);
 
 /// Runs the command of argv's first word if that command has its own help, and returns its exit code; otherwise

@@ -28,7 +28,7 @@ class NumberPlaces {
   };
   /// A nested message and the numbers in it.
   struct Part {
-    const google::protobuf::Message* message;  ///< only compared
+    const google::protobuf::Message* message;  ///< only its address is compared
     int line;                                  ///< from 1
     int column;                                ///< from 1
     std::size_t first_number;                  ///< index of its first number, of all numbers
@@ -52,7 +52,7 @@ class NumberPlaces {
   [[nodiscard]] std::string where(const std::string& file, const google::protobuf::Message& part) const;
 
   /// `file:line:column` of the first field of that name with that value inside `part`; the place of `part` when it has
-  /// no such field.
+  /// no such field. A `part` outside the parsed message: as where(file, field, value).
   [[nodiscard]] std::string where(const std::string& file, const google::protobuf::Message& part,
                                   std::string_view field, double value) const;
 

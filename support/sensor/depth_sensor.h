@@ -18,9 +18,9 @@ enum class DepthNoise {
 /// A simulated depth sensor. The default is Kinect-like.
 struct DepthSensorSettings {
   DepthNoise noise = DepthNoise::Kinect;
-  double gaussian_sigma_m = 0.001;
-  bool disparity_steps = true;  ///< depth takes levels 2.85 mm z^2 apart (z in metres), as on a Kinect v1
-  double unit_m = 0.001;        ///< metres for one step of a sample
+  double gaussian_sigma_m = 0.001;  ///< of DepthNoise::Gaussian
+  bool disparity_steps = true;      ///< depth takes levels 2.85 mm z^2 apart (z in metres), as on a Kinect v1
+  double unit_m = 0.001;            ///< metres for one step of a sample
   std::uint64_t seed = 1;
 };
 
@@ -31,7 +31,8 @@ class Exposure {
   /// the highest eight for another purpose.
   [[nodiscard]] std::uint32_t bits(std::uint32_t pixel) const noexcept { return noise_.bits(pixel); }
 
-  /// The sample [unit] for a depth of `z_m` > 0, with the noise of `bits`; 0: outside the sensor's range.
+  /// The sample [unit_m] for a depth of `z_m` > 0, with the noise of `bits`. A depth beyond 65535 units gives 0, or
+  /// without disparity steps 65535. With disparity steps, a depth below 0.343 m gives the nearest level, 0.343 m.
   [[nodiscard]] std::uint16_t sample_of(float z_m, std::uint32_t bits) const noexcept {
     const float far_m = z_m - 0.4F;
     const float sigma_m = base_m_ + growth_per_m_ * far_m * far_m;

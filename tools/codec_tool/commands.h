@@ -11,7 +11,8 @@ namespace telepalp::codec_tool {
 
 // The commands of telepalp-codec. Each prints its results to stdout and its progress to stderr if that is a terminal.
 
-/// Compresses the depth images of `input`, as for_each_depth() finds them, into the session file `output`.
+/// Compresses the depth images of `input` into the session file `output`. `input`, here and in compare_recordings(): an
+/// image file, a folder of such files, or a recording (.oni, .pcd, .mcap). `unit_m`: metres per unit of image files.
 [[nodiscard]] Result<void> encode_recording(const std::filesystem::path& input, const std::filesystem::path& output,
                                             const codec::DepthStreamSettings& settings, double unit_m);
 

@@ -9,8 +9,8 @@ namespace telepalp::export_tool {
 
 /// The messages of one topic as the lines of a CSV file. The columns are `published_ns`, `row` and the fields of the
 /// topic's type; a field of a nested message is named `hand.x`. A message with lists of numbers (a batch of ticks)
-/// gives one line for each entry, with its index in `row`. A list of messages is replaced by its length, and bytes by
-/// their number.
+/// gives one line for each entry, with its index in `row`. Of a list of messages and of a field of bytes, only the
+/// length is written, in a column such as `data.size`.
 class MessageTable {
  public:
   explicit MessageTable(const wire::Topic& topic);

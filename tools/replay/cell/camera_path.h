@@ -15,7 +15,7 @@ enum Channel : std::uint8_t { kDepthChannel, kColorChannel };
 struct PathCounts {
   std::uint64_t sent_B = 0;      ///< from the server to the station, without IP and UDP headers
   std::uint64_t answered_B = 0;  ///< in the other direction
-  std::uint64_t lost = 0;        ///< datagrams from the server lost or dropped by the link, not by Faults::outages
+  std::uint64_t lost = 0;        ///< the server's datagrams that the network lost or dropped, except in outages
 };
 
 /// Both ends of the datagram link and the impaired network between them. Times are session times; a run starts at

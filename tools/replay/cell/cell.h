@@ -8,14 +8,14 @@
 
 namespace telepalp::replay {
 
-/// Counters of one run's frames. A frame counts once its deadline has passed, so that
+/// Counters of one run's frames. `offered`, `in_time` and `touched` count a frame once its deadline has passed, so that
 /// frames on their way at the end do not count as lost.
 struct FrameCounts {
-  std::uint64_t offered = 0;  ///< captured while the server was running
-  std::uint64_t in_time = 0;  ///< depth and colour were complete by the deadline
-  std::uint64_t touched = 0;  ///< became a surface for the haptic loop
-  std::uint64_t undecodable = 0;
-  std::uint64_t offered_B = 0;  ///< of all frames
+  std::uint64_t offered = 0;      ///< offered to the link; none while the server is down
+  std::uint64_t in_time = 0;      ///< depth and colour were complete by the deadline
+  std::uint64_t touched = 0;      ///< became a surface for the haptic loop
+  std::uint64_t undecodable = 0;  ///< arrived, but could not be decoded
+  std::uint64_t offered_B = 0;    ///< of all frames
 };
 
 /// One run of the source over one network: the server's sender, the network and the station, in virtual time. Cells

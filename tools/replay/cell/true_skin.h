@@ -17,7 +17,7 @@ struct TickRecord {
   Eigen::Vector3f force_N = Eigen::Vector3f::Zero();   ///< in the haptic base's frame H
   Eigen::Vector3d device_m = Eigen::Vector3d::Zero();  ///< true position in H
   control::Phase phase = control::Phase::Released;
-  bool touching = false;           ///< the effects act: the controller's ledgers count this contact
+  bool touching = false;           ///< the skin may give force: a phase with contact, and the device in the body
   bool felt = false;               ///< the controller displays the skin or an object in it
   float depth_m = kUnknown;        ///< of the device below the true skin; negative: outside
   float off_truth_N = kUnknown;    ///< along the true normal: displayed force minus the true skin's
@@ -28,8 +28,8 @@ struct TickRecord {
 };
 
 /// Compares a tick with the true skin of the same instant. `surface`: nullopt: unknown. `law`: force law of the skin;
-/// nullptr: the scene has no skin. The force at an object inside the body is not compared, because the law covers only
-/// the skin.
+/// nullptr: the scene has no skin. `peak_N`: upper bound of the law's force. The force at an object inside the body is
+/// not compared, because the law covers only the skin.
 [[nodiscard]] TickRecord judged(const TickOutcome& tick, const Transform<HapticBase, DepthCamera>& haptic_from_camera,
                                 const std::optional<capture::TrueSurface>& surface, const effects::SkinLaw* law,
                                 double peak_N);

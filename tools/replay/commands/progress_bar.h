@@ -18,7 +18,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// `done`: of the total. `unit`: what is counted.
+  /// `done`: the finished part of `total`. `unit`: the unit of both, as text.
   void show(double done, const char* unit) {
     if (!shown_) return;
     constexpr std::size_t kWidth = 40;

@@ -4,13 +4,14 @@
 
 namespace telepalp::replay {
 
-/// Runs the request's source once over its network, prints the report and writes the files of --out. True: all
-/// assertions hold.
+/// Runs the request's source over its network and over an unimpaired one, prints the report and writes the files of
+/// --out. True: all assertions hold and, with --check, no invariant was violated.
 [[nodiscard]] Result<bool> run_once(const Request& request);
 
-/// Reads the steady clock, for speed.
+/// The steady clock [ns], to measure how fast a run is.
 [[nodiscard]] std::int64_t steady_ns() noexcept;
-/// Processor time of the calling thread, for the cost of each part: other programs on the machine do not change it.
+/// Processor time of the calling thread [ns], for the cost of each part: other programs on the machine do not change
+/// it.
 [[nodiscard]] std::int64_t thread_ns() noexcept;
 
 }  // namespace telepalp::replay

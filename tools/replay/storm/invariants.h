@@ -15,10 +15,9 @@ namespace telepalp::replay {
 /// - in a contact, the device gives the hand at most 20 mJ that the measured skin would not have given, and takes at
 ///   most 0.25 J less from it than the measured skin would have taken;
 /// - 0.5 s after the newest surface is 2.5 s old, the station has released the hand;
-/// - 3 s and one network delay after the last injected fault, a device that stays deeper than 5 mm in the true skin, on
-/// surfaces
-///   younger than 0.8 s, gets a force of the skin within 1.5 s; deeper than 90 mm, where no contact begins, the station
-///   lifts the device;
+/// - 3 s and one network delay after the last injected fault, a device that stays deeper than 5 mm in the true skin,
+///   while the surfaces are younger than 0.8 s, gets a force of the skin within 1.5 s; or, deeper than 90 mm, where no
+///   contact begins, the station lifts the device;
 /// - on each topic, publication times do not decrease, and ticks are numbered without a gap.
 class Invariants {
  public:

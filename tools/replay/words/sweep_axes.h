@@ -24,8 +24,8 @@ struct SweepCell {
 };
 
 /// Parses "delay=0:50:300" (from, step, to) and "loss=0,1,5,10%" (a list). The axes are delay and jitter [ms], loss and
-/// reorder [%], burst [packets], rate [kbit/s] and seed. Error: an unknown or repeated axis, a damaged list, or more
-/// than 1000 values.
+/// reorder [%], burst [packets], rate [kbit/s] and seed. Error: an unknown or repeated axis, not a list
+/// of numbers, a value out of the axis's range, or more than 1000 values on an axis.
 [[nodiscard]] Result<std::vector<SweepAxis>> parse_axes(const std::vector<std::string>& words);
 
 /// Every combination of the axes' values; the last axis varies fastest. Figures without an axis are as in `base`. If
