@@ -16,7 +16,7 @@ namespace telepalp::codec {
   return mode == DepthMode::Temporal || mode == DepthMode::Bounded;
 }
 
-/// Decodes parsed packets in order and keeps the last frame as reference for the next one.
+/// Decodes parsed packets in order and keeps the last frame of a predictive mode as reference for the next one.
 class PacketDecoder {
  public:
   /// Decodes the next packet. After an error the reference frame is unchanged.

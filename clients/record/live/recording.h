@@ -44,7 +44,7 @@ struct RecordingReport {
 };
 
 /// Subscribes and writes the received messages until the time is up or SIGINT or SIGTERM arrives. The files are then
-/// complete and indexed; after an error, too, if any message was received. A full disk raises an alarm and ends
+/// complete and indexed; after an error, too, if the server had answered before. A full disk raises an alarm and ends
 /// nothing: the recording goes on in a new file when there is room again, and the result is an error. Further signals
 /// have no effect. Five seconds after the first signal the process ends, even if the disk has not stored everything.
 [[nodiscard]] Result<RecordingReport> record(const RecordingOptions& options);

@@ -15,11 +15,12 @@ struct Setting {
   [[nodiscard]] bool differs() const { return a != b; }
 };
 
-/// Software, source, scene, network, calibration and computer of both runs. Settings that neither session states are
-/// left out.
+/// Network, software, source, scene, surface, camera, computer and other settings of both runs, the differing ones
+/// first. Settings that neither session states are left out.
 [[nodiscard]] std::vector<Setting> settings_of(const Run& a, const Run& b);
 
-/// The first line in which two scene files differ: "line 7: stiffness_N_per_m: 300"; equal texts: empty.
+/// The first line of `text` that `other` does not have there: "line 7: stiffness_N_per_m: 300", or "ends before line
+/// 7"; equal texts: empty.
 [[nodiscard]] std::string first_line_apart(const std::string& text, const std::string& other);
 
 }  // namespace telepalp::report

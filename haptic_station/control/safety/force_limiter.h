@@ -14,7 +14,7 @@ struct ForceLimits {
 };
 
 /// Every force to the device passes this limiter, which bounds its peak, the motors' heat and its rate of change. A
-/// force that is not finite counts as zero and latches a fault until rearm(). Owner: haptic thread.
+/// force that is not finite latches a fault: until rearm(), each force counts as zero. Owner: haptic thread.
 class ForceLimiter {
  public:
   explicit ForceLimiter(const ForceLimits& limits = {}) noexcept : limits_(limits) {}
