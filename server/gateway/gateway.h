@@ -51,7 +51,7 @@ struct GatewayOptions {
   JsonResource recording{};  ///< msg::RecordingState and msg::RecordingCommand; unset: nothing can be recorded here
   std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
-  std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request's headers
+  std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request, and for sending the reply
   std::chrono::milliseconds idle_timeout{30'000};     ///< a viewer that does not answer pings is disconnected
 };
 

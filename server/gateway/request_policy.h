@@ -25,8 +25,8 @@ struct RequestPolicy {
 /// a foreign web page whose DNS name was made to resolve to this machine (DNS rebinding).
 [[nodiscard]] bool host_is_ours(const RequestPolicy& policy, std::string_view host);
 
-/// True when a page from `origin` may open a WebSocket: `origin` is `host` or is allowed by the policy. A request
-/// without an origin does not come from a browser's page; it is accepted only if `is_trusted_program`
+/// True when a page from `origin` may open a WebSocket: `origin` names `host`, which is ours, or is allowed by the
+/// policy. A request without an origin does not come from a browser's page; it is accepted only if `is_trusted_program`
 /// (Visit::is_from_trusted_program()).
 [[nodiscard]] bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,
                                      bool is_trusted_program);

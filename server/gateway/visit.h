@@ -52,8 +52,8 @@ class Visit {
   [[nodiscard]] bool is_from_trusted_program() const noexcept { return is_on_this_machine_ || brought_token_; }
   [[nodiscard]] bool may(keys::Operation operation) const;
 
-  /// The reply when permission decides it (sign-in, sign-out, metrics, a refusal); nullopt: the visitor may get the
-  /// requested page.
+  /// The reply to a request that needs permission (sign-in, sign-out, metrics, playback, recording), or a refusal;
+  /// nullopt: the visitor may get the requested page.
   [[nodiscard]] std::optional<HttpReply> reply(const HttpRequest& request);
 
  private:

@@ -14,8 +14,8 @@ namespace telepalp::recording {
 /// A child process that ends with this one: the kernel sends it SIGTERM when the thread that started it ends.
 class RecorderProcess {
  public:
-  /// Starts `program`; its stderr goes to the file `log`. Error: `program` is not an executable file, or the
-  /// system cannot start another process.
+  /// Starts `program`; its stderr goes to the file `log`. Error: `program` is not executable, `log`
+  /// cannot be written, or the system cannot start another process.
   [[nodiscard]] static Result<RecorderProcess> start(const std::filesystem::path& program,
                                                      const std::vector<std::string>& arguments,
                                                      const std::filesystem::path& log);

@@ -15,9 +15,9 @@ struct TextPlace {
 /// multiple of eight columns.
 [[nodiscard]] std::size_t byte_of(std::string_view source, int line, int column) noexcept;
 
-/// The place of the character `offset` of the quoted text that begins after byte `from` of `source`. The text may
-/// consist of several quoted parts with spaces, lines and comments between them. An offset beyond the text gives its
-/// end.
+/// The place of character number `offset`, from 0, of the quoted text that begins after byte `from` of `source`; an
+/// escape such as \n is one character. The text may consist of several quoted parts with spaces, lines and comments
+/// between them. An offset beyond the text gives its end.
 [[nodiscard]] TextPlace place_in_quoted(std::string_view source, std::size_t from, std::size_t offset) noexcept;
 
 /// The place of a byte of `source`.

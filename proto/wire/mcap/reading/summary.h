@@ -9,7 +9,8 @@
 
 namespace telepalp::wire::mcap {
 
-/// The summary section at the end of a complete file. All offsets have been checked to lie in the data section.
+/// The summary section at the end of a complete file. The chunks, attachments and metadata that the indexes name lie in
+/// the data section; this has been checked.
 struct Summary {
   ChannelTable channels;
   Statistics statistics;
@@ -18,7 +19,7 @@ struct Summary {
   std::vector<MetadataIndex> metadata;
 };
 
-/// Finds, checks (CRC, bounds) and reads the summary. Error: no summary, or messages that no chunk index covers.
+/// Finds, checks (CRC, bounds) and reads the summary. Error: no summary, a damaged one, or messages without an index.
 [[nodiscard]] Result<Summary> read_summary(ByteSource& source);
 
 }  // namespace telepalp::wire::mcap
