@@ -36,7 +36,7 @@ struct Visitor {
 /// The permission that a command by POST needs, and the replies to clients that may not send it.
 struct CommandRight {
   keys::Operation operation;
-  std::string_view people;  ///< "… is for …": reply to a visitor without the right
+  std::string_view people;  ///< reply to a visitor without the right: "recording is for doctors, technicians and QA"
   std::string_view pages;   ///< reply to a page of a foreign origin
 };
 

@@ -29,8 +29,8 @@ struct Figures {
   double surface_error_p99_m = 0.0;
   double surface_age_p50_s = 0.0;
   double surface_age_p99_s = 0.0;
-  double energy_J = 0.0;       ///< least energy taken from the hand less energy stored; below 0: active
-  double hand_excess_J = 0.0;  ///< most work on the hand in a contact, minus the measured skin's
+  double energy_J = 0.0;       ///< least balance: energy taken from the hand less energy stored; below 0: active
+  double hand_excess_J = 0.0;  ///< largest excess in a contact: work on the hand minus that of the measured skin
   double frames = 0.0;         ///< number of frames offered to the network whose deadline has passed
   double frames_in_time_pct = 0.0;
   double frames_touched_pct = 0.0;

@@ -19,7 +19,7 @@ struct Window {
   return std::any_of(windows.begin(), windows.end(), [at](const Window& window) { return window.contains(at); });
 }
 
-/// The station's clock is wrong by `by` during the window.
+/// The station's clock is ahead of session time by `by` during the window; a negative `by`: behind it.
 struct ClockStep {
   Window when;
   Nanoseconds by{0};

@@ -9,7 +9,7 @@ namespace telepalp::capture {
 
 /// The parsed source `synthetic:…`.
 struct SyntheticSpec {
-  std::string model = "torso";  ///< "torso": the installed model; else the path of a PLY file
+  std::string model = "torso";  ///< "torso": the installed model; else the path of a PLY or OBJ file
   SyntheticSettings settings;
 };
 
