@@ -12,7 +12,7 @@
 
 namespace telepalp::view {
 
-/// Collects a server's messages, in any order, and draws the newest instant that has depth and a camera model.
+/// Collects a server's messages, in any order, and draws the newest instant that has depth, colour and a camera model.
 /// No input, output, clock or thread of its own. Owner: one thread.
 class NewestInstant {
  public:
@@ -20,7 +20,7 @@ class NewestInstant {
   enum class Taken { Yes, NotNeeded, NeedsKeyFrame };
   Taken take(const wire::Message& message);
 
-  /// True once the instant can be drawn. `with_touch`: it also needs the station's state of about that instant.
+  /// True once the instant can be drawn. `with_touch`: it also needs a state of the station within 20 ms of it.
   [[nodiscard]] bool is_complete(bool with_touch) const;
   /// The picture of the instant. Call it only when is_complete().
   [[nodiscard]] ColorImage picture(int width_px, int height_px) const;

@@ -58,7 +58,7 @@ struct SessionFacts {
   std::vector<Topic> topics;  ///< sorted by name
   std::vector<Peer> peers;
   std::optional<Clock> clock;        ///< nullopt: fewer than two messages of /clock
-  std::vector<std::string> damages;  ///< at most kMostDamages, with offsets
+  std::vector<std::string> damages;  ///< places that cannot be read, with offsets; at most kMostDamages
   std::uint64_t damages_in_all = 0;
   bool begins_with_key_frame = true;  ///< false: the first depth images cannot be decoded
 };

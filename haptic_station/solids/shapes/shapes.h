@@ -9,7 +9,7 @@ namespace telepalp::solids {
 // Signed distances of shapes in their own frame, most of them centred at its origin, each with its exact gradient:
 // negative inside, in metres. The gradient has length 1, also where the nearest point of the surface is not unique:
 // there a fixed rule chooses one of the nearest. Each distance is 1-Lipschitz. Exception: mesh_at, see there. No
-// function allocates or throws.
+// function allocates or throws. "Exact" means: the value is the true distance to the surface, on both sides of it.
 
 /// Distance and outward direction.
 struct ShapeAt {
