@@ -54,6 +54,7 @@ class HandEstimate {
   /// Discards all samples; the next one restarts the filter.
   void forget() noexcept { started_ = false; }
   [[nodiscard]] HandPrediction predict(SessionTime now) const noexcept;
+  /// Number of samples that were not finite, out of order or jumps.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }
   /// Estimated standard deviation of a sample, per axis.
   [[nodiscard]] double noise_m() const noexcept;

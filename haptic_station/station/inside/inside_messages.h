@@ -19,7 +19,7 @@ namespace telepalp::station {
 /// Sets the pose of H in the depth camera's frame: the points of `inside` are in H.
 void set_place(msg::InnerStructures& inside, const Transform<HapticBase, DepthCamera>& haptic_from_camera);
 
-/// The message of /station/ultrasound without an image, with the probe's pose.
+/// The message of /station/ultrasound without an image, with the probe's pose if it is on the skin.
 [[nodiscard]] msg::UltrasoundImage probe_message(const HeldProbe& probe, const ultrasound::BModeSettings& settings,
                                                  const Transform<HapticBase, DepthCamera>& haptic_from_camera);
 

@@ -7,8 +7,8 @@
 
 namespace telepalp::surface {
 
-/// Follows places on the skin from image to image. Each image is registered with the patch of skin that was first seen
-/// there, so that errors do not accumulate. While the patch is hidden, its last displacement is held, and
+/// Follows places on the skin from image to image. Each image is registered with the patch of skin around the place as
+/// it was first seen, so that errors do not accumulate. While the patch is hidden, its last displacement is held, and
 /// SkinMark::seen is false. While it is too smooth to measure its tangential motion (slide), its last slide is held,
 /// and SkinMark::slide_seen is false. Owner: surface thread.
 class MarkTracker {

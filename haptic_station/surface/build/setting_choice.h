@@ -13,8 +13,8 @@ namespace telepalp::surface {
 [[nodiscard]] std::vector<SurfaceSettings> affordable_settings(const SurfaceSettings& asked);
 
 /// Selects among affordable_settings() by the measured cost of a snapshot, which may take half of the frame period.
-/// When the time of slower snapshots exceeds that of faster ones by 1/3 s, it selects the next cheaper setting. It
-/// retries the better one after a run of snapshots that take less than 15 % of the frame period. This run lasts 10 s
+/// When the frames above this limit have lasted 1/3 s longer than those below it, the next cheaper setting is selected.
+/// The better one is retried after a run of snapshots that take less than 15 % of the frame period. This run lasts 10 s
 /// after the first selection of a cheaper setting, and doubles, up to 600 s, with each further one. Owner: surface
 /// thread.
 class SettingChoice {

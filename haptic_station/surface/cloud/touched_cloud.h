@@ -9,7 +9,7 @@ namespace telepalp::surface {
 /// makes it wider than eight spacings, only a random part of the points is kept. Normals are estimated if the cloud has
 /// none, or if its normals differ from the estimate by 20 degrees or more (median). Normals that face the wrong side
 /// are reversed when the right side is certain. Error: the cloud is too noisy, or it is not closed and its normals
-/// contradict each other or its points; `anyway` accepts both.
+/// contradict each other or its points; `settings.anyway` accepts both.
 [[nodiscard]] Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticModelSettings& settings,
                                                 const Eigen::Vector3d& origin_m);
 

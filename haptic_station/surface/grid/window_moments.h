@@ -21,14 +21,14 @@ inline constexpr int kBlock = 8;
 struct AxisWeights {
   int radius = 0;
   std::array<float, kMostRadius + 1> by_distance{};
-  double m0 = 0.0;  ///< the weights' even moments
+  double m0 = 0.0;  ///< even moments: sums of the weights times k^0, k^2 and k^4, over both sides
   double m2 = 0.0;
   double m4 = 0.0;
   double gain = 0.0;  ///< variance of the fit at the centre / variance of a pixel
 };
 [[nodiscard]] AxisWeights axis_weights(int radius);
 
-/// Value and slopes of the fitted quadratic at the centre of a complete window, for each pixel of a row.
+/// Value and slopes [per px] of the fitted quadratic at the centre of a complete window, for each pixel of a row.
 struct PlaneRow {
   float* at;
   float* across;
@@ -47,7 +47,8 @@ struct ColumnMoments {
 void fit_whole_windows(const float* centre, std::ptrdiff_t stride, int width, const AxisWeights& axis,
                        const ColumnMoments& scratch, const PlaneRow& planes);
 
-/// Sums over the pixels of one window that a mask selects, by the window's columns.
+/// Sums over the pixels of one window that a mask selects, by the window's columns. w_l: weight of the row that lies l
+/// pixels below the centre.
 struct MaskedColumns {
   std::array<std::array<float, kMostSide + kBlock>, 5> weight;  ///< sums of w_l l^b over rows l, b = 0 ... 4
   std::array<std::array<float, kMostSide + kBlock>, 3> value;  ///< sums of w_l l^b times the pixel's value, b = 0 ... 2

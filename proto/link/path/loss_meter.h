@@ -30,6 +30,7 @@ class LossMeter {
     while (settling_ + kPatience < next_ && (settling_ + kPatience < overtaken_ || settling_ + kMostWaiting < next_))
       settle(settling_++);
   }
+  /// Number of packets that have arrived or count as lost.
   [[nodiscard]] std::uint32_t settled() const noexcept { return settled_; }
   [[nodiscard]] std::uint32_t lost() const noexcept { return lost_; }
   [[nodiscard]] std::uint32_t bursts() const noexcept { return bursts_; }
