@@ -40,8 +40,8 @@ using HeaderBytes = std::array<std::byte, kFrameHeaderBytes>;
 
 [[nodiscard]] HeaderBytes encode_header(const FrameHeader& header) noexcept;
 
-/// Decodes a header. Error: another protocol version, an unknown kind, or a declared payload above `max_payload_bytes`
-/// (kMaxControlBytes for control frames).
+/// Decodes a header. Error: another protocol version, an unknown kind, flags, a channel that does not fit the kind, or
+/// a declared payload above `max_payload_bytes` (control frames: above kMaxControlBytes, too).
 [[nodiscard]] Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payload_bytes);
 
 /// Splits a byte stream into frames; the stream may arrive in pieces of any size. Buffers at most one frame. Memory for

@@ -22,7 +22,7 @@ struct Hello {
 struct Hand {
   std::int64_t id = 0;
   Point<HandTracker> palm;
-  Vector<HandTracker> velocity;                     ///< [m/s]; zero when the text has no velocity
+  Vector<HandTracker> velocity;                     ///< [m/s]; zero when the text has none below 100 m/s
   std::optional<Eigen::Quaterniond> attitude = {};  ///< from the hand's axes (hand_axes.h) to the tracker's frame
 };
 
