@@ -17,8 +17,8 @@ namespace telepalp::codec {
 /// one.
 [[nodiscard]] std::string encode_gray(std::span<const std::uint8_t> gray, int width, int height, int quality = 85);
 
-/// Decodes `jpeg`. The header is checked against kMaxImageSide before anything is allocated; a truncated or corrupt
-/// picture is an error, never half a picture.
+/// Decodes `jpeg`. The header is checked against kMaxImageSide (4096 pixels) before anything is allocated; a truncated
+/// or corrupt picture is an error, never half a picture.
 [[nodiscard]] Result<ColorImage> decode_color(std::span<const std::byte> jpeg);
 
 }  // namespace telepalp::codec

@@ -44,8 +44,8 @@ struct EncodedDepth {
 [[nodiscard]] std::string encode_depth(const DepthImage& depth, DepthMode mode = DepthMode::Fast);
 
 /// Decodes a key frame of any mode. A damaged or hostile packet is an error, never wrong depth: the decoded samples are
-/// checked against a CRC made before coding. No allocation is larger than an image of kMaxImageSide by kMaxImageSide
-/// needs.
+/// checked against a CRC made before coding. No allocation is larger than an image of 4096 x 4096 pixels
+/// (kMaxImageSide) needs.
 [[nodiscard]] Result<DepthImage> decode_depth(std::span<const std::byte> packet);
 
 /// The header fields of a packet.

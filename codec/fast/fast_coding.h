@@ -16,8 +16,8 @@ struct Body {
 
 /// Encodes an image in the mode `fast`. Each pixel is predicted from its neighbours. A token states how many
 /// consecutive predictions are right, and how the next pixel differs (codec/fast/tokens.h); zstd compresses the tokens.
-/// An image with more than kMaxTokenLevels different depths is compressed by zstd without tokens. If the result is
-/// not smaller than the raw samples, these are stored instead.
+/// An image with more than kMaxTokenLevels (16 384) different depths is compressed by zstd without tokens. If the
+/// result is not smaller than the raw samples, these are stored instead.
 [[nodiscard]] Body encode_fast(const DepthImage& depth);
 
 /// Stores the raw samples.

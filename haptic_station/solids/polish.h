@@ -25,8 +25,8 @@ inline constexpr std::size_t kMostPolishBytes = std::size_t{4} << 20;
 /// a motion `tx` and a uniform scaling `sc`; a matrix that shears or mirrors is refused. Numbers have a decimal point
 /// in every locale.
 /// Error: an unknown word, a missing operand, a number out of its range, a mesh that cannot be read, more than
-/// kMostNodes nodes or kMostNesting levels, or text longer than kMostPolishBytes. The error states `name:line:column`,
-/// what was found, what was expected and how to fix it.
+/// 200 000 nodes (kMostNodes) or 100 nested operators (kMostNesting), or text longer than kMostPolishBytes. The error
+/// states `name:line:column`, what was found, what was expected and how to fix it.
 [[nodiscard]] Result<Solid> parse_polish(std::string_view text, const std::string& name,
                                          const MeshReader& meshes = no_meshes);
 

@@ -19,8 +19,8 @@ namespace telepalp::report {
 /// none is true, the text says so.
 [[nodiscard]] std::string cause_in_words(const Run& a, const Run& b, const Instant& instant);
 
-/// Age [ms] of the surface from which the force at `tick` was computed; kUnknown if no state message lies within 20 ms
-/// of the tick, or the station has no surface.
+/// Age [ms] of the surface from which the force at `tick` was computed; NaN (kUnknown) if no state message lies within
+/// 20 ms of the tick, or the station has no surface.
 [[nodiscard]] double surface_age_ms(const Session& session, std::size_t tick);
 
 }  // namespace telepalp::report

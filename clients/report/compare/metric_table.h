@@ -7,7 +7,7 @@
 
 namespace telepalp::report {
 
-/// The value of one metric in both runs; kUnknown where a run lacks it.
+/// The value of one metric in both runs; NaN (kUnknown) where a run lacks it.
 struct MetricPair {
   std::string name;
   std::string unit;

@@ -32,7 +32,8 @@ struct Run {
   std::optional<ReplayFacts> replay;  ///< nullopt: not a replay, or its report.json is missing
 };
 
-/// Reads a session file, or the file session.mcap in the folder `asked`. Error: see read_session().
+/// Reads a session file, or the file session.mcap in the folder `asked`. Error: not a session, or an empty or
+/// truncated one.
 [[nodiscard]] Result<Run> read_run(const std::filesystem::path& asked);
 
 /// The facts in `json`, the text of telepalp-replay's report.json: about its run or, if `unimpaired` is true, about its

@@ -33,7 +33,7 @@ struct IdleTimer {
   }
 };
 
-/// The results of a run. A value is kUnknown when the session lacks the messages for it.
+/// The results of a run. A value is NaN (kUnknown) when the session lacks the messages for it.
 struct Summary {
   double seconds = 0.0;
   std::uint64_t ticks = 0;
