@@ -29,8 +29,10 @@ struct Lights {
 /// averages in linear light at the end.
 class Canvas {
  public:
+  /// `top`, `bottom`: linear RGB of the background at its upper and lower edge; in between it changes evenly.
   Canvas(int width_px, int height_px, const Eigen::Vector3f& top, const Eigen::Vector3f& bottom);
 
+  /// Draws `mesh` over the present picture. `camera`: of the finished picture, which must have the canvas's size.
   void draw(const Mesh& mesh, const ViewCamera& camera, const Lights& lights, const ShadowMap& shadow,
             const Paint& paint);
 

@@ -9,7 +9,7 @@
 
 namespace telepalp::codec {
 
-/// Context and symbol of a pixel.
+/// Context and symbol of a pixel (codec/model/contexts.h). `step`: its rank minus the predicted rank.
 struct PixelSymbol {
   int context;
   int beyond_class;

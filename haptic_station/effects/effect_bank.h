@@ -43,6 +43,7 @@ class EffectBank {
   /// Where the scene puts the effect's object; nullopt: the effect is not an object inside the body.
   [[nodiscard]] std::optional<Point<HapticBase>> object_at(std::size_t effect) const noexcept;
 
+  /// The end-effector has just entered the body.
   void begin(const EffectInput& in) noexcept;
   /// The sum of all effects' forces on the hand.
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s, CostClock clock = nullptr) noexcept;

@@ -22,7 +22,7 @@ struct FeltSolid {
 /// The god-object (proxy) of a shape inside the body: remembers from which side the device pushes into the shape, and
 /// evaluates the force at a proxy. The proxy is the device, until the device has passed the middle of the shape as seen
 /// from that side; then it is the deepest point between the device and that side. So the proxy never reaches the far
-/// face: the force k s outwards(proxy), with s the depth of the proxy, has no component along the push.
+/// face: the force k s outwards(proxy), with s the depth of the proxy, has then no component along the push.
 ///
 /// For a given side, s is the greatest depth on the ray from the device towards that side, and the force is minus the
 /// gradient of 1/2 k s^2 (envelope theorem). It is thus conservative, and before the middle it equals the k times depth

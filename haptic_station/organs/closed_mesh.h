@@ -12,7 +12,7 @@ struct ClosedFace {
   std::array<Eigen::Vector3d, 3> corners;         ///< counter-clockwise from outside [m]
   std::array<Eigen::Vector3d, 3> corner_normals;  ///< angle-weighted sum over all faces at the corner; not normalised
   std::array<Eigen::Vector3d, 3> edge_normals;    ///< pseudo-normal of the edge from corner i to i + 1; not normalised
-  Eigen::Vector3d normal;
+  Eigen::Vector3d normal;                         ///< unit; zero for a face without area
 };
 
 /// The faces of a closed mesh with outward normals; a mesh whose faces all look inwards is turned inside out. Vertices

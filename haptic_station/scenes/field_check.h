@@ -55,6 +55,7 @@ class FieldCheck {
     complain(prefix + error.where + ": " + error.what, error.fix);
   }
 
+  /// Records an error about the message that in() named.
   void complain(std::string what, std::string fix) { complain(std::move(what), std::move(fix), place()); }
 
   /// Place of the message that in() named; the file alone if there is none.

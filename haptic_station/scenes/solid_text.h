@@ -8,7 +8,8 @@
 
 namespace telepalp::scenes {
 
-/// The place in the file of a part of the message; with a `number`, of this number in it. For errors.
+/// Gives the place of `part`, a part of the message, in its file, for errors; if `number` is not empty, the place of
+/// the number of this name and value in `part`.
 using WherePart =
     std::function<std::string(const google::protobuf::Message& part, std::string_view number, double value)>;
 

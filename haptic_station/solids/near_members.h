@@ -6,12 +6,12 @@
 
 namespace telepalp::solids {
 
-/// Remembers which members of a tree's outermost union can give its value within kReach_m of a place, so that a finger
-/// that moves slowly evaluates these alone. A member's value changes by at most SolidTree::steepest per metre: a member
-/// whose value at the place exceeds the least value by more than 2 * steepest * kReach_m cannot become the least one
-/// within kReach_m. The value is that of solid_at(); on an exact tie the sum of gradients may be rounded otherwise. A
-/// tree whose root is not a union, or a place with more than kMost such members, is evaluated as by solid_at(). Owner:
-/// the haptic thread. Nothing allocates.
+/// Remembers which members of a tree's outermost union can give the union's value within kReach_m of a place, so that a
+/// finger that moves slowly evaluates these alone. A member's value changes by at most SolidTree::steepest per metre: a
+/// member whose value at the place exceeds the least value by more than 2 * steepest * kReach_m cannot become the least
+/// one within kReach_m. The value is that of solid_at(); on an exact tie the sum of gradients may be rounded otherwise.
+/// A tree whose root is not a union, or a place with more than kMost such members, is evaluated as by solid_at().
+/// Owner: the haptic thread. Nothing allocates.
 class NearMembers {
  public:
   static constexpr double kReach_m = 0.003;  ///< at 0.1 m/s, 30 ms

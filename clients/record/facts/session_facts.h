@@ -42,11 +42,11 @@ struct SessionFacts {
     double largest_step_ms = 0.0;  ///< of their difference, between two messages of /clock
   };
 
-  double seconds = 0.0;
+  double seconds = 0.0;  ///< from the first message to the last
   std::uint64_t messages = 0;
   std::uint64_t chunks = 0;
-  std::uint64_t bytes = 0;
-  std::string program;  ///< program that wrote the file; empty: not stated
+  std::uint64_t bytes = 0;  ///< size of the file
+  std::string program;      ///< program that wrote the file; empty: not stated
   std::string version;
   std::string commit;
   std::string source;       ///< the recorded server or file

@@ -77,7 +77,7 @@ struct Session : SenderRecord {
   std::string name;         ///< file name without folders
   std::string origin;       ///< the recorded server or file, from the metadata; empty: not stated
   msg::SessionNotes notes;  ///< what people noted while they watched it; from the file beside the session
-  std::map<std::uint32_t, SenderRecord> others;
+  std::map<std::uint32_t, SenderRecord> others;                               ///< of the other senders, by their number
   std::map<std::pair<std::string, std::string>, Subscription> subscriptions;  ///< by name and address
   bool heard_server_stats = false;
   std::optional<msg::CaptureStatus> capture;                        ///< the last such message
