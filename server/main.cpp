@@ -48,7 +48,8 @@ program::Usage usage() {
                       {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; default: none"},
                       {.name = "allow-origin",
                        .argument = "ORIGIN",
-                       .help = "origin of a page that may open the stream: https://app.foxglove.dev",
+                       .help = "other site whose pages may open the stream, such as https://app.foxglove.dev; may be "
+                               "repeated",
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: those built beside this program"},
                       {"record-dir", "DIR", "where recordings from the web page go; default: none"},

@@ -28,7 +28,7 @@ program::Usage usage() {
                       {"scene", "FILE", "the station's scene file, to be attached"},
                       {.name = "attach",
                        .argument = "FILE",
-                       .help = "another file to attach, such as a report",
+                       .help = "another file to attach, such as a report; may be repeated",
                        .repeatable = true},
                       program::patience_option("how long to wait for the server at the start; 0: for ever"),
                       {"ready-file", "FILE", "file that is written when the recording begins"}},

@@ -11,6 +11,7 @@ namespace telepalp::calibration {
 namespace {
 
 constexpr std::size_t kMostSamples = 1'000'000;
+constexpr const char* kHowMany = "give 4 to 1000000 samples";
 
 Eigen::RowVector3d force_basis(double d) { return {d, d * d, d * d * d}; }
 
@@ -46,7 +47,7 @@ Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
   if (samples.size() < 4 || samples.size() > kMostSamples)
     return Error{.what = "the test has " + std::to_string(samples.size()) + " samples",
                  .where = "compression test",
-                 .fix = "give 4 to 1000000 samples"};
+                 .fix = kHowMany};
   const auto rows = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd basis(rows, 3);
   Eigen::VectorXd load(rows);
@@ -80,7 +81,9 @@ Result<std::vector<CompressionSample>> read_compression_test(const std::filesyst
   if (!std::getline(stream, line))
     return Error{.what = "cannot be read, or is empty", .where = file.string(), .fix = "check the path"};
   std::vector<CompressionSample> samples;
-  for (std::size_t number = 2; std::getline(stream, line) && samples.size() < kMostSamples; ++number) {
+  for (std::size_t number = 2; std::getline(stream, line); ++number) {
+    if (samples.size() == kMostSamples)
+      return Error{.what = "has more than 1000000 rows", .where = file.string(), .fix = kHowMany};
     double mm = 0.0;
     double load_N = 0.0;
     const char* end = line.data() + line.size();

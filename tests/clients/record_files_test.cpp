@@ -306,6 +306,17 @@ TEST_F(Files, CamerasOfTwoServersAreNotMerged) {
   EXPECT_EQ(run({"merge", a, "--out", in("c.mcap")}), 2);
 }
 
+TEST_F(Files, CamerasOfTwoServersAreNotMergedBehindASessionWithoutACamera) {
+  const auto none = write("none.mcap", {state(0, 7, 1)}, "10.0.0.3:7400");
+  const auto a = write("a.mcap", wire::samples::session(0.1, 1000), "10.0.0.5:7400");
+  const auto b = write("b.mcap", wire::samples::session(0.1, 1000), "10.0.0.9:7400");
+  const auto report = merge({none, a, b}, in("merged.mcap"));
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().where, b.string());
+  EXPECT_NE(report.error().what.find(a.string()), std::string::npos);
+  EXPECT_TRUE(merge({none, a}, in("merged.mcap")));
+}
+
 TEST_F(Files, AnEmptyFileAndAnotherFormatAreNamedByEachCommandAndNothingIsLeftBehind) {
   std::ofstream(in("empty.mcap")).flush();
   std::ofstream(in("other.mcap")) << "PK\x03\x04 something else";

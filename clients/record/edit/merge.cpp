@@ -100,15 +100,25 @@ Result<std::vector<Strand>> open_all(const std::vector<std::filesystem::path>& f
     Strand& added = strands.back();
     if (added.session().source == strands.front().session().source) continue;
     added.set_senders_apart(kSendersApart * static_cast<std::uint32_t>(strands.size() - 1));
-    if (added.holds(wire::kCameraDepth.name) && strands.front().holds(wire::kCameraDepth.name))
-      return Error{.what = "this session and " + files.front().string() +
-                           " both hold camera images, but from different servers: " + added.session().source + " and " +
-                           strands.front().session().source,
-                   .where = file.string(),
-                   .fix = "merge a copy without its camera images: telepalp-record cut " + file.string() +
-                          " --topics '!/camera/*' --out OTHER.mcap"};
   }
   return strands;
+}
+
+/// Camera images of several servers in one session could not be told apart.
+Result<void> with_images_of_one_server(const std::vector<Strand>& strands) {
+  const Strand* first = nullptr;
+  for (const Strand& strand : strands) {
+    if (!strand.holds(wire::kCameraDepth.name)) continue;
+    if (first == nullptr) first = &strand;
+    if (strand.session().source == first->session().source) continue;
+    return Error{.what = "this session and " + first->file().string() +
+                         " both hold camera images, but from different servers: " + strand.session().source + " and " +
+                         first->session().source,
+                 .where = strand.file().string(),
+                 .fix = "merge a copy without its camera images: telepalp-record cut " + strand.file().string() +
+                        " --topics '!/camera/*' --out OTHER.mcap"};
+  }
+  return {};
 }
 
 Result<void> copy_all_notes(std::vector<Strand>& strands, wire::McapWriter& writer) {
@@ -155,6 +165,7 @@ Result<void> copy_messages(std::vector<Strand>& strands, wire::McapWriter& write
 Result<EditReport> merge(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out) {
   Result<std::vector<Strand>> strands = open_all(files);
   if (!strands) return strands.error();
+  if (const Result<void> images = with_images_of_one_server(*strands); !images) return images.error();
   Result<wire::McapWriter> writer = wire::McapWriter::open(out, strands->front().session());
   if (!writer) return writer.error();
   EditReport report;

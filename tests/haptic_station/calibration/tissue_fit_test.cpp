@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
+#include <string>
 
 #include "haptic_station/effects/tissue_presets.h"
 #include "where.h"
@@ -53,6 +56,19 @@ TEST(TissueFit, RefusesInvalidCompressionTests) {
   samples.assign(10, {0.01, std::numeric_limits<double>::quiet_NaN()});
   EXPECT_FALSE(fit_tissue(samples).ok());
   EXPECT_FALSE(read_compression_test("/nowhere.csv").ok());
+}
+
+TEST(TissueFit, RefusesACompressionTestThatIsTooLongInsteadOfReadingItsBeginning) {
+  const std::string file = ::testing::TempDir() + "too_long.csv";
+  {
+    std::ofstream out(file);
+    out << "compression_mm,load_N\n";
+    for (int row = 0; row <= 1'000'000; ++row) out << "1,2\n";
+  }
+  const Result<std::vector<CompressionSample>> read = read_compression_test(file);
+  std::filesystem::remove(file);
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().what.find("more than 1000000 rows"), std::string::npos);
 }
 
 }  // namespace
