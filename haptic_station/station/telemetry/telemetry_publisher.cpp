@@ -1,6 +1,7 @@
 #include "haptic_station/station/telemetry/telemetry_publisher.h"
 
 #include <cmath>
+#include <utility>
 
 #include "proto/wire/vector_message.h"
 
@@ -10,6 +11,7 @@ namespace {
 constexpr std::uint32_t kPeriod_ns = std::chrono::nanoseconds(kTickPeriod).count();
 // A batch holds at most a tenth of a second, so that a viewer that plots ticks gets them promptly after a pause.
 constexpr std::size_t kMostInBatch = 200;
+constexpr std::int64_t kStatePeriod_ns = 10'000'000;
 
 std::uint64_t stamp(SessionTime at) noexcept { return static_cast<std::uint64_t>(to_nanoseconds(at)); }
 
@@ -36,9 +38,16 @@ void TelemetryPublisher::drain(SessionTime now) {
     last_ = batch_.back();
     has_ticked_ = true;
     publish_(wire::make_message(wire::kStationTicks, now, ticks_message(batch_, kPeriod_ns)));
-    publish_(wire::make_message(wire::kStationState, now, state_message(last_)));
+    for (const loop::TickSample& tick : batch_)
+      if (begins_state_period(tick)) publish_(wire::make_message(wire::kStationState, now, state_message(tick)));
     watch_heat(now);
   }
+}
+
+/// Periods are counted by the ticks' stamps, so that a late drain() leaves no gap between the states.
+bool TelemetryPublisher::begins_state_period(const loop::TickSample& tick) {
+  const std::int64_t period = tick.stamp_ns / kStatePeriod_ns;
+  return std::exchange(state_period_, period) != period;
 }
 
 void TelemetryPublisher::watch_heat(SessionTime now) {

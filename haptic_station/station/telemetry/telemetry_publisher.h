@@ -11,8 +11,8 @@
 
 namespace telepalp::station {
 
-/// Reads the ring of ticks and publishes messages: all ticks in batches, the station's state at 100 Hz, an event at
-/// each phase change, and the run's totals (StationStats). Owner: network thread.
+/// Reads the ring of ticks and publishes messages: all ticks in batches, the state at the first tick of each 10 ms of
+/// session time, an event at each phase change, and the run's totals (StationStats). Owner: network thread.
 class TelemetryPublisher {
  public:
   using Publish = std::function<void(wire::Message)>;
@@ -45,6 +45,8 @@ class TelemetryPublisher {
   [[nodiscard]] bool has_ticked() const noexcept { return has_ticked_; }
 
  private:
+  bool begins_state_period(const loop::TickSample& tick);
+
   TickRing& ticks_;
   Publish publish_;
   OnTick on_tick_;
@@ -53,6 +55,7 @@ class TelemetryPublisher {
   loop::TickSample last_;
   std::optional<msg::TimerCheck> idle_timer_;
   std::optional<msg::RigidMotion> haptic_from_tracker_;
+  std::int64_t state_period_ = -1;  // of the last published state, counted from the begin of the session
   bool has_ticked_ = false;
   bool heat_warned_ = false;
 };

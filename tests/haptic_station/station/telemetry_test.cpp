@@ -5,6 +5,7 @@
 #include <random>
 
 #include "haptic_station/station/telemetry/image_ages.h"
+#include "haptic_station/station/telemetry/telemetry_publisher.h"
 #include "haptic_station/station/threads/tick_timer.h"
 
 namespace telepalp::station {
@@ -110,6 +111,46 @@ TEST(StateMessage, TellsTheWorkspacesShiftAndWhetherTheBodyMovesPastTheDevice) {
   tick.workspace_shift = {0.0F, 0.0F, 0.25F};
   EXPECT_EQ(state_message(tick).workspace_shift().z(), 0.25);
   EXPECT_TRUE(state_message(tick).indexing());
+}
+
+/// The stamps [ms] of the states that are published when the ring is drained after each of these numbers of ticks.
+std::vector<double> state_stamps_ms(const std::vector<int>& ticks_per_drain) {
+  TickRing ring;
+  std::vector<double> stamps_ms;
+  TelemetryPublisher publisher(
+      ring,
+      [&](const wire::Message& message) {
+        if (message.topic.name != wire::kStationState.name) return;
+        msg::StationState state;
+        EXPECT_TRUE(state.ParseFromArray(message.payload->data(), static_cast<int>(message.payload->size())));
+        stamps_ms.push_back(1e-6 * static_cast<double>(state.stamp_ns()));
+      },
+      [](const loop::TickSample&) {});
+  std::uint64_t tick = 0;
+  for (const int ticks : ticks_per_drain) {
+    for (int i = 0; i < ticks; ++i) EXPECT_TRUE(ring.try_push(sample(tick++, msg::PHASE_IN_BODY, 1.0F)));
+    publisher.drain(session_time(static_cast<std::int64_t>(tick) * 500'000));
+  }
+  return stamps_ms;
+}
+
+TEST(TelemetryPublisher, PublishesAStateForEach10MsHoweverLateItsThreadComes) {
+  const std::vector<double> each_10_ms{0, 10, 20, 30, 40, 50, 60, 70, 80, 90};
+  EXPECT_EQ(state_stamps_ms({20, 20, 20, 20, 20, 20, 20, 20, 20, 20}), each_10_ms) << "in time";
+  EXPECT_EQ(state_stamps_ms({21, 19, 23, 57, 20, 0, 60}), each_10_ms) << "up to 30 ms late";
+  EXPECT_EQ(state_stamps_ms({1, 199}), each_10_ms) << "100 ms late";
+}
+
+TEST(TelemetryPublisher, PublishesAStateAfterTheClockWasSetBack) {
+  TickRing ring;
+  int states = 0;
+  TelemetryPublisher publisher(
+      ring, [&](const wire::Message& message) { states += message.topic.name == wire::kStationState.name ? 1 : 0; },
+      [](const loop::TickSample&) {});
+  for (const std::uint64_t tick : {40'000u, 40'001u, 20u, 21u})
+    EXPECT_TRUE(ring.try_push(sample(tick, msg::PHASE_IN_BODY, 1.0F)));
+  publisher.drain(session_time(0));
+  EXPECT_EQ(states, 2);
 }
 
 TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
