@@ -89,13 +89,15 @@ view.onDraw = () => {
   coming = undefined;
   link.ask('instant');  // so that the next picture is decoded while this one is drawn
 };
-view.onDrawn = () => {
+view.onShown = () => {
   if (drawing === undefined) return;
-  const drawn = drawing;
-  drawing = undefined;
-  state.drawn(drawn, now_ms());
-  readouts.addTrail(drawn.trail);
+  state.shown(drawing, now_ms());
+  readouts.addTrail(drawing.trail);
   readouts.showNumbers(read());
+};
+view.onDrawn = () => {
+  if (drawing !== undefined) state.drawn(drawing, now_ms());
+  drawing = undefined;
 };
 view.onGraphics = (lost) => (state.graphicsLost = lost);
 view.onFree = () => {

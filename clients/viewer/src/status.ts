@@ -32,6 +32,7 @@ export interface ViewerStatus {
   readonly clockError_ms: number | undefined;
   readonly pictureInstant_ms: number | undefined;
   readonly numbersInstant_ms: number | undefined;
+  readonly handInstant_ms: number | undefined;
   readonly account: TimeAccount | undefined;
   readonly holdsHand: boolean;
   readonly undecodable: number;
@@ -67,6 +68,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       clockError_ms: now.clockError_ms,
       pictureInstant_ms: now.pictureInstant_ms,
       numbersInstant_ms: now.numbersInstant_ms,
+      handInstant_ms: now.handInstant_ms,
       account: now.account,
       holdsHand: now.holdsHand,
       undecodable: now.undecodable,

@@ -13,6 +13,7 @@ import type {Instant, Light} from './present/instant';
 import {accountFor, type FrameTimes, type TimeAccount, WorstOfSecond} from './present/time_account';
 
 const UNTAKEN_MS = 2500;
+const SILENT_MS = 1000;  // a station that sent nothing for this long counts as gone
 
 /** All texts and numbers that the page shows at one time. */
 export interface Reading extends Health {
@@ -28,7 +29,8 @@ export interface Reading extends Health {
   undecodable: number;
   lateTicks: number | undefined;
   pictureInstant_ms: number | undefined;  // session time of the exposure that is drawn
-  numbersInstant_ms: number | undefined;  // session time that force, hand and numbers belong to
+  numbersInstant_ms: number | undefined;  // session time that force and numbers belong to
+  handInstant_ms: number | undefined;     // session time of hand and force in the scene; undefined: they are hidden
   role: string;                           // of this visitor at the server; empty while it is not known
   presence: Presence;
   station: StationState | undefined;                // of the presented instant
@@ -66,6 +68,8 @@ export class ViewerState {
   private station: StationState | undefined;
   private compensation: StationCompensation | undefined;
   private picture: DrawnPicture | undefined;
+  private hand_ms: number | undefined;
+  private late_ms: number | undefined;
   private drawnAt_ms: number[] = [];
   private readonly worst = new WorstOfSecond();
 
@@ -74,15 +78,23 @@ export class ViewerState {
     this.coming = instant;
   }
 
-  /** `instant` is on the screen, so its numbers are shown, too. */
-  drawn(instant: Instant, now_ms: number): void {
-    const {picture, station, compensation, times} = instant;
+  /** `instant` comes to the screen with the next screen refresh, so its numbers are shown, too. */
+  shown(instant: Instant, now_ms: number): void {
+    const {picture, station, hand, late_ms, compensation, times} = instant;
     if (this.coming === instant) this.coming = undefined;
     this.station = station;
     this.compensation = compensation;
+    this.late_ms = late_ms;
+    if (hand !== 'kept') this.hand_ms = hand === 'new' && station !== undefined ? milliseconds(station.stampNs) : undefined;
     if (picture === undefined) return;
-    ++this.frames;
     this.picture = {summary: picture.summary, captured_ms: milliseconds(picture.captured_ns), times, drawn_ms: now_ms};
+  }
+
+  /** The picture of `instant` is on the screen. */
+  drawn({picture}: Instant, now_ms: number): void {
+    if (picture === undefined || this.picture === undefined) return;
+    ++this.frames;
+    this.picture.drawn_ms = now_ms;
     this.drawnAt_ms.push(now_ms);
     if (this.drawnAt_ms.length > 120) this.drawnAt_ms.shift();
   }
@@ -99,7 +111,7 @@ export class ViewerState {
       everConnected: news?.everConnected ?? false,
       retryIn_ms: news?.retryAt_ms === undefined ? undefined : Math.max(0, news.retryAt_ms - now_ms),
       capture: news?.capture,
-      phase: news?.phase === Phase.Faulted ? Phase.Faulted : station?.phase ?? Phase.Unspecified,
+      phase: news?.phase === Phase.Faulted ? Phase.Faulted : station?.phase ?? this.unknownPhase(now_ms),
       depth: news?.depth,
       holdsHand: this.holdsHand,
       graphicsLost: this.graphicsLost,
@@ -109,7 +121,7 @@ export class ViewerState {
       station_ms: news?.stationHeard_ms === undefined ? undefined : now_ms - news.stationHeard_ms,
       picture_ms: this.pictureAge_ms(now_ms),
       account: account && this.worst.note(account, now_ms),
-      apart_ms: station && picture && milliseconds(station.stampNs) - picture.captured_ms,
+      late_ms: connected ? this.late_ms : undefined,
       link_ms: connected ? news?.link_ms : undefined,
       clockError_ms: news?.clockError_ms,
       fps: this.drawnAt_ms.filter((at_ms) => at_ms > now_ms - 1000).length,
@@ -119,6 +131,7 @@ export class ViewerState {
       lateTicks: news?.lateTicks,
       pictureInstant_ms: picture?.captured_ms,
       numbersInstant_ms: station && milliseconds(station.stampNs),
+      handInstant_ms: this.hand_ms,
       role: news?.role ?? '',
       presence,
       station,
@@ -131,6 +144,11 @@ export class ViewerState {
       taking: stationIsLive(presence) ? news?.taking : undefined,
       cameraFrames_per_s: connected ? news?.capture?.framesPerS ?? 0 : 0,
     };
+  }
+
+  private unknownPhase(now_ms: number): Phase | undefined {
+    const heard_ms = this.news?.stationHeard_ms;
+    return this.news?.connected && heard_ms !== undefined && now_ms - heard_ms < SILENT_MS ? undefined : Phase.Unspecified;
   }
 
   /** Age since the exposure if the session clock is known, else since the picture was drawn. */

@@ -18,36 +18,52 @@ const asJson = options.includes('--json');
 const seconds = Number(options[options.indexOf('--seconds') + 1]) || 20;
 const SCENES = new URL('../../../haptic_station/scenes', import.meta.url).pathname;
 const SIZE = {width: 1280, height: 800};
-const TOGETHER_MS = 5.001;  // half a period of /station/state
 
-/** Runs before the page's own scripts: notes long tasks, the first picture, and each drawn picture's age. */
+/**
+ * Runs before the page's own scripts: notes long tasks, the first picture and each drawn picture's age. It also looks at
+ * the page every 4 ms, between two of its tasks: whether the hand and numbers that it shows are of the picture's instant.
+ */
 function watch() {
-  const seen = (window.seen = {longTasks: [], first_ms: undefined, ages_ms: [], decodes_ms: [], apart_ms: []});
+  const seen = (window.seen = {longTasks: [], first_ms: undefined, ages_ms: [], decodes_ms: []});
+  const TOGETHER_MS = 5.001;  // half a period of /station/state
+  window.restart = () => Object.assign(seen, {looks: 0, handApart: 0, numbersApart: 0, unknown: 0}) &&
+      (seen.longTasks.length = seen.ages_ms.length = seen.decodes_ms.length = 0);
+  window.restart();
+  const compare = ({pictureInstant_ms, handInstant_ms, numbersInstant_ms, force_N}) => {
+    if (pictureInstant_ms === undefined) return;
+    const isApart = (at_ms) => at_ms !== undefined && Math.abs(at_ms - pictureInstant_ms) > TOGETHER_MS;
+    const force = numbersInstant_ms === undefined ? '–' : force_N.toFixed(1);
+    ++seen.looks;
+    if (isApart(handInstant_ms)) ++seen.handApart;
+    if (isApart(numbersInstant_ms) || document.getElementById('force').textContent !== force) ++seen.numbersApart;
+    if (numbersInstant_ms === undefined) ++seen.unknown;
+  };
   new PerformanceObserver((list) => seen.longTasks.push(...list.getEntries().map(({duration}) => duration)))
       .observe({type: 'longtask', buffered: true});
   let frames = 0;
   setInterval(() => {
     const now = window.telepalp;
-    if (now === undefined || now.frames === frames) return;
+    if (now === undefined) return;
+    compare(now);
+    if (now.frames === frames) return;
     frames = now.frames;
     seen.first_ms ??= performance.now();
     seen.ages_ms.push(now.pictureAge_ms);
     seen.decodes_ms.push(now.decode_ms);
-    if (now.numbersInstant_ms !== undefined) seen.apart_ms.push(Math.abs(now.pictureInstant_ms - now.numbersInstant_ms));
   }, 4);
 }
 
 const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))] ?? NaN;
 
 /** `withProbe`: the hand holds an ultrasound probe on the skin. */
-async function measure(query, withProbe = false) {
+async function measure(query, {withProbe = false, size = SIZE, lasts_s = seconds} = {}) {
   const place = new Workplace('viewer_bench');
   let browser;
   try {
     const {port, http_port} = await place.server(join(binDir, 'telepalp-server'), ['--source', 'synthetic', '--viewer', viewer]);
     const scene = withProbe ? ['--scene', sceneOfASteadyProbe(SCENES, place.folder)] : [];
     place.start(join(binDir, 'telepalp-station'), ['--connect', `127.0.0.1:${port}`, ...scene]);
-    browser = await openBrowser(place.folder, SIZE);
+    browser = await openBrowser(place.folder, size);
     const {page} = browser;
     await page.addInitScript(watch);
     await page.goto(`http://127.0.0.1:${http_port}/${query}`);
@@ -55,8 +71,8 @@ async function measure(query, withProbe = false) {
     if (withProbe) await untilStatus(page, 'an ultrasound image', (now) => now.probeImages > 3);
     const before = await status(page);
     const began_ms = performance.now();
-    await page.evaluate(() => (window.seen.longTasks.length = window.seen.ages_ms.length = window.seen.apart_ms.length = 0));
-    await sleep(1000 * seconds);
+    await page.evaluate(() => window.restart());
+    await sleep(1000 * lasts_s);
     const after = await status(page);
     const took_s = (performance.now() - began_ms) / 1000;
     return {
@@ -83,12 +99,11 @@ function weight() {
 }
 
 const bound = await measure('?mesh=off');
-const meshed = await measure('');
-const probing = await measure('', true);
+const meshed = await measure('', {lasts_s: 3 * seconds});
+const probing = await measure('', {withProbe: true});
 const row = (name, value, unit, reach, holds) =>
   ({name, value: Number.isFinite(value) ? Number(value.toFixed(2)) : null, unit, reach, holds});
 const most = (name, value, unit, limit) => row(name, value, unit, limit, Number.isFinite(value) && value <= limit);
-const apart = meshed.apart_ms.filter((ms) => ms > TOGETHER_MS).length;
 const rows = [
   row('pictures', meshed.pictures_per_s, '1/s', 15, meshed.pictures_per_s >= 15),
   row('pictures without the mesh', bound.pictures_per_s, '1/s', null, true),
@@ -102,7 +117,10 @@ const rows = [
   most('first picture', meshed.first_ms, 'ms', 1000),
   most('capture to drawn p50', quantile(meshed.ages_ms, 0.5), 'ms', 60),
   most('capture to drawn, oldest', Math.max(...meshed.ages_ms), 'ms', 250),
-  most('pictures whose numbers are of another instant', meshed.apart_ms.length === 0 ? NaN : apart, '', 0),
+  most('looks at a hand of another instant than the picture', meshed.looks === 0 ? NaN : meshed.handApart, '', 0),
+  most('looks at numbers of another instant than the picture', meshed.looks === 0 ? NaN : meshed.numbersApart, '', 0),
+  row('looks at a picture without numbers, share', meshed.unknown / meshed.looks, '', 0.01, meshed.unknown <= 0.01 * meshed.looks),
+  row('looks, one every 4 ms', meshed.looks, '', null, true),
 ];
 if (asJson) console.log(JSON.stringify({bench: 'viewer', seconds, size: SIZE, rows}, null, 1));
 else for (const {name, value, unit, reach, holds} of rows)

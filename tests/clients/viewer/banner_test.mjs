@@ -8,7 +8,7 @@ const {bannerFor} = await bundled('panel/banner.ts');
 
 const WELL = {
   connected: true, everConnected: true, retryIn_ms: undefined, capture: undefined, phase: 3, picture_ms: 60,
-  account: {site: 10, network: 30, computer: 20}, apart_ms: -4, station_ms: 10, surfaceStale: false, surface_ms: 40,
+  account: {site: 10, network: 30, computer: 20}, late_ms: undefined, station_ms: 10, surfaceStale: false, surface_ms: 40,
   handShown: true, holdsHand: false, untaken: false, yields_s: undefined, graphicsLost: false, paused: false,
 };
 const banner = (changes) => bannerFor({...WELL, ...changes});
@@ -29,8 +29,8 @@ test('while the session clock is not known, an old picture blames nobody', () =>
 });
 
 test('numbers that are much older than the picture are a warning', () => {
-  assert.match(banner({apart_ms: -600}).text, /0\.6 s older than the picture/);
-  assert.equal(banner({apart_ms: 300}), undefined);
+  assert.match(banner({late_ms: 600}).text, /come 0\.6 s after the picture, and are not shown/);
+  assert.equal(banner({late_ms: 300}), undefined);
 });
 
 test('a fault comes before a slow picture', () => {

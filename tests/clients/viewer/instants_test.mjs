@@ -45,6 +45,7 @@ test('picture and numbers of one capture time are presented together', () => {
   answer();
   assert.equal(seen.presented[0].decoded.frame, 1002);
   assert.equal(seen.presented[0].station.stampNs, ms(1000));
+  assert.equal(seen.presented[0].hand, 'new');
   assert.deepEqual(seen.presented[0].trail.map(({at_s}) => at_s), [0.98, 0.99, 1]);
 });
 
@@ -61,7 +62,7 @@ test('a picture waits for the numbers of its instant, and that is counted as its
   seen.now_ms = 50;
   station(1040);
   answer();
-  assert.equal(seen.presented[1].station.stampNs, ms(1040));
+  assert.equal(seen.presented[1].station.stampNs, ms(1033), 'between those of 1000 and 1040');
   assert.equal(seen.presented[1].arrival.complete_ms, 50);
 });
 
@@ -110,6 +111,7 @@ test('numbers go on alone when no picture comes, and not while one is on its way
   assert.equal(seen.presented.length, 2);
   assert.equal(seen.presented[1].decoded, undefined);
   assert.equal(seen.presented[1].station.forceN.y, 7);
+  assert.equal(seen.presented[1].hand, 'kept', 'the hand stays with the picture');
 });
 
 test('a picture in a gap of the numbers is skipped, and the next that has numbers is presented', () => {
@@ -120,16 +122,39 @@ test('a picture in a gap of the numbers is skipped, and the next that has number
   answer();
   instants.ask();
   depth(1070);
-  station(1140);
+  station(1136);
   answer();
-  assert.equal(seen.presented.length, 1, '70 ms to the nearest numbers on either side');
+  assert.equal(seen.presented.length, 1, '66 ms to the nearest numbers on either side');
   depth(1133);
   answer();
   assert.equal(seen.presented[1].decoded.frame, 1133);
-  assert.equal(seen.presented[1].station.stampNs, ms(1140));
+  assert.equal(seen.presented[1].station.stampNs, ms(1136));
 });
 
-test('numbers that come seldom do not stop the pictures', () => {
+test('a picture between numbers that are 40 ms apart comes with estimates for its instant', () => {
+  const {seen, instants, depth, station, answer} = bench();
+  station(1000, 1);
+  depth(1010);
+  instants.ask();
+  station(1040, 5);
+  answer();
+  assert.equal(seen.presented[0].station.stampNs, ms(1010));
+  assert.equal(seen.presented[0].station.forceN.y, 2);
+});
+
+test('a station that is far behind does not lend its old numbers to a picture, and the page is told how late it is', () => {
+  const {seen, instants, depth, station, answer} = bench();
+  station(1000);
+  depth(1700);
+  instants.ask();
+  answer();
+  assert.equal(seen.presented[0].decoded.frame, 1700);
+  assert.equal(seen.presented[0].station, undefined);
+  assert.equal(seen.presented[0].hand, 'none');
+  assert.equal(seen.presented[0].late_ms, 700);
+});
+
+test('numbers that come seldom do not stop the pictures, which come without a hand', () => {
   const {seen, instants, depth, station, answer} = bench();
   for (let at = 1000; at <= 5000; at += 200) {
     station(at);
@@ -137,8 +162,9 @@ test('numbers that come seldom do not stop the pictures', () => {
     instants.ask();
     while (seen.decoding.length > 0) answer();
   }
-  const frames = seen.presented.filter(({decoded}) => decoded !== undefined).map(({decoded}) => decoded.frame);
-  assert.deepEqual(frames, [900, 1900, 2900, 3900, 4900]);
+  const pictures = seen.presented.filter(({decoded}) => decoded !== undefined);
+  assert.deepEqual(pictures.map(({decoded}) => decoded.frame), Array.from({length: 21}, (_, i) => 900 + 200 * i));
+  for (const {station: values, hand} of pictures) assert.deepEqual([values, hand], [undefined, 'none']);
 });
 
 test('what was being decoded when the connection ended is not presented by the next one', () => {

@@ -9,7 +9,7 @@ const {ViewerState} = await bundled('viewer_state.ts');
 const CAPTURED_MS = 1000;
 const instantAt = (captured_ms) => ({
   picture: {captured_ns: BigInt(captured_ms) * 1_000_000n, summary: {}},
-  station: undefined, trail: [],
+  station: undefined, hand: 'none', late_ms: undefined, trail: [],
   times: {captured_ms, published_ms: captured_ms + 5, complete_ms: captured_ms + 10},
 });
 
@@ -19,10 +19,42 @@ test('the picture that waits while another is drawn still counts as arrived', ()
   const [first, second] = [instantAt(CAPTURED_MS), instantAt(CAPTURED_MS + 33)];
   state.taken(first);
   state.taken(second);  // decoded while the first is drawn
+  state.shown(first, 1040);
   state.drawn(first, 1050);
   const {account, pictureInstant_ms} = state.read(1250);
   assert.equal(pictureInstant_ms, CAPTURED_MS);
   assert.equal(account.computer, 1050 - 1010 + 1250 - 1050, 'since the second arrived, this computer is the slow one');
+  state.shown(second, 1255);
   state.drawn(second, 1260);
   assert.equal(state.read(1260).pictureInstant_ms, CAPTURED_MS + 33);
+});
+
+const stationAt = (stamp_ms) => ({stampNs: BigInt(stamp_ms) * 1_000_000n, handSampledNs: 0n, surfaceCapturedNs: 0n, phase: 3, indentationM: 0});
+const heard = {connected: true, stationHeard_ms: 1000};
+
+test('picture, hand and numbers change together, when the instant comes to the screen', () => {
+  const state = new ViewerState();
+  state.news = heard;
+  const instants = (now) => [now.pictureInstant_ms, now.handInstant_ms, now.numbersInstant_ms];
+  const next = {...instantAt(1000), station: stationAt(1002), hand: 'new'};
+  state.taken(next);
+  assert.deepEqual(instants(state.read(1010)), [undefined, undefined, undefined]);
+  state.shown(next, 1020);
+  assert.deepEqual(instants(state.read(1020)), [1000, 1002, 1002]);
+  assert.equal(state.frames, 0, 'not counted before it is on the screen');
+  state.drawn(next, 1036);
+  assert.equal(state.frames, 1);
+  state.shown({...instantAt(1300), picture: undefined, station: stationAt(1300), hand: 'kept'}, 1310);
+  assert.deepEqual(instants(state.read(1310)), [1000, 1002, 1300], 'the hand stays with its picture');
+  state.shown({...instantAt(2100), picture: undefined, station: stationAt(2100), hand: 'none'}, 2110);
+  assert.deepEqual(instants(state.read(2110)), [1000, undefined, 2100]);
+});
+
+test('values that are not known are shown as not known, and not as a station that is away', () => {
+  const state = new ViewerState();
+  state.news = heard;
+  state.shown({...instantAt(1000), late_ms: 600}, 1020);
+  const {force_N, indentation_mm, phase, late_ms} = state.read(1500);
+  assert.deepEqual([force_N, indentation_mm, phase, late_ms], [undefined, undefined, undefined, 600]);
+  assert.equal(state.read(2500).phase, 0, 'a station that is silent for more than a second is away');
 });

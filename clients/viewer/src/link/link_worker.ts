@@ -50,11 +50,11 @@ async function bitmapOf(topic: string, jpeg: Uint8Array): Promise<ImageBitmap | 
 const probeImages = new ProbeImages(
     (jpeg) => bitmapOf('/station/ultrasound', jpeg), (image) => ultrasound?.draw(image), (probe) => post({probe}));
 
-async function present({decoded, station, color, arrival, trail: touches}: Chosen): Promise<void> {
+async function present({decoded, station, hand, late_ms, color, arrival, trail: touches}: Chosen): Promise<void> {
   const times = timesOf(arrival);
   const trail = touches.map((touch) => ({...touch, phase: past.phaseAt(touch.at_s)}));
   const compensation = station && past.compensationAt(station.stampNs);
-  const numbers = {station, compensation, trail, times};
+  const numbers = {station, hand, late_ms, compensation, trail, times};
   if (decoded === undefined || arrival === undefined) return post({instant: {picture: undefined, ...numbers}});
   const bitmap = color && await bitmapOf('/camera/color', color.data);
   if (bitmap !== undefined) lightMeter?.measure(bitmap, now_ms());

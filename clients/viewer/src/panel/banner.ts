@@ -10,13 +10,13 @@ export interface Health extends TouchHealth {
   capture: CaptureStatus | undefined;
   picture_ms: number | undefined;
   account: TimeAccount | undefined;  // for the oldest picture of the last second; undefined while data is missing
-  apart_ms: number | undefined;      // instant of the numbers minus instant of the picture
+  late_ms: number | undefined;       // by how much the newest numbers are older than the picture, which shows none then
   station_ms: number | undefined;
   surfaceStale: boolean;
   surface_ms: number | undefined;
   paused: boolean;           // the played session is paused
   graphicsLost: boolean;     // the browser has lost its graphics context, and draws nothing
-  phase: Phase;
+  phase: Phase | undefined;  // undefined: there is a station, but its phase at this instant is not known
   yields_s: number | undefined;  // until warm motors lower the force in contact; undefined: they do not
 }
 
@@ -27,7 +27,7 @@ export interface Banner {
 }
 
 const STALE_MS = 1000;
-const APART_MS = 400;
+const LATE_MS = 400;
 const WARM_S = 4;
 
 const seconds = (ms: number) => `${(ms / 1000).toFixed(1)} s`;
@@ -73,11 +73,11 @@ export function bannerFor(health: Health): Banner | undefined {
     };
   if (health.station_ms !== undefined && health.station_ms > STALE_MS)
     return {level: 'warn', title: 'Station silent', text: `No message for ${seconds(health.station_ms)}.`};
-  if (health.apart_ms !== undefined && health.apart_ms < -APART_MS)
+  if (health.late_ms !== undefined && health.late_ms > LATE_MS)
     return {
       level: 'warn',
       title: 'Late readings',
-      text: `Hand and force are ${seconds(-health.apart_ms)} older than the picture: the station’s messages come late.`,
+      text: `Hand and force come ${seconds(health.late_ms)} after the picture, and are not shown in it.`,
     };
   return touchAdvice(health);
 }

@@ -19,7 +19,13 @@ const LOOKS: Record<Phase, PhaseLook> = {
   [Phase.Faulted]: {name: 'Faulted', tone: 'alarm', says: 'no force until an operator re-arms'},
 };
 
-/** Name and colour of a phase; an unknown number from a newer station is shown as a number. */
-export function lookOf(phase: Phase): PhaseLook {
+const NOT_KNOWN: PhaseLook = {name: '–', tone: 'quiet', says: 'the station’s values of this picture have not come'};
+
+/**
+ * Name and colour of a phase; an unknown number from a newer station is shown as a number. `phase` undefined: that of this
+ * instant is not known.
+ */
+export function lookOf(phase: Phase | undefined): PhaseLook {
+  if (phase === undefined) return NOT_KNOWN;
   return LOOKS[phase] ?? {name: `State ${Number(phase)}`, tone: 'quiet', says: 'a state that this viewer does not know'};
 }

@@ -25,7 +25,9 @@ export interface Picture extends DecodedDepth {
 /** The data that is presented together: a picture, and the station's values of the same instant. */
 export interface Instant {
   picture: Picture | undefined;  // undefined: no new picture; only the station's values are new
-  station: StationState | undefined;
+  station: StationState | undefined;  // of the picture's instant, or of now without a picture; undefined: not known
+  hand: 'new' | 'kept' | 'none';      // hand and force in the scene: of `station`, of the picture that stays, or hidden
+  late_ms: number | undefined;        // by how much the newest known values are older than the picture that has none
   compensation?: StationCompensation | undefined;  // of the instant of `station`; only in views that show it
   trail: readonly Touch[];  // touches since the previous instant, up to this one
   times: FrameTimes | undefined;  // of the picture; undefined while the session clock is not known

@@ -2,7 +2,9 @@ import type {DecodedDepth} from '../depth/depth_decoder';
 import type {StationState, Vec3} from '../link/messages';
 import type {Instant, Touch} from './instant';
 import {type Packet, PacketLine} from './packet_line';
-import {fallsInGap, continuesWithoutPicture, nearest, presentableUntil} from './presented_instant';
+import {
+  continuesWithoutPicture, handWithoutPicture, isSkipped, nearest, presentableUntil, valuesAt,
+} from './presented_instant';
 
 const MOST_STATES = 256;  // 2.5 s of /station/state
 const MOST_COLORS = 40;
@@ -40,7 +42,8 @@ const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
 
 /**
  * Chooses what the page presents next. The page asks when it is ready to draw. It gets the newest instant of which both
- * picture and numbers have arrived. A slow page therefore skips instants, and no queue grows.
+ * picture and numbers have arrived. A slow page therefore skips instants, and no queue grows. A picture never comes with
+ * values of another instant: if its own are not known, it comes without any.
  */
 export class Instants {
   private readonly line = new PacketLine();
@@ -123,14 +126,9 @@ export class Instants {
     return this.states[this.states.length - 1];
   }
 
-  private stateAt(captured_ns: bigint): StationState | undefined {
-    return nearest(this.states, ({stampNs}) => stampNs, captured_ns);
-  }
-
   private isSkipped(captured_ns: bigint): boolean {
-    const station = this.stateAt(captured_ns);
-    return station !== undefined &&
-        fallsInGap(captured_ns, station.stampNs, this.newestState!.stampNs, this.presentedCapture_ns);
+    return this.newestState !== undefined && valuesAt(this.states, captured_ns) === undefined &&
+        isSkipped(captured_ns, this.newestState.stampNs, this.presentedCapture_ns);
   }
 
   private serve(): void {
@@ -153,19 +151,25 @@ export class Instants {
   private presentPicture(decoded: DecodedDepth, captured_ns: bigint): void {
     this.ready = undefined;
     const arrival = this.arrivals.find((one) => one.captured_ns === captured_ns);
-    const station = this.stateAt(captured_ns);
+    const station = valuesAt(this.states, captured_ns);
+    const newest = this.newestState;
+    const late_ms = station === undefined && newest !== undefined ? Number(captured_ns - newest.stampNs) / 1e6 : undefined;
     const color = nearest(this.colors, (one) => one.captured_ns, captured_ns);
     this.colors = this.colors.filter((one) => one.captured_ns > captured_ns);
     this.arrivals = this.arrivals.filter((one) => one.captured_ns > captured_ns);
     this.presentedCapture_ns = captured_ns;
-    this.give({decoded, station, color, arrival, trail: this.trailTo(station)});
+    const hand = station === undefined ? 'none' : 'new';
+    this.give({decoded, station, hand, late_ms, color, arrival, trail: this.trailTo(station)});
   }
 
   private presentWithoutPicture(): void {
     const station = this.newestState;
     if (station === undefined || station.stampNs <= this.presentedStamp_ns) return;
     if (!continuesWithoutPicture(station.stampNs, this.presentedCapture_ns, this.first_ns ?? station.stampNs)) return;
-    this.give({decoded: undefined, color: undefined, arrival: undefined, station, trail: this.trailTo(station)});
+    const hand = handWithoutPicture(
+        station.stampNs, this.presentedCapture_ns === undefined ? undefined : this.newestCapture_ns);
+    const nothing = {decoded: undefined, color: undefined, arrival: undefined, late_ms: undefined};
+    this.give({...nothing, station, hand, trail: this.trailTo(station)});
   }
 
   private trailTo(station: StationState | undefined): Touch[] {

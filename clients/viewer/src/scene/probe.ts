@@ -71,6 +71,10 @@ export class Probe {
     this.force.show(proxy, force_N?.clone().multiplyScalar(ARROW_M_PER_N), forceColor);
   }
 
+  hide(): void {
+    this.group.visible = false;
+  }
+
   setBallVisible(wanted: boolean): void {
     this.ball.traverse((part) => part.layers.set(wanted ? 0 : 31));
   }

@@ -66,9 +66,11 @@ export class SceneView {
   readonly halo = new Halo();
 
   /**
-   * Callbacks of each drawing: when it begins, when the graphics card has finished it, and when the next one may begin.
+   * Callbacks of each drawing: when it begins, when it is put into the canvas, which the browser shows together with all
+   * that the page writes in this turn, when the graphics card has finished it, and when the next one may begin.
    */
   onDraw: () => void = () => undefined;
+  onShown: () => void = () => undefined;
   onDrawn: () => void = () => undefined;
   onFree: () => void = () => undefined;
   /** The headset shows the scene, or shows it no more. */
@@ -153,6 +155,7 @@ export class SceneView {
     this.drawingVertices = this.surface.meshVertices;
     this.renderer.render(this.scene, this.camera);
     this.drawnVertices = this.drawingVertices;
+    this.onShown();
     this.onDrawn();
     this.onFree();
   }
@@ -267,6 +270,7 @@ export class SceneView {
     if (this.aside === undefined || this.stereo !== undefined) {
       this.fitCanvas(this.sight);
       this.render();
+      this.onShown();
     } else {
       this.aside.begin(Math.floor(this.sight.width * this.sight.ratio), Math.floor(this.sight.height * this.sight.ratio));
       this.render();
@@ -280,6 +284,7 @@ export class SceneView {
     if (this.headset.isOn || this.stereo !== undefined) return;
     this.fitCanvas(this.sight);
     this.aside?.copyToCanvas();
+    this.onShown();
   }
 
   private render(): void {

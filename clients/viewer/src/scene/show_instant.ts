@@ -7,9 +7,10 @@ import {fromCamera, rotationFromCamera} from './frames';
 import type {SceneView} from './scene_view';
 
 /** Puts picture, hand and force of one instant into the scene, to be drawn together. */
-export function showInstant(view: SceneView, {picture, station, compensation}: Instant): void {
+export function showInstant(view: SceneView, {picture, station, hand, compensation}: Instant): void {
   if (picture !== undefined) showPicture(view, picture);
-  if (station !== undefined) showStation(view, station, compensation);
+  if (hand === 'none') hideStation(view);
+  else if (hand === 'new' && station !== undefined) showStation(view, station, compensation);
   view.invalidate();
 }
 
@@ -17,6 +18,14 @@ function showPicture(view: SceneView, {frame, summary, color, cameraMatrix}: Pic
   view.surface.showDepth(frame, summary, cameraMatrix);
   if (color !== undefined) view.surface.showPicture(color);
   view.setHome(summary);
+}
+
+function hideStation({hand, transducer, probe, halo, surface}: SceneView): void {
+  hand.show(undefined, undefined, 0);
+  transducer.show(undefined, undefined, undefined);
+  probe.hide();
+  halo.show(undefined);
+  surface.setTouch(undefined, 0, forceColor(0));
 }
 
 function showStation(
