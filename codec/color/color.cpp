@@ -19,7 +19,7 @@ struct FreeTurbo {
 };
 
 Error damaged(std::string what) {
-  return {.what = std::move(what), .where = "decode_color", .fix = "send the image again"};
+  return {.what = std::move(what), .where = "colour image", .fix = "send or record the image again"};
 }
 
 std::string compressed(const std::uint8_t* pixels, int width, int height, TJPF format, TJSAMP chroma, int quality) {
@@ -53,15 +53,15 @@ Result<ColorImage> decode_color(std::span<const std::byte> jpeg) {
   int subsampling = 0;
   int colorspace = 0;
   if (tjDecompressHeader3(turbo.get(), bytes, jpeg.size(), &color.width, &color.height, &subsampling, &colorspace) != 0)
-    return damaged("not a JPEG image");
+    return damaged("it is not in JPEG format");
   if (color.width < 1 || color.height < 1 || color.width > kMaxImageSide || color.height > kMaxImageSide)
-    return damaged("declares " + std::to_string(color.width) + " x " + std::to_string(color.height) +
+    return damaged("it declares " + std::to_string(color.width) + " x " + std::to_string(color.height) +
                    " pixels, not 1 to " + std::to_string(kMaxImageSide) + " a side");
   color.rgb.resize(3 * static_cast<std::size_t>(color.width) * static_cast<std::size_t>(color.height));
   // libjpeg only warns of a truncated picture and fills the rest with grey: a warning is an error here.
   if (tjDecompress2(turbo.get(), bytes, jpeg.size(), color.rgb.data(), color.width, 0, color.height, TJPF_RGB,
                     TJFLAG_STOPONWARNING) != 0)
-    return damaged(std::string("damaged image: ") + tjGetErrorStr2(turbo.get()));
+    return damaged(std::string("it is damaged: ") + tjGetErrorStr2(turbo.get()));
   return color;
 }
 

@@ -245,7 +245,9 @@ int train(std::span<char*> files) {
     }
     std::optional<Frame> frame = read_pgm(file.c_str());
     if (!frame) {
-      std::fprintf(stderr, "error: %s: not a 16-bit binary PGM\n", file.c_str());
+      std::fprintf(stderr,
+                   "error: %s: is not a 16-bit binary PGM. fix: give files of the format P5 with 16 bits a sample\n",
+                   file.c_str());
       return 1;
     }
     (in_sequence ? sequence : stills).push_back(std::move(*frame));

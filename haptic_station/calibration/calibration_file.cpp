@@ -49,9 +49,10 @@ Result<Eigen::Isometry3d> transform_of(const msg::MeasuredTransform& message, co
   const Eigen::Vector3d turn = wire::vector_of(message.transform().rotation_vector_rad());
   if (!message.has_transform() || !translation.allFinite() || !turn.allFinite() ||
       translation.cwiseAbs().maxCoeff() > kFurthest_m || turn.norm() > kLongestTurn_rad)
-    return Error{.what = "the transform is missing, not finite, or larger than 10 m or a full turn",
-                 .where = where,
-                 .fix = "calibrate again with telepalp-station calibrate"};
+    return Error{
+        .what = "the transform is missing or not finite, moves by more than 10 m, or turns by more than a full turn",
+        .where = where,
+        .fix = "calibrate again with telepalp-station calibrate"};
   return isometry_of(turn, translation);
 }
 

@@ -18,8 +18,9 @@ Error refusal(std::string what, std::string fix) {
 std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name) {
   constexpr double kRotationError = 1e-3;
   if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > 10.0)
-    return refusal(name + " is not finite, or further than 10 m away",
-                   "leave out poses in which the tracker did not see the hand, or the device gave no position");
+    return refusal(name + " is not finite, or has a coordinate beyond 10 m",
+                   "give positions in metres; leave out poses in which the tracker did not see the hand, or the device "
+                   "gave no position");
   const Matrix3d r = pose.linear();
   if ((r * r.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() > kRotationError)
     return refusal(name + " is not a rotation: its axes are not perpendicular, or not of length one",
@@ -44,7 +45,7 @@ std::optional<Matrix3d> mean_rotation(const Matrix3d& sum) {
 Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> poses, const Isometry3d& probe_from_hand,
                                                  const ProbeSettings& settings) {
   if (poses.empty()) return refusal("no pose is given", "lay the hand on the probe, and measure at least one pose");
-  if (const auto error = refuse_pose(probe_from_hand, "probe_from_hand")) return *error;
+  if (const auto error = refuse_pose(probe_from_hand, "the pose of the hand on the probe (--hand-at)")) return *error;
   const double n = static_cast<double>(poses.size());
   Matrix3d sum = Matrix3d::Zero();
   Vector3d to_mean = Vector3d::Zero();

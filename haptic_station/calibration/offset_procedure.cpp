@@ -19,16 +19,17 @@ bool usable(const Vector3d& p) { return p.allFinite() && p.cwiseAbs().maxCoeff()
 
 Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const OffsetSettings& settings) {
   if (touches.empty() || touches.size() < settings.least_touches)
-    return refusal("only " + std::to_string(touches.size()) + " of " + std::to_string(settings.least_touches) +
-                       " pairs of hand and end-effector were measured",
+    return refusal("only " + std::to_string(touches.size()) +
+                       " pairs of positions of hand and end-effector were measured; " +
+                       std::to_string(settings.least_touches) + " are needed",
                    "keep the hand on the end-effector, in the tracker's view, until the measurement ends");
   Vector3d hand = Vector3d::Zero();
   Vector3d end_effector = Vector3d::Zero();
   for (const Touch& touch : touches) {
     if (!usable(touch.hand.m) || !usable(touch.end_effector.m))
-      return refusal(
-          "a position of hand or end-effector is not finite, or further than 10 m away",
-          "leave out measurements in which the tracker did not see the hand, or the device gave no position");
+      return refusal("a position of hand or end-effector is not finite, or has a coordinate beyond 10 m",
+                     "give positions in metres; leave out measurements in which the tracker did not see the hand, or "
+                     "the device gave no position");
     hand += touch.hand.m / static_cast<double>(touches.size());
     end_effector += touch.end_effector.m / static_cast<double>(touches.size());
   }

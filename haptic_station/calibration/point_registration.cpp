@@ -91,7 +91,7 @@ std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3
   if (places.size() < 3)
     return refusal("only " + std::to_string(places.size()) + " different places (rank " + std::to_string(rank) +
                        "); a rotation needs three places that are not on a line",
-                   "measure at least four places, spread over the workspace");
+                   "measure at least three places, better four or more, spread over the workspace");
   if (rank < 2)
     return refusal(
         "the places lie " + std::string(rank == 0 ? "at one point" : "on a line") + " (rank " + std::to_string(rank) +
@@ -133,7 +133,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (const auto far = [](const Vector3d& p) { return !p.allFinite() || p.cwiseAbs().maxCoeff() > kFurthest_m; };
         far(pairs[i].to) || far(pairs[i].from))
-      return refusal("pair " + std::to_string(i + 1) + " is not finite, or further than 10 m away",
+      return refusal("pair " + std::to_string(i + 1) + " is not finite, or has a coordinate beyond 10 m",
                      "give positions in metres; leave out points that were not measured");
 
   const std::vector<Place> places = averaged(pairs);
@@ -157,7 +157,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   fit.residuals = residuals_of(pairs, fit.to_from_from);
   if (fit.residuals.rms_m() > settings.largest_rms_share * from_widths[0])
     return refusal("the pairs do not match: the RMS residual is " + millimetres(fit.residuals.rms_m()) +
-                       ", with places whose standard deviation is " + millimetres(from_widths[0]) +
+                       ", too much for places with a standard deviation of " + millimetres(from_widths[0]) +
                        "; the worst is pair " + std::to_string(fit.residuals.worst() + 1),
                    "measure the worst pair again, and check that both positions of each row belong to one place");
   return fit;

@@ -34,7 +34,8 @@ Result<std::vector<HandOnProbe>> parse_hand_on_probe(std::string_view text, std:
     if (!row || poses.size() == kMostRows)
       return Error{.what = row ? "more than 10000 rows" : "the row is not twelve finite numbers",
                    .where = file + ":" + std::to_string(number),
-                   .fix = "give x, y, z in metres and a rotation vector in radians, of hand and probe"};
+                   .fix = row ? "give at most 10000 rows"
+                              : "give x, y, z in metres and a rotation vector in radians, of hand and probe"};
     poses.push_back({.tracker_from_hand = pose_of(row->data()), .haptic_from_probe = pose_of(row->data() + 6)});
   }
   return poses;

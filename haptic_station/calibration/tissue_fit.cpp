@@ -56,9 +56,10 @@ Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
     load[i] = samples[static_cast<std::size_t>(i)].load_N;
   }
   if (!basis.allFinite() || !load.allFinite() || load.maxCoeff() <= 0.0)
-    return Error{.what = "no load is above zero, or a number is not finite",
-                 .where = "compression test",
-                 .fix = "give compression in millimetres and load in newtons, both growing"};
+    return Error{
+        .what = "no load is above zero, or a number is not finite",
+        .where = "compression test",
+        .fix = "give finite numbers: compression in millimetres, and load in newtons, above zero under compression"};
   std::optional<Eigen::Vector3d> best;
   for (unsigned chosen = 1; chosen < 8; ++chosen)  // with three columns, the best of all subsets is the exact solution
     if (const auto c = solve_over(basis, load, chosen); c && (!best || rms(basis, load, *c) < rms(basis, load, *best)))
@@ -79,7 +80,9 @@ Result<std::vector<CompressionSample>> read_compression_test(const std::filesyst
   std::ifstream stream(file);
   std::string line;
   if (!std::getline(stream, line))
-    return Error{.what = "cannot be read, or is empty", .where = file.string(), .fix = "check the path"};
+    return Error{.what = "cannot be read, or is empty",
+                 .where = file.string(),
+                 .fix = "check the path, your permissions, and that the file has rows"};
   std::vector<CompressionSample> samples;
   for (std::size_t number = 2; std::getline(stream, line); ++number) {
     if (samples.size() == kMostSamples)

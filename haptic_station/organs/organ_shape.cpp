@@ -13,7 +13,7 @@ Result<std::shared_ptr<const solids::DistanceLattice>> read_organ_shape(const st
                                                                         const OrganShapeSettings& settings) {
   std::error_code code;
   if (const std::uintmax_t size = std::filesystem::file_size(file, code); !code && size > kMostMeshBytes)
-    return Error{.what = "larger than 64 MiB", .where = file.string(), .fix = "simplify the mesh"};
+    return Error{.what = "is larger than 64 MiB", .where = file.string(), .fix = "simplify the mesh"};
   Result<models::PointModel> model = models::read_point_model(file);
   if (!model) return model.error();
   for (Eigen::Vector3f& point : model->points)

@@ -19,7 +19,7 @@ std::vector<program::Option> surface_options() {
           {"camera", "FILE", "camera.textproto of the depth PNG"},
           {"setting", "NAME", "surface setting: fast, smooth, paper, cloud …", "fast"},
           {"unit-m", "M", "metres for one unit of the cloud's coordinates", "1"},
-          {"samples", "N", "points sampled on a mesh; default: as its shape needs"},
+          {"samples", "N", "points sampled on a mesh; default: as many as its shape needs"},
           {"spacing-mm", "MM", "instead of --samples: spacing of the points"},
           {"anyway", "", "touch a model that is otherwise refused: coarse, noisy, or without a known outside"},
           {"flip-normals", "", "reverse all normals"}};
@@ -84,7 +84,8 @@ Result<double> spacing_m_of(const program::Arguments& arguments) {
 Result<void> check_surface(const program::Arguments& arguments) {
   const bool cloud = !arguments.text("cloud").empty();
   const bool depth = !arguments.text("depth").empty();
-  if (cloud == depth) return asked_wrongly("give either --cloud or --depth");
+  if (cloud && depth) return asked_wrongly("--cloud and --depth are both given");
+  if (!cloud && !depth) return asked_wrongly("neither --cloud nor --depth is given");
   if (depth && arguments.text("camera").empty()) return asked_wrongly("--depth needs --camera");
   if (arguments.text("out").empty()) return asked_wrongly("--out is missing");
   if (const auto setting = surface::surface_settings(arguments.text("setting")); !setting) return setting.error();
@@ -92,7 +93,7 @@ Result<void> check_surface(const program::Arguments& arguments) {
   if (const auto samples = samples_of(arguments); !samples) return samples.error();
   if (const auto spacing = spacing_m_of(arguments); !spacing) return spacing.error();
   if (arguments.has("samples") && arguments.has("spacing-mm"))
-    return asked_wrongly("give either --samples or --spacing-mm");
+    return asked_wrongly("--samples and --spacing-mm are both given");
   return {};
 }
 

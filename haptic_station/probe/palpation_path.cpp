@@ -110,7 +110,7 @@ Result<std::vector<Waypoint>> palpation_path(const surface::SurfaceSnapshot& sna
       on_surface.empty() ? std::vector<Spot>{} : choose_spots(snapshot, on_surface, settings);
   if (spots.empty())
     return Error{.what = "no point is surrounded by surface on all sides",
-                 .where = "path",
+                 .where = "telepalp-probe path",
                  .fix = "give a denser cloud, or name a dense place by --at"};
   Pen pen(settings);
   for (const Spot& spot : spots) {

@@ -135,7 +135,7 @@ struct PngReader {
 void take_bytes(png_structp png, png_bytep to, std::size_t count) {
   auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
   models::check_png_bytes(png, reader->info, reader->bounds, count);
-  if (std::fread(to, 1, count, reader->file) != count) png_error(png, "ends too early");
+  if (std::fread(to, 1, count, reader->file) != count) png_error(png, "the file ends too early");
 }
 
 /// libpng calls longjmp when a file is damaged. Each function that may be left this way therefore has no C++ objects.
@@ -158,10 +158,12 @@ bool read_rows(png_structp png, png_bytepp rows) {
 /// Reads 16-bit grey samples unchanged. libpng's simplified interface would apply a gamma correction.
 Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit_m) {
   const auto fail = [&](const std::string& what) {
-    return Error{.what = what, .where = path.string(), .fix = "give a 16-bit grey PNG of at most 4096 x 4096"};
+    return Error{
+        .what = what, .where = path.string(), .fix = "give a whole 16-bit grey PNG of at most 4096 pixels a side"};
   };
   PngReader reader(path);
-  if (reader.file == nullptr || reader.info == nullptr) return fail("cannot be opened");
+  if (reader.file == nullptr || reader.info == nullptr)
+    return Error{.what = "cannot be opened", .where = path.string(), .fix = "check the path and your permissions"};
   if (!read_header(reader)) return fail("is not a 16-bit grey PNG");
   DepthImage image{.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
                    .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
@@ -172,7 +174,7 @@ Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit
   rows.reserve(static_cast<std::size_t>(image.height));
   for (int row = 0; row < image.height; ++row)
     rows.push_back(reinterpret_cast<png_bytep>(&image.samples[static_cast<std::size_t>(row * image.width)]));
-  if (!read_rows(reader.png, rows.data())) return fail("is damaged");
+  if (!read_rows(reader.png, rows.data())) return fail("is damaged or incomplete");
   return image;
 }
 
@@ -196,9 +198,10 @@ Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudO
           positions(surface::poisson_disk_samples(model, options.samples > 0 ? options.samples : kPaperSamples, 1));
     auto paper = std::make_shared<surface::PaperSurface>(surface::IndexedPoints{model.points, model.width}, settings);
     paper->motion.ages = false;
-    return ProbedSurface{std::move(paper),
-                         "all normals are turned towards the origin, where the setting paper assumes the camera",
-                         some_of(model.points)};
+    return ProbedSurface{
+        std::move(paper),
+        "all normals are turned towards the origin, where the surface setting 'paper' assumes the camera",
+        some_of(model.points)};
   }
   surface::StaticModelSettings how{.samples = options.samples,
                                    .spacing_m = options.spacing_m,
@@ -226,7 +229,7 @@ Result<ProbedSurface> open_depth(const std::filesystem::path& png, const std::fi
   Result<DepthImage> image = read_depth_png(png, unit_m);
   if (!image) return image.error();
   if (!is_well_formed(intrinsics) || intrinsics.width != image->width || intrinsics.height != image->height)
-    return Error{.what = "describes another image: the PNG has " + std::to_string(image->width) + " x " +
+    return Error{.what = "does not describe the camera of this PNG, which has " + std::to_string(image->width) + " x " +
                          std::to_string(image->height) + " pixels",
                  .where = camera_file.string(),
                  .fix = "give depth { width: … height: … fx: … fy: … cx: … cy: … } of the camera that took the PNG"};

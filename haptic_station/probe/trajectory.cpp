@@ -53,7 +53,7 @@ Result<std::vector<Waypoint>> parse_trajectory(std::string_view text, const std:
                    .where = where,
                    .fix = "sort the lines by time"};
     if (waypoints.size() == kMostWaypoints)
-      return Error{.what = "has over 20 million lines", .where = name, .fix = fix};
+      return Error{.what = "has over 20 million lines", .where = name, .fix = "give fewer lines"};
     waypoints.push_back({t_s, {x, y, z}});
   }
   if (waypoints.empty()) return Error{.what = "has no waypoints", .where = name, .fix = fix};
@@ -64,7 +64,9 @@ Result<std::vector<Waypoint>> read_trajectory(const std::filesystem::path& file)
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf()))
-    return Error{.what = "cannot be read, or is empty", .where = file.string(), .fix = "check the path"};
+    return Error{.what = "cannot be read, or is empty",
+                 .where = file.string(),
+                 .fix = "check the path, your permissions, and that the file has lines"};
   return parse_trajectory(text.str(), file.string());
 }
 

@@ -50,7 +50,8 @@ effects::Skin::Settings read_skin_settings(FieldCheck& check, const msg::SkinEff
   double alpha = effects::alpha_for(stiffness, at_m);
   if (message.has_alpha_n_per_m2()) {
     if (message.has_stiffness_n_per_m() || message.has_at_indentation_m())
-      check.complain("skin gives both alpha_N_per_m2 and a stiffness", "give one of the two");
+      check.complain("skin gives alpha_N_per_m2 beside stiffness_N_per_m or at_indentation_m",
+                     "give alpha_N_per_m2, or the other two");
     TELEPALP_READ(check, "skin.", message, alpha_n_per_m2, alpha, {1, 1e6, "N/m^2"});
   }
   skin.law = effects::paper_law(alpha);

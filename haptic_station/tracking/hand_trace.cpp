@@ -102,7 +102,7 @@ Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name)
   const Columns columns = find_columns(next_line(text));
   for (const Column c : {kTime, kX, kY, kZ})
     if (!columns[c])
-      return Error{.what = "no column " + std::string(kNames[c]),
+      return Error{.what = "there is no column " + std::string(kNames[c]),
                    .where = std::string(name) + ":1",
                    .fix = "give a CSV with timestamp_us, palm_x_mm, palm_y_mm and palm_z_mm in its first row"};
   HandTrace trace;
@@ -122,7 +122,7 @@ Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name)
     trace.samples.push_back(row->sample);
   }
   if (trace.samples.size() < 2)
-    return Error{.what = "fewer than two usable rows (" + std::to_string(trace.skipped) + " skipped)",
+    return Error{.what = "fewer than two usable rows (" + std::to_string(trace.skipped) + " rows were skipped)",
                  .where = std::string(name),
                  .fix = "give a trace of at least two samples of one hand"};
   return trace;

@@ -16,7 +16,7 @@ program::Usage usage() {
           .positional = "",
           .options = {{"out", "DIR", "folder for report.html and report.json", "trials"},
                       {"scene", "FILE|NAME",
-                       "a *.scene.textproto, or a scene of the library; default: the study's skin and cylinder"},
+                       "scene file, or a scene of the library; default: the study's skin and cylinder"},
                       {"surface", "KIND", "plane: level and exact; camera: a belly under a Kinect-like camera; both",
                        "both"},
                       {"breathing-mm", "MM", "amplitude of the skin's motion by breathing", "0"}},

@@ -104,11 +104,11 @@ bool read_color(TIFF* tiff, ColorImage& image) {
   return true;
 }
 
+constexpr std::uint16_t kMostChannels = 4;
+
 /// True when a strip or tile, which libtiff decodes at once, is no larger than the largest accepted image.
 bool decodes_in_bounds(TIFF* tiff, const TiffHeader& header) {
   constexpr tmsize_t kMostBytes = tmsize_t{4} * kMaxImageSide * kMaxImageSide;
-  constexpr std::uint16_t kMostChannels = 4;
-  if (header.channels == 0 || header.channels > kMostChannels) return false;
   const tmsize_t bytes = header.tiled ? TIFFTileSize(tiff) : TIFFStripSize(tiff);
   return bytes > 0 && bytes <= kMostBytes;
 }
@@ -128,21 +128,27 @@ Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string
   if (!tiff) return refuse("is not a TIFF file: " + message);
   const TiffHeader header = header_of(tiff.get());
   if (header.width == 0 || header.height == 0 || header.width > kMaxImageSide || header.height > kMaxImageSide)
-    return refuse("is " + std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels");
+    return refuse("is " + std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels, not 1 to " +
+                  std::to_string(kMaxImageSide) + " a side");
+  if (header.channels == 0 || header.channels > kMostChannels)
+    return refuse("has " + std::to_string(header.channels) + " channels, not 1 to " + std::to_string(kMostChannels));
   if (!decodes_in_bounds(tiff.get(), header))
-    return refuse("has " + std::to_string(header.channels) + " channels, or strips or tiles larger than an image");
+    return refuse("has strips or tiles that are empty or larger than the largest accepted image");
   const auto width = static_cast<int>(header.width);
   const auto height = static_cast<int>(header.height);
   const std::size_t pixels = std::size_t{header.width} * header.height;
   if (header.bits == 16 && header.channels == 1) {
-    if (header.format != SAMPLEFORMAT_UINT || header.tiled) return refuse("is 16-bit, but tiled or not unsigned");
+    if (header.format != SAMPLEFORMAT_UINT || header.tiled)
+      return refuse("is 16-bit grey, but is stored in tiles, or its samples are not unsigned integers");
     if (static_cast<std::size_t>(TIFFScanlineSize(tiff.get())) != 2 * std::size_t{header.width})
       return refuse("has rows that do not hold 2 bytes a pixel");
     GrayImage16 image{width, height, std::vector<std::uint16_t>(pixels)};
     if (!read_gray16(tiff.get(), image)) return refuse("cannot be decoded: " + message);
     return AnyImage{std::move(image)};
   }
-  if (header.bits != 8) return refuse("has " + std::to_string(header.bits) + " bits a sample");
+  if (header.bits != 8)
+    return refuse("has " + std::to_string(header.channels) + " channels of " + std::to_string(header.bits) +
+                  " bits, not one channel of 16 bits or channels of 8 bits");
   ColorImage image{width, height, std::vector<std::uint8_t>(3 * pixels)};
   if (!read_color(tiff.get(), image)) return refuse("cannot be decoded: " + message);
   return AnyImage{std::move(image)};

@@ -19,9 +19,10 @@ inline void add_fan(const std::vector<std::uint32_t>& corners, PointModel& model
   for (const auto& triangle : model.triangles)
     for (const std::uint32_t corner : triangle)
       if (corner >= model.points.size())
-        return bad_mesh(name, "has a face that names vertex " + std::to_string(corner) + " of " +
-                                  std::to_string(model.points.size()));
-  if (model.points.size() > kMostModelPoints) return bad_mesh(name, "has more than 20 million points");
+        return bad_mesh(name, "has " + std::to_string(model.points.size()) + " vertices, but a face names vertex " +
+                                  std::to_string(corner) + ", counted from 0");
+  if (model.points.size() > kMostModelPoints)
+    return Error{.what = "has more than 20 million points", .where = name, .fix = "simplify the model to fewer points"};
   return model;
 }
 

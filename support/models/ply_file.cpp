@@ -90,7 +90,8 @@ Result<PlyHeader> parse_ply_header(std::span<const std::byte> bytes, const std::
     } else if (key == "element") {
       const auto count = TextCursor::number<std::size_t>(TextCursor::word_of(rest));
       if (!count || *count > 3 * kMostModelPoints || *count > bytes.size())
-        return bad_mesh(name, "declares more of '" + std::string(first) + "' than it has bytes for");
+        return bad_mesh(name, "declares a number of elements '" + std::string(first) +
+                                  "' that is unreadable, or more than it has bytes for");
       const auto same = [&](const Element& element) { return element.name == first; };
       if (std::any_of(header.elements.begin(), header.elements.end(), same))
         return bad_mesh(name, "has two elements called '" + std::string(first) + "'");
@@ -113,7 +114,7 @@ Result<PlyHeader> parse_ply_header(std::span<const std::byte> bytes, const std::
       return header;
     }
   }
-  return bad_mesh(name, "has no end_header");
+  return bad_mesh(name, "has no line end_header");
 }
 
 Result<void> read_vertices(const Element& element, Numbers& numbers, PointModel& model, const std::string& name) {

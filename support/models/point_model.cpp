@@ -14,7 +14,7 @@ Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code) return Error{.what = "cannot be read: " + code.message(), .where = file.string(), .fix = "check the path"};
   if (size > kMostFileBytes)
-    return Error{.what = "has " + std::to_string(size) + " bytes", .where = file.string(), .fix = "give at most 1 GiB"};
+    return Error{.what = "is larger than 1 GiB", .where = file.string(), .fix = "give a model with fewer points"};
   std::vector<std::byte> bytes(static_cast<std::size_t>(size));
   std::ifstream in(file, std::ios::binary);
   in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -57,11 +57,11 @@ Result<PointModel> read_point_model(const std::filesystem::path& file) {
 std::string unit_complaint(const PointModel& model) {
   const double size = extent(model);
   const auto looks = [&](const char* unit) {
-    return "the points span " + std::to_string(size) + " metres, which looks like " + unit;
+    return "the points span " + std::to_string(size) + " m, so their coordinates are probably in " + unit;
   };
-  if (size > 100.0) return looks("millimetres, 0.001 m each");
-  if (size > 12.0) return looks("decimetres, 0.1 m each, or centimetres, 0.01 m");
-  if (size > 0.0 && size < 0.002) return looks("kilometres, 1000 m each");
+  if (size > 100.0) return looks("millimetres (0.001 m)");
+  if (size > 12.0) return looks("decimetres (0.1 m) or centimetres (0.01 m)");
+  if (size > 0.0 && size < 0.002) return looks("kilometres (1000 m)");
   return {};
 }
 

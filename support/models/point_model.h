@@ -39,6 +39,7 @@ inline constexpr std::size_t kMostModelPoints = 20'000'000;
 /// Explains why the coordinates cannot be metres and suggests the unit that gives the size of a patient; empty when
 /// metres are plausible.
 [[nodiscard]] std::string unit_complaint(const PointModel& model);
-inline constexpr const char* kSayTheUnit = "say the unit of the file's coordinates: --unit-m, or unit_m in a scene";
+inline constexpr const char* kSayTheUnit =
+    "give the unit of the file's coordinates in metres: --unit-m, or unit_m in a scene";
 
 }  // namespace telepalp::models

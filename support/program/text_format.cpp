@@ -28,7 +28,7 @@ class FirstError : public google::protobuf::io::ErrorCollector {
     while (message_.ends_with('.')) message_.pop_back();  // the message continues with ". fix:"
   }
   [[nodiscard]] Error error(const std::string& name) const {
-    return {.what = message_.empty() ? "not a text-format file" : message_,
+    return {.what = message_.empty() ? "not a file in protobuf's text format" : message_,
             .where = name + ":" + std::to_string(line_) + ":" + std::to_string(column_),
             .fix = fix()};
   }

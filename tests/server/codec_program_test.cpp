@@ -95,7 +95,7 @@ TEST_F(CodecProgram, FailsWhereACloserBoundIsNotKeptAndNamesAPixel) {
   ASSERT_EQ(run({"encode", in("original"), in("bounded.mcap"), "--mode", "bounded", "--bound", "3,10"}).first, 0);
   const auto [code, said] = run({"compare", in("original"), in("bounded.mcap"), "--bound", "1,1"});
   EXPECT_EQ(code, 1);
-  EXPECT_NE(said.find("pixels are beyond the bound, the first in frame 0, pixel "), std::string::npos) << said;
+  EXPECT_NE(said.find("pixels are beyond the bound, the first in frame 0, column "), std::string::npos) << said;
   EXPECT_NE(said.find("fix: "), std::string::npos) << said;
   EXPECT_EQ(run({"compare", in("original"), in("bounded.mcap")}).first, 0) << "nothing is asked without a bound";
 }

@@ -17,14 +17,15 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
   std::size_t at = 0;
   DepthDifference difference(bound);
   const Result<void> done = for_each_depth(second, unit_m, [&](const NamedDepth& named) -> Result<void> {
-    const std::string where = second.string() + " frame " + std::to_string(at);
+    const std::string where = second.string() + ", frame " + std::to_string(at);
     if (at == frames.size())
-      return Error{
-          .what = "has more frames than the first input", .where = where, .fix = "give two inputs of one recording"};
+      return Error{.what = "the first input has only " + std::to_string(frames.size()) + " frames",
+                   .where = where,
+                   .fix = "give two inputs of one recording"};
     const Result<DepthImage> other = codec::decode_depth(std::as_bytes(std::span(frames[at++])));
     if (!other) return other.error();
     if (other->width != named.depth.width || other->height != named.depth.height)
-      return Error{.what = "differs in width or height from the first input",
+      return Error{.what = "differs in width or height from this frame of the first input",
                    .where = where,
                    .fix = "give two inputs of one recording"};
     difference.add(*other, named.depth);
@@ -32,9 +33,10 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
   });
   if (!done) return done;
   if (at != frames.size())
-    return Error{.what = "has " + std::to_string(at) + " frames, the first input " + std::to_string(frames.size()),
-                 .where = second.string(),
-                 .fix = "give two inputs of one recording"};
+    return Error{
+        .what = "has " + std::to_string(at) + " frames, but the first input has " + std::to_string(frames.size()),
+        .where = second.string(),
+        .fix = "give two inputs of one recording"};
   std::printf("%zu frames: max error %.3f mm, RMS %.3f mm, %zu pixels measured in one input only\n", at,
               difference.worst_mm(), difference.rms_mm(), difference.flips());
   if (!bound) return {};

@@ -37,13 +37,13 @@ Result<void> decode_recording(const std::filesystem::path& input, const std::fil
   };
   const Result<void> done = for_each_depth(input, 0.001, write, pass_over);
   if (!done) return done;
-  std::printf("%zu frames in %s\n", frames - unreadable, folder.c_str());
+  std::printf("wrote %zu frames to %s\n", frames - unreadable, folder.c_str());
   if (unreadable == 0) return {};
   return Error{.what = std::to_string(unreadable) + " of " + std::to_string(frames) + " frames cannot be read",
                .where = input.string(),
                .fix =
-                   "record again, or use the frames that are written; a frame whose reference frame is missing cannot "
-                   "be decoded"};
+                   "use the frames that are written, or record again; a predicted frame cannot be decoded without the "
+                   "frame before it"};
 }
 
 }  // namespace telepalp::codec_tool

@@ -13,7 +13,7 @@ double depth_mm(const DepthImage& depth, std::size_t pixel) {
 
 std::string place(std::size_t frame, const DepthImage& depth, std::size_t pixel) {
   const auto width = static_cast<std::size_t>(depth.width);
-  return "frame " + std::to_string(frame) + ", pixel " + std::to_string(pixel % width) + ", " +
+  return "frame " + std::to_string(frame) + ", column " + std::to_string(pixel % width) + ", row " +
          std::to_string(pixel / width);
 }
 

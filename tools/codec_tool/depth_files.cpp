@@ -52,7 +52,7 @@ Result<void> visit_image(const fs::path& file, double unit_m, bool colour_may_be
   auto* const depth = std::get_if<images::GrayImage16>(&*image);
   if (depth == nullptr) {
     if (colour_may_be) return {};
-    return Error{.what = "holds no 16-bit samples", .where = file.string(), .fix = "give a depth image"};
+    return Error{.what = "holds no 16-bit samples", .where = file.string(), .fix = "give a 16-bit depth image"};
   }
   return visit(
       {file.filename().string(),
@@ -71,7 +71,7 @@ Result<void> visit_session(const fs::path& file, const Visit& visit, const PassO
     if (!*message) return {};
     msg::DepthImage image;
     if (!image.ParseFromString(*(*message)->payload))
-      return Error{.what = "message " + std::to_string(number) + " is not a depth image",
+      return Error{.what = "message " + std::to_string(number) + " of /camera/depth is not a depth image",
                    .where = file.string(),
                    .fix = "check the session: telepalp-record verify " + file.string()};
     Result<DepthImage> depth = decoder.decode(std::as_bytes(std::span(image.data())));

@@ -25,8 +25,9 @@ extern "C" void interrupt(int /*signal*/) { interrupted = 1; }
 /// Fails after Ctrl-C or SIGTERM, so that the unfinished file is removed.
 Result<void> go_on(const std::filesystem::path& output) {
   if (interrupted == 0) return {};
-  return Error{
-      .what = "was interrupted; the incomplete file is removed", .where = output.string(), .fix = "run it again"};
+  return Error{.what = "encoding was interrupted; the incomplete file is removed",
+               .where = output.string(),
+               .fix = "run the command again"};
 }
 
 /// Prints a note about damage: a recording that was not finished still gives the frames that it has.
@@ -63,7 +64,9 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
       },
       input.extension() == ".oni" ? say_what_is_missing : std::function<void(const Error&)>{});
   if (done && totals.frames == 0)
-    done = Error{.what = "holds no depth image", .where = input.string(), .fix = "give 16-bit images"};
+    done = Error{.what = "holds no depth image",
+                 .where = input.string(),
+                 .fix = "give a recording, a session or images with 16-bit depth"};
   if (!done) {
     writer->discard();
     return done;

@@ -47,9 +47,9 @@ Result<Totals> for_each_packet(const std::filesystem::path& input, Visit visit) 
     if (!*message) break;
     msg::DepthImage image;
     if (!image.ParseFromString(*(*message)->payload))
-      return Error{.what = "message " + std::to_string(totals.frames) + " is not a depth image",
+      return Error{.what = "message " + std::to_string(totals.frames) + " of /camera/depth is not a depth image",
                    .where = input.string(),
-                   .fix = "record it again"};
+                   .fix = "check the session: telepalp-record verify " + input.string()};
     const Result<codec::DepthPacketInfo> packet = codec::inspect_depth(std::as_bytes(std::span(image.data())));
     if (!packet) return packet.error();
     visit(totals.frames, *packet, image.data().size(), wire::depth_fidelity(image));

@@ -48,13 +48,14 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
               .json = arguments.has("json")};
   const std::string command = asked.words.empty() ? "" : asked.words.front();
   if (command != "encode" && command != "decode" && command != "info" && command != "compare")
-    return Error{
-        .what = "'" + command + "' is not a command", .where = std::string(kProgram), .fix = "telepalp-codec --help"};
+    return Error{.what = "'" + command + "' is not a command",
+                 .where = std::string(kProgram),
+                 .fix = "see telepalp-codec --help"};
   const std::size_t wanted = command == "info" ? 2 : 3;
   if (asked.words.size() != wanted)
     return Error{.what = command + " takes " + std::to_string(wanted - 1) + " files",
                  .where = std::string(kProgram),
-                 .fix = "telepalp-codec --help"};
+                 .fix = "see telepalp-codec --help"};
   if (command == "compare" && arguments.has("bound")) {
     const Result<DepthErrorBound> bound = pipeline::read_depth_bound(arguments.text("bound"), "bound");
     if (!bound) return bound.error();

@@ -24,14 +24,14 @@ int take_number(std::string_view& rest) {
 
 Result<images::GrayImage16> decode_pgm(std::string_view bytes, const std::string& name) {
   const auto refused = [&](const std::string& what) {
-    return Error{.what = what, .where = name, .fix = "give a binary PGM (P5) of 16 bits a sample"};
+    return Error{.what = what, .where = name, .fix = "give a whole binary PGM (P5) of 16 bits a sample"};
   };
   if (!bytes.starts_with("P5")) return refused("is not a binary PGM");
   std::string_view rest = bytes.substr(2);
   images::GrayImage16 image{.width = take_number(rest), .height = take_number(rest), .samples = {}};
   const int most = take_number(rest);
   if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide)
-    return refused("declares a size that is not between 1 and " + std::to_string(kMaxImageSide));
+    return refused("declares a width or height that is not from 1 to " + std::to_string(kMaxImageSide) + " pixels");
   if (most < 256 || most > 65535 || rest.empty()) return refused("has no 16-bit samples");
   rest.remove_prefix(1);
   const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);

@@ -29,7 +29,7 @@ program::Usage usage() {
   return {.program = kProgram,
           .purpose = "writes a session's images, clouds and numbers in other formats",
           .positional = "SESSION.mcap",
-          .options = {{"png", "DIR", "depth and colour of each frame, for --source images:DIR"},
+          .options = {{"png", "DIR", "depth and colour of each frame, for telepalp-server --source images:DIR"},
                       {"csv", "TOPIC", "the numbers of a topic, such as /station/ticks"},
                       {"ply", "S", "the cloud at S seconds after the beginning"},
                       {"pcd", "S", "the cloud at S seconds as an organised PCD file"},

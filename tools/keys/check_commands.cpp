@@ -23,7 +23,9 @@ Result<std::string> show(const Asked& asked) {
 
 Result<std::string> verify_audit(const Asked& asked) {
   std::ifstream log(asked.file, std::ios::binary);
-  if (!log) return Error{.what = "the log cannot be read", .where = asked.file, .fix = "check its name"};
+  if (!log)
+    return Error{
+        .what = "the log cannot be read", .where = asked.file, .fix = "check its name, and that you may read it"};
   keys::AuditVerifier verifier;
   for (std::string line; std::getline(log, line);) {
     const Result<void> follows =

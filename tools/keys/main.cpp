@@ -56,7 +56,7 @@ constexpr std::array kCommands{Row{"authority", false, keys_tool::make_authority
                                Row{"audit-verify", true, keys_tool::verify_audit}};
 
 Error asked_wrongly(std::string what) {
-  return {.what = std::move(what), .where = std::string(kProgram), .fix = "telepalp-keys --help"};
+  return {.what = std::move(what), .where = std::string(kProgram), .fix = "see telepalp-keys --help"};
 }
 
 Result<const Row*> command_of(const program::Arguments& arguments) {

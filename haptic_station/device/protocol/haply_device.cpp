@@ -24,7 +24,8 @@ HaplyDevice::HaplyDevice(WebSocketUrl url, const Point<haply::InverseBase>& orig
                  [this](const std::string& why) {
                    pace_.cancel();
                    if (thread_.obstacle().empty() || line_is_up_ || device_id_.empty()) thread_.obstacle(why);
-                   if (std::exchange(line_is_up_, false)) say_(name_ + " lost: " + why + "; trying again");
+                   if (std::exchange(line_is_up_, false))
+                     say_(name_ + " is lost: " + why + "; the station tries to connect again");
                  }}) {}
 
 HaplyDevice::~HaplyDevice() { thread_.stop(); }
@@ -33,7 +34,7 @@ Result<void> HaplyDevice::start(std::chrono::milliseconds limit) {
   boost::asio::post(thread_.io(), [this] { line_.start(); });
   thread_.run();
   if (thread_.wait_for_answer(limit)) return {};
-  return Error{.what = "does not answer: " + thread_.obstacle(),
+  return Error{.what = "is not ready: " + thread_.obstacle(),
                .where = name_,
                .fix = "start the Haply Inverse service with an Inverse3 plugged in, or give --device simulated"};
 }

@@ -34,7 +34,8 @@ Result<std::unique_ptr<UdpDevice>> UdpDevice::open(const program::Address& addre
   if (!error) device->socket_.connect(there, error);
   if (!error) device->socket_.non_blocking(true, error);
   if (error)
-    return Error{.what = "cannot open a UDP socket: " + error.message(), .where = name, .fix = "check the port"};
+    return Error{
+        .what = "cannot open a UDP socket: " + error.message(), .where = name, .fix = "check the address and the port"};
   return device;
 }
 
@@ -48,8 +49,10 @@ Result<void> UdpDevice::start(std::chrono::milliseconds limit) {
   const std::string why = faulted_       ? "reports that its motors are off"
                           : refused_ > 0 ? "answers with datagrams that are not of the protocol in UDP_DEVICE.md"
                                          : "does not answer";
-  return Error{
-      .what = why, .where = name_, .fix = "start the device's program (UDP_DEVICE.md), or give --device simulated"};
+  const std::string fix = faulted_       ? "switch the device's motors on"
+                          : refused_ > 0 ? "install a program for the device that speaks this protocol"
+                                         : "start the device's program (UDP_DEVICE.md)";
+  return Error{.what = why, .where = name_, .fix = fix + ", or give --device simulated"};
 }
 
 ports::DeviceReading UdpDevice::read() noexcept {

@@ -136,11 +136,14 @@ class Marcher {
 Result<SolidMesh> mesh_of(const SolidTree& tree, double cell_m) {
   const Box& box = tree.box();
   if (!box.bounded())
-    return Error{.what = "the solid has no bounds", .where = "mesh", .fix = "clip it, or intersect it with a box"};
+    return Error{
+        .what = "the solid extends without end", .where = "mesh", .fix = "clip it, or intersect it with a box"};
   // One cell more on each side, so that the surface closes inside the lattice.
   const Vector3d cells = ((box.high - box.low) / cell_m).array().ceil() + 2.0;
   if (!(cells.prod() <= static_cast<double>(kMostCells)))
-    return Error{.what = "the mesh would need more than 64 million cells", .where = "mesh", .fix = "use larger cells"};
+    return Error{.what = "the mesh would need more than 64 million cells",
+                 .where = "mesh",
+                 .fix = "give larger cells (--cell-mm)"};
   const Lattice lattice{box.low - Vector3d::Constant(cell_m), cell_m, cells.cast<int>()};
   return Marcher(tree, lattice).march();
 }

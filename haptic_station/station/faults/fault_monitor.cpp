@@ -45,7 +45,8 @@ void FaultMonitor::add(const loop::TickSample& sample) noexcept {
 void FaultMonitor::look(bool ending) {
   if (const std::optional<loop::TickSample> fault = watch_.begun()) {
     const std::string cause = control::name(static_cast<control::FaultCause>(fault->fault));
-    say("fault: " + cause + ": no force until an operator re-arms. fix: remove the cause, then " + how_to_rearm());
+    say("fault: " + cause + "; the station gives no force until an operator re-arms it. fix: remove the cause, then " +
+        how_to_rearm());
     telemetry_.publish_event(handlers_.now(), msg::EVENT_KIND_FAULT, cause);
   }
   if (auto ticks = watch_.due(ending)) {

@@ -33,7 +33,9 @@ Result<LoadedScene> without_exceptions(const StationSignals::ReadScene& read) {
   try {
     return read();
   } catch (const std::exception& error) {
-    return Error{.what = error.what(), .where = "the scene", .fix = "start the station again with this scene"};
+    return Error{.what = std::string("cannot be read: ") + error.what(),
+                 .where = "the scene",
+                 .fix = "start the station again with this scene"};
   }
 }
 
@@ -68,7 +70,7 @@ void StationSignals::on_signal(int number) {
 
 void StationSignals::read_again() {
   reading_asked_ = false;
-  say("SIGHUP: reads the scene again");
+  say("SIGHUP received: the station reads the scene again");
   reading_ = std::async(std::launch::async, [this] { return without_exceptions(read_); });
 }
 

@@ -113,9 +113,9 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   begin_anew_if_clock_went_back(captured, begun);
   const auto snapshot = builder_.add(depth, work.camera, captured, reach());
   if (!snapshot)
-    return Error{.what = "the image is not newer than the last one, or not well formed",
+    return Error{.what = "the image is not newer than the last one, or its size or camera model is invalid",
                  .where = "/camera/depth, image " + std::to_string(message.sequence()),
-                 .fix = "check the camera's time stamps"};
+                 .fix = "check the camera's time stamps, and camera.textproto at the server"};
   to_haptic_.put({snapshot, *haptic_from_camera_});
   msg::SurfaceReport report;
   report.set_captured_ns(message.captured_ns());

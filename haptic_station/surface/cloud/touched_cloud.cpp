@@ -93,7 +93,7 @@ struct Settling {
 void estimate_normals(Settling& cloud) {
   const int neighbors = std::max(cloud.settings.normal_neighbors, neighbors_in_support(cloud.noise));
   say(cloud.remarks,
-      text("normals are estimated from %d neighbours and turned towards the viewpoint of the camera", neighbors));
+      text("each normal is estimated from %d neighbours and turned towards the viewpoint of the camera", neighbors));
   cloud.points = with_normals(positions(cloud.points).at_m, neighbors, cloud.viewpoint);
 }
 

@@ -59,7 +59,7 @@ Result<SurfaceSettings> surface_settings(std::string_view name) {
     known += (known.empty() ? "" : ", ") + settings.name;
   }
   return Error{
-      .what = "'" + std::string(name) + "' is not a surface setting", .where = "", .fix = "give one of " + known};
+      .what = "'" + std::string(name) + "' is not known", .where = "surface setting", .fix = "give one of " + known};
 }
 
 }  // namespace telepalp::surface

@@ -18,7 +18,8 @@ LeapTracker::LeapTracker(device::WebSocketUrl url, const Transform<HapticBase, H
              .on_lost =
                  [this](const std::string& why) {
                    thread_.obstacle(why);
-                   if (std::exchange(line_is_up_, false)) say_(name_ + " lost: " + why + "; trying again");
+                   if (std::exchange(line_is_up_, false))
+                     say_(name_ + " is lost: " + why + "; the station tries to connect again");
                  }}),
       haptic_from_tracker_(haptic_from_tracker) {}
 
@@ -28,9 +29,10 @@ Result<void> LeapTracker::start(std::chrono::milliseconds limit) {
   boost::asio::post(thread_.io(), [this] { line_.start(); });
   thread_.run();
   if (thread_.wait_for_answer(limit)) return {};
-  return Error{.what = "does not answer: " + thread_.obstacle(),
-               .where = name_,
-               .fix = "start the Leap service, allow WebSockets in its settings, or give --tracker simulated"};
+  return Error{
+      .what = "is not ready: " + thread_.obstacle(),
+      .where = name_,
+      .fix = "start a Leap service of protocol 6, allow WebSockets in its settings, or give --tracker simulated"};
 }
 
 void LeapTracker::refuse(const std::string& why) {

@@ -96,7 +96,7 @@ Result<void> make_folder(const fs::path& folder, Readers readers) {
   if (code == EEXIST && fs::is_directory(folder, ignored)) return {};
   return Error{.what = std::string("the folder cannot be made: ") + std::strerror(code),
                .where = folder.string(),
-               .fix = "name a folder that can be made"};
+               .fix = "check that no file has this name and that you may write to the folder above, or name another"};
 }
 
 Result<void> write_whole_file(const fs::path& file, std::string_view bytes, Readers readers) {

@@ -159,9 +159,10 @@ TEST_F(BadScene, AFileOfAGigabyteIsRefusedBeforeItIsRead) {
   EXPECT_NE(checked("big.textproto").find("larger than 1 MiB"), std::string::npos);
   EXPECT_NE(said_about_layer("polish_file: \"big.solid\"").find("larger than 4 MiB"), std::string::npos);
   for (const std::string mesh : {"big.ply", "big.obj"}) {
-    expect_place(said_about_layer("polish: \"mesh " + mesh + " 1 0.004\""), ":2:41: ", mesh + ": larger than 64 MiB");
+    expect_place(said_about_layer("polish: \"mesh " + mesh + " 1 0.004\""),
+                 ":2:41: ", mesh + ": is larger than 64 MiB");
     expect_place(said_about("\neffects { organ { file: \"" + mesh + "\" } }"),
-                 ":3:11: ", mesh + ": larger than 64 MiB");
+                 ":3:11: ", mesh + ": is larger than 64 MiB");
   }
 }
 

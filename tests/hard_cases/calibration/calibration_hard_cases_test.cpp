@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
              [](std::vector<PointPair>& p) { p[1].from.y() = kNaN; }},
         Case{"infinite", kTetrahedron, "pair 3 is not finite", "", Eigen::Matrix3d::Identity(),
              [](std::vector<PointPair>& p) { p[2].to.z() = std::numeric_limits<double>::infinity(); }},
-        Case{"huge", kTetrahedron, "further than 10 m", "", Eigen::Matrix3d::Identity(),
+        Case{"huge", kTetrahedron, "a coordinate beyond 10 m", "", Eigen::Matrix3d::Identity(),
              [](std::vector<PointPair>& p) { p[0].to.x() = 1e300; }},
         Case{"two places exchanged", kTetrahedron, "", "", Eigen::Matrix3d::Identity(),
              [](std::vector<PointPair>& p) {
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"a cube, all widths equal",
              {{0, 0, 0}, {.1, 0, 0}, {0, .1, 0}, {0, 0, .1}, {.1, .1, 0}, {.1, 0, .1}, {0, .1, .1}, {.1, .1, .1}},
              ""},
-        Case{"far from the origin", {{9, 9, 9}, {9.1, 9, 9}, {9, 9.1, 9}, {9, 9, 9.1}}, "further than 10 m"},
+        Case{"far from the origin", {{9, 9, 9}, {9.1, 9, 9}, {9, 9.1, 9}, {9, 9, 9.1}}, "a coordinate beyond 10 m"},
         Case{"five metres from the origin", {{5, 5, 5}, {5.1, 5, 5}, {5, 5.1, 5}, {5, 5, 5.1}}, ""}),
     name_of);
 

@@ -59,7 +59,7 @@ TEST(ReplayStorm, EveryInvariantCanFail) {
   fails_with({pushing(0.0F), pushing(1.1F)}, "slew");
   std::vector<TickRecord> rising;
   for (int i = 0; i <= 22; ++i) rising.push_back(pushing(0.5F * static_cast<float>(i)));
-  fails_with(rising, "above the scene's peak");
+  fails_with(rising, "above the scene's limits.peak_N");
   fails_with({{.passivity_J = -0.006F}}, "the display created energy");
   fails_with({{.hand_excess_J = 0.26F}}, "the excess work on the hand is too large");
   std::vector<TickRecord> lifted;  // by 25 mm with 1 N, over a measured skin that gives nothing

@@ -125,9 +125,9 @@ std::string cost_in_words(const RunResults& results, double wall_s) {
   for (const RunResult& run : results.runs) total.add(run.costs);
   double all_ns = 0.0;
   for (std::size_t i = 0; i < kPartCount; ++i) all_ns += static_cast<double>(total.cost_ns(static_cast<Part>(i)));
-  std::string text = number(results.seconds, "%.1f") + " s of session in " + number(wall_s, "%.2f") +
+  std::string text = number(results.seconds, "%.1f") + " s of virtual time in " + number(wall_s, "%.2f") +
                      " s: " + number(results.seconds / wall_s, "%.1f") + " times real time, " +
-                     std::to_string(results.runs.size()) + " runs;";
+                     std::to_string(results.runs.size()) + " runs; share of the computing time:";
   for (std::size_t i = 0; i < kPartCount; ++i)
     text += (i == 0 ? " " : ", ") + std::string(kPartNames[i]) + " " +
             number(100.0 * static_cast<double>(total.cost_ns(static_cast<Part>(i))) / all_ns, "%.0f") + " %";

@@ -169,7 +169,7 @@ program::Usage usage() {
       .program = "telepalp-replay",
       .purpose = "runs a recording or a simulated patient over a bad network",
       .positional = "SOURCE",
-      .options = {{"scene", "FILE|NAME", "a *.scene.textproto, or a scene of the library", "palpation"}},
+      .options = {{"scene", "FILE|NAME", "scene file, or a scene of the library", "palpation"}},
       .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
   for (const program::Option& option : network_options()) usage.options.push_back(option);

@@ -94,7 +94,7 @@ Result<bool> run_storm(const Request& request) {
   std::sort(failed.begin(), failed.end());
   for (const std::uint64_t seed : failed)
     if (const Result<void> printed = print_shrunk(seed); !printed) return printed.error();
-  std::printf("%d seeds, %zu violate an invariant, %.0f s of session\n", seeds, failed.size(), findings.seconds());
+  std::printf("%d seeds, %zu violate an invariant; %.0f s of virtual time\n", seeds, failed.size(), findings.seconds());
   findings.print_ledgers();
   const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
   char text[64];

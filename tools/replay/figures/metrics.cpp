@@ -10,11 +10,11 @@ namespace {
 
 constexpr auto kMetrics = std::to_array<Metric>({
     {"force_rmse_N", "RMS of the force difference to the unimpaired run", &Figures::force_rmse_N},
-    {"force_p99_N", "99th percentile of the difference to the unimpaired run", &Figures::force_p99_N},
+    {"force_p99_N", "99th percentile of the force difference to the unimpaired run", &Figures::force_p99_N},
     {"force_max_N", "largest force", &Figures::force_max_N},
     {"force_step_N", "largest change of force from tick to tick", &Figures::force_step_N},
     {"true_force_rmse_N", "RMS of the normal force minus the true skin's force", &Figures::true_force_rmse_N},
-    {"true_force_p99_N", "99th percentile of the difference to the true skin's force", &Figures::true_force_p99_N},
+    {"true_force_p99_N", "99th percentile of the normal force minus the true skin's force", &Figures::true_force_p99_N},
     {"contact_lost_pct", "ticks without contact, of all ticks in the true skin", &Figures::contact_lost_pct},
     {"phase_differs_pct", "ticks in another phase than in the unimpaired run", &Figures::phase_differs_pct},
     {"phase_changes", "transitions of the controller", &Figures::phase_changes},
@@ -34,8 +34,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {"total_p50_s", "time from capture to touchable surface, median", &Figures::total_p50_s},
     {"total_p99_s", "time from capture to touchable surface, 99th percentile", &Figures::total_p99_s},
     {"content_B", "size of the encoded frames", &Figures::content_B},
-    {"sent_B", "sent by the server, repairs included", &Figures::sent_B},
-    {"answered_B", "sent by the station", &Figures::answered_B},
+    {"sent_B", "bytes sent by the server, repairs included", &Figures::sent_B},
+    {"answered_B", "bytes sent by the station", &Figures::answered_B},
     {"datagrams_lost", "datagrams of the server that did not arrive", &Figures::datagrams_lost},
 });
 

@@ -64,10 +64,11 @@ void Invariants::check_force(const TickRecord& tick) {
   if (!tick.force_N.allFinite()) return violated("the force is not finite");
   const double force_N = double{tick.force_N.norm()};
   if (force_N > kRounding * control_.limits.peak_N)
-    violated(with_number("the force is %.3f N, above the scene's peak_N", force_N));
+    violated(with_number("the force is %.3f N, above the scene's limits.peak_N", force_N));
   const double step_N = double{(tick.force_N - last_force_N_).norm()};
   if (step_N > kRounding * control_.limits.slew_N_per_s * to_seconds(kTick) + 1e-6)
-    violated(with_number("the force changes by %.3f N in a tick, faster than the scene's slew_N_per_s", step_N));
+    violated(with_number("the force changes by %.3f N in a tick, faster than the scene's limits.slew_N_per_s allows",
+                         step_N));
 }
 
 void Invariants::check_energy(const TickRecord& tick) {
