@@ -36,8 +36,8 @@ bool is_side(int side) noexcept { return side > 0 && side <= kMaxImageSide; }
 
 Error damaged(std::string what) {
   return {.what = std::move(what),
-          .where = "decode_depth",
-          .fix = "send the frame again; install the same telepalp at both ends"};
+          .where = "compressed depth image",
+          .fix = "send or record the image again; if others fail as well, install the same telepalp at both ends"};
 }
 
 std::uint32_t frame_crc(const PacketHeader& header, std::span<const std::uint16_t> samples) {
@@ -58,10 +58,10 @@ WrittenPacket write_packet(PacketHeader header, std::span<const std::uint16_t> s
 Result<Packet> read_packet(std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (bytes.size() < kHeaderBytes || !text.starts_with(kMagic))
-    return damaged("packet of " + std::to_string(bytes.size()) + " B is not a depth image");
+    return damaged("its " + std::to_string(bytes.size()) + " B do not begin with the header of a depth image");
   if (text[kMagic.size()] != kVersion)
-    return damaged("packet of version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
-                   ", this decoder reads version " + std::to_string(kDepthPacketVersion));
+    return damaged("it has version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
+                   ", but this program reads version " + std::to_string(kDepthPacketVersion));
   ByteReader reader(bytes.subspan(4));
   PacketHeader header;
   const std::uint8_t mode = *reader.number<std::uint8_t>();
@@ -76,15 +76,15 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
   header.since_key = *reader.number<std::uint16_t>();
   const std::uint16_t zeros = *reader.number<std::uint16_t>();
   if (mode > kLastDepthMode || coding > kLastCoding || zero != 0 || zeros != 0 || header.slices == 0)
-    return damaged("header names a mode, coding or slicing that does not exist");
+    return damaged("its header names an unknown mode, coding or number of slices");
   header.mode = static_cast<DepthMode>(mode);
   header.coding = static_cast<Coding>(coding);
   if (!is_side(header.width) || !is_side(header.height))
-    return damaged("declares " + std::to_string(header.width) + " x " + std::to_string(header.height) +
+    return damaged("it declares " + std::to_string(header.width) + " x " + std::to_string(header.height) +
                    " pixels, not 1 to " + std::to_string(kMaxImageSide) + " a side");
-  if (!std::isfinite(header.unit_m) || header.unit_m <= 0.0) return damaged("depth unit is not a positive length");
+  if (!std::isfinite(header.unit_m) || header.unit_m <= 0.0) return damaged("its depth unit is not a positive length");
   if ((header.coding == Coding::Dependent) != (header.since_key != 0))
-    return damaged("is marked both as a key frame and as a predicted frame");
+    return damaged("it is marked both as a key frame and as a predicted frame");
   return Packet{header, reader.rest()};
 }
 

@@ -35,7 +35,7 @@ Result<DepthImage> decode_depth(std::span<const std::byte> bytes) {
   const Result<Packet> packet = read_packet(bytes);
   if (!packet) return packet.error();
   if (packet->header.coding == Coding::Dependent)
-    return damaged("frame is predicted from the frame before it; decode_depth() decodes key frames only");
+    return damaged("it is predicted from the frame before it, and cannot be decoded alone");
   Result<DecodedFrame> frame = read_frame(*packet, {});
   if (!frame) return frame.error();
   return std::move(frame->depth);

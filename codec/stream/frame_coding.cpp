@@ -75,15 +75,15 @@ CodedFrame code_bounded(const DepthImage& depth, const LevelPalette& palette, Re
 Result<DecodedFrame> read_frame(const Packet& packet, const Reference& reference) {
   const PacketHeader& header = packet.header;
   if (header.coding == Coding::Stored && packet.body.size() != header.pixels() * sizeof(std::uint16_t))
-    return damaged("stored samples are not as many as the header declares");
+    return damaged("it does not hold as many samples as its header declares");
   DecodedFrame frame{.depth = {.width = header.width,
                                .height = header.height,
                                .unit_m = header.unit_m,
                                .samples = std::vector<std::uint16_t>(header.pixels())},
                      .palette = std::nullopt};
-  if (!decode_body(packet, reference, frame)) return damaged("coded samples are damaged");
+  if (!decode_body(packet, reference, frame)) return damaged("its compressed samples are damaged");
   if (frame_crc(header, frame.depth.samples) != header.crc)
-    return damaged("decoded samples are not those that were sent");
+    return damaged("its decoded samples do not match its checksum");
   return frame;
 }
 
