@@ -26,7 +26,7 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     const {context, page, problems} = browser;
     await page.goto(running.address);
     await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 200);
-    const pressed = await untilStatus(page, 'the hand presses', (now) => now.force_N > 2 && now.phase === 'In body');
+    const pressed = await untilStatus(page, 'the hand presses', (now) => now.force_N > 2 && now.phase === 'In body' && now.handPosition_m !== undefined);
     assert.ok(pressed.indentation_m > 0.02 && pressed.indentation_m < 0.04, `${pressed.indentation_m} m`);
     assert.equal(pressed.handPosition_m.length, 3);
     await untilStatus(page, 'the hand leaves', (now) => now.force_N === 0 && now.phase === 'Out body');

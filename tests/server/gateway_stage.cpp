@@ -76,6 +76,8 @@ Picture picture(double t_s) {
   return seen;
 }
 
+constexpr std::chrono::milliseconds kStatePeriod{10};
+
 class Stage {
  public:
   Stage(asio::io_context& io, hub::Hub& hub, wire::SessionClock clock)
@@ -86,7 +88,7 @@ class Stage {
   }
 
  private:
-  double seconds() const { return static_cast<double>(to_nanoseconds(clock_.now()) % 1'000'000'000'000) * 1e-9; }
+  static double seconds(SessionTime at) { return static_cast<double>(to_nanoseconds(at) % 1'000'000'000'000) * 1e-9; }
 
   void camera() {
     if (!paused_) publish_frame();
@@ -98,7 +100,7 @@ class Stage {
 
   void publish_frame() {
     const SessionTime now = clock_.now();
-    const Picture seen = picture(seconds());
+    const Picture seen = picture(seconds(now));
     captured_ns_ = static_cast<std::uint64_t>(to_nanoseconds(now));
     msg::DepthImage depth;
     depth.set_captured_ns(captured_ns_);
@@ -131,10 +133,14 @@ class Stage {
     hub_.publish(wire::make_message(wire::kCameraStatus, now, status));
   }
 
+  /// Like a station, publishes a state for each 10 ms, however late the timer comes on a busy machine.
   void state() {
-    if (!paused_) publish_state();
+    const SessionTime now = clock_.now();
+    stated_ = std::max(stated_, now - std::chrono::seconds(1));
+    for (; stated_ + kStatePeriod <= now; stated_ += kStatePeriod)
+      if (!paused_) publish_state(stated_ + kStatePeriod);
     if (ticks_++ % 100 == 0) publish_clock();
-    state_timer_.expires_after(std::chrono::milliseconds(10));
+    state_timer_.expires_after(kStatePeriod);
     state_timer_.async_wait([this](boost::system::error_code cancelled) {
       if (!cancelled) state();
     });
@@ -148,9 +154,8 @@ class Stage {
   }
 
   /// A hand that comes down on the trunk, presses 35 mm deep and leaves, every 6 s.
-  void publish_state() {
-    const SessionTime now = clock_.now();
-    const double turn = 2.0 * 3.14159265 * seconds() / 6.0;
+  void publish_state(SessionTime now) {
+    const double turn = 2.0 * 3.14159265 * seconds(now) / 6.0;
     const double x = 0.05 * std::cos(turn / 3.0);
     const double y = 0.04 * std::sin(turn / 5.0);
     const double surface_z = kBed_m - trunk_m(x * 1.0, y * 1.0);
@@ -214,6 +219,7 @@ class Stage {
   asio::streambuf line_{4096};
   std::uint64_t sequence_ = 0;
   std::uint64_t captured_ns_ = 0;
+  SessionTime stated_{};  // time of the last state
   std::uint64_t ticks_ = 0;
   std::optional<msg::Phase> phase_;
   bool paused_ = false;
