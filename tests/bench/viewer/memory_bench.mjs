@@ -22,6 +22,7 @@ const seconds = Number(option('--seconds') ?? 3600);
 const every_s = Number(option('--every') ?? 30);
 const log = option('--log');
 const FLAT_PERCENT = 5;
+const PATIENCE_MS = 600_000;  // at the lowest priority on a busy machine, the programs need minutes to start
 const KINDS = {
   heap_MB: 'script heap of the page', workers_MB: 'script heap of its workers', renderers_MB: 'processes of the page',
   graphics_MB: 'process that draws', server_MB: 'server', station_MB: 'station',
@@ -38,7 +39,10 @@ async function measure() {
     browser = await openBrowser(place.folder, {width: 900, height: 640});
     const {page} = browser;
     await page.goto(`http://127.0.0.1:${http_port}/?view=doctor`);
-    await untilStatus(page, 'a picture with a hand', (now) => now.frames > 3 && now.handPosition_m !== undefined);
+    await untilStatus(page, 'a picture with a hand', (now) => {
+      if (station.exitCode !== null) throw new Error(`the station left: ${station.heard}`);
+      return now.frames > 3 && now.handPosition_m !== undefined;
+    }, PATIENCE_MS);
     const readHeap = await heapReader(page);
     const readings = [];
     const began_ms = performance.now();

@@ -62,12 +62,15 @@ async function measure(query, {withProbe = false, size = SIZE, lasts_s = seconds
   try {
     const {port, http_port} = await place.server(join(binDir, 'telepalp-server'), ['--source', 'synthetic', '--viewer', viewer]);
     const scene = withProbe ? ['--scene', sceneOfASteadyProbe(SCENES, place.folder)] : [];
-    place.start(join(binDir, 'telepalp-station'), ['--connect', `127.0.0.1:${port}`, ...scene]);
+    const station = place.start(join(binDir, 'telepalp-station'), ['--connect', `127.0.0.1:${port}`, ...scene]);
     browser = await openBrowser(place.folder, size);
     const {page} = browser;
     await page.addInitScript(watch);
     await page.goto(`http://127.0.0.1:${http_port}/${query}`);
-    await untilStatus(page, 'a picture with a hand', (now) => now.frames > 3 && now.handPosition_m !== undefined);
+    await untilStatus(page, 'a picture with a hand', (now) => {
+      if (station.exitCode !== null) throw new Error(`the station left: ${station.heard}`);
+      return now.frames > 3 && now.handPosition_m !== undefined;
+    });
     if (withProbe) await untilStatus(page, 'an ultrasound image', (now) => now.probeImages > 3);
     const before = await status(page);
     const began_ms = performance.now();
