@@ -10,7 +10,7 @@ export interface DecodedDepth {
 
 type Reply = DecodedDepth | {problem: string};
 
-/** Decodes depth in a worker of its own, one packet at a time. The decoder is loaded once, with the first packet. */
+/** Decodes depth in a worker of its own, one packet at a time. The decoder is loaded at once, and kept. */
 export class DepthDecoder {
   undecodable = 0;
 
@@ -22,6 +22,8 @@ export class DepthDecoder {
       if ('problem' in data) this.fail(data.problem);
       else this.onDecoded(data);
     };
+    this.loaded = this.load();
+    this.loaded.catch(() => (this.loaded = undefined));
   }
 
   decode(bytes: Uint8Array): void {

@@ -2,12 +2,13 @@ import type {Touch} from '../calibration/offset_fit';
 import type {InnerStructures, ProbeView} from '../inside/inside_messages';
 import type {Instant} from '../present/instant';
 import type {HandOver, LetGo, ViewerHand} from './messages';
+import {linkWorker} from './early_worker';
 import type {Asked, Extra, FromWorker, News, ToWorker} from './worker_messages';
 
 /** The page's interface to the link worker. Each request gets one answer, and it is not repeated before the answer. */
 export class SiteLink {
-  private readonly worker = new Worker('link_worker.js', {type: 'module'});
-  private readonly owed = new Set<Asked>();
+  private readonly worker: Worker;
+  private readonly owed = new Set<Asked>(['instant']);
 
   constructor(on: {
     instant: (instant: Instant) => void;
@@ -16,7 +17,9 @@ export class SiteLink {
     inside: (inside: InnerStructures) => void;
     touches: (touches: Touch[]) => void;
   }) {
-    this.worker.onmessage = ({data}: MessageEvent<FromWorker>) => {
+    const {worker, early} = linkWorker();
+    this.worker = worker;
+    const take = (data: FromWorker) => {
       if ('inside' in data) return on.inside(data.inside);
       if ('touches' in data) return on.touches(data.touches);
       this.owed.delete('news' in data ? 'news' : 'probe' in data ? 'probe' : 'instant');
@@ -24,6 +27,10 @@ export class SiteLink {
       else if ('probe' in data) on.probe(data.probe);
       else on.instant(data.instant);
     };
+    queueMicrotask(() => {  // once the page's script has created all that `on` uses
+      worker.onmessage = ({data}: MessageEvent<FromWorker>) => take(data);
+      early.splice(0).forEach(take);
+    });
   }
 
   /** The answer comes later: for news at once, for an instant or a probe's pose as soon as there is a new one. */

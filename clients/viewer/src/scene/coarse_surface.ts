@@ -14,7 +14,7 @@ export class CoarseSurface {
   /** `uniforms`: those of the Surface, shared. */
   constructor(uniforms: Record<string, IUniform>) {
     this.material = new ShaderMaterial(
-        {glslVersion: GLSL3, vertexShader: COARSE_VERTEX, fragmentShader: COARSE_FRAGMENT, uniforms, defines: {}});
+        {glslVersion: GLSL3, vertexShader: COARSE_VERTEX, fragmentShader: COARSE_FRAGMENT, uniforms, defines: {COLORED: ''}});
   }
 
   show(frame: DepthFrame, intrinsics: Intrinsics, stride: number): void {

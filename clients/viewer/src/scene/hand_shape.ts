@@ -37,10 +37,17 @@ const MOST: Point = [66, 132, 40];
 
 /** Signed distance to a round cone, accurate near its surface. */
 function distanceToBone(x: number, y: number, z: number, from: Joint, to: Joint): number {
-  const [bx, by, bz] = [to.at[0] - from.at[0], to.at[1] - from.at[1], to.at[2] - from.at[2]];
-  const [px, py, pz] = [x - from.at[0], y - from.at[1], z - from.at[2]];
+  const bx = to.at[0] - from.at[0];  // no arrays here: this runs 100 000 times before the first picture
+  const by = to.at[1] - from.at[1];
+  const bz = to.at[2] - from.at[2];
+  const px = x - from.at[0];
+  const py = y - from.at[1];
+  const pz = z - from.at[2];
   const along = Math.min(1, Math.max(0, (px * bx + py * by + pz * bz) / (bx * bx + by * by + bz * bz)));
-  const off = Math.hypot(px - along * bx, py - along * by, pz - along * bz);
+  const qx = px - along * bx;
+  const qy = py - along * by;
+  const qz = pz - along * bz;
+  const off = Math.sqrt(qx * qx + qy * qy + qz * qz);
   return off - (from.radius + along * (to.radius - from.radius));
 }
 
@@ -74,8 +81,12 @@ export function handGeometry(cell_mm: number): BufferGeometry {
   const field = new Float32Array(nx * ny * nz);
   for (let k = 0; k < nz; ++k)
     for (let j = 0; j < ny; ++j)
-      for (let i = 0; i < nx; ++i)
-        field[at(i, j, k)] = distanceToHand(LEAST[0] + i * cell_mm, LEAST[1] + j * cell_mm, LEAST[2] + k * cell_mm);
+      for (let i = 0; i < nx;) {
+        const distance = distanceToHand(LEAST[0] + i * cell_mm, LEAST[1] + j * cell_mm, LEAST[2] + k * cell_mm);
+        // Within half of the distance there is no surface: the sign, which is all that counts there, stays the same.
+        const until = Math.min(nx, i + Math.max(1, Math.floor(Math.abs(distance) / 2 / cell_mm)));
+        while (i < until) field[at(i++, j, k)] = distance;
+      }
 
   const positions: number[] = [];
   const colors: number[] = [];  // white, with an opacity
@@ -83,6 +94,7 @@ export function handGeometry(cell_mm: number): BufferGeometry {
   for (let k = 0; k + 1 < nz; ++k)
     for (let j = 0; j + 1 < ny; ++j)
       for (let i = 0; i + 1 < nx; ++i) {
+        if (Math.abs(field[at(i, j, k)]!) > 3 * cell_mm) continue;  // no corner of the cell is at the surface
         const middle = crossing(i, j, k, (a, b, c) => field[at(a, b, c)] as number);
         if (middle === undefined) continue;
         vertexOf[at(i, j, k)] = positions.length / 3;

@@ -142,6 +142,7 @@ export class SceneView {
         this.invalidate();
       });
     this.resetView();
+    this.renderer.compile(this.scene, this.camera);  // the graphics process does it while the page goes on
   }
 
   /** Shows the scene in a headset, or no more. Throws when the headset or the user refuses. */

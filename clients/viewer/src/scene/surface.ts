@@ -117,6 +117,7 @@ export class Surface {
     this.picked = {near_m: summary.near_m, far_m: summary.far_m};
     this.applyRange();
     this.measured = summary.measured;
+    this.applyColor();
     this.layCoarse();
     this.mesh.visible = true;
   }

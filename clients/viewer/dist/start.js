@@ -1,0 +1,1 @@
+function o(){let r=globalThis;return r.telepalpLink??=s()}function s(){let r=new Worker("link_worker.js",{type:"module"}),e=[];return r.onmessage=({data:k})=>e.push(k),r.postMessage({ask:"instant"}),{worker:r,early:e}}o();
