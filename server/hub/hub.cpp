@@ -30,11 +30,20 @@ SubscriberId Hub::join(std::string name, std::string address, std::function<void
   return last_id_;
 }
 
+template <class Matches>
+void Hub::remove_waiting(Subscriber& subscriber, Matches matches) {
+  const std::size_t before = subscriber.queue.other_bytes();
+  subscriber.queue.remove_if([&](const wire::Message& message) {
+    if (matches(message)) drop(subscriber.count, message);
+    return matches(message);
+  });
+  waiting_bytes_ -= before - subscriber.queue.other_bytes();
+}
+
 void Hub::leave(SubscriberId id) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end()) return;
-  waiting_bytes_ -= found->second.queue.other_bytes();
-  while (const std::optional<wire::Message> waiting = found->second.queue.pop()) drop(found->second.count, *waiting);
+  remove_waiting(found->second, [](const wire::Message&) { return true; });
   subscribers_.erase(found);
 }
 
@@ -48,16 +57,6 @@ void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
     if (wants(topics, name) && !wants(before, name)) offer(subscriber, message);
   for (const auto& [name, state] : key_frames_)
     if (state.in_groups && wants(topics, name) && !wants(before, name)) request_from_publisher(name);
-}
-
-template <class Matches>
-void Hub::remove_waiting(Subscriber& subscriber, Matches matches) {
-  const std::size_t before = subscriber.queue.other_bytes();
-  subscriber.queue.remove_if([&](const wire::Message& message) {
-    if (matches(message)) drop(subscriber.count, message);
-    return matches(message);
-  });
-  waiting_bytes_ -= before - subscriber.queue.other_bytes();
 }
 
 /// Drops queued messages of topics that the subscriber no longer wants. A viewer that lost its reference frame

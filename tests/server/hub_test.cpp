@@ -46,6 +46,19 @@ TEST(Hub, AStalledSubscriberLosesOnlyItsOwnOldImagesAndTheyAreCountedByTopic) {
   EXPECT_EQ(newest, "9");
 }
 
+TEST(Hub, MessagesThatWaitWhenTheirSubscriberLeavesAreCountedAsDroppedForTcpAndForDatagrams) {
+  hub::Hub hub;
+  const hub::SubscriberId leaving = hub.join("leaving", "", [] {});
+  hub.subscribe(leaving, {"*"});
+  hub.send_by_datagram(leaving, true);
+  hub.publish(message(wire::kStationState, 1));  // waits for a datagram
+  hub.publish(message(wire::kClock, 2));         // waits for TCP
+  hub.leave(leaving);
+  EXPECT_EQ(hub.topic_counts().at(wire::kStationState.name).dropped, 1u);
+  EXPECT_EQ(hub.topic_counts().at(wire::kClock.name).dropped, 1u);
+  EXPECT_EQ(hub.waiting_bytes(), 0u);
+}
+
 TEST(Hub, AnEmptyQueueThatFillsWakesItsSubscriberOnce) {
   hub::Hub hub;
   int wakes = 0;
