@@ -39,8 +39,23 @@ std::string counted(const char* field, std::uint64_t count) { return count == 0 
 fs::path free_name(const fs::path& file) {
   int number = 1;
   const auto name = [&] { return fs::path(file.string() + ".damaged-" + std::to_string(number)); };
-  while (fs::exists(name())) ++number;
+  for (std::error_code unknown; fs::exists(name(), unknown);) ++number;
   return name();
+}
+
+/// Renames a log whose chain is broken, so that no new line follows a broken one.
+Result<void> put_aside(const fs::path& file, const std::function<void(const std::string&)>& say) {
+  const fs::path damaged = free_name(file);
+  std::error_code failed;
+  fs::rename(file, damaged, failed);
+  if (failed)
+    return Error{.what = "the audit log was altered or cut off, and it cannot be renamed to " + damaged.string() +
+                         " (" + failed.message() + ")",
+                 .where = file.string(),
+                 .fix = "move it to another folder, or give another file by --audit"};
+  say("the audit log " + file.string() + " was altered or cut off; it is renamed to " + damaged.string() +
+      ", and a new log begins. fix: find the altered line with telepalp-keys audit-verify");
+  return {};
 }
 
 }  // namespace
@@ -82,15 +97,10 @@ Result<std::unique_ptr<AuditLog>> AuditLog::open(const fs::path& file,
                  .fix = "give a file by --audit"};
   if (fs::exists(file)) {
     const std::optional<keys::AuditPosition> end = end_of_chain(file);
-    if (end) {
+    if (end)
       position = *end;
-    } else {
-      const fs::path damaged = free_name(file);
-      std::error_code failed;
-      fs::rename(file, damaged, failed);
-      say("the audit log " + file.string() + " was altered or cut off; it is renamed to " + damaged.string() +
-          ", and a new log begins. fix: find the altered line with telepalp-keys audit-verify");
-    }
+    else if (const Result<void> aside = put_aside(file, say); !aside)
+      return aside.error();
   }
   const mode_t mask = ::umask(0077);  // only the owner may read the names and addresses of persons
   std::unique_ptr<AuditLog> log(new AuditLog(file, position, say));

@@ -200,6 +200,20 @@ TEST(AuditLog, GoesOnWhereItEndedAndPutsAnAlteredOneAside) {
   EXPECT_TRUE(std::filesystem::exists(file.string() + ".damaged-1"));
 }
 
+TEST(AuditLog, ADamagedOneThatCannotBeRenamedIsRefusedAndLeftAsItIs) {
+  const KeyRing ring;
+  const std::filesystem::path file = ring.folder.path() / std::string(250, 'a');  // FILE.damaged-1 is too long a name
+  const std::string damaged = "a line without a hash\n";
+  std::ofstream(file, std::ios::binary) << damaged;
+  std::vector<std::string> said;
+  const auto log = access::AuditLog::open(file, [&](const std::string& text) { said.push_back(text); });
+  ASSERT_FALSE(log.ok());
+  EXPECT_NE(log.error().what.find("cannot be renamed"), std::string::npos) << to_string(log.error());
+  EXPECT_TRUE(said.empty()) << said.front();
+  std::ifstream kept(file, std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), damaged);
+}
+
 TEST(AuditLog, StrangersCannotFillTheDisk) {
   const KeyRing ring;
   const auto log = access::AuditLog::open(ring.folder.path() / "audit.log", [](const std::string&) {});
