@@ -29,6 +29,14 @@ Result<void> check_name(const std::string& name) {
                .fix = "use 1 to 64 letters, digits, dots, hyphens, underscores and @"};
 }
 
+/// Role::Local is for peers on a server without keys: no key or token may state it.
+Result<void> check_person(const Authority::Issue& asked) {
+  if (Result<void> fine = check_name(asked.name); !fine) return fine;
+  if (asked.role != Role::Local) return {};
+  return Error{
+      .what = "there is no key for this role", .where = "--role", .fix = "give technician, doctor, viewer or qa"};
+}
+
 /// "DNS:patient.example,IP:10.0.0.1": an entry of digits and dots, or with a colon, is an address.
 Result<std::string> alt_names(std::vector<std::string> hosts) {
   for (const char* own : {"localhost", "127.0.0.1", "::1"})
@@ -140,10 +148,7 @@ Result<std::string> Authority::server_key(const Issue& asked, const std::vector<
 }
 
 Result<std::string> Authority::client_key(const Issue& asked) const {
-  if (const Result<void> fine = check_name(asked.name); !fine) return fine.error();
-  if (asked.role == Role::Local)
-    return Error{
-        .what = "there is no key for this role", .where = "--role", .fix = "give technician, doctor, viewer or qa"};
+  if (const Result<void> fine = check_person(asked); !fine) return fine.error();
   return issue({.name = asked.name,
                 .alt_names = "URI:" + std::string(kRoleUri) + std::string(keys::name(asked.role)),
                 .usage = "clientAuth",
@@ -156,7 +161,7 @@ Result<std::string> Authority::client_key(const Issue& asked) const {
 }
 
 Result<std::string> Authority::token(const Issue& asked) const {
-  if (const Result<void> fine = check_name(asked.name); !fine) return fine.error();
+  if (const Result<void> fine = check_person(asked); !fine) return fine.error();
   const Identity bearer{
       .name = asked.name, .role = asked.role, .serial = random_serial(), .expires = asked.now + asked.valid};
   const Result<std::string> token = sign_token(bearer, *parts_->key);

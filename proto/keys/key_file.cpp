@@ -2,7 +2,11 @@
 
 #include <openssl/err.h>
 #include <openssl/x509v3.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
+#include <cstdio>
 #include <ctime>
 #include <fstream>
 
@@ -63,6 +67,20 @@ Result<KeyFile> read_certificate_file(X509& certificate, EVP_PKEY& key, X509& au
   return read;
 }
 
+/// Error: somebody else than the file's owner has access to it. The group of a file that root owns may read it: so an
+/// administrator gives a key to a service that cannot change it.
+Result<void> check_private(const struct stat& status, const std::string& file) {
+  const mode_t allowed = status.st_uid == 0 ? S_IRWXU | S_IRGRP : S_IRWXU;
+  const mode_t mode = status.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+  if ((mode & ~allowed) == 0) return {};
+  std::array<char, 8> octal{};
+  std::snprintf(octal.data(), octal.size(), "%04o", mode);
+  const bool of_a_service = status.st_uid == 0 && ::geteuid() != 0;
+  return Error{.what = std::string("users other than its owner have access to this key: its mode is ") + octal.data(),
+               .where = file,
+               .fix = (of_a_service ? "chmod 640 " : "chmod 600 ") + file};
+}
+
 }  // namespace
 
 Result<KeyFile> read_key(std::string_view text, const std::string& file) {
@@ -80,17 +98,14 @@ Result<KeyFile> read_key(std::string_view text, const std::string& file) {
 }
 
 Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now) {
-  std::error_code missing;
-  const auto mode = std::filesystem::status(file, missing).permissions();
+  struct stat status {};
+  const bool missing = ::stat(file.c_str(), &status) != 0;
   std::ifstream stream(file, std::ios::binary);
   if (missing || !stream)
     return Error{.what = "the key cannot be read",
                  .where = file.string(),
                  .fix = "give a file that telepalp-keys wrote, and that you may read"};
-  if ((mode & std::filesystem::perms::others_all) != std::filesystem::perms::none)
-    return Error{.what = "any user of this machine may read this key",
-                 .where = file.string(),
-                 .fix = "chmod 600 " + file.string()};
+  if (const Result<void> hidden = check_private(status, file.string()); !hidden) return hidden.error();
   std::string text(kMaxKeyFileBytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));

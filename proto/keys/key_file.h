@@ -36,8 +36,8 @@ struct KeyFile {
 /// checked here.
 [[nodiscard]] Result<KeyFile> read_key(std::string_view text, const std::string& file);
 
-/// Reads a key file from the disk. Error: it cannot be read, users outside the owner's group have access to it, it is
-/// no key file, or it has expired at `now`.
+/// Reads a key file from the disk. Error: it cannot be read, users other than its owner have access to it, it is no key
+/// file, or it has expired at `now`. The group of a key that root owns may read it.
 [[nodiscard]] Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now);
 
 /// The key that a client's `--key FILE` names; null for an empty name. Error: as for load_key(), or the file is a

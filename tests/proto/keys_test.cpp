@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <random>
@@ -10,6 +12,7 @@
 #include "proto/keys/openssl.h"
 #include "proto/keys/revocations.h"
 #include "proto/keys/token.h"
+#include "tests/support/child_process.h"
 
 namespace telepalp::keys {
 namespace {
@@ -96,11 +99,50 @@ TEST(KeyFiles, PartsOfDifferentKeysDoNotMakeOne) {
   EXPECT_FALSE(read_key(std::string(kMaxKeyFileBytes + 1, 'x'), "large").ok());
 }
 
+/// The errors of load_key() for a key with `mode`; empty: it was read.
+std::string refusal(const std::filesystem::path& file, mode_t mode) {
+  EXPECT_EQ(::chmod(file.c_str(), mode), 0);
+  const Result<KeyFile> key = load_key(file, kNow);
+  return key ? "" : key.error().what;
+}
+
+TEST(KeyFiles, AreReadOnlyIfNobodyButTheirOwnerHasAccess) {
+  const support::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "anna.key";
+  std::ofstream(file) << *authority().client_key({.name = "anna", .role = Role::Doctor, .now = kNow});
+  for (const mode_t mode : {0600, 0400}) EXPECT_EQ(refusal(file, mode), "") << std::oct << mode;
+  for (const mode_t mode : {0604, 0602, 0601, 0660, 0620, 0610, 0644, 0666})
+    EXPECT_NE(refusal(file, mode).find("than its owner"), std::string::npos) << std::oct << mode;
+  EXPECT_NE(refusal(file, 0644).find("mode is 0644"), std::string::npos) << refusal(file, 0644);
+}
+
+TEST(KeyFiles, MayBeReadByTheGroupOfAServiceIfRootOwnsThem) {
+  const support::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "server.key";
+  std::ofstream(file) << *authority().server_key({.name = "s", .now = kNow}, {});
+  const bool is_root = ::geteuid() == 0;
+  EXPECT_EQ(refusal(file, 0640).empty(), is_root);
+  EXPECT_EQ(refusal(file, 0440).empty(), is_root);
+  if (!is_root) return;
+  ASSERT_EQ(::chown(file.c_str(), 1, 1), 0);
+  EXPECT_FALSE(refusal(file, 0640).empty()) << "a person's key is not for a group";
+  EXPECT_TRUE(refusal(file, 0600).empty());
+}
+
 TEST(Tokens, AreReadByTheirOwnAuthorityAlone) {
   const Authority by = authority();
   const std::string token = token_of(by);
   EXPECT_EQ(describe(*read_by(by, token)), "viewer vera");
   EXPECT_FALSE(read_by(authority(), token).ok());
+}
+
+TEST(Tokens, AreNotMadeForAPeerWithoutAKeyAsNoKeysAre) {
+  const Authority by = authority();
+  for (const auto& made : {by.client_key({.name = "nobody", .role = Role::Local, .now = kNow}),
+                           by.token({.name = "nobody", .role = Role::Local, .now = kNow})}) {
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().what, "there is no key for this role");
+  }
 }
 
 TEST(Tokens, NoAlteredCharacterIsTaken) {
