@@ -46,7 +46,7 @@ TEST(Mesh, EachFaultIsNamedWithAFix) {
       {replaced(kSquare, "element face 1", "element face 2"), "face 1"},
       {replaced(kSquare, "element face 1", "element vertex 1\nproperty float nx\nelement face 1"),
        "two elements called"},
-      {replaced(kSquare, "4 0 1 2 3", "4 0 1 2 7"), "vertex 7 of 4"},
+      {replaced(kSquare, "4 0 1 2 3", "4 0 1 2 7"), "has 4 vertices, but a face names vertex 7"},
       {replaced(kSquare, "4 0 1 2 3", "4 0 1 2 -1"), "names vertex"},
       {replaced(kSquare, "4 0 1 2 3", "2000 0 1 2"), "damaged at face 0"},
       {replaced(kSquare, "1 1 0 9", "1 nan 0 9"), "not finite"},
