@@ -29,8 +29,9 @@ Eigen::Vector3f shaded(const Fragment& fragment, const Eigen::Vector3f& to_eye, 
 
 Canvas::Canvas(int width_px, int height_px, const Eigen::Vector3f& top, const Eigen::Vector3f& bottom)
     : width_(width_px * kSamples), height_(height_px * kSamples) {
+  static_assert(kMaxImageSide == 4096, "the text below names it");
   demand(width_px > 0 && height_px > 0 && width_px <= kMaxImageSide && height_px <= kMaxImageSide,
-         "a canvas is at least 1 pixel wide and high, and at most kMaxImageSide");
+         "a picture is 1 to 4096 pixels wide and high");
   depth_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_),
                 std::numeric_limits<float>::infinity());
   light_.reserve(depth_.size());

@@ -123,7 +123,7 @@ bool one_surface(const Grid& grid, const std::array<std::array<int, 2>, 3>& corn
 }  // namespace
 
 Mesh depth_mesh(const RgbdFrame& frame) {
-  demand(is_well_formed(frame.depth) && is_well_formed(frame.camera.depth), "depth_mesh is given a well-formed frame");
+  demand(is_well_formed(frame.depth) && is_well_formed(frame.camera.depth), "the depth image of a mesh is well-formed");
   const Grid grid = smoothed(smoothed(grid_of(frame.depth, frame.camera.depth), 1, 3), 2, 7);
   Mesh mesh;
   mesh.vertices.reserve(grid.z.size());

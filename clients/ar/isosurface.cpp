@@ -14,7 +14,8 @@ class Samples {
  public:
   Samples(const Field& field, const Eigen::AlignedBox3f& box, float cell) : cell_(cell), origin_(box.min()) {
     size_ = ((box.sizes() / cell).array().ceil().cast<int>() + 1).matrix();
-    demand(size_.minCoeff() > 1 && size_.cast<float>().prod() < 3e7F, "the grid of an isosurface is bounded");
+    demand(size_.minCoeff() > 1 && size_.cast<float>().prod() < 3e7F,
+           "the grid of an isosurface has 2 or more points along each axis, and less than 30 million in all");
     values_.reserve(static_cast<std::size_t>(size_.prod()));
     for (int z = 0; z < size_.z(); ++z)
       for (int y = 0; y < size_.y(); ++y)

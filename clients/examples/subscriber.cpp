@@ -19,7 +19,7 @@ int main() {
     if (!depth) return link->request_key_frame(message);  // it joined in the middle of a group of pictures
     const auto at = static_cast<std::size_t>(depth->image.width) * static_cast<std::size_t>(depth->image.height / 2) +
                     static_cast<std::size_t>(depth->image.width / 2);
-    std::printf("image %llu: %.3f m to its middle\n", static_cast<unsigned long long>(image.sequence()),
+    std::printf("image %llu: depth of its middle pixel %.3f m\n", static_cast<unsigned long long>(image.sequence()),
                 depth->image.unit_m * depth->image.samples[at]);
   };
   wire::ClientLink camera(io, {.port = 7400, .name = "example", .subscribes = {"/camera/depth"}},

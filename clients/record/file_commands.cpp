@@ -129,7 +129,8 @@ Result<CutOptions> cut_options(const program::Arguments& arguments) {
   if (!arguments.has("to")) return options;
   const Result<Nanoseconds> to = parse_duration(arguments.text("to"), "to");
   if (!to) return to.error();
-  if (*to <= *from) return Error{.what = "the end is not after --from", .where = "--to", .fix = "give a later time"};
+  if (*to <= *from)
+    return Error{.what = "the time is not later than that of --from", .where = "--to", .fix = "give a later time"};
   options.to = *to;
   return options;
 }

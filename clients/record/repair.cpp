@@ -54,8 +54,9 @@ Result<Survey> survey(const std::filesystem::path& file) {
   // A damaged head can look like a record of a later version, which readers skip: the count of the index shows it.
   const Result<wire::McapReader> indexed = wire::McapReader::open(file);
   if (indexed && indexed->summary().statistics.message_count != found.messages)
-    found.damages.push_back("the index counts " + std::to_string(indexed->summary().statistics.message_count) +
-                            " messages, but " + std::to_string(found.messages) + " can be read");
+    found.damages.push_back("the index of the file counts " +
+                            std::to_string(indexed->summary().statistics.message_count) + " messages, but " +
+                            std::to_string(found.messages) + " can be read");
   return found;
 }
 

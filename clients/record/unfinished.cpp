@@ -36,7 +36,9 @@ class Lock {
     if (errno != EWOULDBLOCK) return cannot_be_finished(partial, std::strerror(errno));
     return Error{.what = "is still being recorded",
                  .where = partial.string(),
-                 .fix = "wait until telepalp-record has ended, or end it by Ctrl-C"};
+                 .fix =
+                     "wait until its recorder has ended; end telepalp-record by Ctrl-C, or a server's recording on the "
+                     "web page"};
   }
   Lock(Lock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
   Lock& operator=(Lock&&) = delete;
@@ -105,7 +107,9 @@ std::string in_words(const RepairReport& finished) {
   std::string text = finished.file.string() + " was not finished by its recorder; it is finished now, with " +
                      std::to_string(finished.messages) + " messages";
   if (!only_the_end_is_missing(finished))
-    text += "; " + std::to_string(finished.damages.size()) + " places were damaged, so the partial file stays";
+    text += "; " + std::to_string(finished.damages.size()) +
+            " places were damaged, so the recorder's file stays, too: " + finished.file.string() +
+            std::string(kPartial);
   return text;
 }
 

@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
   if (sessions.empty() || sessions.size() > 2)
     return program::fail({.what = "name one session file, or two to compare",
                           .where = "telepalp-report",
-                          .fix = "telepalp-report --help"},
+                          .fix = "see telepalp-report --help"},
                          program::kAskedWrongly);
   const Result<void> done = sessions.size() == 1 ? write_report(sessions.front(), given.text("out"))
                                                  : write_comparison(sessions, given.text("out"));

@@ -124,10 +124,12 @@ class View {
   /// error.
   void lose_patience() {
     if (!asked_.stats && instant_.is_complete(false)) {
-      program::log(kProgram, "no station touches this patient: the picture has no hand");
+      program::log(kProgram,
+                   "no station reported the device's place at the time of the image: the picture has no hand");
       return stop(save());
     }
-    stop(Error{.what = connected_ ? "the server answers, but no complete picture came" : "does not answer",
+    stop(Error{.what = connected_ ? "the server answers, but no depth image came with its calibration and colour"
+                                  : "does not answer",
                .where = program::to_text(asked_.server),
                .fix = connected_
                           ? "check the camera or recording of the server (--source), or wait longer by --patience S"

@@ -23,7 +23,7 @@ export const withoutUnusedShaders = {
         emptied.add(group);
         return `${kind} ${variable} = "";`;
       });
-      const errors = UNUSED.filter((group) => !emptied.has(group)).map((group) => ({text: `three.js has no shader ${group}`}));
+      const errors = UNUSED.filter((group) => !emptied.has(group)).map((group) => ({text: `three.js has no shader whose name matches ${group}. fix: remove this pattern from unused_shaders.mjs`}));
       return {contents, loader: 'js', errors};
     });
   },

@@ -154,7 +154,8 @@ TEST_F(Files, VerifyFindsAChunkThatPosesAsARecordOfALaterVersionAndRepairNotesIt
   std::string bytes = bytes_of(file);
   bytes[wire::McapReader::open(file)->summary().chunks[4].chunk_start_offset] = '\x7f';
   std::ofstream(file, std::ios::binary) << bytes;
-  EXPECT_NE(output_of("verify " + file.string()).find("the index counts 320 messages, but"), std::string::npos);
+  EXPECT_NE(output_of("verify " + file.string()).find("the index of the file counts 320 messages, but"),
+            std::string::npos);
   EXPECT_EQ(exit_code_, 1);
   const auto report = repair(file, in("copy.mcap"));
   ASSERT_TRUE(report) << to_string(report.error());
@@ -193,7 +194,7 @@ TEST_F(Files, AnUnknownSchemaAndAnotherVersionOfOursAreNotesAndNoDamage) {
   EXPECT_EQ(facts->damages_in_all, 0u);
   const auto notes = notes_on(*facts);
   ASSERT_EQ(notes.size(), 2u);
-  EXPECT_EQ(notes[0], "/clock: recorded by another version of telepalp; fields may differ");
+  EXPECT_EQ(notes[0], "/clock: recorded by another version of telepalp; its messages may have other fields");
   EXPECT_TRUE(notes[1].starts_with("/other: the topic or its type is not telepalp's")) << notes[1];
 }
 

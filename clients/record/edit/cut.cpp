@@ -136,6 +136,7 @@ Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem:
     });
   if (copied && report.messages == 0) copied = nothing_there(file, statistics);
   if (copied) copied = writer->close();
+  for (std::string& damage : report.damages) damage = file.string() + ": " + damage;
   if (copied) return report;
   writer->discard();
   return copied.error();

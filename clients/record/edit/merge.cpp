@@ -115,8 +115,8 @@ Result<void> with_images_of_one_server(const std::vector<Strand>& strands) {
                          " both hold camera images, but from different servers: " + strand.session().source + " and " +
                          first->session().source,
                  .where = strand.file().string(),
-                 .fix = "merge a copy without its camera images: telepalp-record cut " + strand.file().string() +
-                        " --topics '!/camera/*' --out OTHER.mcap"};
+                 .fix = "merge a copy of this session without camera images: telepalp-record cut " +
+                        strand.file().string() + " --topics '!/camera/*' --out OTHER.mcap"};
   }
   return {};
 }
@@ -128,7 +128,9 @@ Result<void> copy_all_notes(std::vector<Strand>& strands, wire::McapWriter& writ
     if (const Result<void> copied = copy_notes(strand.reader(), writer); !copied) return copied;
     std::string& text = note.values["file_" + std::to_string(number)];
     text = strand.file().filename().string() + " from " + strand.session().source;
-    if (strand.senders_apart() > 0) text += ", sender numbers raised by " + std::to_string(strand.senders_apart());
+    if (strand.senders_apart() > 0)
+      text += ", its sender numbers raised by " + std::to_string(strand.senders_apart()) +
+              ", so that they differ from those of the other files";
   }
   return writer.add(note);
 }

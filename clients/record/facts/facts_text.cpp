@@ -47,8 +47,9 @@ std::string gaps_line(const SessionFacts& facts) {
   const auto gaps = facts.recording.find("gaps");
   if (gaps == facts.recording.end() || gaps->second == "0") return {};
   const auto seconds = facts.recording.find("gap_s");
-  return program::escaped("connection to the server lost " + gaps->second + " times" +
-                          (seconds == facts.recording.end() ? "" : ", " + seconds->second + " s in all")) +
+  return program::escaped(
+             "connection to the server lost " + gaps->second + " times" +
+             (seconds == facts.recording.end() ? "" : "; no connection for " + seconds->second + " s in all")) +
          "\n";
 }
 

@@ -56,8 +56,8 @@ Result<void> read_messages(const std::filesystem::path& file, SessionFacts& fact
     ++read;
   }
   if (read != facts.messages)
-    note_damage(facts, "the index counts " + std::to_string(facts.messages) + " messages, but " + std::to_string(read) +
-                           " can be read");
+    note_damage(facts, "the index of the file counts " + std::to_string(facts.messages) + " messages, but " +
+                           std::to_string(read) + " can be read");
   survey.finish(facts);
   for (const SessionFacts::Topic& topic : facts.topics)
     if (topic.unreadable > 0)
@@ -99,9 +99,10 @@ std::vector<std::string> notes_on(const SessionFacts& facts) {
     if (!topic.is_ours)
       notes.push_back(topic.name + ": the topic or its type is not telepalp's; its messages are not checked");
     if (topic.has_other_version)
-      notes.push_back(topic.name + ": recorded by another version of telepalp; fields may differ");
+      notes.push_back(topic.name + ": recorded by another version of telepalp; its messages may have other fields");
     if (topic.lost > 0)
-      notes.push_back(topic.name + ": " + count(topic.lost, "messages were lost before they were recorded"));
+      notes.push_back(topic.name + ": " +
+                      count(topic.lost, "messages are missing: they were lost between their publisher and the file"));
     if (topic.back_in_time > 0)
       notes.push_back(topic.name + ": " +
                       count(topic.back_in_time, "messages have an earlier time than the message before them"));

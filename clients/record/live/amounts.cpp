@@ -37,14 +37,15 @@ Result<Nanoseconds> parse_duration(std::string_view text, std::string_view optio
   constexpr double kMost_s = 1000.0 * 86400.0;
   const std::optional<double> seconds = parse(text, kTimes);
   if (!seconds || *seconds > kMost_s)
-    return wrong(text, option, "a duration", "give a number with ms, s, min or h, such as 90s or 5min");
+    return wrong(text, option, "a duration of at most 1000 days",
+                 "give a number with ms, s, min or h, such as 90s or 5min");
   return Nanoseconds(static_cast<std::int64_t>(*seconds * 1e9));
 }
 
 Result<std::uint64_t> parse_size(std::string_view text, std::string_view option) {
   const std::optional<double> bytes = parse(text, kSizes);
   if (!bytes || *bytes < 1.0 || *bytes > 1e15)
-    return wrong(text, option, "a size", "give a number with kB, MB or GB, such as 500MB");
+    return wrong(text, option, "a size from 1 B to 1000 TB", "give a number with kB, MB or GB, such as 500MB");
   return static_cast<std::uint64_t>(*bytes);
 }
 

@@ -20,18 +20,20 @@ std::string media_type(const std::filesystem::path& file) {
 }  // namespace
 
 Result<wire::mcap::Attachment> attach(const std::filesystem::path& file) {
-  const Error unreadable{
-      .what = "cannot be attached", .where = file.string(), .fix = "check the path and your permissions"};
+  const auto unreadable = [&file](const std::string& why) {
+    return Error{
+        .what = "cannot be attached: " + why, .where = file.string(), .fix = "check the path and your permissions"};
+  };
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(file, code);
-  if (code) return unreadable;
+  if (code) return unreadable(code.message());
   if (size > kMostBytes)
     return Error{.what = "is larger than 16 MiB, the limit of an attachment",
                  .where = file.string(),
                  .fix = "keep it beside the session"};
   std::ifstream stream(file, std::ios::binary);
   std::string data{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) return unreadable;
+  if (!stream) return unreadable("it cannot be read");
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto now_ns = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());
   return wire::mcap::Attachment{.log_time = now_ns,

@@ -5,8 +5,18 @@
 
 namespace telepalp::record {
 
-DiskRoom::DiskRoom(const std::filesystem::path& file)
-    : folder_(file.has_parent_path() ? file.parent_path() : std::filesystem::path(".")) {}
+namespace {
+
+/// Absolute where possible, so that the alarm names the disk.
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const std::filesystem::path whole = std::filesystem::absolute(file, unknown);
+  return unknown ? std::filesystem::path(".") : whole.parent_path();
+}
+
+}  // namespace
+
+DiskRoom::DiskRoom(const std::filesystem::path& file) : folder_(folder_of(file)) {}
 
 std::optional<std::string> DiskRoom::alarm(std::uint64_t stored_bytes) {
   constexpr double kShort_s = 60.0;
@@ -18,8 +28,8 @@ std::optional<std::string> DiskRoom::alarm(std::uint64_t stored_bytes) {
   const double left_s = static_cast<double>(room.available) * seconds / static_cast<double>(stored_bytes);
   const bool was_alarmed = std::exchange(alarmed_, left_s < kShort_s);
   if (!alarmed_ || was_alarmed) return std::nullopt;
-  return "ALARM: the disk will be full in " + std::to_string(static_cast<int>(left_s)) + " s. fix: free space in " +
-         folder_.string();
+  return "ALARM: the disk of the recording will be full in " + std::to_string(static_cast<int>(left_s)) +
+         " s. fix: delete or move files on the disk of " + folder_.string();
 }
 
 }  // namespace telepalp::record

@@ -29,8 +29,8 @@ using boost::system::error_code;
 
 constexpr const char* kProgram = "telepalp-record";
 constexpr const char* kNotFinished =
-    "telepalp-record: the disk did not store the remaining messages in time; the file stays as NAME.partial. fix: "
-    "telepalp-record repair NAME.partial";
+    "telepalp-record: the disk did not store the remaining messages within 5 s; the newest session file keeps its name "
+    "FILE.mcap.partial. fix: telepalp-record repair FILE.mcap.partial";
 constexpr auto kProgressEvery = std::chrono::milliseconds(500);
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -104,7 +104,7 @@ class Recording {
     deadline_.async_wait([this](const error_code& cancelled) {
       if (!cancelled)
         fail({"does not answer", program::to_text(options_.server),
-              "start telepalp-server, or name another server by --connect"});
+              "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
     });
     watch();
     link_.start();
@@ -170,7 +170,8 @@ class Recording {
       if (const auto alarm = room_.alarm(counts.stored_bytes)) say(*alarm);
       const std::uint64_t dropped = total(counts.dropped);
       if (dropped > dropped_reported_)
-        say("the disk is too slow: " + std::to_string(dropped) + " messages dropped so far");
+        say("the disk is too slow: " + std::to_string(dropped) +
+            " messages dropped so far. fix: record fewer topics by --topics, or to a faster disk");
       dropped_reported_ = dropped;
       if (options_.progress && started_) show(counts);
       watch();
@@ -204,7 +205,7 @@ class Recording {
 
   void fail(const Error& error) {
     if (!failed_) failed_ = error;
-    stop("the recorder failed");
+    stop("the recorder failed: " + error.where + ": " + error.what);
   }
 
   Result<RecordingReport> finish() {

@@ -153,7 +153,8 @@ void SessionFiles::fail(const Error& error) {
   (void)end_part(nullptr);  // its error is the one above, or there was no room for the index
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored))
-    alarm_("ALARM: " + name.string() + ".partial is not complete. fix: telepalp-record repair " + name.string());
+    alarm_("ALARM: " + name.string() + ".partial is not complete. fix: telepalp-record repair " + name.string() +
+           ".partial");
 }
 
 bool SessionFiles::may_try_again() const {

@@ -147,7 +147,8 @@ std::string overlay_sections(const Comparison& comparison) {
 
 std::string figure(const char* letter, const std::string& png) {
   if (png.empty())
-    return "<figure><figcaption>" + std::string(letter) + ": the session has no images.</figcaption></figure>\n";
+    return "<figure><figcaption>" + std::string(letter) +
+           ": the session holds no depth image with the calibration of its camera.</figcaption></figure>\n";
   return "<figure><img alt=\"run " + std::string(letter) + "\" src=\"data:image/png;base64," + base64(png) +
          "\"><figcaption>" + letter + "</figcaption></figure>\n";
 }
@@ -155,8 +156,9 @@ std::string figure(const char* letter, const std::string& png) {
 std::string pictures_section(const Comparison& comparison, const PicturePair& pictures) {
   if (pictures.a.empty() && pictures.b.empty()) return {};
   return section("The pictures at " + number(pictured_s(comparison), 2) + " s",
-                 comparison.ticks.largest ? "Both runs at the largest difference of the forces."
-                                          : "Both runs at the deepest touch.",
+                 comparison.ticks.largest
+                     ? "Both runs at the largest difference of the forces."
+                     : "Both runs at A's deepest touch; if A has no touch, at a time without touch.",
                  "<div class=\"pair\">\n" + figure("A", pictures.a) + figure("B", pictures.b) + "</div>\n");
 }
 

@@ -51,7 +51,7 @@ constexpr Row kRows[] = {
      [](const Summary& s) { return s.hand_excess_most_mJ; }},
     {"tick time, p99.9", "µs", Better::Less, [](const Summary& s) { return s.tick_us.p999; }},
     {"lateness of a tick, p99.9", "µs", Better::Less, [](const Summary& s) { return s.lateness_us.p999; }},
-    {"missed deadlines", "", Better::Less, [](const Summary& s) { return known(s.deadlines_missed); }},
+    {"late ticks", "", Better::Less, [](const Summary& s) { return known(s.deadlines_missed); }},
     {"ticks that were not recorded", "", Better::Less, [](const Summary& s) { return known(s.telemetry_dropped); }},
     {"warnings of warm motors", "", Better::Less,
      [](const Summary& s) { return static_cast<double>(s.heat_warnings); }},

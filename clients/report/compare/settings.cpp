@@ -75,7 +75,7 @@ std::string first_line_apart(const std::string& text, const std::string& other) 
     const bool more = static_cast<bool>(std::getline(own, line));
     const bool more_beside = static_cast<bool>(std::getline(others, beside));
     if (!more && !more_beside) return {};
-    if (!more) return "ends before line " + std::to_string(number);
+    if (!more) return "the scene file ends before line " + std::to_string(number);
     if (!more_beside || line != beside) return "line " + std::to_string(number) + ": " + line;
   }
 }

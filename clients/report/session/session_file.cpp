@@ -75,9 +75,10 @@ Result<Session> read_session(const std::filesystem::path& file) {
   }
   settle(session);
   if (session.messages == 0)
-    return Error{.what = "holds no message of telepalp",
-                 .where = file.string(),
-                 .fix = "record again while the server runs: telepalp-record --help"};
+    return Error{
+        .what = "holds no message of telepalp",
+        .where = file.string(),
+        .fix = "give a session file of telepalp, or record one while the server runs: see telepalp-record --help"};
   return session;
 }
 

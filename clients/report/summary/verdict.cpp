@@ -46,16 +46,17 @@ std::string what_to_do(const Summary& s) {
 std::vector<Check> deadline_checks(const Summary& s) {
   constexpr double kBudget = 0.1;
   const std::string late = "the force was late more often than one tick in a thousand";
-  if (!s.idle_timer) return {{"missed deadlines, share of all ticks", missed_percent(s), kBudget, "%", true, late}};
+  if (!s.idle_timer) return {{"late ticks, share of all ticks", missed_percent(s), kBudget, "%", true, late}};
   const double timer = of_the_timer_percent(s);
   const std::string watched = std::to_string(s.idle_timer->missed) + " of " + std::to_string(s.idle_timer->wakeups);
-  return {
-      {"late ticks not caused by the computer's timer, share of all ticks", missed_percent(s) - timer, kBudget, "%",
-       true,
-       late + ", not counting the wake-ups that this computer's timer misses even without work (" + watched + ")"},
-      {"late ticks caused by the computer's timer, share of all ticks", timer, kBudget, "%", true,
-       "its timer misses wake-ups even without work: " + watched + " while the station only waited; " + what_to_do(s),
-       true}};
+  return {{"late ticks not caused by the timer of the station's computer, share of all ticks",
+           missed_percent(s) - timer, kBudget, "%", true,
+           late + ", not counting the wake-ups that the timer of the station's computer misses even without work (" +
+               watched + ")"},
+          {"late ticks caused by the timer of the station's computer, share of all ticks", timer, kBudget, "%", true,
+           "the timer of the station's computer misses wake-ups even without work: " + watched +
+               " while the station only waited; " + what_to_do(s),
+           true}};
 }
 
 /// Budgets: the force limit and the rates are S1's (§II.A, §II.D). A frame must be touchable before the next one comes
@@ -87,8 +88,9 @@ std::vector<Check> checks_of(const Summary& s) {
 std::string timers_part(const Summary& s) {
   const auto part = std::lround(of_the_timer_percent(s) * 0.01 * static_cast<double>(s.ticks));
   return (part == 0 ? "none" : "about " + std::to_string(part)) +
-         " of them because of this computer's timer, which missed " + std::to_string(s.idle_timer->missed) + " of " +
-         std::to_string(s.idle_timer->wakeups) + " wake-ups while the station only waited";
+         " of them because of the timer of the station's computer, which missed " +
+         std::to_string(s.idle_timer->missed) + " of " + std::to_string(s.idle_timer->wakeups) +
+         " wake-ups while the station only waited";
 }
 
 std::string account_of(const Summary& s) {
@@ -136,7 +138,7 @@ std::string headline_of(const std::vector<Check>& checks, bool judged) {
       missed += (misses++ > 0 ? "; " : "") + check.meaning;
       only_the_computer = only_the_computer && check.of_the_computer;
     }
-  if (misses > 0 && only_the_computer) return "The run was good, but this computer was late: " + missed + ".";
+  if (misses > 0 && only_the_computer) return "The run was good, but the station's computer was late: " + missed + ".";
   if (misses > 0) return "Check this run: " + missed + ".";
   return judged ? "The run was good: every figure meets its requirement."
                 : "The run is not judged: no station took part in this session.";

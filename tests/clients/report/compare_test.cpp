@@ -198,7 +198,7 @@ TEST(ReplayFacts, AreReadFromTheReportBesideTheSession) {
 TEST(Settings, FirstLineApartIsThatOfTheFirstText) {
   EXPECT_EQ(first_line_apart("a\nb\n", "a\nb\n"), "");
   EXPECT_EQ(first_line_apart("a\nb\n", "a\nc\n"), "line 2: b");
-  EXPECT_EQ(first_line_apart("a\n", "a\nc\n"), "ends before line 2");
+  EXPECT_EQ(first_line_apart("a\n", "a\nc\n"), "the scene file ends before line 2");
 }
 
 TEST_F(Compare, WordsFromASessionCannotBreakThePageAndThePageNeedsNoOtherFile) {
@@ -210,7 +210,7 @@ TEST_F(Compare, WordsFromASessionCannotBreakThePageAndThePageNeedsNoOtherFile) {
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_NE(page.find("&lt;script"), std::string::npos);
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
-  EXPECT_NE(page.find("B: the session has no images."), std::string::npos);
+  EXPECT_NE(page.find("B: the session holds no depth image with the calibration of its camera."), std::string::npos);
 }
 
 TEST_F(Compare, TheProgramWritesOnePageWithBothPicturesForTheGroupAlone) {

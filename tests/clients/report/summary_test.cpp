@@ -180,21 +180,23 @@ Verdict with_late_ticks(std::uint64_t missed, std::uint64_t idle, bool realtime 
 
 TEST(IdleTimer, ExplainsLateTicksThatAreTheComputersAndSaysWhatToDo) {
   const Verdict verdict = with_late_ticks(18, 5);
-  EXPECT_TRUE(
-      verdict.headline.starts_with("The run was good, but this computer was late: its timer misses "
-                                   "wake-ups even without work: 5 of 2000"))
+  EXPECT_TRUE(verdict.headline.starts_with(
+      "The run was good, but the station's computer was late: the timer of the station's computer misses "
+      "wake-ups even without work: 5 of 2000"))
       << verdict.headline;
   EXPECT_NE(verdict.headline.find("real-time priority"), std::string::npos);
-  EXPECT_NE(verdict.account.find("18 were late, about 18 of them because of this computer's timer"), std::string::npos)
+  EXPECT_NE(verdict.account.find("18 were late, about 18 of them because of the timer of the station's computer"),
+            std::string::npos)
       << verdict.account;
   EXPECT_EQ(with_late_ticks(18, 5, true).headline.find("real-time priority"), std::string::npos);
 }
 
 TEST(IdleTimer, DoesNotExcuseTicksThatTheRunItselfMadeLate) {
   const Verdict verdict = with_late_ticks(80, 1);
-  EXPECT_TRUE(verdict.headline.starts_with(
-      "Check this run: the force was late more often than one tick in a "
-      "thousand, not counting the wake-ups that this computer's timer misses even without work (1 of 2000"))
+  EXPECT_TRUE(
+      verdict.headline.starts_with("Check this run: the force was late more often than one tick in a "
+                                   "thousand, not counting the wake-ups that the timer of the station's computer "
+                                   "misses even without work (1 of 2000"))
       << verdict.headline;
   EXPECT_NE(verdict.account.find("about 4 of them"), std::string::npos) << verdict.account;
 }

@@ -73,7 +73,7 @@ test('three places by mouse and keyboard give the place of the tracker, and the 
   await untilStatus(page, 'the device gives no force', (now) => now.force_N === 0);
   await carryTo(PLACES_M[0]);
   await take(1, () => page.click('#calibration-take'));
-  assert.match(await text('calibration-verdict'), /^Good here\. Take three places/);
+  assert.match(await text('calibration-verdict'), /^Good so far\. Take three places/);
   for (const [index, at] of PLACES_M.slice(1).entries()) {
     await carryTo(at);
     await page.focus('#calibration-take');

@@ -32,7 +32,7 @@ export function setDecoder(module: WebAssembly.Module): void {
 
 /** Decodes a packet of any depth mode. Throws on a damaged packet; never returns wrong depth. */
 export function decodeDepth(packet: Uint8Array): DepthFrame {
-  if (compiled === undefined) throw new Error('depth packet: the decoder was not loaded');
+  if (compiled === undefined) throw new Error('depth packet: no decoder loaded: reload the page');
   try {
     return decodeWith((decoder ??= instantiate(compiled)), packet);
   } catch (problem) {

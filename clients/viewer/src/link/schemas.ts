@@ -8,7 +8,7 @@ function typeOf(name: string, schema: string): DescMessage {
   const bytes = Uint8Array.from(atob(schema), (letter) => letter.charCodeAt(0));
   const type: DescMessage | undefined =
       createFileRegistry(fromBinary(FileDescriptorSetSchema, bytes)).getMessage(name);
-  if (type === undefined) throw new Error(`the schema from the server does not define the message type ${name}: reload the page`);
+  if (type === undefined) throw new Error(`the server’s schema lacks message type ${name}: reload the page`);
   return type;
 }
 

@@ -84,7 +84,7 @@ export function networkRows(state: NetworkState): Row[] {
     {name: 'Packets', value: `${packets_sent}, ${share(packets_lost, packets_sent)} lost`,
      says: 'Packets sent since these settings last changed, and the share lost on the way or in a full queue'},
     {name: 'Images', value: `${images_arrived} of ${images} arrived`, says: 'Depth images'},
-    {name: 'too late', value: String(images_late), part: true, says: 'Complete after a newer one, and dropped'},
+    {name: 'too late', value: String(images_late), part: true, says: 'Complete only after a newer one, so dropped'},
     {name: 'lost', value: String(images_lost), part: true,
      says: 'Incomplete, replaced by a newer one before sending, or predicted from an image that is missing'},
     {name: 'Image delay', value: `${state.image_delay_ms.toFixed(0)} ms`, says: 'In the network, of the newest depth image'},

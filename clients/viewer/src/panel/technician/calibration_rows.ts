@@ -36,8 +36,8 @@ export function verdict(fit: OffsetFit | undefined): string {
   const moved = fit.places.find(({moved_m}) => moved_m > MOST_MOVED_M);
   if (moved !== undefined) return `The hand moved at place ${moved.place}: begin again.`;
   if (fit.largest_m > MOST_MOVED_M)
-    return 'The places disagree: the tracker is turned otherwise than S1 eq. (4) assumes. Save the pairs, and use the second command: it measures the rotation, too.';
+    return 'The places disagree: the tracker is turned otherwise than S1 eq. (4) assumes. Save the pairs, and use the second command.';
   if (fit.places.length < 3)
-    return 'Good here. Take three places that are 5 cm apart: with one place, a turned tracker is not noticed.';
+    return 'Good so far. Take three places that are 5 cm apart: one place does not show that the tracker is turned.';
   return 'Good: the places agree.';
 }
