@@ -195,7 +195,7 @@ class Recording {
 
   void stop(const std::string& reason) {
     if (std::exchange(stopping_, true)) return;
-    say("finishing the file: " + reason);
+    say((started_ ? "finishing the file: " : "ending without a file: ") + reason);
     error_code ignored;
     signals_.cancel(ignored);  // not clear(): the handlers stay installed, so a second signal has no further effect
     deadline_.cancel();
