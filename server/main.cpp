@@ -31,39 +31,40 @@ constexpr const char* kProgram = "telepalp-server";
 constexpr std::string_view kSession = "session:";  // the source that plays a session
 
 program::Usage usage() {
-  return {.program = kProgram,
-          .purpose = "captures a patient and sends the images to stations, recorders and browsers",
-          .positional = {},
-          .options = {{"source", "SOURCE",
-                       "openni2[:URI] | oni:FILE | images:DIR | pcd:FILE | synthetic[:MODEL] | session:FILE.mcap",
-                       "synthetic"},
-                      {"loop", "yes|no", "repeat a recording when it ends", "yes"},
-                      {"seconds", "S", "stop after this time; 0: never", "0"},
-                      {"bind", "ADDRESS", "where to listen; a network address needs --key", "127.0.0.1"},
-                      {"key", "FILE",
-                       "this server's key file (telepalp-keys server): TLS, and peers need keys; default: none"},
-                      {"revoked", "FILE", "revocation list; default: revoked.crl beside the key"},
-                      {"audit", "FILE", "audit log of who did what; default: audit.log beside the key"},
-                      {"port", "PORT", "for stations and recorders; 0: any free one", program::kServerPort},
-                      {"http-port", "PORT", "for browsers: the web viewer; 0: any free one; default: none"},
-                      {.name = "allow-origin",
-                       .argument = "ORIGIN",
-                       .help = "other site whose pages may open the stream, such as https://app.foxglove.dev; may be "
-                               "repeated",
-                       .repeatable = true},
-                      {"viewer", "DIR", "the web viewer's files; default: those built beside this program"},
-                      {"record-dir", "DIR", "where recordings from the web page go; default: none"},
-                      {"compare-dir", "DIR", "sessions that QA may compare with the played one"},
-                      {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
-                      {"ready-file", "FILE", "file for the ports; written once clients can connect"},
-                      {"depth-mode", "MODE",
-                       "fast, intra, temporal (lossless) or bounded (near-lossless, for display only)", "fast"},
-                      {"depth-bound", "LEAST,PER_M2",
-                       "bounded: largest error of a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
-                      {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
-                      {"jpeg-quality", "1..100", "quality of colour images", "85"},
-                      {"name", "NAME", "name shown to peers", kProgram}},
-          .example = "telepalp-server --source synthetic --seconds 60"};
+  return {
+      .program = kProgram,
+      .purpose = "captures a patient and sends the images to stations, recorders and browsers",
+      .positional = {},
+      .options = {{"source", "SOURCE",
+                   "openni2[:URI] | oni:FILE | images:DIR | pcd:FILE | synthetic[:MODEL] | session:FILE.mcap",
+                   "synthetic"},
+                  {"loop", "yes|no", "repeat a recording when it ends", "yes"},
+                  {"seconds", "S", "stop after this time; 0: never", "0"},
+                  {"bind", "ADDRESS", "where to listen; a network address needs --key", "127.0.0.1"},
+                  {"key", "FILE",
+                   "this server's key file (telepalp-keys server); with it, clients need keys; default: none"},
+                  {"revoked", "FILE", "list of the revoked keys; default: revoked.crl beside the key"},
+                  {"audit", "FILE", "audit log of who did what; default: audit.log beside the key"},
+                  {"port", "PORT", "port (TCP, UDP) for stations and recorders; 0: any free one", program::kServerPort},
+                  {"http-port", "PORT", "port of the web viewer, for browsers; 0: any free one; default: none"},
+                  {.name = "allow-origin",
+                   .argument = "ORIGIN",
+                   .help = "other site whose pages may open the stream, such as https://app.foxglove.dev; may be "
+                           "repeated",
+                   .repeatable = true},
+                  {"viewer", "DIR", "the web viewer's files; default: those built beside this program"},
+                  {"record-dir", "DIR", "folder of the recordings that the web page starts; default: none"},
+                  {"compare-dir", "DIR", "folder of sessions that may be compared with the played one; default: none"},
+                  {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
+                  {"ready-file", "FILE", "write the ports into this file once clients can connect; default: none"},
+                  {"depth-mode", "MODE",
+                   "fast, intra, temporal (lossless) or bounded (near-lossless, for display only)", "fast"},
+                  {"depth-bound", "LEAST,PER_M2",
+                   "mode bounded: largest error at a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
+                  {"key-every", "N", "modes temporal and bounded: every Nth frame is a key frame", "12"},
+                  {"jpeg-quality", "1..100", "quality of colour images", "85"},
+                  {"name", "NAME", "name shown to peers", kProgram}},
+      .example = "telepalp-server --source synthetic --seconds 60"};
 }
 
 struct Asked {
@@ -103,7 +104,7 @@ Result<std::optional<gateway::GatewayOptions>> gateway_options(const program::Ar
     if (!index)
       return Error{.what = "the web viewer is not built",
                    .where = "--http-port",
-                   .fix = "build the target telepalp_viewer, or name the folder with --viewer"};
+                   .fix = "build the target telepalp_viewer, or name by --viewer the folder with its index.html"};
     options.viewer_files = index->parent_path();
   }
   return std::optional{std::move(options)};
@@ -119,7 +120,7 @@ Result<std::optional<access::Access::Options>> key_options(const program::Argume
     if (arguments.has(option))
       return Error{.what = "this option has no effect without --key",
                    .where = "--" + std::string(option),
-                   .fix = "add --key FILE, or leave it out"};
+                   .fix = "add --key FILE, or leave --" + std::string(option) + " out"};
   return std::optional<access::Access::Options>{};
 }
 
@@ -131,7 +132,7 @@ Result<std::optional<recording::SessionRecorder::Options>> recorder_options(cons
   if (!arguments.has("record-dir")) {
     if (!arguments.has("record-key")) return none;
     return wrong("this option has no effect without --record-dir", "--record-key",
-                 "add --record-dir DIR, or leave it out");
+                 "add --record-dir DIR, or leave --record-key out");
   }
   if (!arguments.has("http-port"))
     return wrong("this option is for recordings from the web page, and the web page is off", "--record-dir",

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 
 #include "proto/impaired/profiles.h"
@@ -46,33 +47,48 @@ TraceRow row_of(const Figures& figures) noexcept {
           .rate_B_per_s = figures[4] * 125.0};
 }
 
-/// Why `row` cannot follow the rows of `trace`; empty: it can.
-std::string_view wrong_with(const Trace& trace, const TraceRow& row) noexcept {
-  if (trace.empty() && row.at != Nanoseconds{0}) return "the first row is not at 0 s";
-  if (!trace.empty() && row.at <= trace.back().at) return "time does not increase";
-  if (row.loss > 1.0) return "the loss is above 100 percent";
-  return {};
+struct Wrong {
+  std::string_view what;
+  std::string_view fix;
+};
+
+/// Why `row` cannot follow the rows of `trace`; nullopt: it can.
+std::optional<Wrong> wrong_with(const Trace& trace, const TraceRow& row) noexcept {
+  if (trace.empty() && row.at != Nanoseconds{0})
+    return Wrong{"t_s is not 0 in the first row", "let the trace begin at t_s 0"};
+  if (!trace.empty() && row.at <= trace.back().at)
+    return Wrong{"t_s is not larger than in the row before", "sort the rows by t_s, and give each t_s once"};
+  if (row.loss > 1.0) return Wrong{"loss_percent is above 100", "give loss_percent from 0 to 100"};
+  return std::nullopt;
 }
 
 }  // namespace
 
 Result<Trace> parse_trace(std::string_view text, std::string_view where) {
-  const auto wrong = [&](std::size_t line, std::string_view what) {
-    return Error{.what = "line " + std::to_string(line) + ": " + std::string(what),
+  const auto wrong = [&](std::size_t line, const Wrong& that) {
+    return Error{.what = "line " + std::to_string(line) + ": " + std::string(that.what),
                  .where = std::string(where),
-                 .fix = "write the header " + std::string(kHeader) + " and rows such as 0,50,5,1,2000"};
+                 .fix = std::string(that.fix)};
   };
-  if (text.size() > kMostBytes) return wrong(1, "the trace is longer than 1 MiB");
-  if (take_line(text) != kHeader) return wrong(1, "the first line is not the header");
+  if (text.size() > kMostBytes)
+    return Error{
+        .what = "the trace is larger than 1 MiB", .where = std::string(where), .fix = "give a trace with fewer rows"};
+  const std::string header = "write the first line " + std::string(kHeader);
+  const std::string rows = "write rows of " + std::string(kHeader) + ", such as 0,50,5,1,2000";
+  if (take_line(text) != kHeader) return wrong(1, {"this is not the header of a trace", header});
   Trace trace;
   for (std::size_t line = 2; !text.empty(); ++line) {
     Figures figures{};
-    if (!parse_figures(take_line(text), figures)) return wrong(line, "this is not five numbers from 0 to 1000000");
+    if (!parse_figures(take_line(text), figures))
+      return wrong(line, {"this is not five numbers from 0 to 1000000", rows});
     const TraceRow row = row_of(figures);
-    if (const std::string_view what = wrong_with(trace, row); !what.empty()) return wrong(line, what);
+    if (const std::optional<Wrong> that = wrong_with(trace, row)) return wrong(line, *that);
     trace.push_back(row);
   }
-  if (trace.size() < 2) return wrong(trace.size() + 1, "a trace has at least two rows; the last one marks the end");
+  if (trace.size() < 2)
+    return Error{.what = "the trace has fewer than two rows",
+                 .where = std::string(where),
+                 .fix = "write at least two rows: the trace ends at the t_s of its last row"};
   return trace;
 }
 

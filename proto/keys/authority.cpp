@@ -33,8 +33,9 @@ Result<void> check_name(const std::string& name) {
 Result<void> check_person(const Authority::Issue& asked) {
   if (Result<void> fine = check_name(asked.name); !fine) return fine;
   if (asked.role != Role::Local) return {};
-  return Error{
-      .what = "there is no key for this role", .where = "--role", .fix = "give technician, doctor, viewer or qa"};
+  return Error{.what = "the role " + std::string(keys::name(asked.role)) + " has no keys",
+               .where = "--role",
+               .fix = "give technician, doctor, viewer or qa"};
 }
 
 /// "DNS:patient.example,IP:10.0.0.1": an entry of digits and dots, or with a colon, is an address.
@@ -42,7 +43,7 @@ Result<std::string> alt_names(std::vector<std::string> hosts) {
   for (const char* own : {"localhost", "127.0.0.1", "::1"})
     if (std::find(hosts.begin(), hosts.end(), own) == hosts.end()) hosts.emplace_back(own);
   if (hosts.size() > kMostHosts)
-    return Error{.what = "more than 13 hosts are given", .where = "--host", .fix = "make a second server key"};
+    return Error{.what = "more than 13 hosts are given", .where = "--host", .fix = "give at most 13"};
   std::string text;
   for (const std::string& host : hosts) {
     if (!is_plain(host, ".-:"))
@@ -106,7 +107,9 @@ Result<Authority> Authority::read(std::string_view file_text, const std::string&
       X509_check_private_key(certificates.front().get(), key.get()) != 1)
     return Error{.what = "this is not the file of an authority, or it is damaged",
                  .where = file,
-                 .fix = "give the folder in which `telepalp-keys authority` wrote authority.key"};
+                 .fix =
+                     "give by --dir the folder in which `telepalp-keys authority` wrote authority.key, or restore that "
+                     "file from a backup"};
   return Authority(std::make_unique<Parts>(Parts{std::move(certificates.front()), std::move(key)}));
 }
 
@@ -167,7 +170,7 @@ Result<std::string> Authority::token(const Issue& asked) const {
   const Result<std::string> token = sign_token(bearer, *parts_->key);
   if (!token) return token.error();
   return "telepalp: a token of " + describe(bearer) + ". It allows: " + permissions(asked.role) +
-         ". Anyone with the next line has this permission.\n" + std::string(kTokenLine) + *token + "\n" + certificate();
+         ". Anyone who has the next line may do this.\n" + std::string(kTokenLine) + *token + "\n" + certificate();
 }
 
 Result<std::string> Authority::revocation_list(const std::map<std::string, WallTime>& revoked, WallTime now) const {

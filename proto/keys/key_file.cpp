@@ -19,7 +19,7 @@ namespace {
 Error not_a_key(const std::string& file) {
   return {.what = "this is not a key file, or it is damaged",
           .where = file,
-          .fix = "give a whole file that telepalp-keys wrote"};
+          .fix = "give a file that telepalp-keys wrote, or copy the damaged file again"};
 }
 
 std::string token_line(std::string_view text) {
@@ -62,7 +62,7 @@ Result<KeyFile> read_certificate_file(X509& certificate, EVP_PKEY& key, X509& au
                .hosts = host_names(certificate)};
   if (read.kind == KeyFile::Kind::Server) return read;
   Result<Identity> identity = identity_of(certificate);
-  if (!identity) return identity.error();
+  if (!identity) return Error{.what = identity.error().what, .where = file, .fix = identity.error().fix};
   read.identity = std::move(identity).value();
   return read;
 }
@@ -122,7 +122,7 @@ Result<std::shared_ptr<const KeyFile>> load_client_key(const std::filesystem::pa
   if (key->kind == KeyFile::Kind::Server)
     return Error{.what = "this is the key of a server, not of a person",
                  .where = file.string(),
-                 .fix = "ask for a key of your own: telepalp-keys client --name NAME --role ROLE"};
+                 .fix = "ask the technician for a key of your own: telepalp-keys client --name NAME --role ROLE"};
   return std::make_shared<const KeyFile>(std::move(key).value());
 }
 
@@ -130,7 +130,7 @@ Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::stri
   if (now < key.identity.expires) return {};
   return Error{.what = "this key expired on " + in_words(key.identity.expires),
                .where = file,
-               .fix = "telepalp-keys renew " + file};
+               .fix = "renew it, or ask the technician to: telepalp-keys renew " + file};
 }
 
 std::string in_words(WallTime time) {

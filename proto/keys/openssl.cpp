@@ -65,14 +65,14 @@ BytesPtr reader_of(std::string_view text) {
 
 std::string to_pem(X509& certificate) {
   const BytesPtr bytes(BIO_new(BIO_s_mem()));
-  demand(PEM_write_bio_X509(bytes.get(), &certificate) == 1, "a certificate can be written");
+  demand(PEM_write_bio_X509(bytes.get(), &certificate) == 1, "OpenSSL writes a certificate as PEM text");
   return text_of(*bytes);
 }
 
 std::string to_pem(EVP_PKEY& key) {
   const BytesPtr bytes(BIO_new(BIO_s_mem()));
   demand(PEM_write_bio_PrivateKey(bytes.get(), &key, nullptr, nullptr, 0, nullptr, nullptr) == 1,
-         "a private key can be written");
+         "OpenSSL writes a private key as PEM text");
   return text_of(*bytes);
 }
 
@@ -117,7 +117,7 @@ Error openssl_error(std::string where) {
   ERR_clear_error();
   return {.what = "OpenSSL failed: " + std::string(text),
           .where = std::move(where),
-          .fix = "check that the key files are whole; `openssl version` must name 3.0 or later"};
+          .fix = "check that `openssl version` names 3.0 or later, and that no key file is cut off"};
 }
 
 }  // namespace telepalp::keys

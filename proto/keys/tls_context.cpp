@@ -63,15 +63,20 @@ Error bad_server(long verdict, const KeyFile& key, const std::string& host) {
     case X509_V_ERR_HOSTNAME_MISMATCH:
     case X509_V_ERR_IP_ADDRESS_MISMATCH:
       return refused("the server's key is not for the host " + host,
-                     "connect to a host that the key names, or make the server's key with --host " + host);
+                     "connect to a host that the server's key names, or ask the technician to make the server's key "
+                     "again with --host " +
+                         host);
     case X509_V_ERR_CERT_HAS_EXPIRED:
-      return refused("the server's key has expired", "renew it at the server: telepalp-keys renew server.key");
+      return refused("the server's key has expired",
+                     "ask the technician to renew it (telepalp-keys renew server.key) and to restart the server");
     case X509_V_ERR_CERT_NOT_YET_VALID:
-      return refused("the server's key is not valid yet", "set the clock of this computer");
+      return refused("the server's key is not valid yet",
+                     "set the clock of this computer; if it is right, ask the technician to make the server's key "
+                     "again, at a computer whose clock is right");
     default:
       return refused("the server's key was not made by the authority " + key.authority_name +
                          ", which made your key (" + X509_verify_cert_error_string(verdict) + ")",
-                     "give a key of this server's authority, or check which server has this address");
+                     "give a key that this server's authority made, or check that this address is the right server's");
   }
 }
 
@@ -90,7 +95,7 @@ std::optional<Error> bad_client(int reason) {
     case SSL_R_SSLV3_ALERT_UNSUPPORTED_CERTIFICATE:
     case SSL_R_SSLV3_ALERT_CERTIFICATE_UNKNOWN:
     case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
-      return refused("the server refuses your key", kAskTechnician);
+      return refused("the server refuses your key as invalid", kAskTechnician);
     default:
       return std::nullopt;
   }
@@ -147,7 +152,7 @@ std::optional<Error> refusal_of(SSL& session, unsigned long code, const KeyFile&
   if (reason == SSL_R_CERTIFICATE_VERIFY_FAILED) return bad_server(SSL_get_verify_result(&session), key, host);
   if (reason == SSL_R_WRONG_VERSION_NUMBER || reason == SSL_R_HTTP_REQUEST || reason == SSL_R_UNSUPPORTED_PROTOCOL)
     return refused("the server does not use TLS, so it cannot check a key",
-                   "start the server with --key; or leave out --key, if the server is on this machine");
+                   "start the server with --key; or leave out --key here, if the server is on this machine");
   return bad_client(reason);
 }
 

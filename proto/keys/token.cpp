@@ -98,7 +98,8 @@ Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key) 
 
 Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, WallTime now) {
   const Error no_token = refused("this is not a token of the server's authority",
-                                 "paste the line after `token:` of a file that telepalp-keys token wrote");
+                                 "paste all that follows `token:` in a file that telepalp-keys token wrote, or ask the "
+                                 "technician for a new token");
   if (token.size() > kMaxTokenBytes || !token.starts_with(kPrefix)) return no_token;
   const std::string_view rest = token.substr(kPrefix.size());
   const std::size_t dot = rest.find('.');
@@ -109,13 +110,16 @@ Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, Wal
   const std::optional<Identity> bearer = bearer_in(*payload);
   if (!bearer) return no_token;
   if (bearer->expires <= now)
-    return refused("the token of " + describe(*bearer) + " has expired", "ask for a new one: telepalp-keys token");
+    return refused("the token of " + describe(*bearer) + " has expired",
+                   "ask the technician for a new one: telepalp-keys token");
   return *bearer;
 }
 
 Result<Identity> read_token(std::string_view token, std::string_view authority_pem, WallTime now) {
   const std::vector<CertificatePtr> authority = certificates_in(authority_pem);
-  if (authority.empty()) return refused("the authority's certificate cannot be read", "make the key again");
+  if (authority.empty())
+    return refused("the authority's certificate in the server's key cannot be read",
+                   "make the server's key again: telepalp-keys server");
   return read_token(token, *X509_get0_pubkey(authority.front().get()), now);
 }
 

@@ -88,7 +88,7 @@ ClientLink::~ClientLink() {
 }
 
 void ClientLink::start() {
-  demand(state_ == LinkState::Stopped, "start() is called on a stopped link only");
+  demand(state_ == LinkState::Stopped, "only a link that is stopped is started");
   connect();
 }
 

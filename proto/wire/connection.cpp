@@ -27,6 +27,12 @@ Error bad_peer(std::string what) {
           .fix = "install the same telepalp at both ends; other programs must follow proto/WIRE.md"};
 }
 
+Error no_publisher(const Topic& topic) {
+  return {.what = "may not publish " + std::string(topic.name),
+          .where = "peer",
+          .fix = "publish only topics that begin with /station/, from a station that holds the touch"};
+}
+
 Error other_version(const std::string& detail) {
   return {.what = "the server is of another version: " + detail,
           .where = {},
@@ -49,7 +55,7 @@ std::uint64_t stamp(Nanoseconds since_epoch) noexcept { return static_cast<std::
 std::uint32_t channel_of(const std::vector<Topic>& publishes, const Topic& topic) {
   const auto found =
       std::find_if(publishes.begin(), publishes.end(), [&](const Topic& t) { return t.name == topic.name; });
-  demand(found != publishes.end(), "only a topic named in Options::publishes is sent");
+  demand(found != publishes.end(), "a program sends only topics that it advertises");
   return static_cast<std::uint32_t>(found - publishes.begin()) + 1;
 }
 
@@ -276,7 +282,7 @@ Result<void> Connection::on_hello(const msg::Hello& peer) {
     return error;
   }
   if (peer.name().size() > kMaxNameBytes || peer.role().size() > kMaxNameBytes || peer.token().size() > kMaxTokenBytes)
-    return bad_peer("has a name longer than 128 B, or a token longer than 512 B");
+    return bad_peer("has a name or a role longer than 128 B, or a token longer than 512 B");
   phase_ = Phase::Open;
   parser_.set_max_payload_bytes(options_.max_payload_bytes);
   watch(kSilenceDeadline, "no message arrived for 5 s");
@@ -289,19 +295,21 @@ Result<void> Connection::on_advertise(const msg::Advertise& advertise) {
   for (const msg::Advertise::Topic& entry : advertise.topics()) {
     const std::optional<Topic> topic = find_topic(entry.name());
     if (topic && topic->schema != entry.schema())
-      return bad_peer("advertises " + std::string(topic->name) + " as another type than " + std::string(topic->schema));
-    if (topic && !owner_->accepts(*topic)) return bad_peer("may not publish " + std::string(topic->name));
+      return bad_peer("advertises " + std::string(topic->name) + " with another message type than " +
+                      std::string(topic->schema));
+    if (topic && !owner_->accepts(*topic)) return no_publisher(*topic);
     if (channels_.size() >= kMaxChannels) return bad_peer("advertises more than 256 channels");
-    if (entry.channel() == 0 || !channels_.try_emplace(entry.channel(), Incoming{topic, 0}).second)
-      return bad_peer("advertises channel " + std::to_string(entry.channel()) + " twice, or channel 0");
+    if (entry.channel() == 0) return bad_peer("advertises channel 0, which belongs to control messages");
+    if (!channels_.try_emplace(entry.channel(), Incoming{topic, 0}).second)
+      return bad_peer("advertises channel " + std::to_string(entry.channel()) + " twice");
   }
   return {};
 }
 
 Result<void> Connection::on_subscription(const msg::Subscribe& subscribe) {
-  if (subscribe.topics_size() > kMaxSubscriptions) return bad_peer("subscribes to more than 64 names");
+  if (subscribe.topics_size() > kMaxSubscriptions) return bad_peer("subscribes to more than 64 topics");
   for (const std::string& name : subscribe.topics())
-    if (name.size() > kMaxNameBytes) return bad_peer("subscribes to a name longer than 128 B");
+    if (name.size() > kMaxNameBytes) return bad_peer("subscribes to a topic whose name is longer than 128 B");
   owner_->on_subscribe({subscribe.topics().begin(), subscribe.topics().end()});
   return {};
 }
@@ -358,7 +366,7 @@ void Connection::deliver(Incoming& channel, Message message) {
 
 void Connection::send(msg::Control control) {
   if (phase_ == Phase::Leaving || phase_ == Phase::Closed) return;
-  if (control_.size() >= kMaxWaitingControl) return finish("sends requests without reading the replies");
+  if (control_.size() >= kMaxWaitingControl) return finish("the peer sends requests without reading the replies");
   control_.push_back(std::move(control));
   write();
 }
@@ -400,7 +408,7 @@ void Connection::write_control(msg::Control control) {
 }
 
 void Connection::write_frame(FrameHeader header, std::shared_ptr<const std::string> payload) {
-  demand(payload->size() <= kMaxPayloadBytes, "a message has at most kMaxPayloadBytes");
+  demand(payload->size() <= kMaxPayloadBytes, "a message is not larger than 8 MiB");
   header.payload_bytes = static_cast<std::uint32_t>(payload->size());
   header_being_written_ = encode_header(header);
   payload_being_written_ = std::move(payload);

@@ -33,7 +33,9 @@ T get(const HeaderBytes& bytes, std::size_t at) noexcept {
 }
 
 Error refused(std::string what) {
-  return {.what = std::move(what), .where = "frame header", .fix = "install the same telepalp at both ends"};
+  return {.what = std::move(what),
+          .where = "header of a wire frame",
+          .fix = "install the same telepalp at both ends; other programs must follow proto/WIRE.md"};
 }
 
 }  // namespace
@@ -66,11 +68,11 @@ Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payl
   const std::size_t most =
       header.kind == FrameKind::Control ? std::min(kMaxControlBytes, max_payload_bytes) : max_payload_bytes;
   if (header.payload_bytes > most)
-    return refused("it declares " + std::to_string(header.payload_bytes) + " B, but at most " + std::to_string(most) +
-                   " B are accepted");
+    return refused("it declares a payload of " + std::to_string(header.payload_bytes) + " B, but at most " +
+                   std::to_string(most) + " B are accepted");
   if ((header.kind == FrameKind::Control) != (header.channel == 0))
     return refused("channel " + std::to_string(header.channel) +
-                   " does not fit its kind: control frames have channel 0, data frames another one");
+                   " does not fit its kind: a control frame has channel 0, a data frame another channel");
   return header;
 }
 

@@ -85,12 +85,13 @@ Result<keys::Identity> Access::who(bool is_sealed, const std::optional<keys::Ide
 
 Result<keys::Identity> Access::bearer(std::string_view token, const std::string& address) {
   const auto now = std::chrono::steady_clock::now();
-  if (!key_) return refused("this server has no keys", "sign in without a token");
+  if (!key_) return refused("this server has no keys, so it checks no token", "open its page without a token");
   if (!back_off_.may_try(address, now))
     return refused("too many wrong tokens came from " + address, "wait a minute, then try again");
   Result<keys::Identity> identity = keys::read_token(token, key_->authority, std::chrono::system_clock::now());
   if (identity && revocations_.contains(identity->serial))
-    identity = refused("the token of " + describe(*identity) + " is revoked", "ask for a new one: telepalp-keys token");
+    identity = refused("the token of " + describe(*identity) + " is revoked",
+                       "ask the technician for a new one: telepalp-keys token");
   if (identity)
     back_off_.succeeded(address);
   else

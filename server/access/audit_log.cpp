@@ -54,7 +54,7 @@ Result<void> put_aside(const fs::path& file, const std::function<void(const std:
                  .where = file.string(),
                  .fix = "move it to another folder, or give another file by --audit"};
   say("the audit log " + file.string() + " was altered or cut off; it is renamed to " + damaged.string() +
-      ", and a new log begins. fix: find the altered line with telepalp-keys audit-verify");
+      ", and a new log begins. fix: find the altered line: telepalp-keys audit-verify " + damaged.string());
   return {};
 }
 
@@ -140,7 +140,8 @@ void AuditLog::note(AuditEvent event, const std::string& text, keys::WallTime no
     return;
   }
   if (++not_written_ == missing_said_ + 1)
-    say_("ALARM: the audit log " + file_.string() + " cannot be written. fix: free space on its disk");
+    say_("ALARM: the audit log " + file_.string() +
+         " cannot be written. fix: free space on its disk, or check the disk");
 }
 
 /// On a full disk a part of the line may have been written. It is removed, so that the next line follows the last whole

@@ -17,7 +17,7 @@ namespace texts = telepalp::foxglove_websocket;
 
 std::string our_json(const google::protobuf::Message& message) {
   std::string json = program::to_json(message);
-  demand(json != "{}", "our own messages can be written as JSON");
+  demand(json != "{}", "a message of this server can be written as JSON");
   return json;
 }
 

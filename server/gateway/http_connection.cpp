@@ -73,7 +73,9 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     HttpRequest nothing;
     nothing.keep_alive(false);
     if (failed == http::error::header_limit || failed == http::error::body_limit)
-      write(refuse(nothing, http::status::payload_too_large, "the request is too large"));
+      write(refuse(nothing, http::status::payload_too_large,
+                   "the request is too large: its header may have " + std::to_string(kMaxHeaderBytes / 1024) +
+                       " KiB, its body " + std::to_string(kMaxBodyBytes / 1024) + " KiB"));
     else if (is_malformed(failed))
       write(refuse(nothing, http::status::bad_request, "this is not an HTTP request"));
     else
@@ -83,8 +85,8 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
   /// Answers a browser that sends plain HTTP to this TLS port.
   void say_https() {
     static constexpr std::string_view kText =
-        "HTTP/1.1 400 Bad Request\r\nContent-Type: text/plain\r\nConnection: close\r\nContent-Length: 44\r\n\r\n"
-        "this port speaks HTTPS: begin with https://\n";
+        "HTTP/1.1 400 Bad Request\r\nContent-Type: text/plain\r\nConnection: close\r\nContent-Length: 56\r\n\r\n"
+        "this port speaks HTTPS: begin the address with https://\n";
     boost::asio::async_write(stream_.socket(), boost::asio::buffer(kText),
                              [self = shared_from_this()](beast::error_code, std::size_t) {
                                beast::error_code ignored;
@@ -109,10 +111,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
   void upgrade(const HttpRequest& request) {
     const RequestPolicy& policy = context()->options.policy;
     const std::string_view host = view(request[http::field::host]);
-    if (!host_is_ours(policy, host))
-      return write(
-          refuse(request, http::status::misdirected_request,
-                 "the Host header is not a name of this server: use its IP address, or a host that its key names"));
+    if (!host_is_ours(policy, host)) return write(refuse(request, http::status::misdirected_request, kNotOurHost));
     if (!origin_is_allowed(policy, view(request[http::field::origin]), host, visit_->is_from_trusted_program()))
       return write(
           refuse(request, http::status::forbidden,

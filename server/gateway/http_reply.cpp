@@ -90,14 +90,12 @@ HttpReply refuse(const HttpRequest& request, http::status status, std::string_vi
 
 HttpReply reply_to(const HttpRequest& request, const StaticFiles& files, const RequestPolicy& policy, SessionTime now) {
   if (!host_is_ours(policy, view(request[http::field::host])))
-    return refuse(request, http::status::misdirected_request,
-                  "this server is not known by the name in the Host header: open it by its IP address, or by a host "
-                  "that its key names");
+    return refuse(request, http::status::misdirected_request, kNotOurHost);
   if (request.method() != http::verb::get && request.method() != http::verb::head)
     return refuse(request, http::status::method_not_allowed, "this address answers only GET and HEAD");
   if (view(request.target()) == kClockTarget) return clock(request, now);
   const StaticFile* const file = files.find(view(request.target()));
-  if (file == nullptr) return refuse(request, http::status::not_found, "there is no such file here");
+  if (file == nullptr) return refuse(request, http::status::not_found, "this server has no file at this address");
 
   return serve(request, *file);
 }

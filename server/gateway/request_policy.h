@@ -17,6 +17,12 @@ struct RequestPolicy {
   std::vector<std::string> allowed_origins;
 };
 
+/// The answer to a request whose Host header is not a name of this server.
+inline constexpr std::string_view kNotOurHost =
+    "this server does not know the name by which it was addressed (Host header): use its IP address, or a host that "
+    "its "
+    "key names";
+
 /// Checks that `origin` has the form that a browser sends: scheme://host or scheme://host:port, in lower case. "*" and
 /// "null" are errors: any web page, or any file, could then read the patient.
 [[nodiscard]] Result<void> check_origin(std::string_view origin);

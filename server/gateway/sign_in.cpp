@@ -47,7 +47,7 @@ HttpReply sign_in_page(const HttpRequest& request, std::string_view problem) {
               "<h1>telepalp</h1>" + why + "<form method=\"post\" action=\"/sign-in" + html_escaped(query) +
                   "\"><label>Token <input name=\"token\" type=\"password\" "
                   "autocomplete=\"off\" autofocus required></label> <button>Sign in</button></form>"
-                  "<p>The token is the line after <code>token:</code> in the file that the technician gave you.</p>");
+                  "<p>The token is all that follows <code>token:</code> in the file that the technician gave you.</p>");
 }
 
 HttpReply sign_out_page(const HttpRequest& request, const std::string& who) {

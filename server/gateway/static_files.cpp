@@ -34,9 +34,10 @@ constexpr std::array kContentTypes{
 };
 
 Error cannot_serve(const fs::path& folder, std::string what) {
-  return {.what = std::move(what),
-          .where = folder.string(),
-          .fix = "name the folder that the telepalp_viewer target builds, the one with index.html in it"};
+  return {
+      .what = std::move(what),
+      .where = folder.string(),
+      .fix = "name by --viewer the folder with the web viewer's index.html, which the target telepalp_viewer builds"};
 }
 
 /// FNV-1a, 64 bits. An ETag must only distinguish builds.
@@ -88,13 +89,13 @@ std::string gzip(const std::string& bytes) {
   constexpr int kMemoryLevel = 8;
   z_stream stream{};
   demand(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzipWindow, kMemoryLevel, Z_DEFAULT_STRATEGY) == Z_OK,
-         "zlib compresses with these settings");
+         "zlib accepts its settings");
   std::string out(deflateBound(&stream, bytes.size()), '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib reads it only
   stream.avail_in = static_cast<uInt>(bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(out.data());
   stream.avail_out = static_cast<uInt>(out.size());
-  demand(deflate(&stream, Z_FINISH) == Z_STREAM_END, "deflateBound() gave room for all of it");
+  demand(deflate(&stream, Z_FINISH) == Z_STREAM_END, "zlib compresses a whole file into its buffer");
   out.resize(stream.total_out);
   deflateEnd(&stream);
   return out;

@@ -22,7 +22,10 @@ Result<void> ViewerCommands::advertise(const foxglove::Request::Channel& channel
   if (channel.encoding != "protobuf")
     return refused("encoding '" + channel.encoding.substr(0, 64) + "' is not supported");
   if (channels_.size() >= kMaxChannels && !channels_.contains(channel.id))
-    return refused("more than 8 channels are advertised");
+    return Error{.what = "this viewer has advertised " + std::to_string(kMaxChannels) +
+                         " channels already, as many as it may have",
+                 .where = "client's message",
+                 .fix = "publish on the channel that was advertised first"};
   channels_.insert(channel.id);
   return {};
 }
@@ -54,7 +57,7 @@ Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes
   if (!channels_.contains(data->channel))
     return refused("channel " + std::to_string(data->channel) + " was not advertised");
   std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(data->payload);
-  if (!hand) return refused("the message has no hand within 10 m of the camera");
+  if (!hand) return refused("the message is not a ViewerHand, or its hand is more than 10 m from the camera");
   if (last_ && now >= *last_ && now - *last_ < kShortestPeriod) return std::optional<wire::Message>();
   last_ = now;
   hand->set_viewer(viewer);

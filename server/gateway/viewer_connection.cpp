@@ -8,9 +8,11 @@
 #include <sstream>
 #include <utility>
 
+#include "server/access/audit_text.h"
 #include "server/gateway/foxglove/playback_control.h"
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/viewer_commands.h"
+#include "server/gateway/visit.h"
 
 namespace telepalp::gateway {
 namespace {
@@ -138,8 +140,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void move_playback(const std::string& bytes) {
     const foxglove::PlaybackPort& port = context()->options.playback_port;
-    if (!port) return warn("this server plays no session");
-    if (!controls_playback_) return warn("only technicians and QA may play, pause or seek a session");
+    if (!port) return warn(std::string(kNoSession));
+    if (!controls_playback_) return warn(std::string(kOnlyForPlayers));
     const msg::PlaybackState before = port.state();
     const Result<foxglove::PlaybackRequest> request = foxglove::read_playback_request(bytes, before);
     if (!request) return warn(to_string(request.error()));
@@ -156,13 +158,15 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   /// Whether this viewer may hold the hand. The first attempt of one that may not is written to the audit log.
   bool may_touch() {
-    const bool may = visitor_ && context()->options.access->may(visitor_->who, keys::Operation::Touch).ok();
+    const Result<void> may = visitor_ ? context()->options.access->may(visitor_->who, keys::Operation::Touch)
+                                      : Error{.what = "nobody is signed in", .where = {}, .fix = {}};
     if (!may && !std::exchange(denied_, true)) {
       const std::string who = visitor_ ? describe(visitor_->who) : "stranger";
-      context()->options.access->note(access::AuditEvent::Refused, "who=" + who + " program=browser why=may not touch");
-      warn("the role of " + who + " lacks the right 'touch'. fix: sign in with a doctor's token");
+      context()->options.access->note(access::AuditEvent::Refused,
+                                      "who=" + who + " program=browser why=" + access::audit_text(may.error().what));
+      warn(may.error().what + ". fix: sign in with a doctor's token");
     }
-    return may;
+    return may.ok();
   }
 
   void publish(const std::string& bytes) {
@@ -214,10 +218,13 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void subscribe(const foxglove::Request::Subscription& wanted) {
     const std::optional<wire::Topic> topic = foxglove::topic_of_channel(wanted.channel);
-    if (!topic) return warn("there is no channel " + std::to_string(wanted.channel));
-    if (subscriptions_.size() >= kMaxSubscriptions) return warn("the viewer has too many subscriptions");
+    if (!topic)
+      return warn("there is no channel " + std::to_string(wanted.channel) + ": subscribe to an advertised one");
+    if (subscriptions_.size() >= kMaxSubscriptions)
+      return warn("this viewer has " + std::to_string(kMaxSubscriptions) +
+                  " subscriptions already, as many as it may have");
     if (!subscriptions_.emplace(wanted.id, topic->name).second)
-      warn("subscription " + std::to_string(wanted.id) + " is in use: choose another id");
+      warn("the subscription id " + std::to_string(wanted.id) + " is in use: choose another id");
   }
 
   void warn(const std::string& text) { say(foxglove::status(foxglove::Level::Warning, text)); }

@@ -32,9 +32,8 @@ bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
   return host_is_ours(policy, host) && view(request[http::field::origin]) == "https://" + std::string(host);
 }
 
-constexpr std::string_view kNotOurName =
-    "the Host header is not a name of this server: use its IP address, or a host that its key names";
-constexpr std::string_view kNoSession = "no session is played here. fix: telepalp-server --source session:FILE.mcap";
+constexpr std::string_view kSignInFirst =
+    "sign in first: open this server's page, or send the header Authorization: Bearer TOKEN";
 
 HttpReply json_reply(const HttpRequest& request, const std::string& json) {
   HttpReply reply = refuse(request, http::status::ok, json);
@@ -46,7 +45,8 @@ HttpReply json_reply(const HttpRequest& request, const std::string& json) {
 HttpReply answer_state(const HttpRequest& request, const JsonResource& resource, const std::string& who) {
   if (request.method() == http::verb::get) return json_reply(request, resource.state());
   if (request.method() != http::verb::post)
-    return refuse(request, http::status::method_not_allowed, "GET the state, or POST a command");
+    return refuse(request, http::status::method_not_allowed,
+                  "this address answers only GET (the state) and POST (a command)");
   const Result<std::string> after = resource.change(request.body(), who);
   return after ? json_reply(request, *after) : refuse(request, http::status::bad_request, to_string(after.error()));
 }
@@ -92,7 +92,7 @@ std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
   if (target == kSignInTarget && request.method() == http::verb::post) return sign_in(request);
   if (!may(keys::Operation::Watch)) {
     if (target == "/" || target == kSignInTarget) return sign_in_page(request, problem_);
-    return refuse(request, http::status::unauthorized, "sign in first");
+    return refuse(request, http::status::unauthorized, kSignInFirst);
   }
   if (target == kSignInTarget) return go_to(request, page_asked(view(request.target())), visitor_->cookie);
   if (target != kSignOutTarget) return std::nullopt;
@@ -124,9 +124,9 @@ HttpReply Visit::sign_out(const HttpRequest& request) {
 HttpReply Visit::metrics(const HttpRequest& request) const {
   if (!may(keys::Operation::Metrics))
     return refuse(request, visitor_ ? http::status::forbidden : http::status::unauthorized,
-                  "metrics need a token of a technician or of QA: Authorization: Bearer TOKEN");
+                  "metrics need a token of a technician or of QA: send the header Authorization: Bearer TOKEN");
   if (!host_is_ours(context_.options.policy, view(request[http::field::host])))
-    return refuse(request, http::status::misdirected_request, kNotOurName);
+    return refuse(request, http::status::misdirected_request, kNotOurHost);
   const std::string text =
       metrics_text(context_.hub, context_.options.access->counts(),
                    context_.options.datagrams ? context_.options.datagrams() : hub::DatagramCounts{},
@@ -138,8 +138,8 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
 
 std::optional<HttpReply> Visit::refusal_to_watch(const HttpRequest& request) const {
   if (!host_is_ours(context_.options.policy, view(request[http::field::host])))
-    return refuse(request, http::status::misdirected_request, kNotOurName);
-  if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, "sign in first");
+    return refuse(request, http::status::misdirected_request, kNotOurHost);
+  if (!may(keys::Operation::Watch)) return refuse(request, http::status::unauthorized, kSignInFirst);
   return std::nullopt;
 }
 
@@ -157,12 +157,12 @@ std::optional<HttpReply> Visit::refusal_to_command(const HttpRequest& request, c
 
 /// Moving, impairing or noting on the session changes what all viewers see: it is for technicians and QA.
 HttpReply Visit::played(const HttpRequest& request, const JsonResource& part) const {
-  constexpr CommandRight kChange{
-      .operation = keys::Operation::Play,
-      .people = "only technicians and QA may change a played session",
-      .pages =
-          "this web page is from another site, which may not change the session. fix: allow the page's scheme and "
-          "host: telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"};
+  constexpr CommandRight kChange{.operation = keys::Operation::Play,
+                                 .people = kOnlyForPlayers,
+                                 .pages =
+                                     "this web page is from another site, which may not control a played session. fix: "
+                                     "allow the page's scheme and "
+                                     "host: telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"};
   if (std::optional<HttpReply> refusal = refusal_to_command(request, kChange)) return std::move(*refusal);
   if (!part.state) return refuse(request, http::status::not_found, kNoSession);
   return answer_state(request, part, describe(visitor_->who));
@@ -171,7 +171,7 @@ HttpReply Visit::played(const HttpRequest& request, const JsonResource& part) co
 HttpReply Visit::session_events(const HttpRequest& request) const {
   if (std::optional<HttpReply> refusal = refusal_to_watch(request)) return std::move(*refusal);
   if (request.method() != http::verb::get)
-    return refuse(request, http::status::method_not_allowed, "only GET is answered here");
+    return refuse(request, http::status::method_not_allowed, "this address answers only GET");
   const GatewayOptions& options = context_.options;
   if (!options.session_events) return refuse(request, http::status::not_found, kNoSession);
   return json_reply(request, options.session_events());
@@ -180,7 +180,7 @@ HttpReply Visit::session_events(const HttpRequest& request) const {
 HttpReply Visit::recording(const HttpRequest& request) const {
   constexpr CommandRight kRecord{
       .operation = keys::Operation::Record,
-      .people = "recording is for doctors, technicians and QA",
+      .people = "only doctors, technicians and QA may record",
       .pages =
           "this web page is from another site, which may not record. fix: allow the page's scheme and host: "
           "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"};

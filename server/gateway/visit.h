@@ -3,11 +3,17 @@
 #include <boost/asio/ip/address.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "server/gateway/gateway.h"
 #include "server/gateway/http_reply.h"
 
 namespace telepalp::gateway {
+
+/// Answers to a command for a played session, over HTTP and in the stream.
+inline constexpr std::string_view kNoSession =
+    "this server plays no session. fix: telepalp-server --source session:FILE.mcap";
+inline constexpr std::string_view kOnlyForPlayers = "only technicians and QA may control a played session";
 
 /// Path of session playback: GET returns its state; POST carries out a command, such as a seek or a pause.
 inline constexpr std::string_view kPlaybackTarget = "/playback";
@@ -36,7 +42,7 @@ struct Visitor {
 /// The permission that a command by POST needs, and the replies to clients that may not send it.
 struct CommandRight {
   keys::Operation operation;
-  std::string_view people;  ///< reply to a visitor without the right: "recording is for doctors, technicians and QA"
+  std::string_view people;  ///< "only … may …": reply to a visitor without the right
   std::string_view pages;   ///< reply to a page of a foreign origin
 };
 

@@ -54,9 +54,11 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   /// Ends the connection when its key has expired or been revoked meanwhile.
   void check_key() {
     if (!who_ || access().still_holds(*who_)) return;
-    deny({.what = "the key of " + describe(*who_) + " has expired or is revoked",
+    const bool expired = who_->expires <= std::chrono::system_clock::now();
+    deny({.what = "the key of " + describe(*who_) + (expired ? " has expired" : " is revoked"),
           .where = {},
-          .fix = "ask the technician for a new one: telepalp-keys renew"});
+          .fix = expired ? "ask the technician to renew it: telepalp-keys renew FILE"
+                         : "ask the technician for a key: telepalp-keys client --name NAME --role ROLE"});
   }
 
   [[nodiscard]] bool references_arrive() const noexcept { return !datagrams_ || datagrams_->references_arrive(); }

@@ -87,7 +87,7 @@ error_code PeerListener::open(const tcp::endpoint& endpoint) {
     if (failed = datagrams_->open({endpoint.address(), port_}); !failed) return {};
     if (endpoint.port() == 0 && attempt + 1 < kAttempts) continue;
     note("UDP port " + std::to_string(port_) + " cannot be opened (" + failed.message() +
-         "): images go over TCP alone");
+         "): images go over TCP alone. fix: stop what uses this UDP port, or give another --port");
     return {};
   }
   return {};
@@ -128,7 +128,7 @@ void PeerListener::accept() {
 /// Called at the first failure to accept after a success, not at the failures that follow it.
 void PeerListener::note_pause(const error_code& why) {
   const std::string text =
-      "no connection can be accepted (" + why.message() + "): accepting pauses, and the server tries again";
+      "no connection can be accepted (" + why.message() + "): accepting pauses, and the server tries again every 0.1 s";
   options_.access->note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(text));
   note_refusal(text);
 }
@@ -189,7 +189,7 @@ void PeerListener::let_idle_go_every_second() {
     peer->check_key();
     if (!peer->is_idle(now)) continue;
     ++counts_.let_go_idle;
-    peer->close("it subscribed to no topic and published nothing, so its place is freed for others");
+    peer->close("this client subscribed to no topic and published nothing, so the server frees its place for others");
   }
   second_.expires_after(std::chrono::seconds(1));
   second_.async_wait([this](const error_code& stopped) {
@@ -208,8 +208,8 @@ void PeerListener::audit_refused_datagrams(std::chrono::steady_clock::time_point
   audited_ = counts;
   options_.access->note(access::AuditEvent::Refused,
                         "who=stranger why=" + access::audit_text("datagrams were refused: " + std::to_string(strange) +
-                                                                 " of an unknown session, " + std::to_string(forged) +
-                                                                 " malformed or forged"));
+                                                                 " with an unknown session number, " +
+                                                                 std::to_string(forged) + " malformed or forged"));
 }
 
 /// Logs the first refusal at once and then at most one line in five seconds, so that many refusals do not fill the log.
@@ -221,7 +221,8 @@ void PeerListener::note_refusal(const std::string& text) {
   refusal_noted_ = now;
   const std::uint64_t unsaid = counts_.refused - refused_when_noted_ - 1;
   refused_when_noted_ = counts_.refused;
-  note(text + (unsaid == 0 ? "" : " (and " + std::to_string(unsaid) + " other refusals since the last such line)"));
+  note(text +
+       (unsaid == 0 ? "" : " (and " + std::to_string(unsaid) + " other refusals since the last logged refusal)"));
 }
 
 void PeerListener::note(const std::string& text) const {

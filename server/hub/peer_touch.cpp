@@ -66,7 +66,7 @@ msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to)
     return refuse("the last offer was made just now. fix: wait a second");
   if (!access_.touch().offer(peer_, to, now))
     return refuse("this station does not hold the touch. fix: " +
-                  std::string(holds_ ? "start it again" : "wait until it does"));
+                  std::string(holds_ ? "start this station again" : "wait until this station holds the touch"));
   offered_at_ = now;
   return answer(to, true, offered(to));
 }
@@ -75,7 +75,7 @@ std::string PeerTouch::offered(const std::string& to) {
   note(access::AuditEvent::OfferedTouch, to.empty() ? " to=nobody" : " to=" + access::audit_text(to));
   if (to.empty()) return "the offer is withdrawn: you keep the touch";
   return "offered to doctor " + to + " for " + std::to_string(access::TouchLease::kOffer.count()) +
-         " s: you keep the touch until it is accepted";
+         " s: you keep the touch until that doctor accepts it";
 }
 
 std::string PeerTouch::is_held(const keys::Identity& who) const {

@@ -38,7 +38,7 @@ struct PlaceLimits {
                           : kind == PlaceKind::Recorder ? "recorders"
                                                         : "viewers";
   return "the server is full: all " + std::to_string(places) + " places for " + who +
-         " are taken. fix: end one of them, then connect again";
+         " are taken. fix: stop one of these programs, then connect again";
 }
 
 /// Time limits after which a peer that neither receives nor publishes is disconnected.

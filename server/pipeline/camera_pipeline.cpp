@@ -33,8 +33,9 @@ bool CameraPipeline::step() {
 
 void CameraPipeline::publish_frame(const RgbdFrame& frame) {
   ++frames_;
-  refused_ =
-      is_well_formed(frame) ? "" : "a frame's sizes or intrinsics contradict each other, so the frame is not sent";
+  refused_ = is_well_formed(frame) ? ""
+                                   : "the image sizes or intrinsics of a frame contradict each other, so the frame is "
+                                     "not sent. fix: check the camera and its driver, or the recording";
   if (!refused_.empty()) return;
   color_registered_ = frame.camera.color_registered;
   publish_calibration_when_due(frame);
@@ -104,8 +105,8 @@ bool CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Pro
   message.key_frame = key_frame;
   if (message.payload->size() <= wire::kMaxPayloadBytes) return handlers_.publish(std::move(message));
   refused_ = std::string(topic.name) + " needs " + std::to_string(message.payload->size()) + " B, more than the " +
-             std::to_string(wire::kMaxPayloadBytes) +
-             " B of a message. fix: lower --jpeg-quality, or use smaller images";
+             std::to_string(wire::kMaxPayloadBytes) + " B of a message. fix: use smaller images" +
+             (topic.name == wire::kCameraColor.name ? ", or lower --jpeg-quality" : "");
   return false;
 }
 

@@ -30,7 +30,7 @@ Result<DepthErrorBound> read_depth_bound(const std::string& text, std::string_vi
                  .fix = "give LEAST,PER_M2: an error of max(LEAST, PER_M2 z²) mm is allowed at a depth of z m, as in " +
                         option_name(option) + " 1,2.85"};
   };
-  if (comma == std::string::npos) return refused("is not two numbers with a comma between");
+  if (comma == std::string::npos) return refused("is not two numbers with a comma between them");
   const std::optional<double> least_mm = read_mm(std::string_view(text).substr(0, comma), kMostLeast_mm);
   const std::optional<double> per_m2_mm = read_mm(std::string_view(text).substr(comma + 1), kMostPerM2_mm);
   if (!least_mm) return refused("does not begin with a number from 0 to 100");
@@ -53,7 +53,7 @@ Result<codec::DepthStreamSettings> read_depth_settings(const program::Arguments&
   if (*mode != codec::DepthMode::Bounded)
     return Error{.what = "the mode " + text + " is lossless and takes no bound",
                  .where = option_name(names.bound),
-                 .fix = "leave it out, or give " + option_name(names.mode) + " bounded"};
+                 .fix = "leave " + option_name(names.bound) + " out, or give " + option_name(names.mode) + " bounded"};
   const Result<DepthErrorBound> bound = read_depth_bound(arguments.text(names.bound), names.bound);
   if (!bound) return bound.error();
   settings.bound = *bound;

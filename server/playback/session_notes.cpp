@@ -14,7 +14,9 @@ namespace {
 
 constexpr const char* kExample = "send JSON such as {\"at_s\": 12.5, \"text\": \"rebound here\"} or {\"remove\": 3}";
 
-Error wrong(std::string what) { return {.what = std::move(what), .where = "playback/notes", .fix = kExample}; }
+Error wrong(std::string what, std::string fix) {
+  return {.what = std::move(what), .where = "playback/notes", .fix = std::move(fix)};
+}
 
 std::string utc(std::chrono::system_clock::time_point at) {
   const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
@@ -52,15 +54,20 @@ SessionNotes::SessionNotes(std::filesystem::path file, double duration_s, msg::S
     : file_(std::move(file)), duration_s_(duration_s), notes_(std::move(notes)) {}
 
 Result<void> SessionNotes::check(const msg::NoteCommand& command) const {
-  if (command.has_remove() && !place_of(notes_, command.remove())) return wrong("no note has this number");
-  if (command.has_at_s() != command.has_text()) return wrong("a note needs both at_s and text");
+  if (command.has_remove() && !place_of(notes_, command.remove()))
+    return wrong("no note has the number " + std::to_string(command.remove()),
+                 "send a number that GET /playback/notes lists");
+  if (command.has_at_s() != command.has_text()) return wrong("a note needs both at_s and text", kExample);
   if (!command.has_at_s()) return {};
   if (!(command.at_s() >= 0.0 && command.at_s() <= duration_s_))
-    return wrong("at_s is not from 0 to the session's end, " + std::to_string(duration_s_) + " s");
+    return wrong("at_s is not from 0 to the session's end, " + std::to_string(duration_s_) + " s",
+                 "send a time in the session");
   if (command.text().empty() || command.text().size() > kMostText_B)
-    return wrong("text is not from 1 to 500 bytes long");
-  if (!is_one_line(command.text())) return wrong("text is not one line");
-  if (notes_.notes_size() >= wire::kMostNotes) return wrong("the session has 1000 notes, as many as it may have");
+    return wrong("text is not from 1 to 500 bytes long", "send a text of this length");
+  if (!is_one_line(command.text()))
+    return wrong("text has a line break or another control character", "send one line of text");
+  if (notes_.notes_size() >= wire::kMostNotes)
+    return wrong("the session has 1000 notes, as many as it may have", "remove a note first");
   return {};
 }
 
@@ -84,7 +91,9 @@ Result<std::string> SessionNotes::apply(const std::string& json, const std::stri
     insert(changed, std::move(note));
   }
   const std::string text = program::to_json(changed);
-  if (text == "{}") return wrong("the writer's name is not UTF-8");  // such a file would have lost all notes
+  if (text == "{}")
+    return wrong("the name of the note's writer is not UTF-8 text",
+                 "sign in with a key whose name is UTF-8 text");  // such a file would have lost all notes
   const Result<void> written = program::write_whole_file(file_, text, program::Readers::Group);
   if (!written) return written.error();
   notes_ = std::move(changed);

@@ -16,7 +16,7 @@ const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic)
         foxglove::SceneUpdate::descriptor(), foxglove::PoseInFrame::descriptor(),
         foxglove::CompressedImage::descriptor()})
     if (type->full_name() == topic.schema) return type;
-  demand(false, "the message type of each topic in kViewTopics is listed");
+  demand(false, "the message type of each view for Foxglove is listed in this file");
   return nullptr;
 }
 

@@ -139,7 +139,7 @@ test('bad input 23: a viewer that sends a haptic command is denied', async () =>
     {id: 1, topic: '/viewer/hand', encoding: 'protobuf', schemaName: 'telepalp.msg.ViewerHand'}]}))));
   open.socket.write(frame(2, Buffer.from([1, 1, 0, 0, 0])));
   await until('it is told so', () => open.bytes.includes("lacks the right 'touch'"));
-  assert.match(audit(), /event=refused who=viewer vera program=browser why=may not touch/);
+  assert.match(audit(), /event=refused who=viewer vera program=browser why="the role viewer of vera lacks the right 'touch'"/);
   open.socket.destroy();
 });
 

@@ -182,10 +182,10 @@ test('a refused command and a server that does not answer are explained on the p
   const {page} = browser;
   const problem = page.locator('#timeline-problem');
   await page.route('**/playback', (route) => (route.request().method() === 'POST'
-    ? route.fulfill({status: 403, body: 'only technicians and QA may play, pause or seek a session'}) : route.continue()));
+    ? route.fulfill({status: 403, body: 'only technicians and QA may control a played session'}) : route.continue()));
   await page.locator('#timeline-step').click();
   await until('the refusal is shown', async () => (await problem.textContent()) ===
-    'The server refused: only technicians and QA may play, pause or seek a session.');
+    'The server refused: only technicians and QA may control a played session.');
   await page.unroute('**/playback');
   played.child.kill('SIGTERM');
   await until('the end of the server is shown', async () => /does not answer/.test(await problem.textContent()), 20_000);

@@ -177,13 +177,14 @@ TEST(FrameHeader, EachFieldThatVersionOneDoesNotKnowIsRefusedByName) {
   EXPECT_EQ(with(5, 3), "its kind 3 is unknown");
   EXPECT_EQ(with(6, 1), "it sets flags that version 1 does not have");
   EXPECT_EQ(with(7, 128), "it sets flags that version 1 does not have");
-  EXPECT_EQ(with(5, 1), "channel 3 does not fit its kind: control frames have channel 0, data frames another one");
-  EXPECT_EQ(with(24, 0), "channel 0 does not fit its kind: control frames have channel 0, data frames another one");
+  EXPECT_EQ(with(5, 1), "channel 3 does not fit its kind: a control frame has channel 0, a data frame another channel");
+  EXPECT_EQ(with(24, 0),
+            "channel 0 does not fit its kind: a control frame has channel 0, a data frame another channel");
 }
 
 TEST(FrameHeader, ControlIsHeldToItsOwnSmallerLimit) {
   const HeaderBytes header = encode_header({.payload_bytes = kMaxControlBytes + 1, .kind = FrameKind::Control});
-  EXPECT_EQ(refusal(header), "it declares 16385 B, but at most 16384 B are accepted");
+  EXPECT_EQ(refusal(header), "it declares a payload of 16385 B, but at most 16384 B are accepted");
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(HostilePeer, APayloadBeyondWhatAStationMaySendIsRefused) {
       answer_to(
           control_frame(hello()) +
           frame_bytes({.payload_bytes = hub::kMaxUpstreamBytes + 1, .kind = wire::FrameKind::Data, .channel = 1}, "")),
-      "it declares 1048577 B, but at most 1048576 B are accepted");
+      "it declares a payload of 1048577 B, but at most 1048576 B are accepted");
 }
 
 TEST(HostilePeer, GarbageIsRefused) {
@@ -149,7 +149,7 @@ TEST(HostilePeer, NobodyButTheServerPublishesTheCamera) {
 
 TEST(HostilePeer, AWellKnownTopicOfAnotherTypeIsRefused) {
   expect_says(answer_to(control_frame(hello()) + control_frame(advertisement(1, "/station/state", "evil.Type"))),
-              "as another type than telepalp.msg.StationState");
+              "with another message type than telepalp.msg.StationState");
 }
 
 TEST(HostilePeer, AdvertisingWithoutEndIsRefused) {

@@ -32,7 +32,9 @@ Result<std::string> verify_audit(const Asked& asked) {
         log.eof()
             ? Error{.what = "the last line is cut off: the server was ended while it wrote, or bytes were removed",
                     .where = "line " + std::to_string(verifier.position().lines + 1),
-                    .fix = "compare with a copy of the log; the lines before it are unaltered"}
+                    .fix =
+                        "compare with a copy of the log from an earlier day; the lines that stand before this one are "
+                        "unaltered"}
             : verifier.add(line);
     if (!follows)
       return Error{

@@ -18,7 +18,7 @@ constexpr std::size_t kMostKept = 32;  ///< started frames that are kept for rep
 
 std::optional<std::uint32_t> FrameSender::offer(Frame frame) {
   demand(frame.channel < kMostChannels && !frame.bytes.empty() && frame.bytes.size() <= kMostFrameBytes - kStampBytes,
-         "a frame has a channel, bytes, and a bounded size");
+         "a frame names a channel that exists, is not empty, and is not larger than a frame may be");
   const auto [place, is_new] = waiting_.try_emplace(frame.channel);
   const std::optional<std::uint32_t> replaced = is_new ? std::nullopt : std::optional(place->second.number);
   if (replaced) ++statistics_.replaced;

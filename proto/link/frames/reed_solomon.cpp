@@ -50,7 +50,7 @@ void restore_data_shards(std::span<std::byte* const> data, std::span<const std::
                          std::size_t shard_bytes, std::span<const RepairShard> repairs) {
   const std::size_t unknowns = missing.size();
   if (unknowns == 0) return;
-  demand(repairs.size() >= unknowns, "there are as many repair shards as missing ones");
+  demand(repairs.size() >= unknowns, "there are at least as many repair shards as missing data shards");
   const std::size_t k = data.size();
 
   // Each repair shard minus what the known data shards contribute; only the unknowns remain.
@@ -74,7 +74,7 @@ void restore_data_shards(std::span<std::byte* const> data, std::span<const std::
     for (const std::uint8_t column : missing) square.push_back(coefficient(k, repairs[i].row, column));
   Bytes inverse(square.size());
   demand(gf_invert_matrix(square.data(), inverse.data(), static_cast<int>(unknowns)) == 0,
-         "a Cauchy matrix is invertible");
+         "the Cauchy matrix of the missing shards is invertible");
   std::vector<unsigned char*> restored;
   for (const std::uint8_t shard : missing) restored.push_back(bytes(data[shard]));
   multiply(shard_bytes, inverse, remainder_at, restored);

@@ -28,7 +28,7 @@ Secret expand(const Secret& secret, std::string_view label) {
   const unsigned char* done = HMAC(EVP_sha256(), secret.bytes().data(), static_cast<int>(secret.bytes().size()),
                                    reinterpret_cast<const unsigned char*>(info.data()), info.size(),
                                    reinterpret_cast<unsigned char*>(out.data()), &size);
-  demand(done != nullptr && size == out.size(), "HMAC-SHA256 has 32 bytes");
+  demand(done != nullptr && size == out.size(), "OpenSSL computes an HMAC-SHA256 of 32 bytes");
   const Secret expanded(out);
   OPENSSL_cleanse(out.data(), out.size());
   return expanded;

@@ -31,7 +31,7 @@ bool Sealer::change_key() {
 }
 
 std::optional<std::uint64_t> Sealer::seal(std::span<const std::byte> payload, Datagram& out) {
-  demand(payload.size() <= kPayloadBytes, "a payload fits in a datagram");
+  demand(payload.size() <= kPayloadBytes, "the payload of a sealed datagram is not larger than its limit");
   if (sealed_in_epoch_ >= settings_.packets_per_epoch && !change_key()) return std::nullopt;
   ++sealed_in_epoch_;
   const HeaderBytes header(out.storage.data(), kHeaderBytes);

@@ -32,7 +32,7 @@ std::string fields_that_differ(const Message& a, const Message& b) {
   const std::unique_ptr<google::protobuf::Message> left(prototype->New());
   const std::unique_ptr<google::protobuf::Message> right(prototype->New());
   if (!left->ParseFromString(*a.payload) || !right->ParseFromString(*b.payload))
-    return "one of the two messages is damaged\n";
+    return "the message cannot be parsed in one of the files, so that its fields are not compared\n";
   std::string fields;
   google::protobuf::util::MessageDifferencer differencer;
   differencer.ReportDifferencesToString(&fields);
@@ -44,11 +44,11 @@ std::string fields_that_differ(const Message& a, const Message& b) {
 std::string describe(std::uint64_t number, const Message& a, const Message& b) {
   const std::string which = "message " + std::to_string(number);
   if (a.topic.name != b.topic.name)
-    return which + ": " + std::string(a.topic.name) + " at " + at_s(a) + " in the first, " + std::string(b.topic.name) +
-           " at " + at_s(b) + " in the second\n";
+    return which + ": " + std::string(a.topic.name) + " at " + at_s(a) + " in the first file, " +
+           std::string(b.topic.name) + " at " + at_s(b) + " in the second file\n";
   if (a.published != b.published)
-    return which + ", " + std::string(a.topic.name) + ": at " + at_s(a) + " in the first, at " + at_s(b) +
-           " in the second\n";
+    return which + ", " + std::string(a.topic.name) + ": at " + at_s(a) + " in the first file, at " + at_s(b) +
+           " in the second file\n";
   return which + ", " + std::string(a.topic.name) + " at " + at_s(a) + ":\n" + fields_that_differ(a, b);
 }
 
@@ -70,8 +70,9 @@ Result<std::optional<std::string>> first_difference(const std::filesystem::path&
     if (!right) return right.error();
     if (!*left && !*right) return std::optional<std::string>{};
     if (!*left || !*right)
-      return std::optional("the " + std::string(*left ? "second" : "first") + " ends after " +
-                           std::to_string(number - 1) + " messages, and the other has more\n");
+      return std::optional("the " + std::string(*left ? "second" : "first") + " file ends after " +
+                           std::to_string(number - 1) + " messages; the " + (*left ? "first" : "second") +
+                           " file has more\n");
     if (!equal(**left, **right)) return std::optional(describe(number, **left, **right));
   }
 }

@@ -39,12 +39,15 @@ Result<msg::SessionNotes> read_notes(const std::filesystem::path& session) {
     return unreadable(file, "this is not a file of notes: it is not a regular file, or larger than 4 MiB");
   std::ifstream in(file, std::ios::binary);
   const std::string json{std::istreambuf_iterator<char>(in), {}};
-  if (!in) return unreadable(file, "the notes cannot be read");
+  if (!in)
+    return Error{.what = "the notes cannot be read",
+                 .where = file.string(),
+                 .fix = "let this program's user read the file, or move it away"};
   if (const auto parsed = google::protobuf::util::JsonStringToMessage(json, &notes); !parsed.ok())
     return unreadable(file, "the JSON cannot be read: " + std::string(parsed.message()));
-  if (notes.notes_size() > kMostNotes) return unreadable(file, "it has more than 1000 notes");
+  if (notes.notes_size() > kMostNotes) return unreadable(file, "the file has more than 1000 notes");
   if (!std::all_of(notes.notes().begin(), notes.notes().end(), has_a_time))
-    return unreadable(file, "the at_s of a note is not a time from 0 s on");
+    return unreadable(file, "a note's at_s is not a number of seconds from 0 on");
   return notes;
 }
 

@@ -89,7 +89,7 @@ Result<void> McapReader::read_record(std::uint64_t offset, std::uint64_t length,
   const Result<mcap::RecordHead> head = mcap::read_head(*source_, offset, offset + length);
   if (!head) return head.error();
   if (head->opcode != opcode || head->end() != offset + length)
-    return mcap::damaged(*source_, "its index does not point at a chunk", offset);
+    return mcap::damaged(*source_, "its index is damaged: another record lies here than the index states", offset);
   return mcap::read_content(*source_, *head, into);
 }
 
@@ -115,7 +115,7 @@ Result<void> McapReader::open_chunk(std::size_t chunk) {
   const auto record = mcap::parse<mcap::ChunkRecord>(content);
   if (!record) return in_chunk(chunk, "its header is damaged");
   if (open_bytes_ + record->uncompressed_size > kMaxOpenBytes)
-    return in_chunk(chunk, "overlaps in time with too many other chunks to be sorted");
+    return in_chunk(chunk, "more chunks than fit in 256 MiB overlap in time with this one");
   Result<std::string> records = mcap::unpack(*record);
   if (!records) return in_chunk(chunk, records.error());
 
@@ -132,7 +132,7 @@ Result<void> McapReader::open_chunk(std::size_t chunk) {
     }
     const auto message = mcap::parse<MessageRecord>((*entry)->content);
     if (!message || summary_.channels.find(message->channel_id) == nullptr)
-      return in_chunk(chunk, "a message is damaged, or its channel is not known");
+      return in_chunk(chunk, "a message is damaged, or the file does not define its channel");
     if (message->log_time < index.message_start_time || message->log_time > index.message_end_time)
       return in_chunk(chunk, "a message lies outside the time span that the index states");
     if (channels_.contains(message->channel_id) && message->log_time >= from_ && message->log_time <= last_)

@@ -113,7 +113,8 @@ Result<std::vector<ImagePair>> order_images(const std::vector<fs::path>& files, 
   for (const Image& image : depth) {
     const auto color = color_of.find(image.key);
     if (!color_of.empty() && color == color_of.end())
-      return bad(where, image.file.string() + " has no colour image beside it", "add it, or remove all colour images");
+      return bad(where, image.file.string() + " has no colour image of the same name",
+                 "add the colour image, or remove all colour images");
     pairs.push_back({image.file, color_of.empty() ? std::nullopt : std::optional{color->second}});
   }
   return pairs;

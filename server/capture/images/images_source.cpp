@@ -25,10 +25,14 @@ Result<std::vector<fs::path>> list(const fs::path& folder) {
     if (entry->is_directory(code) && entry.depth() >= 1) entry.disable_recursion_pending();
     if (entry->is_regular_file(code)) files.push_back(entry->path().lexically_relative(folder));
     if (files.size() > kMaxFiles)
-      return Error{.what = "holds more than 200000 files", .where = folder.string(), .fix = "split the recording"};
+      return Error{.what = "holds more than 200000 files",
+                   .where = folder.string(),
+                   .fix = "split the recording into several folders"};
   }
   if (code)
-    return Error{.what = "cannot be listed: " + code.message(), .where = folder.string(), .fix = "give a folder"};
+    return Error{.what = "cannot be listed: " + code.message(),
+                 .where = folder.string(),
+                 .fix = "give a folder that this program may read"};
   return files;
 }
 

@@ -126,7 +126,8 @@ bool has_size(const OniStream& stream) {
 
 /// Why no depth can be decoded; empty when it can.
 std::string reason_against(const OniStream& depth) {
-  if (!has_size(depth)) return "its depth stream has no usable size";
+  if (!has_size(depth))
+    return "the size of its depth images is not 1 to " + std::to_string(kMaxImageSide) + " pixels a side";
   if (depth.cropped) return "its depth images are cropped";
   if (depth.codec == OniCodec::Jpeg || depth.codec == OniCodec::Unknown)
     return "its depth is compressed by an unknown method";
@@ -178,7 +179,7 @@ Result<OniRecording> read_oni_recording(std::istream& file, const std::string& n
     return Error{
         .what = "cannot be played: " + reason + (recording.complaint.empty() ? "" : "; ") + recording.complaint,
         .where = name,
-        .fix = "copy the whole recording again, or record again with OpenNI's recorder (NiViewer)"};
+        .fix = "copy the whole recording again, or record again with OpenNI's recorder (NiViewer), without cropping"};
   recording.depth = depth->stream;
   sort_by_time(recording.depth);
   const Gathering* color = first_of(nodes, kImageNode);
@@ -186,7 +187,8 @@ Result<OniRecording> read_oni_recording(std::istream& file, const std::string& n
   const OniCodec codec = color->stream.codec;
   const bool readable = (codec == OniCodec::Jpeg || codec == OniCodec::Uncompressed) && color->stream.is_jpeg_or_rgb;
   if (!readable || color->stream.cropped || !has_size(color->stream)) {
-    say(recording.complaint, "its colour format is not supported: only depth is played");
+    say(recording.complaint,
+        "its colour images are cropped, or have a format or size that is not supported: only depth is played");
     return recording;
   }
   recording.color = color->stream;

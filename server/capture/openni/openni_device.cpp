@@ -23,7 +23,7 @@ std::string last_words() {
   for (char& letter : words)
     if (letter == '\n' || letter == '\t') letter = ' ';
   while (!words.empty() && words.back() == ' ') words.pop_back();
-  return words.empty() ? "no reason given" : words;
+  return words.empty() ? "OpenNI2 gives no reason" : words;
 }
 
 /// Initialises OpenNI. OpenNI counts initialisations, so each device object has its own session.
@@ -99,11 +99,12 @@ class OpenNiDevice final : public CameraDevice {
 };
 
 Error OpenNiDevice::failed(const std::string& what) const {
-  return {.what = what + ": " + last_words(),
-          .where = uri_.empty() ? "openni2" : uri_,
-          .fix =
-              "plug a camera in, check `lsusb` and that its OpenNI2 driver is installed, or start with --source "
-              "synthetic"};
+  return {
+      .what = what + ": " + last_words(),
+      .where = uri_.empty() ? "openni2" : uri_,
+      .fix =
+          "plug in a depth camera, check that `lsusb` lists it and that its OpenNI2 driver is installed, or start with "
+          "--source synthetic"};
 }
 
 Result<void> OpenNiDevice::open() {
@@ -120,14 +121,14 @@ Result<void> OpenNiDevice::open() {
 Result<void> OpenNiDevice::start_streams() {
   if (device_.getSensorInfo(openni::SENSOR_DEPTH) == nullptr ||
       depth_.create(device_, openni::SENSOR_DEPTH) != openni::STATUS_OK)
-    return failed("has no depth stream");
+    return failed("the camera has no depth stream");
   if (device_.getSensorInfo(openni::SENSOR_COLOR) != nullptr) (void)color_.create(device_, openni::SENSOR_COLOR);
   prepare_camera();
-  if (depth_.start() != openni::STATUS_OK) return failed("its depth stream does not start");
+  if (depth_.start() != openni::STATUS_OK) return failed("the camera's depth stream does not start");
   if (color_.isValid() && color_.start() != openni::STATUS_OK) color_.destroy();
   started_ = std::chrono::steady_clock::now();
   camera_ = camera_of(device_, depth_, color_);
-  if (!is_well_formed(camera_.depth)) return failed("its depth stream has no size");
+  if (!is_well_formed(camera_.depth)) return failed("the camera states no usable image size or focal length");
   const std::string name = device_.getDeviceInfo().getName();
   description_ = (name.empty() ? "camera " + std::string(device_.getDeviceInfo().getUri()) : name) + " " +
                  std::to_string(camera_.depth.width) + "x" + std::to_string(camera_.depth.height) +

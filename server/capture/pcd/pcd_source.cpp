@@ -13,7 +13,7 @@ Result<std::unique_ptr<CaptureSource>> open_pcd(const std::string& file, const S
   Result<RgbdFrame> frame = frame_of(*cloud, file);
   if (!frame) return frame.error();
   const Intrinsics& camera = frame->camera.depth;
-  std::string description = "a still cloud, " + std::filesystem::path(file).filename().string() + ", " +
+  std::string description = "a still point cloud, " + std::filesystem::path(file).filename().string() + ", " +
                             std::to_string(camera.width) + "x" + std::to_string(camera.height) + ", focal length " +
                             std::to_string(static_cast<int>(camera.fx + 0.5)) + " px fitted";
   return play({.count = 1,

@@ -54,7 +54,7 @@ std::optional<Error> refuse_shape(const models::PointModel& cloud, const std::st
     return Error{.what = "is " + std::to_string(cloud.width) + " x " + std::to_string(height) + " points, more than " +
                          std::to_string(kMaxImageSide) + " a side",
                  .where = name,
-                 .fix = fix};
+                 .fix = "give a cloud of at most " + std::to_string(kMaxImageSide) + " points a side"};
   return std::nullopt;
 }
 
@@ -93,7 +93,7 @@ Result<RgbdFrame> frame_of(const models::PointModel& cloud, const std::string& n
         down.focal() > 0.0))
     return Error{.what = "was not seen by a pinhole camera: points lie " +
                          std::to_string(std::max(across.rms(), down.rms())) +
-                         " pixels from where a pinhole camera sees them",
+                         " pixels (root mean square) from where a pinhole camera sees them",
                  .where = name,
                  .fix = fix};
 

@@ -41,7 +41,7 @@ Result<StateTrack> read_track(const std::filesystem::path& file, const std::atom
   if (track.points.empty())
     return Error{.what = "holds no state of a station",
                  .where = file.filename().string(),
-                 .fix = "choose a session that was recorded while a station touched"};
+                 .fix = "choose a session that was recorded while a station was connected"};
   return track;
 }
 

@@ -37,9 +37,9 @@ test('the state is read each tenth look, with numbers of 64 bits', async () => {
 });
 
 test('a refusal is told in the server\'s words, and the next command clears it', async () => {
-  const {it} = link({status: 403, text: 'recording is for doctors, technicians and QA\n'}, {status: 200, text: RECORDING});
+  const {it} = link({status: 403, text: 'only doctors, technicians and QA may record\n'}, {status: 200, text: RECORDING});
   await it.command({record: true, consent: 'signed'});
-  assert.equal(it.problem, 'recording is for doctors, technicians and QA');
+  assert.equal(it.problem, 'only doctors, technicians and QA may record');
   await it.command({record: true, consent: 'signed'});
   assert.equal(it.problem, '');
 });

@@ -46,8 +46,8 @@ test('the effect of a command is known before the server reports it', () => {
 });
 
 test('a refusal is a sentence with the server\'s reason', () => {
-  assert.equal(refusal(403, 'only technicians and QA may play, pause or seek a session\n'),
-    'The server refused: only technicians and QA may play, pause or seek a session.');
+  assert.equal(refusal(403, 'only technicians and QA may control a played session\n'),
+    'The server refused: only technicians and QA may control a played session.');
   assert.match(refusal(401, ''), /sign in again/);
   assert.match(refusal(500, ''), /status 500/);
 });

@@ -44,7 +44,7 @@ TEST(HandOver, OneCommandOffersTheTouchAndOneCommandAcceptsIt) {
   EXPECT_EQ(hand_over(bert, "--to carla"),
             "failed: error: this station is not connected. fix: wait until it says 'link connected'\n");
   EXPECT_EQ(hand_over(anna, "--to bert"),
-            "ok: offered to doctor bert for 60 s: you keep the touch until it is accepted\n");
+            "ok: offered to doctor bert for 60 s: you keep the touch until that doctor accepts it\n");
   EXPECT_TRUE(comes(session.file("bert.log"), "doctor anna offers you the touch", 20s));
   EXPECT_EQ(session.audit().find("event=gave-touch"), std::string::npos) << "an offer alone takes nothing away";
   EXPECT_EQ(hand_over(bert, "--accept"), "ok: this station takes the touch as soon as it is offered\n");

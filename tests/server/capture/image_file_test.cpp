@@ -216,7 +216,9 @@ TEST(ImageListing, NamesWhatIsMissingOrTwice) {
       {"a number twice", {"1.png", "2.png", "2.tiff"}, "2.png and 2.tiff have the same number"},
       {"nothing", {"notes.txt"}, "no depth images"},
       {"colour alone", {"rgb/1.png"}, "no depth images"},
-      {"a colour missing", {"depth/1.png", "depth/2.png", "rgb/1.png"}, "depth/2.png has no colour image beside it"},
+      {"a colour missing",
+       {"depth/1.png", "depth/2.png", "rgb/1.png"},
+       "depth/2.png has no colour image of the same name"},
   };
   for (const BadListing& bad : kBad) {
     const auto listed = order_images(paths(bad.files), "dir");

@@ -55,7 +55,8 @@ struct TwoDoctors {
 
 TEST(HandOver, TheHolderOffersTheOtherAcceptsAndTheAuditLogHasBoth) {
   TwoDoctors two;
-  EXPECT_EQ(two.hand_over("bert"), "done: offered to doctor bert for 60 s: you keep the touch until it is accepted");
+  EXPECT_EQ(two.hand_over("bert"),
+            "done: offered to doctor bert for 60 s: you keep the touch until that doctor accepts it");
   ASSERT_TRUE(two.site.run_until([&] { return two.said_to_bert("doctor anna offers you the touch"); }));
   EXPECT_TRUE(two.anna->connected()) << "an offer alone takes nothing away";
   EXPECT_FALSE(two.bert->connected());

@@ -13,10 +13,11 @@ Error what(std::string text) { return {.what = std::move(text), .where = {}, .fi
 
 Result<std::string> unpack(const ChunkRecord& chunk) {
   if (chunk.uncompressed_size > kMaxChunkBytes)
-    return what("declares " + std::to_string(chunk.uncompressed_size) + " bytes unpacked; the limit is 64 MiB");
+    return what("declares " + std::to_string(chunk.uncompressed_size) +
+                " bytes after decompression; the limit is 64 MiB");
   std::string records;
   if (chunk.compression.empty()) {
-    if (chunk.records.size() != chunk.uncompressed_size) return what("its size is not the declared one");
+    if (chunk.records.size() != chunk.uncompressed_size) return what("its size differs from the size that it declares");
     records = chunk.records;
   } else if (chunk.compression == "zstd" || chunk.compression == "lz4") {
     const auto decompress = chunk.compression == "zstd" ? zstd_decompress : lz4_decompress;
@@ -39,7 +40,7 @@ Result<std::optional<ChunkWalk::Entry>> ChunkWalk::next() {
   ByteCursor from(rest_);
   const auto opcode = static_cast<Opcode>(from.u8());
   const std::string_view content = from.raw(from.u64());
-  if (!from.ok()) return what("a record reaches past its end");
+  if (!from.ok()) return what("a record reaches past the end of the chunk");
   const bool allowed = opcode == Opcode::Schema || opcode == Opcode::Channel || opcode == Opcode::Message ||
                        opcode > Opcode::DataEnd;  // an unknown record is skipped, as the specification requires
   if (!allowed) return what("has a record of a type that is not allowed in a chunk");

@@ -23,6 +23,11 @@ Error refused(const ByteSource& source, std::string what, std::string fix) {
   return {.what = std::move(what), .where = source.name(), .fix = std::move(fix)};
 }
 
+Error unreadable(const ByteSource& source, std::uint64_t offset) {
+  return refused(source, "cannot be read" + at_byte(offset),
+                 "check the disk that holds the file, or copy the file again");
+}
+
 Error in_chunk(const ByteSource& source, std::uint64_t number, std::uint64_t offset, const Error& error) {
   const bool has_place = error.what.find("(at byte ") != std::string::npos;
   const std::string what = "chunk " + std::to_string(number) + ": " + error.what + (has_place ? "" : at_byte(offset));
@@ -33,7 +38,7 @@ Result<RecordHead> read_head(ByteSource& source, std::uint64_t offset, std::uint
   std::string bytes;
   if (offset > end || end > source.size() || end - offset < kRecordHeadBytes)
     return damaged(source, "truncated", offset);
-  if (!source.read(offset, kRecordHeadBytes, bytes)) return damaged(source, "cannot be read", offset);
+  if (!source.read(offset, kRecordHeadBytes, bytes)) return unreadable(source, offset);
   ByteCursor from(bytes);
   const auto opcode = static_cast<Opcode>(from.u8());
   const RecordHead head{opcode, offset, from.u64()};
@@ -46,8 +51,8 @@ Result<void> read_content(ByteSource& source, const RecordHead& head, std::strin
     return refused(
         source,
         "a record of " + std::to_string(head.length) + " bytes is above the limit of 64 MiB" + at_byte(head.offset),
-        "write the file again with smaller chunks");
-  if (!source.read(head.content(), head.length, into)) return damaged(source, "cannot be read", head.offset);
+        "write the file again with chunks and attachments of at most 64 MiB");
+  if (!source.read(head.content(), head.length, into)) return unreadable(source, head.offset);
   return {};
 }
 

@@ -31,6 +31,8 @@ struct RecordHead {
 [[nodiscard]] Error damaged(const ByteSource& source, std::string what, std::uint64_t offset);
 /// An error about `source` that a repair cannot solve.
 [[nodiscard]] Error refused(const ByteSource& source, std::string what, std::string fix);
+/// An error about bytes at `offset` in the file that the operating system does not deliver.
+[[nodiscard]] Error unreadable(const ByteSource& source, std::uint64_t offset);
 
 /// Reads the record head at `offset`. Error: the head or its declared content reaches past `end`.
 [[nodiscard]] Result<RecordHead> read_head(ByteSource& source, std::uint64_t offset, std::uint64_t end);

@@ -45,7 +45,7 @@ void add_imports_first(const FileDescriptor& file, std::set<const FileDescriptor
 
 const Descriptor* descriptor_of(const Topic& topic) {
   const Descriptor* const type = pool_with_our_types().FindMessageTypeByName(std::string(topic.schema));
-  demand(type != nullptr, "the topic's type is linked: name its file in proto/wire/mcap/schemas.cpp");
+  demand(type != nullptr, "the topic's message type is linked: name its file in proto/wire/mcap/format/schemas.cpp");
   return type;
 }
 

@@ -135,7 +135,7 @@ Result<std::optional<StoredMessage>> McapStreamReader::take(Opcode opcode, std::
     const auto record = mcap::parse<mcap::MessageRecord>(content);
     const mcap::StoredChannel* const channel = record ? channels_.find(record->channel_id) : nullptr;
     if (channel == nullptr)
-      return mcap::damaged(*source_, "a message is damaged, or its channel is not known", record_offset_);
+      return mcap::damaged(*source_, "a message is damaged, or the file does not define its channel", record_offset_);
     return std::optional{StoredMessage{channel, *record}};
   }
   return none;

@@ -22,14 +22,14 @@ Result<Footing> read_footer(ByteSource& source) {
   if (source.size() < kMagic.size() + kTailBytes) return no_summary;
   const std::uint64_t offset = source.size() - kTailBytes;
   std::string tail;
-  if (!source.read(offset, kTailBytes, tail)) return damaged(source, "cannot be read", offset);
+  if (!source.read(offset, kTailBytes, tail)) return unreadable(source, offset);
   if (!tail.ends_with(kMagic)) return no_summary;
   ByteCursor from(tail);
   if (from.u8() != static_cast<std::uint8_t>(Opcode::Footer) || from.u64() != kFooterContentBytes) return no_summary;
   const auto footer = parse<Footer>(from.rest());
   if (!footer || footer->summary_start == 0) return no_summary;
   if (footer->summary_start < kMagic.size() || footer->summary_start > offset)
-    return damaged(source, "the declared place of its summary lies outside the file", offset);
+    return damaged(source, "its footer states a place of the summary that lies outside the file", offset);
   return Footing{*footer, offset};
 }
 
@@ -87,11 +87,12 @@ Result<Summary> read_summary(ByteSource& source) {
   const std::uint64_t start = footing->footer.summary_start;
   const std::uint64_t length = footing->offset - start;
   if (length > kMaxChunkBytes)
-    return refused(source, "its summary is larger than 64 MiB", "split the recording into shorter files");
+    return refused(source, "its summary is larger than 64 MiB",
+                   "record in shorter files: telepalp-record --split SIZE");
 
   std::string bytes;  // the summary and the footer's part that the CRC covers
   const std::uint64_t covered = length + kRecordHeadBytes + kFooterContentBytes - sizeof(std::uint32_t);
-  if (!source.read(start, covered, bytes)) return damaged(source, "cannot be read", start);
+  if (!source.read(start, covered, bytes)) return unreadable(source, start);
   if (footing->footer.summary_crc != 0 && footing->footer.summary_crc != crc32(bytes))
     return damaged(source, "the CRC of its summary does not match", start);
 

@@ -98,9 +98,10 @@ Result<void> OutputFile::publish() {
   if (!synced) return failure(sync_error);
   if (!closed) return failure(errno);
   if (rename_without_replacing(partial(name_), name_) != 0)
-    return Error{.what = std::string("is complete but cannot be renamed to its final name: ") + std::strerror(errno),
-                 .where = partial(name_).string(),
-                 .fix = "rename it by hand to a name that is free"};
+    return Error{
+        .what = "is complete but cannot be renamed to " + name_.filename().string() + ": " + std::strerror(errno),
+        .where = partial(name_).string(),
+        .fix = "rename it by hand to a name that is free"};
   sync_folder(folder_of(name_));
   return {};
 }

@@ -10,7 +10,8 @@
 namespace telepalp::capture {
 ImageField::ImageField(int width, int height, std::vector<float> control)
     : width_(width), height_(height), control_(std::move(control)) {
-  demand(control_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height), "one value a pixel");
+  demand(control_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+         "an image field has one value for each pixel");
 }
 
 ImageField::Sample ImageField::at(double u, double v) const noexcept {

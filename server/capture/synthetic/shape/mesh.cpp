@@ -9,8 +9,9 @@ Result<TriangleMesh> mesh_of(models::PointModel model, const std::string& name) 
   constexpr const char* kFix = "give a mesh of triangles, as PLY or OBJ";
   for (std::size_t i = 0; i < model.points.size(); ++i)
     if (!model.points[i].allFinite())
-      return Error{
-          .what = "vertex " + std::to_string(i) + " has a coordinate that is not finite", .where = name, .fix = kFix};
+      return Error{.what = "vertex " + std::to_string(i) + " has a coordinate that is not a finite number",
+                   .where = name,
+                   .fix = "correct this vertex (the first is vertex 0), or export the mesh again"};
   if (model.triangles.empty()) return Error{.what = "has no triangles", .where = name, .fix = kFix};
   return TriangleMesh{std::move(model.points), std::move(model.triangles)};
 }

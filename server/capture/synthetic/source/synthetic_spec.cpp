@@ -75,15 +75,15 @@ struct Key {
 
 constexpr Key kKeys[] = {
     {"motion", "regular, irregular, cough, hold, speech, shift, drift or sit-up", set_motion},
-    {"amplitude_mm", "0 to 50",
+    {"amplitude_mm", "0 to 50, in mm",
      [](std::string_view v, SyntheticSettings& s) { return set_number(v, 0.0, 50.0, kMm, s.amplitude_m); }},
-    {"rate_hz", "0 to 2",
+    {"rate_hz", "0 to 2, in breaths per second",
      [](std::string_view v, SyntheticSettings& s) { return set_number(v, 0.0, 2.0, 1.0, s.rate_hz); }},
     {"seed", "a whole number", [](std::string_view v, SyntheticSettings& s) { return set_seed(v, s.seed); }},
-    {"noise", "none, kinect, or a sigma of 0 to 100 mm", set_noise},
+    {"noise", "none, kinect, or a standard deviation of 0 to 100, in mm", set_noise},
     {"steps", "on or off", [](std::string_view v, SyntheticSettings& s) { return set_switch(v, s.disparity_steps); }},
     {"holes", "on or off", [](std::string_view v, SyntheticSettings& s) { return set_switch(v, s.holes); }},
-    {"unit_mm", "0.05 to 10, for one step of a depth sample",
+    {"unit_mm", "0.05 to 10, in mm for one step of a depth sample",
      [](std::string_view v, SyntheticSettings& s) { return set_number(v, 0.05, 10.0, kMm, s.depth_unit_m); }},
     {"width", "160, 320 or 640 pixels", set_width},
 };
@@ -104,11 +104,11 @@ Result<void> apply(std::string_view pair, SyntheticSettings& settings) {
     if (equals != std::string_view::npos && key.set(pair.substr(equals + 1), settings)) return {};
     return Error{.what = "the value of " + std::string(key.name) + " is not allowed",
                  .where = where,
-                 .fix = "give " + std::string(key.name) + "=VALUE with VALUE " + std::string(key.values)};
+                 .fix = "give " + std::string(key.name) + "=VALUE; VALUE is " + std::string(key.values)};
   }
   return Error{.what = "'" + std::string(name) + "' is not a setting of the synthetic patient",
                .where = where,
-               .fix = "give " + all_keys()};
+               .fix = "give one of these: " + all_keys()};
 }
 
 }  // namespace
