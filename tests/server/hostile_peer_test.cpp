@@ -98,7 +98,7 @@ void expect_says(const std::string& answer, const std::string& part) {
 }
 
 TEST(HostilePeer, ALengthOfFourGibibytesIsRefused) {
-  expect_says(answer_to(frame_bytes({.payload_bytes = 0xffffffffu}, "")), "declares 4294967295 B");
+  expect_says(answer_to(frame_bytes({.payload_bytes = 0xffffffffu}, "")), "declares a payload of 4294967295 B");
 }
 
 TEST(HostilePeer, APayloadBeyondWhatAStationMaySendIsRefused) {

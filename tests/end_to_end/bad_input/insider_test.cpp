@@ -35,12 +35,12 @@ class InsiderTest : public ::testing::Test {
 class BadInput02 : public InsiderTest {};
 TEST_F(BadInput02, AHeaderThatDeclaresMoreThanAPeerMaySendIsRefusedBeforeItsPayload) {
   expect_ended(server::frame_bytes({.payload_bytes = 1U << 30U, .kind = wire::FrameKind::Data, .channel = 1}, ""),
-               "declares 1073741824 B");
+               "declares a payload of 1073741824 B");
 }
 
 class BadInput06 : public InsiderTest {};
 TEST_F(BadInput06, ALengthPrefixOfFourGibibytesIsRefused) {
-  expect_ended(server::frame_bytes({.payload_bytes = 0xffffffffU}, ""), "declares 4294967295 B");
+  expect_ended(server::frame_bytes({.payload_bytes = 0xffffffffU}, ""), "declares a payload of 4294967295 B");
 }
 
 /// Groups within groups of an unknown field, `depth` of them: what a recursive parser would follow.
