@@ -141,7 +141,7 @@ TEST(Tokens, AreNotMadeForAPeerWithoutAKeyAsNoKeysAre) {
   for (const auto& made : {by.client_key({.name = "nobody", .role = Role::Local, .now = kNow}),
                            by.token({.name = "nobody", .role = Role::Local, .now = kNow})}) {
     ASSERT_FALSE(made.ok());
-    EXPECT_EQ(made.error().what, "there is no key for this role");
+    EXPECT_EQ(made.error().what, "the role local has no keys");
   }
 }
 
