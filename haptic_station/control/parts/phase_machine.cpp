@@ -8,7 +8,8 @@ std::optional<Event> PhaseMachine::step(const Seen& given, FaultCause stands, do
   // Released lasts until the inputs have been valid for the whole dwell. Otherwise an age that oscillates around its
   // limit would make the station release and resume again and again.
   if (phase_ == Phase::Released && given.inputs_stale) in_phase_s_ = 0.0;
-  was_outside_ = phase_ == Phase::Released && !given.inputs_stale && (was_outside_ || given.outside);
+  was_outside_ = phase_ == Phase::Released ? was_outside_ || (given.outside && !given.inputs_stale)
+                                           : given.outside && !has_let_go(phase_);
   Seen seen = given;
   seen.was_outside = was_outside_;
   const std::optional<Event> event = event_in(phase_, seen);

@@ -34,7 +34,7 @@ class PhaseMachine {
   Phase previous_ = Phase::Released;
   FaultCause fault_ = FaultCause::None;
   double in_phase_s_ = 0.0;
-  bool was_outside_ = false;  ///< Seen::was_outside
+  bool was_outside_ = false;  ///< in Released: at the release, or since then with good inputs, `Seen::outside` was true
 };
 
 }  // namespace telepalp::control

@@ -15,10 +15,10 @@ struct Seen {
   bool inputs_stale = false;   ///< tracker or surface older than its limit
   bool in_body = false;        ///< the device point is in the body: i_b of paper S1 (docs/sources.md)
   bool outside = false;        ///< the surface at the device point is known, and the device point is not in the body
-  bool was_outside = false;  ///< in Released: `outside` was true once since the inputs were stale; PhaseMachine sets it
-  bool below_plane = false;  ///< the end-effector is below the plane
-  bool at_plane = false;     ///< the end-effector is at or above the target height of S1 eq. (5)
-  bool hand_rose = false;    ///< the hand is over hand_rose_m (TransitionSettings) above both plane and end-effector
+  bool was_outside = false;    ///< in Released: the device point came from outside the body; PhaseMachine sets it
+  bool below_plane = false;    ///< the end-effector is below the plane
+  bool at_plane = false;       ///< the end-effector is at or above the target height of S1 eq. (5)
+  bool hand_rose = false;      ///< the hand is over hand_rose_m (TransitionSettings) above both plane and end-effector
   effects::ObjectTouch touch = effects::ObjectTouch::None;
 };
 

@@ -182,6 +182,29 @@ AssertionResult back_above_the_skin() {
                  below_mJ("energy given", felt.energy_out_J, 1.0)});
 }
 
+/// Stale until the hand is 20 mm below the skin. With the dwell, no force would begin for another 0.3 s.
+AssertionResult back_in_the_skin() {
+  constexpr double kSpeed_m_per_s = 0.2;
+  constexpr double kBack_s = 1.5 + 0.06 / kSpeed_m_per_s + 0.1;
+  ControllerScene scene;
+  scene.seconds = 3.0;
+  scene.person = falls_at(kSpeed_m_per_s);
+  scene.spoil = [=](control::ControlInput& in, double now_s) {
+    if (now_s > 1.0 && now_s < kBack_s) in.contact.age_s = 1.5;
+  };
+  double stale_N = 0.0;
+  double begins_s = 1e9;
+  scene.watch = [&](const control::ControlOutput& out, double now_s) {
+    if (now_s > 1.06 && out.phase == Phase::Released) stale_N = std::max(stale_N, out.force.N.norm());
+    if (control::is_inside(out.phase)) begins_s = std::min(begins_s, now_s);
+  };
+  const Felt felt = feel(scene);
+  return all_of({{felt.let_gos == 1 && stale_N == 0.0, "no force on stale inputs"},
+                 below("contact begins after", begins_s - kBack_s, 0.1, 1e3, "ms"),
+                 below_N("step", felt.worst_step_N, 0.05),
+                 below_mJ("energy given", felt.energy_out_J, 1.0)});
+}
+
 /// Good and stale inputs by turns of 50 ms, under a hand that goes in and out of the skin.
 AssertionResult inputs_come_and_go() {
   const auto stale_at = [](double now_s) { return now_s > 1.0 && std::fmod(now_s, 0.1) < 0.05; };
@@ -226,6 +249,8 @@ std::vector<HardCase> clock_rows() {
       {"24 outage in contact", "an old surface may be wrong", "the force decays to zero at the age limit", outage},
       {"24 inputs return as the hand meets the skin", "after a release the station waits for 0.3 s of good inputs",
        "contact begins at once, without a step", back_above_the_skin},
+      {"24 inputs return when the hand is in the skin", "it came from outside, on stale inputs",
+       "contact begins at once, without a step", back_in_the_skin},
       {"24 good and stale inputs by turns", "each good turn could begin a contact, and each stale one ends it",
        "no force step above 0.1 N, no contact on stale inputs", inputs_come_and_go},
   };

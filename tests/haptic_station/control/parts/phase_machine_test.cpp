@@ -72,9 +72,23 @@ TEST(PhaseMachine, InReleasedAHandThatWasOutsideOnStaleInputsIsNotSeenOutside) {
   PhaseMachine machine(0.3);
   EXPECT_FALSE(after(machine, stale(outside()), 100));
   EXPECT_FALSE(after(machine, inside(), 400));
-  EXPECT_FALSE(after(machine, outside(), 10));
-  EXPECT_FALSE(after(machine, stale(inside()), 1));
-  EXPECT_FALSE(after(machine, inside(), 400));
+}
+
+TEST(PhaseMachine, AHandThatWasOutsideAtTheReleaseMeetsTheSkinAsSoonAsTheInputsReturn) {
+  PhaseMachine machine(0.3);
+  ASSERT_EQ(after(machine, outside(), 610), Event::InputsBack);
+  ASSERT_EQ(after(machine, stale(outside()), 1), Event::InputStale);
+  EXPECT_FALSE(after(machine, stale(inside()), 1000));
+  EXPECT_EQ(after(machine, inside(), 1), Event::IntoBody);
+}
+
+TEST(PhaseMachine, AHandThatWasInTheBodyAtTheReleaseWaitsForTheDwell) {
+  PhaseMachine machine(0.3);
+  ASSERT_FALSE(after(machine, outside(), 1));
+  ASSERT_EQ(after(machine, inside(), 1), Event::IntoBody);
+  ASSERT_EQ(after(machine, stale(inside()), 1), Event::InputStale);
+  EXPECT_FALSE(after(machine, stale(outside()), 100));
+  EXPECT_FALSE(after(machine, inside(), 590));
 }
 
 TEST(PhaseMachine, InputsThatComeAndGoNeverBeginAContactOnStaleOnesOrInsideTheBody) {
