@@ -1,20 +1,39 @@
 #include <algorithm>
+#include <limits>
+#include <string>
 
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
 // The hand leaves the skin, and comes back fast just when the end-effector moves to the plane. Measures for how long
-// and how deep the hand is in the true skin without half of the law's force.
+// and how deep the hand is in the true skin without half of the law's force. Frames are lost in bursts, so in some runs
+// the surface becomes too old, and the watchdog releases the hand. The time after that has rows of its own.
 
 namespace telepalp::bench::hand {
 namespace {
 
 constexpr double kDeepest_m = 0.02;
 
+/// Time and depth in the true skin without the skin's force.
+struct Unfelt {
+  double longest_s = 0.0;
+  double deepest_m = 0.0;
+
+  void add(const Tick& tick) noexcept {
+    longest_s += kTick_s;
+    deepest_m = std::max(deepest_m, tick.true_depth_m);
+  }
+  void take_worse(const Unfelt& other) noexcept {
+    longest_s = std::max(longest_s, other.longest_s);
+    deepest_m = std::max(deepest_m, other.deepest_m);
+  }
+};
+
 struct Outcome {
   bool tried = false;
-  double unfelt_s = 0.0;
-  double unfelt_m = 0.0;
+  bool released = false;  ///< by the watchdog, after the hand had left the skin
+  Unfelt before;          ///< the watchdog released the hand
+  Unfelt after;
 };
 
 Outcome play(int number) {
@@ -43,30 +62,36 @@ Outcome play(int number) {
   BenchStation station(with_skin(anchor), haptic_from_camera(*patient, spot), std::make_unique<RigidHand>(path));
   Outcome outcome;
   run(feed, station, 6.0, [&](const Tick& tick) {
+    if (tick.time_s > out_s && tick.control.phase == control::Phase::Released) outcome.released = true;
     constexpr double kWithinSensorError_N = 0.25;  // the force of half a millimetre, the sensor's error
     if (tick.time_s < out_s + pause_s || tick.law_N() < kWithinSensorError_N) return;
     outcome.tried = true;
     // Forces of position control do not count as the skin's force.
     if (tick.displayed && tick.pushed_N() >= 0.5 * tick.law_N()) return;
-    outcome.unfelt_s += kTick_s;
-    outcome.unfelt_m = std::max(outcome.unfelt_m, tick.true_depth_m);
+    (outcome.released ? outcome.after : outcome.before).add(tick);
   });
   return outcome;
 }
 
 std::vector<Row> measure(const Options& options) {
-  const int runs = std::max(10, options.seeds / 4);
+  const int runs = std::max(10, options.seeds);
   std::vector<Outcome> all(static_cast<std::size_t>(runs));
   for_each_parallel(runs, options, [&](int i) { all[static_cast<std::size_t>(i)] = play(i); });
   Outcome worst{.tried = true};
+  int released = 0;
   for (const Outcome& one : all) {
+    released += one.released ? 1 : 0;
     worst.tried = worst.tried && one.tried;
-    worst.unfelt_s = std::max(worst.unfelt_s, one.unfelt_s);
-    worst.unfelt_m = std::max(worst.unfelt_m, one.unfelt_m);
+    worst.before.take_worse(one.before);
+    worst.after.take_worse(one.after);
   }
   const double unit = worst.tried ? 1e3 : std::numeric_limits<double>::infinity();
-  return {at_most("re-entry: time in the true skin unfelt, worst", unit * worst.unfelt_s, "ms", 2.0),
-          at_most("re-entry: depth in the true skin unfelt, worst", unit * worst.unfelt_m, "mm", 2.0)};
+  const std::string after = "re-entry, after the watchdog released the hand: ";
+  return {at_most("re-entry: time in the true skin unfelt, worst", unit * worst.before.longest_s, "ms", 2.0),
+          at_most("re-entry: depth in the true skin unfelt, worst", unit * worst.before.deepest_m, "mm", 2.0),
+          measured(after + "share of the runs", 100.0 * released / runs, "%"),
+          measured(after + "time in the true skin unfelt, worst", unit * worst.after.longest_s, "ms"),
+          measured(after + "depth in the true skin unfelt, worst", unit * worst.after.deepest_m, "mm")};
 }
 
 }  // namespace
