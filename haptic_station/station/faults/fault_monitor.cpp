@@ -52,8 +52,7 @@ void FaultMonitor::look(bool ending) {
   if (auto ticks = watch_.due(ending)) {
     flight_recorder_ =
         std::async(std::launch::async, [folder = state_folder_, ticks = std::move(*ticks), scene = scene_] {
-          const auto cause = static_cast<control::FaultCause>(ticks.back().fault);
-          return write_flight_record(folder, ticks, control::name(cause), scene);
+          return write_flight_record(folder, ticks, scene);
         });
   }
   if (flight_recorder_.valid() && (ending || flight_recorder_.wait_for(0s) == std::future_status::ready)) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "haptic_station/control/phases/phase.h"
 #include "haptic_station/station/telemetry/telemetry.h"
 #include "haptic_station/station/threads/haptic_thread.h"
 #include "proto/wire/mcap/writer.h"
@@ -30,18 +31,17 @@ std::string name_of_now() {
   return text;
 }
 
-msg::StationEvent fault_event(const loop::TickSample& at, const std::string& fault) {
+msg::StationEvent fault_event(const loop::TickSample& at) {
   msg::StationEvent event;
   event.set_stamp_ns(static_cast<std::uint64_t>(at.stamp_ns));
   event.set_surface_captured_ns(static_cast<std::uint64_t>(at.surface_captured_ns));
   event.set_kind(msg::EVENT_KIND_FAULT);
-  event.set_text(fault);
+  event.set_text(control::name(static_cast<control::FaultCause>(at.fault)));
   return event;
 }
 
 /// Writes one tenth of a second: its ticks, states and events. `phase` carries the last phase from batch to batch.
-Result<void> write_batch(wire::McapWriter& file, const std::vector<loop::TickSample>& batch, std::uint8_t& phase,
-                         const std::string& fault) {
+Result<void> write_batch(wire::McapWriter& file, const std::vector<loop::TickSample>& batch, std::uint8_t& phase) {
   const auto put = [&](const wire::Topic& topic, const loop::TickSample& at, const auto& message) {
     return file.write(wire::make_message(topic, session_time(at.stamp_ns), message));
   };
@@ -54,7 +54,7 @@ Result<void> write_batch(wire::McapWriter& file, const std::vector<loop::TickSam
     if (auto done = put(wire::kStationEvents, sample, phase_event(sample, phase)); !done) return done;
     phase = sample.phase;
     if (phase != msg::PHASE_FAULTED) continue;
-    if (auto done = put(wire::kStationEvents, sample, fault_event(sample, fault)); !done) return done;
+    if (auto done = put(wire::kStationEvents, sample, fault_event(sample)); !done) return done;
   }
   return {};
 }
@@ -94,7 +94,7 @@ std::optional<std::vector<loop::TickSample>> FaultWatch::due(bool ending) {
 }
 
 Result<fs::path> write_flight_record(const fs::path& folder, const std::vector<loop::TickSample>& samples,
-                                     const std::string& fault, const std::string& scene) {
+                                     const std::string& scene) {
   demand(!samples.empty(), "a flight recording holds at least one tick");
   if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made)
     return Error{.what = made.error().what,
@@ -109,7 +109,7 @@ Result<fs::path> write_flight_record(const fs::path& folder, const std::vector<l
   for (std::size_t from = 0; from < samples.size(); from += kBatch) {
     const auto first = samples.begin() + static_cast<std::ptrdiff_t>(from);
     const auto count = static_cast<std::ptrdiff_t>(std::min(kBatch, samples.size() - from));
-    if (auto done = write_batch(*file, {first, first + count}, phase, fault); !done) return done.error();
+    if (auto done = write_batch(*file, {first, first + count}, phase); !done) return done.error();
   }
   if (auto closed = file->close(); !closed) return closed.error();
   return file->name();

@@ -47,11 +47,12 @@ class FaultWatch {
   bool faulted_ = false;
 };
 
-/// Writes the ticks around a fault to a session file: every tick, the states at 100 Hz, the phase changes and the
-/// fault. `samples` is not empty. Returns the file's path. Blocks on the disk.
+/// Writes the ticks around a fault to a session file: every tick, the states at 100 Hz, the phase changes and
+/// each fault with the cause that its first tick states: an operator may have re-armed by the last tick, and a second
+/// fault may have another cause. `samples` is not empty. Returns the file's path. Blocks on the disk.
 [[nodiscard]] Result<std::filesystem::path> write_flight_record(const std::filesystem::path& folder,
                                                                 const std::vector<loop::TickSample>& samples,
-                                                                const std::string& fault, const std::string& scene);
+                                                                const std::string& scene);
 
 /// Default folder for files that outlive the station: the user's XDG state folder.
 [[nodiscard]] std::filesystem::path default_state_folder();

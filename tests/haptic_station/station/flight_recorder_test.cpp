@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "haptic_station/control/phases/phase.h"
 #include "messages/station.pb.h"
+#include "proto/wire/mcap/reader.h"
+#include "tests/support/child_process.h"
 
 namespace telepalp::station {
 namespace {
@@ -51,6 +54,46 @@ TEST(FaultWatch, DoesNotWaitWhenTheStationEndsAndSeesTheNextFaultAfterReArming) 
   watch.add(sample(2, msg::PHASE_RELEASED));
   watch.add(sample(3, msg::PHASE_FAULTED));
   EXPECT_TRUE(watch.begun());
+}
+
+/// The texts of the fault events in a session file.
+std::vector<std::string> faults_in(const std::filesystem::path& file) {
+  std::vector<std::string> faults;
+  auto reader = wire::McapReader::open(file);
+  EXPECT_TRUE(reader.ok());
+  reader->select({.topics = {std::string(wire::kStationEvents.name)}});
+  for (auto message = reader->next(); message && *message; message = reader->next()) {
+    msg::StationEvent event;
+    EXPECT_TRUE(event.ParseFromString(*(*message)->payload));
+    if (event.kind() == msg::EVENT_KIND_FAULT) faults.push_back(event.text());
+  }
+  return faults;
+}
+
+TEST(FlightRecord, StatesTheCauseOfEachFaultEvenIfTheOperatorReArmedBeforeItWasWritten) {
+  using control::FaultCause;
+  FaultWatch watch;
+  std::uint64_t tick = 0;
+  const auto add = [&](int count, FaultCause cause) {
+    for (int i = 0; i < count; ++i, ++tick) {
+      loop::TickSample now = sample(tick, cause == FaultCause::None ? msg::PHASE_OUT_BODY : msg::PHASE_FAULTED);
+      now.stamp_ns = static_cast<std::int64_t>(1'000'000'000 + 500'000 * tick);
+      now.fault = static_cast<std::uint8_t>(cause);
+      watch.add(now);
+    }
+  };
+  add(100, FaultCause::None);
+  add(200, FaultCause::DeviceSilent);
+  add(300, FaultCause::None);  // re-armed
+  add(50, FaultCause::HandImplausible);
+  add(1000, FaultCause::None);  // re-armed within 0.5 s
+  const auto ticks = watch.due(false);
+  ASSERT_TRUE(ticks);
+  const support::TemporaryFolder folder;
+  const auto file = write_flight_record(folder.path(), *ticks, "scene");
+  ASSERT_TRUE(file.ok()) << to_string(file.error());
+  EXPECT_EQ(faults_in(*file), (std::vector<std::string>{control::name(FaultCause::DeviceSilent),
+                                                        control::name(FaultCause::HandImplausible)}));
 }
 
 }  // namespace
