@@ -292,11 +292,11 @@ void Station::start_haptic_thread() {
   haptic_.emplace(loop_, *rig_, surfaces_, ticks_, device_to_surface_);
   haptic_->set_clock_offset(link_.clock().offset());
   if (!in_tick_) collision_.emplace(slow_surfaces_, haptic_->device(), surfaces_, [this] { return now(); });
-  const Result<bool> granted = haptic_->start(options_.realtime);
+  const Result<RealtimeGrant> granted = haptic_->start(options_.realtime);
   if (!granted) return give_up(granted.error());
-  realtime_granted_ = *granted;
+  realtime_granted_ = granted->both();
   ticking_since_ = std::chrono::steady_clock::now();
-  const std::string realtime = realtime_granted_ ? "with real-time priority" : "without real-time priority";
+  const std::string realtime = in_words(*granted);
   say("the surface is touchable; the control loop runs at 2 kHz " + realtime);
   telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, "scene " + scene_.name + ", " + realtime);
   start_inside_thread();

@@ -132,8 +132,8 @@ class Station {
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point ticking_since_;
   std::vector<msg::EffectCost> costs_;
-  bool realtime_granted_ = false;
-  bool stopped_ = false;  // checked by timer handlers: a timer that has expired cannot be cancelled
+  bool realtime_granted_ = false;  // priority and locked memory
+  bool stopped_ = false;           // checked by timer handlers: a timer that has expired cannot be cancelled
 };
 
 }  // namespace telepalp::station

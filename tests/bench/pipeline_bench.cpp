@@ -143,8 +143,8 @@ Report report_of(const Heard& heard, bool of_a_recording) {
   report.rows.push_back(measured("surfaces", static_cast<double>(heard.touchable_ms.count()), "frames"));
   report.rows.push_back(measured("ticks", static_cast<double>(heard.work_us.count()), "ticks"));
   report.rows.push_back(measured("deadlines_missed", static_cast<double>(heard.stats.deadlines_missed()), "ticks"));
-  report.notes.push_back(heard.stats.realtime() ? "the station had real-time priority"
-                                                : "the station had no real-time priority");
+  report.notes.push_back(heard.stats.realtime() ? "the station had real-time priority and locked memory"
+                                                : "the station had no real-time priority or no locked memory");
   report.notes.push_back("budgets: 33.3 ms a frame at 30 Hz, 500 us a tick at 2 kHz");
   return report;
 }

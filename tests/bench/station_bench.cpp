@@ -30,8 +30,8 @@ struct Jitter {
 /// A thread like the haptic thread, which only waits for its next deadline.
 void idle_turn(Jitter& jitter) {
   std::thread idle([&jitter] {
-    const Result<bool> granted = station::enter_realtime(station::Realtime::Prefer);
-    jitter.realtime = granted && *granted;
+    const Result<station::RealtimeGrant> granted = station::enter_realtime(station::Realtime::Prefer);
+    jitter.realtime = granted && granted->both();
     station::TickTimer timer(Clock::now() + station::kTickPeriod, station::kTickPeriod);
     for (const auto end = Clock::now() + kTurn; Clock::now() < end;) {
       const station::TickTimer::Tick tick = timer.wait();
@@ -53,9 +53,9 @@ class Station {
   Result<void> turn(Jitter& jitter) {
     station::HapticThread thread(loop_, rig_, surfaces_, *ticks_, device_to_surface_);
     publish_surface();
-    const Result<bool> started = thread.start(station::Realtime::Prefer);
+    const Result<station::RealtimeGrant> started = thread.start(station::Realtime::Prefer);
     if (!started) return started.error();
-    jitter.realtime = *started;
+    jitter.realtime = started->both();
     for (const auto end = Clock::now() + kTurn; Clock::now() < end; std::this_thread::sleep_for(33ms)) {
       publish_surface();
       drain(jitter);

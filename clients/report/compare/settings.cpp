@@ -43,7 +43,8 @@ std::string camera_words(const Session& session) {
 
 std::string timer_words(const Session& session) {
   if (!session.station_stats) return {};
-  return session.station_stats->realtime() ? "real-time priority, locked memory" : "no real-time priority";
+  return session.station_stats->realtime() ? "real-time priority and locked memory"
+                                           : "no real-time priority or no locked memory";
 }
 
 std::string effects_words(const Session& session) {

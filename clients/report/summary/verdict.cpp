@@ -37,7 +37,8 @@ double of_the_timer_percent(const Summary& s) {
 
 std::string what_to_do(const Summary& s) {
   const std::string rights = s.realtime && !*s.realtime
-                                 ? "give the station real-time priority (ulimit -r, or LimitRTPRIO of its service), "
+                                 ? "give the station real-time priority and locked memory (ulimit -r and -l, or "
+                                   "LimitRTPRIO and LimitMEMLOCK of its service), "
                                  : "";
   return rights + "close other programs, or use a computer that is not shared";
 }
@@ -116,7 +117,7 @@ std::string account_of(const Summary& s) {
   if (s.deadlines_missed)
     text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) + " were late" +
             (s.idle_timer && *s.deadlines_missed > 0 ? ", " + timers_part(s) : "") + ".";
-  if (s.realtime && !*s.realtime) text += " The station ran without real-time priority.";
+  if (s.realtime && !*s.realtime) text += " The station ran without real-time priority or without locked memory.";
   return text;
 }
 

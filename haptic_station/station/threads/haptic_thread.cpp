@@ -20,17 +20,17 @@ constexpr std::uint64_t kMostStepsToCatchUp = 20;
 
 }  // namespace
 
-Result<bool> HapticThread::start(Realtime realtime) {
-  std::promise<Result<bool>> entered;
-  std::future<Result<bool>> granted = entered.get_future();
+Result<RealtimeGrant> HapticThread::start(Realtime realtime) {
+  std::promise<Result<RealtimeGrant>> entered;
+  std::future<Result<RealtimeGrant>> granted = entered.get_future();
   running_ = true;
   thread_ = std::thread([this, realtime, entered = std::move(entered)]() mutable {
-    Result<bool> result = enter_realtime(realtime);
+    Result<RealtimeGrant> result = enter_realtime(realtime);
     const bool go = result.ok();
     entered.set_value(std::move(result));
     if (go) run();
   });
-  Result<bool> result = granted.get();
+  Result<RealtimeGrant> result = granted.get();
   if (!result) stop();
   return result;
 }

@@ -37,9 +37,8 @@ class HapticThread {
   HapticThread(const HapticThread&) = delete;
   HapticThread& operator=(const HapticThread&) = delete;
 
-  /// Starts the thread and waits until it knows its priority. True: it has real-time priority. Error: real-time
-  /// priority is required and not granted.
-  [[nodiscard]] Result<bool> start(Realtime realtime);
+  /// Starts the thread and waits until it knows what the operating system granted it. Error: as for enter_realtime().
+  [[nodiscard]] Result<RealtimeGrant> start(Realtime realtime);
   void stop();
   [[nodiscard]] const HapticCounts& counts() const noexcept { return counts_; }
   /// Passes an operator's request to re-arm to the next tick.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "proto/words/result.h"
 
 namespace telepalp::station {
@@ -8,8 +10,18 @@ namespace telepalp::station {
 /// without it.
 enum class Realtime { Require, Prefer };
 
-/// Gives the calling thread SCHED_FIFO priority and locks the process's memory, so that neither another program nor
-/// a page fault delays a tick. True: granted. False: not granted, with Prefer. Error: not granted, with Require.
-[[nodiscard]] Result<bool> enter_realtime(Realtime wanted);
+/// The operating system grants the two separately: each needs its own right.
+struct RealtimeGrant {
+  bool priority = false;       ///< SCHED_FIFO priority: no ordinary program delays a tick
+  bool locked_memory = false;  ///< the process's memory stays in RAM: no page fault delays a tick
+  [[nodiscard]] bool both() const noexcept { return priority && locked_memory; }
+};
+
+/// "with real-time priority, without locked memory"
+[[nodiscard]] std::string in_words(const RealtimeGrant& grant);
+
+/// Asks for SCHED_FIFO priority for the calling thread, and for locked memory for the process. Error: one of them is
+/// not granted, with Require.
+[[nodiscard]] Result<RealtimeGrant> enter_realtime(Realtime wanted);
 
 }  // namespace telepalp::station
