@@ -1,5 +1,7 @@
 // telepalp-link as its user runs it, between real sockets on loopback.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <array>
 #include <boost/asio.hpp>
@@ -162,6 +164,35 @@ TEST(LinkProgram, ClosesTheClientWhenTheServerCannotBeReached) {
   asio::read(client, asio::buffer(&byte, 1), end);
   EXPECT_TRUE(end) << "a byte came from nowhere";
   EXPECT_EQ(link.process().wait(0ms), std::nullopt);
+}
+
+/// The processor time that `process` has used.
+std::chrono::milliseconds processor_time(pid_t process) {
+  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+  std::string word;
+  std::array<long, 2> ticks{};  // utime and stime, the fields 14 and 15; the name has no space
+  for (int field = 1; field <= 13; ++field) stat >> word;
+  stat >> ticks[0] >> ticks[1];
+  return std::chrono::milliseconds((ticks[0] + ticks[1]) * 1000 / ::sysconf(_SC_CLK_TCK));
+}
+
+TEST(LinkProgram, WaitsWithoutWorkWhileNoFileDescriptorIsFreeAndAcceptsAfterwards) {
+  asio::io_context io;
+  tcp::acceptor acceptor(io, tcp::endpoint(kLoopback, 0));
+  RunningLink link(acceptor.local_endpoint().port(), {});
+  ASSERT_NE(link.port(), 0) << link.log();
+  rlimit before{};
+  ASSERT_EQ(::prlimit(link.process().pid(), RLIMIT_NOFILE, nullptr, &before), 0);
+  const rlimit full{.rlim_cur = 3, .rlim_max = before.rlim_max};
+  ASSERT_EQ(::prlimit(link.process().pid(), RLIMIT_NOFILE, &full, nullptr), 0);
+  tcp::socket client(io);
+  client.connect({kLoopback, link.port()});  // the kernel connects it, and the program cannot accept it
+  const auto used = processor_time(link.process().pid());
+  std::this_thread::sleep_for(1s);
+  EXPECT_LT(processor_time(link.process().pid()) - used, 40ms);
+  ASSERT_EQ(::prlimit(link.process().pid(), RLIMIT_NOFILE, &before, nullptr), 0);
+  tcp::socket server = acceptor.accept();
+  EXPECT_TRUE(server.is_open());
 }
 
 TEST(LinkProgram, LogsEachSecondAndEndsWithSuccessOnCtrlC) {

@@ -1,5 +1,6 @@
 #include "tools/link_proxy/tcp_proxy.h"
 
+#include <chrono>
 #include <utility>
 
 #include "tools/link_proxy/tcp_pair.h"
@@ -11,11 +12,12 @@ using boost::asio::ip::tcp;
 using boost::system::error_code;
 
 constexpr std::size_t kMostPairs = 256;
+constexpr std::chrono::milliseconds kAcceptBackOff{100};
 
 }  // namespace
 
 TcpProxy::TcpProxy(boost::asio::io_context& io, Lines& lines, tcp::endpoint server)
-    : io_(io), lines_(lines), server_(std::move(server)), acceptor_(io) {}
+    : io_(io), lines_(lines), server_(std::move(server)), acceptor_(io), accept_again_(io) {}
 
 TcpProxy::~TcpProxy() = default;
 
@@ -31,23 +33,35 @@ error_code TcpProxy::listen(const tcp::endpoint& at) {
 
 void TcpProxy::accept() {
   acceptor_.async_accept([this](const error_code& failed, tcp::socket client) {
-    if (failed == boost::asio::error::operation_aborted) return;
-    if (!failed && pairs_.size() < kMostPairs) {
-      const auto number = std::make_shared<std::weak_ptr<TcpPair>>();
-      const auto pair = std::make_shared<TcpPair>(io_, lines_, std::move(client), [this, number] {
-        if (const auto closed = number->lock()) pairs_.erase(closed);
-      });
-      *number = pair;
-      pairs_.insert(pair);
-      pair->start(server_);
-    }
+    if (failed == boost::asio::error::operation_aborted || !acceptor_.is_open()) return;
+    if (failed) return accept_later();
+    if (pairs_.size() < kMostPairs) join(std::move(client));
     accept();
   });
+}
+
+/// Probably no file descriptor is free; an immediate retry would waste the processor.
+void TcpProxy::accept_later() {
+  accept_again_.expires_after(kAcceptBackOff);
+  accept_again_.async_wait([this](const error_code& stopped) {
+    if (!stopped) accept();
+  });
+}
+
+void TcpProxy::join(tcp::socket client) {
+  const auto number = std::make_shared<std::weak_ptr<TcpPair>>();
+  const auto pair = std::make_shared<TcpPair>(io_, lines_, std::move(client), [this, number] {
+    if (const auto closed = number->lock()) pairs_.erase(closed);
+  });
+  *number = pair;
+  pairs_.insert(pair);
+  pair->start(server_);
 }
 
 void TcpProxy::stop() {
   error_code ignored;
   acceptor_.close(ignored);
+  accept_again_.cancel();
   for (const auto& pair : std::set<std::shared_ptr<TcpPair>>(pairs_)) pair->close();
 }
 

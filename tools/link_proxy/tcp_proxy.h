@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <memory>
 #include <set>
 
@@ -25,11 +26,14 @@ class TcpProxy {
 
  private:
   void accept();
+  void accept_later();
+  void join(boost::asio::ip::tcp::socket client);
 
   boost::asio::io_context& io_;
   Lines& lines_;
   boost::asio::ip::tcp::endpoint server_;
   boost::asio::ip::tcp::acceptor acceptor_;
+  boost::asio::steady_timer accept_again_;
   std::set<std::shared_ptr<TcpPair>> pairs_;  // shared with the handlers of a pair's reads and writes
 };
 
