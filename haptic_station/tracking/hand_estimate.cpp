@@ -57,11 +57,11 @@ bool HandEstimate::is_jump(SessionTime at, const Point<HapticBase>& hand) const 
 
 /// Rejected samples that agree with each other for long enough are accepted.
 Taken HandEstimate::hold(SessionTime at, const Point<HapticBase>& hand) noexcept {
-  ++refused_;
   const double since_s = to_seconds(at - received_);
   const bool agrees = implausible_s_ > 0.0 && (hand.m - held_at_.m).norm() <= settings_.fastest_m_per_s * since_s;
   agree_s_ = agrees ? agree_s_ + since_s : 0.0;
   if (agree_s_ >= settings_.believed_after_s) return restart(at, hand), Taken::Restarted;
+  ++refused_;
   implausible_s_ = to_seconds(at - newest_);
   held_at_ = hand;
   received_ = at;

@@ -58,6 +58,15 @@ TEST(HandEstimate, AJumpIsHeldAndBelievedOnlyAfterHalfASecondOfAgreement) {
   EXPECT_NEAR(estimate.predict(at_s(1.6)).at.m.x(), 0.3 * 1.6 + 0.3, 0.01);
 }
 
+TEST(HandEstimate, CountsASampleAsRefusedOnlyIfItIsNotUsed) {
+  HandEstimate estimate;
+  std::uint64_t jumps = 0;
+  for (int i = 0; i < 200; ++i)
+    if (estimate.update(at_s(0.01 * i), {{i < 100 ? 0.0 : 0.3, 0.0, 0.0}}) == Taken::Jump) ++jumps;
+  EXPECT_GT(jumps, 45U);
+  EXPECT_EQ(estimate.refused(), jumps) << "the sample that is believed after the jump is not refused";
+}
+
 TEST(HandEstimate, JumpsThatDisagreeAreNeverBelieved) {
   HandEstimate estimate;
   (void)feed(estimate, 0.0, 1.0, [](double) { return 0.0; });
