@@ -80,7 +80,7 @@ test('the card says what is in effect and what it did', () => {
   assert.deepEqual(said({}), ['In effect: lte', 'Packets: 1000, 0.8 % lost', 'Images: 90 of 100 arrived',
                               'too late: 4', 'lost: 6', 'Image delay: 31 ms']);
   assert.equal(said({changed: true})[0], 'In effect: lte, changed');
-  assert.deepEqual(said({profile: 'none'}), ['In effect: none: messages as recorded']);
+  assert.deepEqual(said({profile: 'none'}), ['In effect: none, as recorded']);
   assert.equal(said({packets_sent: 0, packets_lost: 0})[1], 'Packets: 0, 0 % lost');
 });
 

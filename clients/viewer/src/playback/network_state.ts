@@ -77,7 +77,7 @@ export function networkRows(state: NetworkState): Row[] {
   const {profile, changed, packets_sent, packets_lost, images_arrived, images_late, images_lost} = state;
   const impairs = changed || profile !== 'none';
   const effect: Row = {name: 'In effect', value: changed ? `${profile}, changed` : profile, level: impairs ? 'warn' : undefined};
-  if (!impairs) return [{...effect, value: 'none: messages as recorded'}];
+  if (!impairs) return [{...effect, value: 'none, as recorded'}];
   const images = images_arrived + images_late + images_lost;
   return [
     effect,
