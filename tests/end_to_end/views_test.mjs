@@ -59,7 +59,7 @@ async function keepPicture(name) {
 
 /** Keeps a picture in which the hand presses: until this is so before and after the picture is taken. */
 async function keepPictureOfContact(name) {
-  const presses = (now) => now.force_N > 0.3 && now.handPosition_m !== undefined && now.phase === 'In body';
+  const presses = (now) => now.force_N > 0.3 && now.indentation_m > 0.005 && now.handPosition_m !== undefined;
   for (let tries = 0; pictures !== undefined && tries < 20; ++tries) {
     await untilStatus(page, 'the hand presses', (now) => presses(now) && now.pictureAge_ms < 1000);
     await keepPicture(name);
