@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <variant>
@@ -28,7 +29,15 @@ struct EffectBill {
   std::uint64_t largest = 0;
 };
 
-/// The effects of a scene, in the order of the scene file. Owner: haptic thread.
+/// The effects of a scene, in the order of the scene file, and the force that the device can give of them. Owner:
+/// haptic thread.
+///
+/// Each effect is a spring, or several, with a depth d, a force f(d) and the energy U(d). While the magnitudes sum to
+/// more than the device can give, B, all springs are relaxed by one common depth m: f(d - m) sum to B. These forces are
+/// the gradient of h = sum of (U(d - m) + m f(d - m)), which is the supremum of the sum of (p d - U*(p)) over all
+/// magnitudes p >= 0 that sum to B at most, U* being the springs' complementary energy. So they are conservative
+/// whatever the springs' directions do, and their vector sum is B at most. To shorten the vector sum instead is not
+/// conservative: where two springs turn against each other, a hand could get energy in each round.
 class EffectBank {
  public:
   static constexpr std::size_t kMostEffects = effects::kMostEffects;
@@ -45,9 +54,14 @@ class EffectBank {
 
   /// The end-effector has just entered the body.
   void begin(const EffectInput& in) noexcept;
-  /// The sum of all effects' forces on the hand.
-  [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s, CostClock clock = nullptr) noexcept;
+  /// The sum of all effects' forces on the hand. `most_N`: the largest force that the device gives now.
+  [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s,
+                                       double most_N = std::numeric_limits<double>::infinity(),
+                                       CostClock clock = nullptr) noexcept;
+  /// Energy that the hand could get back at this bound: h, and the energy of friction's bristles.
   [[nodiscard]] double energy_J() const noexcept;
+  /// The depth by which all springs are relaxed at the last step; 0: they act in full.
+  [[nodiscard]] double relaxed_m() const noexcept { return relaxed_m_; }
   /// Work that the effects took from the hand during the last tick [J]: minus the held force times the motion of the
   /// device relative to the body to which the effect is fixed, summed over effects. It is exact for a force that is
   /// held over the tick, so it includes the energy that sampling creates.
@@ -58,6 +72,8 @@ class EffectBank {
   [[nodiscard]] const Skin* skin() const noexcept;   ///< the first skin effect; nullptr without a skin
   /// The indentation of skin(), paper S1 (docs/sources.md) eq. (8) [m]; zero without a skin.
   [[nodiscard]] Vector<HapticBase> indentation() const noexcept;
+  /// How much step() would have returned more if the indentation of skin() were `indentation_m`; zero without a skin.
+  [[nodiscard]] Force<HapticBase> change_with_skin_at(const Eigen::Vector3d& indentation_m) const noexcept;
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
   /// For a Solid, the layer's name in the scene; for other effects, the name of their kind. Valid as long as the
   /// effect.
@@ -70,11 +86,17 @@ class EffectBank {
     Eigen::Vector3d carried_at = Eigen::Vector3d::Zero();
   };
 
+  void advance(const EffectInput& in, double dt_s, CostClock clock) noexcept;
+  [[nodiscard]] Pull pull(double relaxed_m) const noexcept;  ///< of all springs
+
   std::array<Effect, kMostEffects> effects_{};
   Placements placements_{};
   std::array<EffectBill, kMostEffects> bill_{};
   std::array<Held, kMostEffects> held_{};
   std::size_t count_ = 0;
+  double friction_ = 0.0;  ///< sum of the coefficients of friction
+  double springs_most_N_ = std::numeric_limits<double>::infinity();
+  double relaxed_m_ = 0.0;
   double absorbed_J_ = 0.0;
 };
 

@@ -14,7 +14,8 @@ struct FrictionSettings {
 /// Dry friction of the skin against a sliding hand, after Hayward and Armstrong: a spring, the bristle, joins an anchor
 /// on the skin to the device in the tangent plane. While the spring force is below coefficient × load, the anchor does
 /// not move, so a resting hand does not creep. Above it, the anchor slips until the spring force equals coefficient ×
-/// load. The anchor can only shorten the bristle, so friction is passive.
+/// load. The anchor can only shorten the bristle, so friction is passive. The load is the force that the skin displays:
+/// friction gets weaker when EffectBank relaxes the skin.
 class Friction {
  public:
   static constexpr const char* kName = "friction";
@@ -23,9 +24,12 @@ class Friction {
   explicit Friction(const Settings& settings = {}) noexcept : settings_(settings) {}
   void begin(const EffectInput&) noexcept { bristle_m_.setZero(); }
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
+  /// Lets the anchor slip under a skin that is relaxed by `relaxed_m`. Returns the force.
+  [[nodiscard]] Force<HapticBase> slip(double relaxed_m) noexcept;
   [[nodiscard]] double energy_J() const noexcept {
     return 0.5 * settings_.bristle_stiffness_N_per_m * bristle_m_.squaredNorm();
   }
+  [[nodiscard]] double coefficient() const noexcept { return settings_.coefficient; }
   [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput&) const noexcept { return {}; }
   [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.bristle_stiffness_N_per_m; }
   [[nodiscard]] ObjectTouch touch() const noexcept { return ObjectTouch::None; }
@@ -33,6 +37,7 @@ class Friction {
  private:
   Settings settings_;
   Eigen::Vector3d bristle_m_ = Eigen::Vector3d::Zero();  ///< tangential vector from anchor to device
+  double depth_m_ = 0.0;                                 ///< of the device in the skin
 };
 
 }  // namespace telepalp::effects

@@ -65,16 +65,15 @@ Force<HapticBase> InnerCylinder::step(const EffectInput& in, double dt_s) noexce
   const Eigen::Vector3d from_top = in.device.m - settings_.top_center.m;
   const auto felt = entry_.step(from_top, in.contact.normal.v, dt_s,
                                 [this](const Eigen::Vector3d& point) noexcept { return depth_at(point); });
-  energy_J_ = 0.0;
+  spring_ = {};
   if (felt.depth_m <= 0.0) {
     touch_ = -depth_at(from_top).m <= settings_.around_m ? ObjectTouch::Near : ObjectTouch::None;
     return {};
   }
   touch_ =
       felt.outwards.y() >= std::hypot(felt.outwards.x(), felt.outwards.z()) ? ObjectTouch::Upper : ObjectTouch::Lateral;
-  const double stiffness_N_per_m = felt.share * settings_.stiffness_N_per_m;
-  energy_J_ = 0.5 * stiffness_N_per_m * felt.depth_m * felt.depth_m;
-  return {stiffness_N_per_m * felt.depth_m * felt.outwards};
+  spring_ = {felt.share * settings_.stiffness_N_per_m, felt.depth_m, felt.outwards};
+  return spring_.force(0.0);
 }
 
 }  // namespace telepalp::effects

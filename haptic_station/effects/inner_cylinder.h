@@ -2,6 +2,7 @@
 
 #include "haptic_station/effects/effect.h"
 #include "haptic_station/effects/entry_side.h"
+#include "haptic_station/effects/spring.h"
 
 namespace telepalp::effects {
 
@@ -29,7 +30,9 @@ class InnerCylinder {
   explicit InnerCylinder(const Settings& settings = {}) noexcept : settings_(settings) {}
   void begin(const EffectInput&) noexcept { entry_.forget(); }
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
-  [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
+  [[nodiscard]] Pull pull(double relaxed_m) const noexcept { return spring_.pull(relaxed_m); }
+  [[nodiscard]] Force<HapticBase> force(double relaxed_m) const noexcept { return spring_.force(relaxed_m); }
+  [[nodiscard]] double energy_J(double relaxed_m = 0.0) const noexcept { return spring_.energy_J(relaxed_m); }
   [[nodiscard]] Point<HapticBase> place() const noexcept { return settings_.top_center; }
   [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.stiffness_N_per_m; }
   [[nodiscard]] ObjectTouch touch() const noexcept { return touch_; }
@@ -39,7 +42,7 @@ class InnerCylinder {
 
   Settings settings_;
   EntrySide entry_;
-  double energy_J_ = 0.0;
+  LinearSpring spring_;  ///< at the last step
   ObjectTouch touch_ = ObjectTouch::None;
 };
 

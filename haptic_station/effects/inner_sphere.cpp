@@ -15,16 +15,15 @@ Force<HapticBase> InnerSphere::step(const EffectInput& in, double dt_s) noexcept
   const Eigen::Vector3d from_center = in.device.m - settings_.center.m;
   const auto felt = entry_.step(from_center, in.contact.normal.v, dt_s,
                                 [this](const Eigen::Vector3d& point) noexcept { return depth_at(point); });
-  energy_J_ = 0.0;
+  spring_ = {};
   if (felt.depth_m <= 0.0) {
     touch_ = from_center.norm() <= settings_.radius_m + settings_.around_m ? ObjectTouch::Near : ObjectTouch::None;
     return {};
   }
   constexpr double kCos45 = 0.70710678118654752;
   touch_ = felt.outwards.y() >= kCos45 * felt.outwards.norm() ? ObjectTouch::Upper : ObjectTouch::Lateral;
-  const double stiffness_N_per_m = felt.share * settings_.stiffness_N_per_m;
-  energy_J_ = 0.5 * stiffness_N_per_m * felt.depth_m * felt.depth_m;
-  return {stiffness_N_per_m * felt.depth_m * felt.outwards};
+  spring_ = {felt.share * settings_.stiffness_N_per_m, felt.depth_m, felt.outwards};
+  return spring_.force(0.0);
 }
 
 }  // namespace telepalp::effects

@@ -15,7 +15,7 @@ Point<HapticBase> Organ::place() const noexcept {
 }
 
 Force<HapticBase> Organ::step(const EffectInput& in, double dt_s) noexcept {
-  energy_J_ = 0.0;
+  spring_ = {};
   touch_ = ObjectTouch::None;
   if (settings_.shape == nullptr) return {};
   const auto felt = entry_.step(in.device.m, in.contact.normal.v, dt_s,
@@ -27,9 +27,8 @@ Force<HapticBase> Organ::step(const EffectInput& in, double dt_s) noexcept {
   constexpr double kCos45 = 0.70710678118654752;
   const bool from_above = felt.outwards.y() >= kCos45 * felt.outwards.norm();
   touch_ = from_above ? ObjectTouch::Upper : ObjectTouch::Lateral;
-  const double stiffness_N_per_m = felt.share * settings_.stiffness_N_per_m;
-  energy_J_ = 0.5 * stiffness_N_per_m * felt.depth_m * felt.depth_m;
-  return {stiffness_N_per_m * felt.depth_m * felt.outwards};
+  spring_ = {felt.share * settings_.stiffness_N_per_m, felt.depth_m, felt.outwards};
+  return spring_.force(0.0);
 }
 
 }  // namespace telepalp::effects

@@ -5,6 +5,7 @@
 
 #include "haptic_station/effects/effect.h"
 #include "haptic_station/effects/entry_side.h"
+#include "haptic_station/effects/spring.h"
 #include "haptic_station/solids/distance_lattice.h"
 
 namespace telepalp::effects {
@@ -26,7 +27,9 @@ class Organ {
   explicit Organ(Settings settings = {}) noexcept : settings_(std::move(settings)) {}
   void begin(const EffectInput&) noexcept { entry_.forget(); }
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
-  [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
+  [[nodiscard]] Pull pull(double relaxed_m) const noexcept { return spring_.pull(relaxed_m); }
+  [[nodiscard]] Force<HapticBase> force(double relaxed_m) const noexcept { return spring_.force(relaxed_m); }
+  [[nodiscard]] double energy_J(double relaxed_m = 0.0) const noexcept { return spring_.energy_J(relaxed_m); }
   /// The middle of the lattice `shape`.
   [[nodiscard]] Point<HapticBase> place() const noexcept;
   [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.stiffness_N_per_m; }
@@ -37,7 +40,7 @@ class Organ {
 
   Settings settings_;
   EntrySide entry_;
-  double energy_J_ = 0.0;
+  LinearSpring spring_;  ///< at the last step
   ObjectTouch touch_ = ObjectTouch::None;
 };
 

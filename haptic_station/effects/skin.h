@@ -27,7 +27,15 @@ class Skin {
   explicit Skin(const Settings& settings = {}) noexcept : settings_(settings) {}
   void begin(const EffectInput& in) noexcept;
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
-  [[nodiscard]] double energy_J() const noexcept { return skin_energy_J(settings_.law, indentation_.v); }
+  [[nodiscard]] Pull pull(double relaxed_m) const noexcept {
+    return skin_pull(settings_.law, indentation_.v, relaxed_m);
+  }
+  [[nodiscard]] Force<HapticBase> force(double relaxed_m) const noexcept {
+    return {skin_force_N(settings_.law, indentation_.v, relaxed_m)};
+  }
+  [[nodiscard]] double energy_J(double relaxed_m = 0.0) const noexcept {
+    return skin_energy_J(settings_.law, indentation_.v, relaxed_m);
+  }
   [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput& in) const noexcept;
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept {
     return skin_stiffest_N_per_m(settings_.law, most_N);

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "haptic_station/effects/spring.h"
+
 namespace telepalp::effects {
 
 /// Stiffness as a polynomial of the indentation: k(d) = constant + slope d + curve d^2, d in metres. Eq. (7) of paper
@@ -15,6 +17,11 @@ struct SkinLaw {
 
   [[nodiscard]] double stiffness_N_per_m(double distance_m) const noexcept {
     return constant_N_per_m + (slope_N_per_m2 + curve_N_per_m3 * distance_m) * distance_m;
+  }
+  /// Force over the indentation `distance_m` of one axis, and its slope.
+  [[nodiscard]] Pull pull(double distance_m) const noexcept {
+    return {stiffness_N_per_m(distance_m) * distance_m,
+            constant_N_per_m + (2.0 * slope_N_per_m2 + 3.0 * curve_N_per_m3 * distance_m) * distance_m};
   }
 };
 
@@ -32,11 +39,15 @@ struct SkinLaw {
 }
 
 /// Restoring force [N] for the indentation vector `d_m` of S1 eq. (8): F = -K(d) d (eq. 6, whose sign S1 does not
-/// state).
-[[nodiscard]] Eigen::Vector3d skin_force_N(const SkinLaw& law, const Eigen::Vector3d& d_m) noexcept;
+/// state). `relaxed_m`: see LinearSpring. The skin is one spring along `d_m`, or one for each axis.
+[[nodiscard]] Eigen::Vector3d skin_force_N(const SkinLaw& law, const Eigen::Vector3d& d_m,
+                                           double relaxed_m = 0.0) noexcept;
+/// The magnitudes of the skin's springs at `d_m`.
+[[nodiscard]] Pull skin_pull(const SkinLaw& law, const Eigen::Vector3d& d_m, double relaxed_m) noexcept;
 
-/// Energy [J] that the skin stores at `d_m`: the integral of -skin_force_N over the indentation.
-[[nodiscard]] double skin_energy_J(const SkinLaw& law, const Eigen::Vector3d& d_m) noexcept;
+/// Energy [J] that the skin stores at `d_m`: the integral of -skin_force_N over the indentation. `relaxed_m`: see
+/// LinearSpring.
+[[nodiscard]] double skin_energy_J(const SkinLaw& law, const Eigen::Vector3d& d_m, double relaxed_m = 0.0) noexcept;
 
 /// The largest slope of force over depth [N/m] up to the depth where the force reaches `most_N`, or up to 0.2 m if it
 /// does not.

@@ -31,7 +31,7 @@ void Solid::begin(const EffectInput& in) noexcept {
 }
 
 Force<HapticBase> Solid::step(const EffectInput& in, double dt_s) noexcept {
-  energy_J_ = 0.0;
+  spring_ = {};
   touch_ = ObjectTouch::None;
   if (!settings_.layer) return {};
   const solids::SolidTree& tree = *settings_.layer->tree;
@@ -46,8 +46,8 @@ Force<HapticBase> Solid::step(const EffectInput& in, double dt_s) noexcept {
   }
   constexpr double kCos45 = 0.70710678118654752;
   touch_ = felt_.outwards.y() >= kCos45 ? ObjectTouch::Upper : ObjectTouch::Lateral;
-  energy_J_ = 0.5 * settings_.stiffness_N_per_m * felt_.depth_m * felt_.depth_m;
-  return {settings_.stiffness_N_per_m * felt_.depth_m * felt_.outwards};
+  spring_ = {settings_.stiffness_N_per_m, felt_.depth_m, felt_.outwards};
+  return spring_.force(0.0);
 }
 
 }  // namespace telepalp::effects

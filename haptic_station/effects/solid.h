@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptic_station/effects/effect.h"
+#include "haptic_station/effects/spring.h"
 #include "haptic_station/solids/solid_proxy.h"
 
 namespace telepalp::effects {
@@ -50,7 +51,9 @@ class Solid {
   explicit Solid(Settings settings = {}) noexcept : settings_(std::move(settings)) {}
   void begin(const EffectInput& in) noexcept;
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
-  [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
+  [[nodiscard]] Pull pull(double relaxed_m) const noexcept { return spring_.pull(relaxed_m); }
+  [[nodiscard]] Force<HapticBase> force(double relaxed_m) const noexcept { return spring_.force(relaxed_m); }
+  [[nodiscard]] double energy_J(double relaxed_m = 0.0) const noexcept { return spring_.energy_J(relaxed_m); }
   /// The middle of the solid's box; the origin of H for a solid without bounds.
   [[nodiscard]] Point<HapticBase> place() const noexcept;
   /// Velocity of the wall under the proxy during the coming tick, relative to the solid's place.
@@ -68,8 +71,8 @@ class Solid {
   Eigen::Vector3d tip_center_m_ = Eigen::Vector3d::Zero();  ///< from the device to the center of the fingertip
   solids::SolidProxy proxy_;
   solids::ProxyAt felt_;
-  double phase_ = 0.0;  ///< of the pulse, 0 to 1
-  double energy_J_ = 0.0;
+  double phase_ = 0.0;   ///< of the pulse, 0 to 1
+  LinearSpring spring_;  ///< at the last step
   ObjectTouch touch_ = ObjectTouch::None;
 };
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "proto/words/smooth_step.h"
-
 namespace telepalp::effects {
 
 bool StiffRegions::add(const StiffRegion& region) noexcept {
@@ -14,24 +12,38 @@ bool StiffRegions::add(const StiffRegion& region) noexcept {
 }
 
 Force<HapticBase> StiffRegions::step(const EffectInput& in, double) noexcept {
-  energy_J_ = 0.0;
-  const double depth_m = -in.contact.distance_m;
-  if (depth_m <= 0.0) return {};
-  Force<HapticBase> sum;
+  const double depth_m = std::max(0.0, -in.contact.distance_m);
   for (std::size_t i = 0; i < count_; ++i) {
     const StiffRegion& region = regions_[i];
-    const double x_m = in.device.m.x() - region.center.m.x();
-    const double z_m = in.device.m.z() - region.center.m.z();
-    const double r_m = std::hypot(x_m, z_m);
+    const Eigen::Vector3d from_axis{in.device.m.x() - region.center.m.x(), 0.0, in.device.m.z() - region.center.m.z()};
+    const double r_m = from_axis.norm();
     const double u = std::clamp((r_m - region.radius_m) / region.fade_m, 0.0, 1.0);
-    const double weight = 1.0 - smooth_step(u);
-    const double weight_per_m = -6.0 * u * (1.0 - u) / region.fade_m;
-    const double energy_J = 0.5 * region.added_N_per_m * depth_m * depth_m;
-    energy_J_ += energy_J * weight;
-    sum.N += region.added_N_per_m * weight * depth_m * in.contact.normal.v;
-    if (r_m > 1e-9) sum.N -= energy_J * weight_per_m / r_m * Eigen::Vector3d{x_m, 0.0, z_m};
+    // The weight is (1 - u)^2 (1 + 2 u), a smooth step down from 1 to 0. `root` is its square root.
+    const double steep = std::sqrt(1.0 + 2.0 * u);
+    const double root = (1.0 - u) * steep;
+    Eigen::Vector3d outwards = root * in.contact.normal.v;
+    if (u > 0.0) outwards += depth_m * 3.0 * u / (steep * region.fade_m * r_m) * from_axis;
+    springs_[i] = {region.added_N_per_m, root * depth_m, outwards};
   }
+  return force(0.0);
+}
+
+Pull StiffRegions::pull(double relaxed_m) const noexcept {
+  Pull sum;
+  for (std::size_t i = 0; i < count_; ++i) sum += springs_[i].pull(relaxed_m);
   return sum;
+}
+
+Force<HapticBase> StiffRegions::force(double relaxed_m) const noexcept {
+  Force<HapticBase> sum;
+  for (std::size_t i = 0; i < count_; ++i) sum.N += springs_[i].force(relaxed_m).N;
+  return sum;
+}
+
+double StiffRegions::energy_J(double relaxed_m) const noexcept {
+  double sum_J = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) sum_J += springs_[i].energy_J(relaxed_m);
+  return sum_J;
 }
 
 double StiffRegions::stiffest_N_per_m(double) const noexcept {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "haptic_station/effects/effect.h"
+#include "haptic_station/effects/spring.h"
 
 namespace telepalp::effects {
 
@@ -16,7 +17,8 @@ struct StiffRegion {
 
 /// Skin regions of added stiffness. The force is minus the gradient of 1/2 k w(r) depth^2, with a smooth weight w of
 /// the horizontal distance r from the region's axis; the forces of overlapping regions are summed. The gradient has a
-/// sideways component at a stiff rim; without it, a closed path over the rim would create energy.
+/// sideways component at a stiff rim; without it, a closed path over the rim would create energy. Each region is one
+/// spring of stiffness k with the depth sqrt(w) depth.
 class StiffRegions {
  public:
   static constexpr const char* kName = "regions";
@@ -26,7 +28,9 @@ class StiffRegions {
   bool add(const StiffRegion& region) noexcept;
   void begin(const EffectInput&) noexcept {}
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
-  [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
+  [[nodiscard]] Pull pull(double relaxed_m) const noexcept;
+  [[nodiscard]] Force<HapticBase> force(double relaxed_m) const noexcept;
+  [[nodiscard]] double energy_J(double relaxed_m = 0.0) const noexcept;
   [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput& in) const noexcept {
     return {in.contact.surface_speed_m_per_s * in.contact.normal.v};
   }
@@ -36,8 +40,8 @@ class StiffRegions {
 
  private:
   std::array<StiffRegion, kMostRegions> regions_{};
+  std::array<LinearSpring, kMostRegions> springs_{};  ///< of each region, at the last step
   std::size_t count_ = 0;
-  double energy_J_ = 0.0;
 };
 
 }  // namespace telepalp::effects

@@ -36,17 +36,17 @@ void ForceControl::begin(const effects::EffectInput& felt) noexcept {
   share_ = 1.0;
 }
 
-/// The force that the effects ask for. Sets in `exchange` the energy that they took from the hand and the energy that
-/// they store.
-Force<HapticBase> ForceControl::ask_effects(const effects::EffectInput& felt, Exchange& exchange,
+/// The force of the effects, relaxed to what the device gives at most. Sets in `exchange` the energy that they took
+/// from the hand and the energy that they store.
+Force<HapticBase> ForceControl::ask_effects(const effects::EffectInput& felt, Exchange& exchange, double bound_N,
                                             double dt_s) noexcept {
   Force<HapticBase> force;
   if (coupling_.engaged()) {
-    force = coupling_.pull(effects_.step(coupling_.at_tool(felt), dt_s, cost_clock_));
+    force = coupling_.pull(effects_.step(coupling_.at_tool(felt), dt_s, bound_N, cost_clock_));
     exchange.absorbed_J = coupling_.absorbed_J();
     exchange.stored_J = coupling_.energy_J();
   } else {
-    force = effects_.step(felt, dt_s, cost_clock_);
+    force = effects_.step(felt, dt_s, bound_N, cost_clock_);
   }
   exchange.absorbed_J += effects_.absorbed_J();
   exchange.stored_J += effects_.energy_J();
@@ -58,7 +58,7 @@ Vector3d ForceControl::feel(effects::EffectInput felt, const Vector3d& device_ve
   felt.moved.v = felt.device.m - last_felt_.m;
   last_felt_ = felt.device;
   Exchange exchange;
-  const Vector3d asked_N = ask_effects(felt, exchange, dt_s).N;
+  const Vector3d asked_N = ask_effects(felt, exchange, bound_N, dt_s).N;
   const Vector3d skin_velocity = felt.contact.surface_speed_m_per_s * felt.contact.normal.v;
   exchange.velocity = {felt.device_velocity.v - skin_velocity};
   exchange.moved = {felt.moved.v - skin_velocity * dt_s};
@@ -80,7 +80,7 @@ Vector3d ForceControl::measured_skin_N(const Vector3d& asked_N, double bound_N) 
   Vector3d measured_m = displayed_m - deeper_m * normal;
   measured_m -= std::max(0.0, measured_m.dot(normal)) * normal;  // the skin never pulls the hand
   const Vector3d change_N =
-      effects::skin_force_N(skin->law(), measured_m) - effects::skin_force_N(skin->law(), displayed_m);
+      touching_ ? effects_.change_with_skin_at(measured_m).N : effects::skin_force_N(skin->law(), measured_m);
   return at_most(share_ * (asked_N + change_N), bound_N);
 }
 

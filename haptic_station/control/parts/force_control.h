@@ -41,7 +41,9 @@ class ForceControl {
   /// True when contact began or ended at the last step.
   [[nodiscard]] bool contact_changed() const noexcept { return contact_changed_; }
   /// True when the force of the device differs from the one that the effects and the damping ask for.
-  [[nodiscard]] bool withholds() const noexcept { return touching_ && account_.withholds(); }
+  [[nodiscard]] bool withholds() const noexcept {
+    return touching_ && (effects_.relaxed_m() > 0.0 || account_.withholds());
+  }
   /// The contact with the displayed skin. If it began below the skin, the displayed skin is lowered at first; see
   /// SinkIn.
   [[nodiscard]] const ports::SurfaceContact& shown() const noexcept { return shown_; }
@@ -60,7 +62,7 @@ class ForceControl {
   void begin(const effects::EffectInput& felt) noexcept;
   [[nodiscard]] Eigen::Vector3d feel(effects::EffectInput felt, const Eigen::Vector3d& device_velocity, double bound_N,
                                      double dt_s) noexcept;
-  [[nodiscard]] Force<HapticBase> ask_effects(const effects::EffectInput& felt, Exchange& exchange,
+  [[nodiscard]] Force<HapticBase> ask_effects(const effects::EffectInput& felt, Exchange& exchange, double bound_N,
                                               double dt_s) noexcept;
   [[nodiscard]] Eigen::Vector3d measured_skin_N(const Eigen::Vector3d& asked_N, double bound_N) const noexcept;
 

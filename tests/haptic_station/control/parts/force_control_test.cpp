@@ -79,6 +79,30 @@ TEST(ForceControl, TheLedgerAtTheHandSeesThatTheMeasuredSkinHasGone) {
   EXPECT_NEAR(control.hand_ledger().excess_J() - before_J, 0.5 * 300.0 * 0.01 * 0.01, 1e-3);
 }
 
+/// Round the paper's cylinder, in over its top and out over its rim. With the skin, it asks for up to 19 N.
+TEST(ForceControl, NoEnergyComesFromEffectsThatAskForMoreThanTheDeviceGives) {
+  effects::EffectBank bank;
+  (void)bank.add(effects::Skin{});
+  (void)bank.add(effects::InnerCylinder({.top_center = {{0.0, -0.03, 0.0}}}));
+  ForceControl control(bank, {}, kBound_N);
+  const Eigen::Vector3d lap[] = {
+      {0.005, -1e-5, 0.0}, {0.005, -0.055, 0.0}, {0.045, -0.055, 0.0}, {0.045, -1e-5, 0.0}, {0.005, -1e-5, 0.0}};
+  double most_N = 0.0;
+  for (int corner = 1; corner < 5; ++corner)
+    for (int i = 0; i < 2000; ++i) {
+      const Eigen::Vector3d device_m = lap[corner - 1] + (lap[corner] - lap[corner - 1]) * i / 2000.0;
+      ControlInput in = at_height(device_m.y());
+      in.device.m = device_m;
+      in.contact.proxy.m = {device_m.x(), 0.0, device_m.z()};
+      in.device_velocity.v = (lap[corner] - lap[corner - 1]) / (2000.0 * kTick_s);
+      const Eigen::Vector3d force_N = control.step(in, true, kBound_N, kTick_s);
+      control.gave({.skin = force_N}, force_N);
+      most_N = std::max(most_N, force_N.norm());
+    }
+  EXPECT_GE(most_N, kBound_N - 1e-6);
+  EXPECT_GE(control.passivity().least_balance_J(), -2e-3);
+}
+
 TEST(ForceControl, StiffSkinIsMetThroughTheCoupling) {
   ForceControl control = over_a_skin_of(20'000.0);
   ASSERT_TRUE(control.coupling().engaged());

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <algorithm>
+
+#include "proto/words/frames.h"
+
+namespace telepalp::effects {
+
+/// The magnitudes of some springs' forces, summed, and the derivative of this sum by a depth common to all of them.
+struct Pull {
+  double N = 0.0;
+  double N_per_m = 0.0;
+  Pull& operator+=(const Pull& other) noexcept {
+    N += other.N;
+    N_per_m += other.N_per_m;
+    return *this;
+  }
+  Pull& operator-=(const Pull& other) noexcept { return *this += {-other.N, -other.N_per_m}; }
+};
+
+/// A spring of constant stiffness at one tick. Its force is stiffness × depth × `outwards`.
+///
+/// A relaxed spring acts as if its depth were smaller by `relaxed_m`; it keeps its direction. EffectBank relaxes all
+/// springs of a scene by one common depth while their forces sum to more than the device can give. The energy that such
+/// a spring adds to EffectBank::energy_J() is that of the smaller depth, plus `relaxed_m` times its force.
+struct LinearSpring {
+  double stiffness_N_per_m = 0.0;
+  double depth_m = 0.0;
+  Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< minus the gradient of the depth; at most unit length
+
+  [[nodiscard]] Pull pull(double relaxed_m) const noexcept {
+    const double left_m = depth_m - relaxed_m;
+    return left_m > 0.0 ? Pull{stiffness_N_per_m * left_m, stiffness_N_per_m} : Pull{};
+  }
+  [[nodiscard]] Force<HapticBase> force(double relaxed_m) const noexcept { return {pull(relaxed_m).N * outwards}; }
+  [[nodiscard]] double energy_J(double relaxed_m) const noexcept {
+    const double left_m = std::max(0.0, depth_m - relaxed_m);
+    return 0.5 * stiffness_N_per_m * left_m * (left_m + 2.0 * relaxed_m);
+  }
+};
+
+/// The common depth by which springs must be relaxed, so that their forces sum to `most_N` at most; 0: they do already.
+/// `pull_at(relaxed_m)` gives their Pull. Newton's method from below: no spring gets softer with depth, so the sum is
+/// convex and falls, and no step goes too far. From 25 N to 10 N it takes two to five rounds.
+template <class PullAt>
+[[nodiscard]] double common_relaxation_m(const PullAt& pull_at, double most_N) noexcept {
+  constexpr int kMostRounds = 24;
+  constexpr double kNear_N = 1e-9;
+  double relaxed_m = 0.0;
+  for (int i = 0; i < kMostRounds; ++i) {
+    const Pull sum = pull_at(relaxed_m);
+    if (!(sum.N > most_N + kNear_N)) break;
+    relaxed_m += (sum.N - most_N) / sum.N_per_m;
+  }
+  return relaxed_m;
+}
+
+}  // namespace telepalp::effects
