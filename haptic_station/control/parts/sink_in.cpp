@@ -25,7 +25,8 @@ void SinkIn::step(double dt_s) noexcept {
 ports::SurfaceContact SinkIn::shown(const ports::SurfaceContact& contact) const noexcept {
   ports::SurfaceContact shown = contact;
   if (lowered_m_ <= 0.0 && rising_m_per_s_ <= 0.0) return shown;
-  shown.proxy.m -= lowered_m_ * contact.normal.v;
+  // The proxy lies the share `support` of the way from the device to the surface, which is lowered.
+  shown.proxy.m -= contact.support * lowered_m_ * contact.normal.v;
   shown.distance_m += lowered_m_;
   shown.surface_speed_m_per_s += rising_m_per_s_;
   return shown;

@@ -71,6 +71,28 @@ const HardCase kRows[] = {
        storm.width_px = 640;
        return invariants_hold(storm);
      }},
+    {"a tap drives the device into the rising cylinder", "skin and cylinder ask for 25 N; the device gives 10 N",
+     "no energy where the push slips to the cylinder's side",
+     [] {
+       return invariants_hold(tapping(drawn("regular", "palpation", 11.0, 111, {}, {.restarts = {{5165ms, 1854ms}}})));
+     }},
+    {"a tap at a cylinder that rises after a cough", "skin and cylinder ask for more than the device gives",
+     "no energy where the push slips to the cylinder's side",
+     [] {
+       StormCase storm = tapping(drawn("cough", "palpation", 8.0, 376, {}, {.outages = {{1053ms, 1253ms}}}));
+       storm.patient_seed = 836;
+       return invariants_hold(storm);
+     }},
+    {"sliding skin comes back into sight over a hand 140 mm deep",
+     "its support grows while it is displayed at the hand", "no indentation that the hand did not make",
+     [] {
+       StormCase storm =
+           tapping(drawn("shift", "skin_sliding", 4.0, 683,
+                         {.delay = 232ms, .jitter = 45ms, .loss = 0.1, .burst_packets = 3.0, .rate_B_per_s = 8.875e6},
+                         {.restarts = {{720ms, 1065ms}}, .glitches = {{{928ms, 4ms}, -0.053}}}));
+       storm.patient_seed = 28;
+       return invariants_hold(storm);
+     }},
     {"an encoder glitch in deep contact", "the force of a jump is above the peak", "bounded force and slew",
      [] {
        return invariants_hold(over(20ms, 0.0, {.glitches = {{{4s, 4ms}, -0.06}, {{4100ms, 1ms}, 0.06}}}));

@@ -48,5 +48,21 @@ TEST(SinkIn, TheEffectsSeeADeviceThatIsAsDeepAsTheHandFeels) {
   EXPECT_NEAR(felt.device_velocity.v.y(), -shown.surface_speed_m_per_s, 1e-15);
 }
 
+/// The support grows when the skin comes back into sight. Measured from the true skin, the indentation would grow by a
+/// share of the whole depth, and the hand would get energy.
+TEST(SinkIn, ASupportThatGrowsOverADeepHandDoesNotIndentTheSkin) {
+  constexpr double kDepth_m = 0.14;
+  SinkIn sink_in;
+  sink_in.begin(kDepth_m);
+  for (const double support : {0.2, 0.9, 0.95, 1.0}) {
+    ports::SurfaceContact contact = at_depth(kDepth_m);
+    contact.support = support;
+    contact.proxy.m.y() = -(1.0 - support) * kDepth_m;
+    const Point<HapticBase> device{{0.0, -kDepth_m, 0.0}};
+    const effects::EffectInput felt = sink_in.in_body_frame(device, {}, sink_in.shown(contact));
+    EXPECT_NEAR(felt.device.m.y() - felt.contact.proxy.m.y(), 0.0, 1e-12) << support;
+  }
+}
+
 }  // namespace
 }  // namespace telepalp::control
