@@ -13,6 +13,7 @@ constexpr Nanoseconds kMoment = 200ms;     ///< about forty reports: one of them
 constexpr Nanoseconds kRateSpan = 200ms;
 constexpr Nanoseconds kBestRateSpan = 1s;
 constexpr Nanoseconds kQueueTarget = 15ms;
+constexpr Nanoseconds kLongQueue = 60ms;
 constexpr Nanoseconds kSilence = 1s;
 constexpr Nanoseconds kDrainAfter = 5s;  ///< half of the memory
 constexpr Nanoseconds kNoQueue = 3ms;
@@ -103,9 +104,20 @@ void PathEstimate::measure_loss(const Feedback& feedback) {
   burst_packets_ = (lost_ + 2.0) / (bursts_ + 2.0);
 }
 
+/// True after a silence, while the limit is below half of what it was and no long queue builds up. Few packets are in
+/// flight then, so jitter looks like a short queue.
+bool PathEstimate::recovers() noexcept {
+  if (limit_B_ >= recover_to_B_ || queue_delay_ > std::max<Nanoseconds>(kLongQueue, round_trip_ / 4)) recover_to_B_ = 0;
+  return recover_to_B_ > 0;
+}
+
 /// Keeps the queue short: grows the limit while the round trip is near its least. When a queue builds up, the limit
 /// becomes what the path delivers in a round trip without the queue, jitter included, and the target.
 void PathEstimate::adapt_limit(std::uint64_t acknowledged_now) {
+  if (recovers()) {
+    limit_B_ = std::min(limit_B_ + acknowledged_now, recover_to_B_);
+    return;
+  }
   if (queue_delay_ > kQueueTarget && best_rate_B_per_s_ > 0.0)
     limit_B_ = std::min(limit_B_, static_cast<std::uint64_t>(best_rate_B_per_s_ *
                                                              to_seconds(round_trip_ - queue_delay_ + kQueueTarget)));
@@ -128,6 +140,7 @@ bool PathEstimate::drains(SessionTime now) noexcept {
 bool PathEstimate::has_room(SessionTime now) noexcept {
   if (in_flight_B() > 0 && now - last_heard_ > std::max<Nanoseconds>(kSilence, 4 * round_trip_)) {
     acknowledged_ = sent_bytes_;
+    recover_to_B_ = std::max(recover_to_B_, limit_B_ / 2);
     limit_B_ = kLeastLimit_B;
     last_heard_ = now;
   }

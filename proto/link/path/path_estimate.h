@@ -22,7 +22,7 @@ class PathEstimate {
 
   /// True if a datagram may be sent now: in_flight_B() leaves room below limit_B(), and sending does not pause to empty
   /// the path's queue. Without feedback for the longer of 1 s and 4 round trips, all data in flight counts as lost, and
-  /// limit_B() falls to its least value.
+  /// limit_B() falls to its least value. From there it doubles with each round trip, up to half of what it was.
   [[nodiscard]] bool has_room(SessionTime now) noexcept;
 
   [[nodiscard]] Nanoseconds round_trip() const noexcept { return round_trip_; }  ///< smoothed; 0: unknown
@@ -58,6 +58,7 @@ class PathEstimate {
   void measure_rate(const Feedback& feedback, SessionTime now);
   void measure_loss(const Feedback& feedback);
   void adapt_limit(std::uint64_t acknowledged_now);
+  [[nodiscard]] bool recovers() noexcept;
   [[nodiscard]] bool drains(SessionTime now) noexcept;
 
   std::deque<Sent> on_the_way_;
@@ -84,6 +85,7 @@ class PathEstimate {
   WindowedMaximum<double> rates_;
   double best_rate_B_per_s_ = 0.0;  ///< best of 1 s, or of 2 round trips if longer: pauses in sending do not lower it
   std::uint64_t limit_B_ = std::uint64_t{1} << 20U;
+  std::uint64_t recover_to_B_ = 0;  ///< after a silence: half of the limit before it; 0: no recovery
 };
 
 /// True if a lost packet of a frame that must arrive within `left` can be requested and repaired in time.

@@ -55,6 +55,17 @@ AssertionResult deep_buffer_and_jitter() {
                  nothing_wrong(outcome)});
 }
 
+/// 8.5 s of images after an outage, and 8.7 s before it.
+AssertionResult outage_on_a_long_path() {
+  const impaired::Impairment either_way{
+      .delay = 180ms, .jitter = 40ms, .loss = 0.02, .outage_every = 10s, .outage_for = 1250ms};
+  const Outcome outcome =
+      bench::link::run_telepalp({.down = either_way, .up = either_way, .seconds = 18.5, .deadline = 280ms});
+  return all_of({shown(outcome, 0.8),
+                 below("age of the newest depth, p95", 1e-3 * outcome.depth_age_ms.quantile(0.95), 3.0, 1.0, "s"),
+                 nothing_wrong(outcome)});
+}
+
 /// One report for each packet; the peer's clock is corrected by 20 ms halfway.
 AssertionResult corrected_clock() {
   link::PathEstimate path;
@@ -89,6 +100,8 @@ const HardCase kRows[] = {
      jitter_wider_than_a_frame_period},
     {"2 MB/s, 2 MiB of buffer, jitter 20 ms", "the queue hides in the jitter", "find the queue, and keep it short",
      deep_buffer_and_jitter},
+    {"RTT 360 ms, nothing arrives for 1.25 s", "after silence, the sender begins with 19 kB in flight and needs 1.3 MB",
+     "send whole images again within seconds", outage_on_a_long_path},
     {"the peer's clock jumps by 20 ms", "each packet seems to take 20 ms longer", "see no queue", corrected_clock},
     {"each fourth packet is overtaken by 300", "more than the packets that a meter waits for", "count no loss",
      overtaking_packets},
