@@ -34,9 +34,10 @@ Exposure DepthSensor::expose(std::int64_t instant) const noexcept {
   }
   exposure.per_unit_ = static_cast<float>(1.0 / settings_.unit_m);
   exposure.per_level_ = static_cast<float>(1.0 / kLevelSpacing_per_m);
+  exposure.beyond_ = 65536.0F;
   if (settings_.disparity_steps) {
     exposure.levels_ = levels_.data();
-    exposure.level_count_ = static_cast<std::uint32_t>(levels_.size());
+    exposure.beyond_ = static_cast<float>(levels_.size());
   }
   return exposure;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -31,15 +30,16 @@ class Exposure {
   /// the highest eight for another purpose.
   [[nodiscard]] std::uint32_t bits(std::uint32_t pixel) const noexcept { return noise_.bits(pixel); }
 
-  /// The sample [unit_m] for a depth of `z_m` > 0, with the noise of `bits`. A depth beyond 65535 units gives 0, or
-  /// without disparity steps 65535. With disparity steps, a depth below 0.343 m gives the nearest level, 0.343 m.
+  /// The sample [unit_m] for a depth of `z_m` > 0, with the noise of `bits`. Out of range, it is 0 (no measurement): for
+  /// a depth beyond 65535 units, and with disparity steps also for one nearer than the nearest level, 0.343 m.
   [[nodiscard]] std::uint16_t sample_of(float z_m, std::uint32_t bits) const noexcept {
     const float far_m = z_m - 0.4F;
     const float sigma_m = base_m_ + growth_per_m_ * far_m * far_m;
     const float seen_m = z_m + sigma_m * gaussian_[bits & (GaussianTable{}.size() - 1)];
     const float steps = levels_ != nullptr ? per_level_ / seen_m : seen_m * per_unit_;
-    const auto step = static_cast<std::uint32_t>(std::clamp(steps + 0.5F, 0.0F, 65535.0F));
-    return levels_ != nullptr ? levels_[std::min(step, level_count_ - 1)] : static_cast<std::uint16_t>(step);
+    const float rounded = steps + 0.5F;
+    const auto step = static_cast<std::uint32_t>(rounded >= 0.0F && rounded < beyond_ ? rounded : 0.0F);
+    return levels_ != nullptr ? levels_[step] : static_cast<std::uint16_t>(step);
   }
   [[nodiscard]] std::uint16_t sample(float z_m, std::uint32_t pixel) const noexcept {
     return sample_of(z_m, bits(pixel));
@@ -56,7 +56,7 @@ class Exposure {
   float per_unit_ = 0.0F;
   float per_level_ = 0.0F;
   const std::uint16_t* levels_ = nullptr;  ///< nullptr: the sensor has no disparity steps
-  std::uint32_t level_count_ = 1;
+  float beyond_ = 0.0F;                    ///< the first step, in units or levels, that a sample cannot hold
 };
 
 /// The one model of a depth sensor's error: noise, then rounding to a disparity level or to a whole unit. A pure

@@ -39,6 +39,22 @@ double worst_m(const DepthField& field, const std::function<double(double)>& tru
   return worst;
 }
 
+TEST(DepthSensor, ADepthOutOfItsRangeIsNoMeasurement) {
+  const auto sample = [](const sensor::DepthSensorSettings& settings, float z_m) {
+    return sensor::DepthSensor(settings).expose(1).sample(z_m, 0);
+  };
+  const sensor::DepthSensorSettings in_mm{.noise = sensor::DepthNoise::None, .disparity_steps = false};
+  EXPECT_EQ(sample(in_mm, 65.535F), 65535);
+  for (const float z_m : {65.54F, 100.0F, 1e9F, 0.0004F}) EXPECT_EQ(sample(in_mm, z_m), 0) << z_m << " m";
+  sensor::DepthSensorSettings in_tenths = in_mm;
+  in_tenths.unit_m = 0.0001;
+  EXPECT_EQ(sample(in_tenths, 6.5F), 65000);
+  EXPECT_EQ(sample(in_tenths, 6.6F), 0) << "65535 would be a depth";
+  const sensor::DepthSensorSettings in_levels{.noise = sensor::DepthNoise::None};
+  EXPECT_EQ(sample(in_levels, 0.344F), 344) << "level 1020 of 1023";
+  for (const float z_m : {0.34F, 0.1F}) EXPECT_EQ(sample(in_levels, z_m), 0) << z_m << " m is nearer than any level";
+}
+
 TEST(SampleDepths, DepthsOfADisparitySensorAreReplacedByItsLevelsFromTheFirstImageOn) {
   for (const double bed_m : {0.85, 1.2}) {
     SampleDepths samples;
