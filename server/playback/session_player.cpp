@@ -70,6 +70,10 @@ void SessionPlayer::stop() {
 
 Result<void> SessionPlayer::apply(const msg::PlaybackCommand& command) {
   const std::scoped_lock lock(mutex_);
+  if (over_)
+    return Error{.what = "the session is over, and the server ends",
+                 .where = "playback",
+                 .fix = "start the server again; with the option `loop` on, it begins the session again at its end"};
   if (command.has_seek_s() && command.seek_s() > state_.duration_s())
     return Error{.what = "the session lasts only " + std::to_string(state_.duration_s()) + " s",
                  .where = "seek_s",
@@ -121,7 +125,10 @@ void SessionPlayer::run() {
       again = std::exchange(again_, false);
     }
     for (const msg::PlaybackCommand& command : commands) carry_out(command);
-    if (playing_ && at_end()) return boost::asio::post(*network_, handlers_.on_end);
+    if (playing_ && at_end()) {
+      if (finish()) return boost::asio::post(*network_, handlers_.on_end);
+      continue;  // a command came meanwhile: it may seek
+    }
     if (again && !playing_) repeat_picture();
     publish_status_when_due();
     show_state();
@@ -138,9 +145,21 @@ bool SessionPlayer::at_end() {
     go_to(timeline_.begin());
     map_.now += kBetweenRounds;
   }
-  ended_ = !next_;
-  if (ended_) publish_status_when_due();
-  return ended_;
+  return !next_;
+}
+
+/// From here on, no command is accepted. False: one is waiting.
+bool SessionPlayer::finish() {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!commands_.empty()) return false;
+    over_ = true;
+  }
+  ended_ = true;
+  publish_status_when_due();
+  playing_ = false;
+  show_state();
+  return true;
 }
 
 void SessionPlayer::carry_out(const msg::PlaybackCommand& command) {

@@ -39,7 +39,8 @@ class SessionPlayer {
   void start(boost::asio::io_context& network, Handlers handlers);
   void stop();
 
-  /// Carries the command out as soon as possible. Error: a position beyond the session's end. Any thread.
+  /// Carries the command out as soon as possible. Error: a position beyond the session's end, or the session is over:
+  /// it has reached its end while playing without `loop`. Any thread.
   [[nodiscard]] Result<void> apply(const msg::PlaybackCommand& command);
   /// While paused, publishes the present picture and the camera models again, for a subscriber that joined after them.
   /// At most once a second. Any thread.
@@ -60,6 +61,7 @@ class SessionPlayer {
   void repeat_picture();
   void play_next();
   [[nodiscard]] bool at_end();
+  [[nodiscard]] bool finish();
   void publish(const wire::Message& recorded);
   void publish_status_when_due();
   void hand_over(wire::Message message);
@@ -86,11 +88,12 @@ class SessionPlayer {
 
   boost::asio::io_context* network_ = nullptr;  // set by start()
   Handlers handlers_;                           // set by start(); called on the network thread
-  mutable std::mutex mutex_;                    // guards commands_, again_, state_ and stopping_
+  mutable std::mutex mutex_;                    // guards commands_, again_, state_, over_ and stopping_
   std::condition_variable changed_;
   std::vector<msg::PlaybackCommand> commands_;
   bool again_ = false;  // show_again() was called
   msg::PlaybackState state_;
+  bool over_ = false;  // the thread has ended or is about to, and carries out no more commands
   bool stopping_ = false;
   std::atomic<int> on_the_way_{0};  // messages posted and not yet handled
   std::atomic<std::uint64_t> depth_images_{0};

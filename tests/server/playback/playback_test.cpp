@@ -179,6 +179,17 @@ TEST(SessionPlayer, PlaysEachMessageOnceInTimeWithTheRecordedBytesAndEnds) {
   EXPECT_EQ(last.state(), msg::CAPTURE_STATE_ENDED);
 }
 
+TEST(SessionPlayer, AfterItsEndCommandsAreRefusedBecauseTheServerEnds) {
+  Stage stage({.file = session("over", 3).string(), .speed = 4.0});
+  ASSERT_TRUE(stage.run_until([&] { return stage.ended; }));
+  for (const char* json : {"{\"seek_s\": 0}", "{\"play\": true}", "{\"loop\": true}"}) {
+    const auto applied = stage.player->apply(*read_command(json));
+    ASSERT_FALSE(applied) << json;
+    EXPECT_NE(applied.error().what.find("the session is over"), std::string::npos) << to_string(applied.error());
+  }
+  EXPECT_FALSE(stage.player->state().playing());
+}
+
 TEST(SessionPlayer, InALoopItBeginsAgainAndTimeGoesOn) {
   Stage stage({.file = session("loop", 6).string(), .speed = 4.0}, true);
   ASSERT_TRUE(stage.run_until([&] { return stage.shown().size() >= 18; }));
