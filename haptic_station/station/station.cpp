@@ -309,9 +309,11 @@ void Station::start_inside_thread() {
   }
   inside_thread_.emplace(
       scene_, InsideThread::Handlers{.on_structures =
-                                         [this](msg::InnerStructures made) {
+                                         [this](InnerSurfaces made) {
                                            boost::asio::post(io_, [this, made = std::move(made)]() mutable {
-                                             inside_ = std::move(made);
+                                             for (const std::string& layer : made.left_out)
+                                               say("the viewers do not draw the " + layer);
+                                             inside_ = std::move(made.drawn);
                                              publish_inside();
                                            });
                                          },

@@ -107,14 +107,16 @@ void set_rotation(msg::Rotation& rotation, const Eigen::Quaterniond& q) {
 
 }  // namespace
 
-msg::InnerStructures inner_structures(std::span<const scenes::SceneLayer> layers) {
-  msg::InnerStructures inside;
+InnerSurfaces inner_structures(std::span<const scenes::SceneLayer> layers) {
+  InnerSurfaces inside;
   if (layers.empty()) return inside;
   const std::size_t most_points = std::min(kMostPoints / layers.size(), wire::kMostStructurePoints);
   for (const auto& [layer, effect] : layers) {
     const Result<solids::SolidMesh> mesh = fitting_mesh(*layer->tree, most_points);
+    if (!mesh) inside.left_out.push_back("layer " + layer->name + ": " + to_string(mesh.error()));
+    if (mesh && mesh->points.empty()) inside.left_out.push_back("layer " + layer->name + ": its solid is empty");
     if (!mesh || mesh->points.empty()) continue;
-    msg::InnerStructure& structure = *inside.add_structures();
+    msg::InnerStructure& structure = *inside.drawn.add_structures();
     structure.set_name(layer->name);
     structure.set_effect(effect);
     pack(*mesh, structure);

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/inside/held_probe.h"
@@ -11,10 +13,16 @@
 
 namespace telepalp::station {
 
+/// What clients draw of a scene's layers.
+struct InnerSurfaces {
+  msg::InnerStructures drawn;
+  std::vector<std::string> left_out;  ///< "layer liver: the solid has no bounds …": it is felt and not drawn
+};
+
 /// The surfaces of the layers by marching cubes, thinned to one point in each cell of a grid and moved onto the true
 /// surface. The cells grow until all layers together have at most 36 000 points. A layer without bounds, or with too
 /// many points after six attempts, is left out. Takes up to some seconds.
-[[nodiscard]] msg::InnerStructures inner_structures(std::span<const scenes::SceneLayer> layers);
+[[nodiscard]] InnerSurfaces inner_structures(std::span<const scenes::SceneLayer> layers);
 
 /// Sets the pose of H in the depth camera's frame: the points of `inside` are in H.
 void set_place(msg::InnerStructures& inside, const Transform<HapticBase, DepthCamera>& haptic_from_camera);

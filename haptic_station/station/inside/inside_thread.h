@@ -21,7 +21,7 @@ class InsideThread {
  public:
   /// Both are called on this thread.
   struct Handlers {
-    std::function<void(msg::InnerStructures)> on_structures;
+    std::function<void(InnerSurfaces)> on_structures;
     std::function<void(msg::UltrasoundImage)> on_image;
   };
 

@@ -198,7 +198,10 @@ Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticM
   shape.support_m = settings.support_m > 0.0 ? settings.support_m : noise.support_m;
   StaticModel made{.snapshot = nullptr, .remarks = settling.remarks, .sampling = {}};
   made.sampling = description_of(noise, settling.points.size());
+  const std::size_t given_points = settling.points.size();
   if (settings.support_m <= 0.0) thin_for(shape.support_m, noise.spacing_m, settling.points);
+  if (settling.points.size() < given_points)
+    say(made.sampling, text("%zu of them are kept, as many as a tick can sum", settling.points.size()));
   made.snapshot = std::make_shared<const CloudSnapshot>(std::move(settling.points), shape, Index::Nanoflann);
   return made;
 }

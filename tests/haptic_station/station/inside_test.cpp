@@ -125,7 +125,9 @@ std::uint32_t u16(const std::string& bytes, std::size_t i) {
 TEST(InnerStructures, LieOnTheLayersAndFitTheirMessage) {
   const std::vector<scenes::SceneLayer> layers{{layer("tr 0.02 -0.05 0.01 sphere 0.03"), 1},
                                                {layer("+ torusz 0.1 0.008 tr 0 -0.1 0 torusx 0.08 0.005"), 3}};
-  msg::InnerStructures inside = inner_structures(layers);
+  const InnerSurfaces surfaces = inner_structures(layers);
+  EXPECT_TRUE(surfaces.left_out.empty());
+  msg::InnerStructures inside = surfaces.drawn;
   ASSERT_EQ(inside.structures_size(), 2);
   set_place(inside, camera_above());
   EXPECT_TRUE(wire::is_valid(inside));
@@ -147,11 +149,14 @@ TEST(InnerStructures, LieOnTheLayersAndFitTheirMessage) {
   }
 }
 
-TEST(InnerStructures, ALayerWithoutBoundsIsLeftOut) {
+TEST(InnerStructures, ALayerWithoutBoundsIsLeftOutAndNamed) {
   const std::vector<scenes::SceneLayer> layers{{layer("plane 0 1 0 -0.05"), 0}, {layer("sphere 0.03"), 1}};
-  const msg::InnerStructures inside = inner_structures(layers);
-  ASSERT_EQ(inside.structures_size(), 1);
-  EXPECT_EQ(inside.structures(0).effect(), 1U);
+  const InnerSurfaces inside = inner_structures(layers);
+  ASSERT_EQ(inside.drawn.structures_size(), 1);
+  EXPECT_EQ(inside.drawn.structures(0).effect(), 1U);
+  ASSERT_EQ(inside.left_out.size(), 1U);
+  EXPECT_NE(inside.left_out.front().find("layer layer: "), std::string::npos) << inside.left_out.front();
+  EXPECT_NE(inside.left_out.front().find("has no bounds"), std::string::npos) << inside.left_out.front();
 }
 
 TEST(UltrasoundMessage, HoldsTheImageAndThePoseInTheCamerasFrame) {

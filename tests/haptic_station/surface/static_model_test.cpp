@@ -256,6 +256,21 @@ TEST(CloudNoise, IsMeasuredToATenthAndTheSupportFollowsIt) {
   }
 }
 
+TEST(CloudNoise, ACloudThatIsThinnedSaysHowManyPointsAreKept) {
+  models::PointModel cloud;
+  cloud.points = noisy_hill(0.006F).at_m;
+  const auto made = make_static_model(cloud, {.anyway = true});
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_LT(made->snapshot->points, 10'000U);
+  EXPECT_TRUE(made->sampling.starts_with("14400 points")) << made->sampling;
+  EXPECT_NE(made->sampling.find("; " + std::to_string(made->snapshot->points) + " of them are kept"), std::string::npos)
+      << made->sampling;
+  cloud.points = noisy_hill(0.0F).at_m;
+  const auto whole = make_static_model(cloud, {});
+  ASSERT_TRUE(whole.ok()) << to_string(whole.error());
+  EXPECT_EQ(whole->sampling.find("are kept"), std::string::npos) << whole->sampling;
+}
+
 TEST(CloudNoise, OfPointsThatFillAVolumeSaysThatTheyAreNoSurface) {
   IndexedPoints heap;
   std::mt19937 random(4);
