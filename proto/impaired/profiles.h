@@ -12,9 +12,8 @@ namespace telepalp::impaired {
 /// The impairments of a kind of network path, in both directions.
 struct Profile {
   std::string_view name;
-  std::string_view what;  ///< in words: "a geostationary satellite"
-  Impairment down;        ///< from the server to the client
-  Impairment up;          ///< from the client to the server
+  Impairment down;  ///< from the server to the client
+  Impairment up;    ///< from the client to the server
 };
 
 /// `lan`, `lte`, `satellite` and `hostile`.

@@ -60,7 +60,7 @@ std::vector<Arrival> on(const wire::Topic& topic, const std::vector<Arrival>& al
 constexpr std::size_t kSent = 304;  // images, and events
 
 impaired::Profile alike(const impaired::Impairment& either_way) {
-  return {.name = "test", .what = "", .down = either_way, .up = either_way};
+  return {.name = "test", .down = either_way, .up = either_way};
 }
 
 TEST(ImpairedPath, AQuietNetworkDeliversAllMessagesWithTheirStamps) {
