@@ -6,9 +6,8 @@
 namespace telepalp::surface {
 namespace {
 
-/// A function of the age, and its derivative.
 struct Progress {
-  double value = 0.0;
+  double s = 0.0;
   double rate = 0.0;
 };
 
@@ -31,40 +30,27 @@ Progress believed(const ForesightShare& share, double age_s) noexcept {
   return {share[late ? 1 : 0] + change * x * x * (3.0 - 2.0 * x), change * 6.0 * x * (1.0 - x) / span_s};
 }
 
-/// Value and derivative of a product.
-Progress operator*(const Progress& a, const Progress& b) noexcept {
-  return {a.value * b.value, a.rate * b.value + a.value * b.rate};
-}
-
 }  // namespace
 
 MotionBasis motion_basis(const MotionModel& model, double age_s) noexcept {
   if (!model.moves) return {};
   const Progress age = lived(age_s, model.freeze_from_s);
   const double w = model.breathing_rad_per_s;
-  const double fade = std::exp(-age.value / model.linear_fade_s);
-  const double c1 = std::cos(w * age.value);
-  const double s1 = std::sin(w * age.value);
+  const double fade = std::exp(-age.s / model.linear_fade_s);
+  const double c1 = std::cos(w * age.s);
+  const double s1 = std::sin(w * age.s);
   const double c2 = c1 * c1 - s1 * s1;
   const double s2 = 2.0 * s1 * c1;
-  const Progress linear{model.linear_fade_s * (1.0 - fade), fade};
-  const Progress modelled = believed(model.modelled, age.value);
-  const Progress speed = modelled * believed(model.speed, age.value);
-  const Progress acceleration = modelled * believed(model.acceleration, age.value);
-  const std::array<Progress, kMotionTerms> terms{
-      speed * linear,
-      acceleration * Progress{c1 - 1.0, -w * s1},
-      speed * Progress{s1, w * c1},
-      modelled * Progress{c2 - 1.0, -2.0 * w * s2},
-      modelled * Progress{s2, 2.0 * w * c2},
-      believed(model.straight, age.value) * linear,
+  const Progress speed = believed(model.speed, age.s);
+  const Progress acceleration = believed(model.acceleration, age.s);
+  const auto terms = [](double a, double b, double c, double d, double e) {
+    return MotionTerms{static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d),
+                       static_cast<float>(e)};
   };
-  MotionBasis basis;
-  for (std::size_t term = 0; term < terms.size(); ++term) {
-    basis.value[term] = static_cast<float>(terms[term].value);
-    basis.rate[term] = static_cast<float>(age.rate * terms[term].rate);
-  }
-  return basis;
+  return {terms(speed.s * model.linear_fade_s * (1.0 - fade), acceleration.s * (c1 - 1.0), speed.s * s1, c2 - 1.0, s2),
+          terms(age.rate * (speed.s * fade + speed.rate * model.linear_fade_s * (1.0 - fade)),
+                age.rate * (acceleration.rate * (c1 - 1.0) - acceleration.s * w * s1),
+                age.rate * (speed.rate * s1 + speed.s * w * c1), -age.rate * 2.0 * w * s2, age.rate * 2.0 * w * c2)};
 }
 
 }  // namespace telepalp::surface

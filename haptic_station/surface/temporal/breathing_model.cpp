@@ -152,12 +152,8 @@ MotionTerms BreathingModel::motion_of(std::size_t cell) const noexcept {
   if (cell >= cells_.size()) return {};
   const BreathTerms at = terms_at(fit_.rad_per_s * (now_s_ - fitted_at_s_));
   const BreathTerms& b = cells_[cell];
-  return {0.0F,
-          static_cast<float>(b[1] * at[1] + b[2] * at[2]),
-          static_cast<float>(b[2] * at[1] - b[1] * at[2]),
-          static_cast<float>(b[3] * at[3] + b[4] * at[4]),
-          static_cast<float>(b[4] * at[3] - b[3] * at[4]),
-          0.0F};
+  return {0.0F, static_cast<float>(b[1] * at[1] + b[2] * at[2]), static_cast<float>(b[2] * at[1] - b[1] * at[2]),
+          static_cast<float>(b[3] * at[3] + b[4] * at[4]), static_cast<float>(b[4] * at[3] - b[3] * at[4])};
 }
 
 }  // namespace telepalp::surface

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace telepalp::surface {
 namespace {
@@ -44,20 +43,12 @@ MotionField::MotionField(int width_px, int height_px, const SurfaceSettings& set
       expected_(lattice_.size(), 0.0F),
       terms_(lattice_.size()),
       shared_(lattice_.size()),
-      shared_seen_(lattice_.size()),
-      straight_seen_(lattice_.size()) {
-  if (!settings.shared) return;
-  SurfaceSettings straight = settings;
-  straight.shared = straight.breathing = false;
-  straight_ = std::make_unique<MotionField>(width_px, height_px, straight);
-}
+      shared_seen_(lattice_.size()) {}
 
 /// The shared motion continues with what is predicted here, breath or not: innovations are relative to this.
 void MotionField::predict(double dt_s) {
-  if (straight_) straight_->predict(dt_s);
   MotionModel ahead = model();
-  ahead.speed = ahead.acceleration = ahead.modelled = kFullForesight;
-  ahead.straight = kNoForesight;
+  ahead.speed = ahead.acceleration = kFullForesight;
   ahead.linear_fade_s = 1e3;  // between frames the velocity is constant; only predictions decay
   const MotionBasis basis = motion_basis(ahead, dt_s);
   const double w2 = rate_rad_per_s() * rate_rad_per_s();
@@ -139,8 +130,7 @@ void MotionField::smooth_velocities() {
     cells_[at].velocity_m_per_s += kRoughnessLeak * (static_cast<double>(smooth[at]) - cells_[at].velocity_m_per_s);
 }
 
-/// The shared motion explains its part of the innovations; the cells' own filters get the rest. When the motion is no
-/// longer shared, its velocity is forgotten: it is wrong in a cough, and the straight prediction knows it in a sit-up.
+/// The shared motion explains its part of the innovations; the cells' own filters get the rest.
 void MotionField::correct_shared(const std::vector<CellInnovation>& seen, const std::vector<float>& innovation,
                                  double dt_s) {
   if (!shared_wanted_) return;
@@ -149,24 +139,7 @@ void MotionField::correct_shared(const std::vector<CellInnovation>& seen, const 
   shared_.correct(shared_seen_, dt_s);
 }
 
-/// Each cell's motion, estimated a second time, from the same measurements but without the motion that the body shares.
-void MotionField::correct_straight(const std::vector<CellInnovation>& seen, double dt_s) {
-  std::vector<float> apart_m(cells_.size());
-  std::transform(displacement_.begin(), displacement_.end(), straight_->displacement_.begin(), apart_m.begin(),
-                 std::minus<>());
-  apart_m = means_of(lattice_, apart_m);
-  straight_seen_ = seen;
-  for (std::size_t at = 0; at < seen.size(); ++at) straight_seen_[at].mean_m += static_cast<double>(apart_m[at]);
-  straight_->correct(straight_seen_, dt_s);
-}
-
-/// The cells' weights are those of the breathing model: skin that moves counts, and the bed does not.
-void MotionField::judge_predictions(double dt_s) {
-  mixture_.add(observed_, weight_, {.displacement_m = displacement_, .terms = terms_, .model = model()}, dt_s);
-}
-
 void MotionField::correct(const std::vector<CellInnovation>& seen, double dt_s) {
-  if (straight_) correct_straight(seen, dt_s);
   frame_s_ = dt_s;
   std::transform(seen.begin(), seen.end(), means_.begin(), [](const CellInnovation& cell) {
     return CellMean{cell.mean_m, cell.count};
@@ -190,7 +163,6 @@ void MotionField::correct(const std::vector<CellInnovation>& seen, double dt_s) 
   miss_m_ += 0.1 * (missed / moving - miss_m_);
   if (breathing_wanted_) breathing_.add(observed_, weight_, dt_s);
   update_terms();
-  if (straight_) judge_predictions(dt_s);
 }
 
 void MotionField::update_terms() {
@@ -203,7 +175,6 @@ void MotionField::update_terms() {
     terms[0] = static_cast<float>((1.0 - breath) * cells_[i].velocity_m_per_s);
     terms[1] -= static_cast<float>(share * shared_.acceleration_m_per_s2() / (w * w));
     terms[2] += static_cast<float>(share * shared_.speed_m_per_s() / w);
-    if (straight_) terms[kStraightTerm] = static_cast<float>(straight_->cells_[i].velocity_m_per_s);
     terms_[i] = terms;
   }
 }
@@ -222,10 +193,6 @@ MotionModel MotionField::model() const noexcept {
   };
   model.speed = blended(shared_.speed_share());
   model.acceleration = blended(shared_.acceleration_share());
-  if (straight_) {
-    model.modelled = mixture_.modelled();
-    model.straight = mixture_.straight();
-  }
   model.linear_fade_s = kVelocityFade_s;
   model.spread_m_per_s = 0.5 * miss_m_ / frame_s_;
   model.unmodelled = shared_.unmodelled();

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 #include "haptic_station/surface/temporal/breathing_model.h"
 #include "haptic_station/surface/temporal/cell_lattice.h"
-#include "haptic_station/surface/temporal/prediction_mixture.h"
 #include "haptic_station/surface/temporal/shared_motion.h"
 
 namespace telepalp::surface {
@@ -58,8 +56,6 @@ class MotionField {
   void correct_cell(std::size_t at, double innovation_m, double dt_s) noexcept;
   void smooth_velocities();
   void update_observed();
-  void correct_straight(const std::vector<CellInnovation>& seen, double dt_s);
-  void judge_predictions(double dt_s);
   [[nodiscard]] double believed() const noexcept { return breathing_wanted_ ? breathing_.confidence() : 0.0; }
   void update_terms();
   [[nodiscard]] double rate_rad_per_s() const noexcept;
@@ -80,9 +76,6 @@ class MotionField {
   BreathingModel breathing_;
   SharedMotion shared_;
   std::vector<SharedInnovation> shared_seen_;
-  std::unique_ptr<MotionField> straight_;  ///< without shared motion and breath; predicts straight on
-  std::vector<CellInnovation> straight_seen_;
-  PredictionMixture mixture_;
   double miss_m_ = 0.0;  ///< running mean of |innovation|, weighted by `weight_`
   double frame_s_ = 0.033;
 };

@@ -29,6 +29,8 @@ constexpr double kPaceAhead_s = 0.1;  // an acceleration counts as the speed tha
 constexpr double kUnusual = 4.0;      // ratio to the mean pace; a breath's largest pace is about twice its mean
 constexpr double kLeastUnusual_m_per_s = 0.02;  // a patient at rest does not breathe faster
 constexpr double kUnmodelledFor_s = 1.0;        // `unmodelled_` falls from 1 to 0 in this time, so that it can be seen
+constexpr double kLately_s = 0.5;
+constexpr double kLateDoubt_m2 = 1e-4;  // prior of (10 mm)²: a shorter shift ends before its speed is used
 
 }  // namespace
 
@@ -38,7 +40,11 @@ SharedMotion::SharedMotion(std::size_t cells) : share_(cells, 1.0), moments_(cel
 
 ForesightShare SharedMotion::speed_share() const noexcept {
   ForesightShare share{};
-  for (std::size_t i = 0; i < judges_.size(); ++i) share[i] = judges_[i].right[0];
+  for (std::size_t i = 0; i < judges_.size(); ++i) {
+    const Judge& one = judges_[i];
+    const double lately = std::max(0.0, one.lately_came_m2 / (one.lately_said_m2 + kLateDoubt_m2));
+    share[i] = usual_ * one.right[0] + (1.0 - usual_) * std::min(one.right[0], lately);
+  }
   return share;
 }
 
@@ -142,6 +148,9 @@ void SharedMotion::judge(Judge& one, double dt_s) noexcept {
   const double keep = std::exp(-dt_s / kJudgeOver_s);
   one.normal *= keep;
   one.came *= keep;
+  const double keep_lately = std::exp(-dt_s / kLately_s);
+  one.lately_said_m2 *= keep_lately;
+  one.lately_came_m2 *= keep_lately;
   const auto then =
       std::find_if(past_.rbegin(), past_.rend(), [&](const Past& past) { return now_s_ - past.at_s >= one.ahead_s; });
   if (then != past_.rend() && now_s_ - then->at_s < 2.0 * one.ahead_s) {
@@ -152,6 +161,8 @@ void SharedMotion::judge(Judge& one, double dt_s) noexcept {
     const double came_m = shared_m_ - then->shared_m;
     one.normal += per_m2 * said * said.transpose();
     one.came += per_m2 * came_m * said;
+    one.lately_said_m2 += said[0] * said[0];
+    one.lately_came_m2 += said[0] * came_m;
   }
   const Eigen::Matrix2d normal = one.normal + kGoodFaith * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d came = one.came + kGoodFaith * Eigen::Vector2d::Ones();

@@ -35,8 +35,8 @@ class SharedMotion {
   /// the oscillation by which speed and acceleration are extrapolated, which bounds the extrapolation.
   void predict(std::span<const SharedPrediction> cells, double dt_s, double rad_per_s) noexcept;
   /// Updates the motion with a frame's innovations. Cells that deviate from the others get a small weight. If fewer
-  /// than 85 % of the measured cells agree, the motion is not shared (the camera was pushed, or the patient sits up),
-  /// and all estimates start anew.
+  /// than 85 % of the measured cells agree, the motion is not shared (the camera was pushed), and all estimates start
+  /// anew.
   void correct(std::span<const SharedInnovation> seen, double dt_s);
   /// Learns the shares of the cells from their measured displacements since the start [m].
   void learn(std::span<const float> displacement_m, double dt_s);
@@ -50,8 +50,8 @@ class SharedMotion {
   [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
   [[nodiscard]] double acceleration_m_per_s2() const noexcept { return acceleration_m_per_s2_; }
   /// Weights of the predictions from speed and from acceleration, learned over the last ten seconds. While the motion
-  /// is much faster than usual, as when the patient shifts, it may end at any time: the weight of the acceleration is
-  /// then 0.
+  /// is much faster than usual, as when the patient shifts, it may end at any time: the weight of the speed is then at
+  /// most the one learned over the last half second, and the weight of the acceleration is 0.
   [[nodiscard]] ForesightShare speed_share() const noexcept;
   [[nodiscard]] ForesightShare acceleration_share() const noexcept;
   /// 0 to 1: 1 while the motion is much faster than usual, or when the whole body does not share it; then it falls to 0
@@ -75,6 +75,8 @@ class SharedMotion {
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
     Eigen::Vector2d came = Eigen::Vector2d::Zero();
     Eigen::Vector2d right = Eigen::Vector2d::Ones();  ///< the regression's coefficients, in [0, 1]
+    double lately_said_m2 = 0.0;  ///< sums for the same regression on speed alone, over the last half second
+    double lately_came_m2 = 0.0;
   };
   struct Estimate {
     double m = 0.0;
