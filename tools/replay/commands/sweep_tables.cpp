@@ -22,6 +22,8 @@ std::string number(double value, const char* form = "%.6g") {
   return text.data();
 }
 
+std::string number_or_unknown(double value) { return std::isfinite(value) ? number(value, "%.4g") : "unknown"; }
+
 std::string left_padded(const std::string& text, std::size_t width) {
   return std::string(width - std::min(width, text.size()), ' ') + text;
 }
@@ -48,7 +50,7 @@ std::string sweep_text(const SweepResult& result) {
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
     for (const double value : result.cells[i].values) text += left_padded(number(value), 14);
     for (const std::string_view name : kShown)
-      text += left_padded(number(result.figures[i].*find_metric(name)->value, "%.4g"), width_of(name));
+      text += left_padded(number_or_unknown(result.figures[i].*find_metric(name)->value), width_of(name));
     text += "\n";
   }
   return text;
