@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <span>
 
 #include "haptic_station/device/breathing_plane.h"
@@ -56,7 +57,7 @@ std::vector<Cost> costs_on_the_path(effects::EffectBank& bank) {
     in.device_velocity.v = in.moved.v / kTick_s;
     in.device = next;
     in.contact = skin(next, 0.0);
-    (void)bank.step(in, kTick_s, &cycles_now);
+    (void)bank.step(in, kTick_s, std::numeric_limits<double>::infinity(), &cycles_now);
     if (i % kTicksPerPart == 0) end_part(bank.bill(), costs);
   }
   return costs;
