@@ -32,8 +32,8 @@ struct Unfelt {
 struct Outcome {
   bool tried = false;
   bool released = false;  ///< by the watchdog, after the hand had left the skin
-  Unfelt before;          ///< the watchdog released the hand
-  Unfelt after;
+  Unfelt before;          ///< until the watchdog released the hand
+  Unfelt after;           ///< since then
 };
 
 Outcome play(int number) {
@@ -77,7 +77,8 @@ std::vector<Row> measure(const Options& options) {
   const int runs = std::max(10, options.seeds);
   std::vector<Outcome> all(static_cast<std::size_t>(runs));
   for_each_parallel(runs, options, [&](int i) { all[static_cast<std::size_t>(i)] = play(i); });
-  Outcome worst{.tried = true};
+  Outcome worst;
+  worst.tried = true;
   int released = 0;
   for (const Outcome& one : all) {
     released += one.released ? 1 : 0;
