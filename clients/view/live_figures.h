@@ -26,7 +26,8 @@ class LiveFigures {
     double age_p99_ms = 0.0;
     std::uint64_t missed = 0;  ///< messages that were published and did not come
   };
-  /// Figures of all messages counted so far, which arrived in `seconds`. `received`: wire::ClientLink::received().
+  /// Figures of all messages counted so far, which arrived in `seconds`. `received`: the messages that the link
+  /// received, by topic.
   [[nodiscard]] std::vector<Topic> topics(double seconds,
                                           const std::map<std::string_view, wire::ReceivedCount>& received) const;
 

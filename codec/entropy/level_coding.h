@@ -20,7 +20,8 @@ using Levels = std::vector<std::uint16_t>;
 
 constexpr std::int64_t kLevels = 65536;
 
-// Alphabet for coding by steps, the differences of successive levels: a symbol is the change from the previous step.
+// Alphabet for coding by steps, the differences of successive levels minus 1: a symbol is the change from the last
+// step.
 constexpr int kSmallChange = 6;
 constexpr int kLargeChange = 14;  // escape: the step itself follows as a number
 
@@ -109,7 +110,7 @@ void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& l
   for (std::uint32_t n = 0; n <= last; ++n) {
     const auto lawful = static_cast<std::int64_t>(law.level_at(n));
     int symbol = kAbsent;
-    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // encode_steps() codes a second level at one step
+    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // `rest` takes a second level of the same disparity
       const std::int64_t miss = *level - lawful;
       if (symbol != kAbsent || miss < -kLargestMiss || miss > kLargestMiss) continue;
       symbol = kOnLaw + static_cast<int>(miss);
@@ -177,7 +178,7 @@ bool encode_levels(RangeEncoder& coder, std::span<const std::uint16_t> levels, b
   return true;
 }
 
-/// nullopt: the bytes are damaged; a level exceeds 65 535 or occurs twice.
+/// nullopt: the bytes are damaged, so that a level would exceed 65 535 or occur twice.
 std::optional<Levels> decode_levels(RangeDecoder& coder) {
   Model grain_model = kFlatModel;
   const std::uint32_t grain = decode_number(coder, grain_model);

@@ -5,10 +5,10 @@
 namespace telepalp::tracking {
 
 /// Estimates a tracker's measurement noise from its own samples, without a model of the hand (after Mehra 1970, the
-/// autocovariance of the innovations). The innovation is the vector to a sample from the straight line through the two
-/// samples before it. White noise makes successive innovations point in opposite directions; a hand that speeds up or
-/// brakes makes them point in the same direction. So the noise variance follows from their covariance, at any sample
-/// rate, and is zero for a tracker that smooths its samples. No allocation.
+/// autocovariance of the innovations). The innovation is a sample minus the place that the two samples before it
+/// predict for its time at constant velocity. White noise makes successive innovations point in opposite directions; a
+/// hand that speeds up or brakes makes them point in the same direction. So the noise variance follows from their
+/// covariance, at any sample rate, and is zero for a tracker that smooths its samples. No allocation.
 class SampleNoise {
  public:
   explicit SampleNoise(double memory_s) noexcept : memory_s_(memory_s) {}

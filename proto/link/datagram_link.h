@@ -30,7 +30,7 @@ class DatagramLink {
   DatagramLink(const DatagramLinkSettings& settings, End end);
 
   /// Queues a frame; returns the number of the frame that it replaces. If a frame was replaced and frames of its
-  /// channel depend on each other, the next one must be a key frame.
+  /// channel depend on each other, the next frame that is offered must be a key frame.
   std::optional<std::uint32_t> offer(Frame frame) { return sender_.offer(std::move(frame)); }
 
   /// True when a frame that is offered now starts at once: no other waits, and the path has room. A caller with a queue

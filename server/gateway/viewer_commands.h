@@ -17,7 +17,7 @@ namespace telepalp::gateway {
 /// handing it over to another viewer. Pure; owner: the server's network thread.
 class ViewerCommands {
  public:
-  /// Error: another topic than /viewer/hand, another encoding, or too many channels.
+  /// Error: a topic other than /viewer/hand, an encoding other than protobuf, or more channels than a viewer may have.
   [[nodiscard]] Result<void> advertise(const foxglove::Request::Channel& channel);
   void unadvertise(std::uint32_t channel) { channels_.erase(channel); }
 

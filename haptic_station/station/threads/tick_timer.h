@@ -7,8 +7,8 @@
 
 namespace telepalp::station {
 
-/// Absolute deadlines at a fixed period. A late tick does not move later deadlines. A deadline that has passed when its
-/// tick would start is missed: it is skipped and counted, so that the loop never runs in a burst.
+/// Absolute deadlines at a fixed period. A late tick does not move later deadlines. A deadline is missed if its tick
+/// could start only one period later or more: it is skipped and counted, so that the loop never runs in a burst.
 class TickTimer {
  public:
   using Clock = std::chrono::steady_clock;

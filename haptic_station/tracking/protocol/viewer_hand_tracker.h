@@ -8,8 +8,8 @@
 namespace telepalp::tracking {
 
 /// A hand that a user moves in a viewer by mouse, finger or headset. The server sends it on /viewer/hand and decides
-/// which viewer holds the hand. A viewer that lets go, rests or loses its connection sends nothing; the station's
-/// watchdog then acts on the age of the last position.
+/// which viewer holds the hand. A viewer that lets go, hides its page or loses its connection sends nothing; the
+/// station's watchdog then acts on the age of the last position.
 class ViewerHandTracker final : public ports::Tracker {
  public:
   using Clock = std::chrono::steady_clock;
