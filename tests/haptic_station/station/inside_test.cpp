@@ -156,7 +156,7 @@ TEST(InnerStructures, ALayerWithoutBoundsIsLeftOutAndNamed) {
   EXPECT_EQ(inside.drawn.structures(0).effect(), 1U);
   ASSERT_EQ(inside.left_out.size(), 1U);
   EXPECT_NE(inside.left_out.front().find("layer layer: "), std::string::npos) << inside.left_out.front();
-  EXPECT_NE(inside.left_out.front().find("has no bounds"), std::string::npos) << inside.left_out.front();
+  EXPECT_NE(inside.left_out.front().find("extends without end"), std::string::npos) << inside.left_out.front();
 }
 
 TEST(UltrasoundMessage, HoldsTheImageAndThePoseInTheCamerasFrame) {

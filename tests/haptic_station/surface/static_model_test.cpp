@@ -230,15 +230,15 @@ TEST(StaticModel, ACloudKeepsItsPointsAndItsGivenNormals) {
   EXPECT_GT(above.normal.z(), 0.999);
 }
 
-/// 120 × 120 points 2 mm apart on a hill of 40 mm, with noise along each axis.
-IndexedPoints noisy_hill(float noise_m) {
+/// 120 × 120 points on a hill of 40 mm, with noise along each axis.
+IndexedPoints noisy_hill(float noise_m, float spacing_m = 0.002F) {
   IndexedPoints hill;
   std::mt19937 random(9);
   std::normal_distribution<float> noise(0.0F, noise_m);
   for (int j = -60; j < 60; ++j)
     for (int i = -60; i < 60; ++i) {
-      const float x = 0.002F * static_cast<float>(i);
-      const float y = 0.002F * static_cast<float>(j);
+      const float x = spacing_m * static_cast<float>(i);
+      const float y = spacing_m * static_cast<float>(j);
       const float z = 0.8F - 0.04F * std::exp(-(x * x + y * y) / (2.0F * 0.05F * 0.05F));
       hill.at_m.emplace_back(x + noise(random), y + noise(random), z + noise(random));
     }
@@ -258,7 +258,7 @@ TEST(CloudNoise, IsMeasuredToATenthAndTheSupportFollowsIt) {
 
 TEST(CloudNoise, ACloudThatIsThinnedSaysHowManyPointsAreKept) {
   models::PointModel cloud;
-  cloud.points = noisy_hill(0.006F).at_m;
+  cloud.points = noisy_hill(0.004F, 0.0005F).at_m;
   const auto made = make_static_model(cloud, {.anyway = true});
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   EXPECT_LT(made->snapshot->points, 10'000U);
