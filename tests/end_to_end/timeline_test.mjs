@@ -137,7 +137,7 @@ test('QA impairs the network by mouse and by keyboard, and page and counts show 
   await until('the profile is in effect', async () => (await part('network')).delay_ms === 25);
   await until('the slider follows', async () => (await page.getAttribute('#impaired-delay_ms', 'aria-valuetext')) === '25 ms');
   await page.locator('#impaired-profile').selectOption('none');
-  await until('nothing is impaired', async () => /In effectnone: messages/.test(await text('impaired-rows')));
+  await until('nothing is impaired', async () => /In effectnone, as recorded/.test(await text('impaired-rows')));
   const {frames} = await status(page);
   await untilStatus(page, 'pictures come again', (now) => now.frames > frames + 2);
 });
