@@ -19,8 +19,8 @@ enum class ZstdEffort {
 /// Appends three fields: the size of `plain`, its compressed size (0: stored uncompressed), the bytes.
 void append_zstd_stream(std::string& packet, std::string_view plain, ZstdEffort effort);
 
-/// Reads one such stream. nullopt when it is damaged, or its decompressed size exceeds `most_bytes`, which is checked
-/// before decompression.
+/// Reads the three fields of append_zstd_stream() and decompresses the bytes. nullopt when a field is damaged, or when
+/// the decompressed size, which is checked before decompression, exceeds `most_bytes`.
 [[nodiscard]] std::optional<std::string> read_zstd_stream(ByteReader& reader, std::size_t most_bytes);
 
 }  // namespace telepalp::codec

@@ -3,7 +3,8 @@
 #include "codec/context/kernel.h"
 #include "codec/simd/lane_vector.h"
 
-// Four range encoders in lockstep, in SIMD registers. Internal linkage: several instruction sets compile this header.
+// Four range encoders in lockstep, in SIMD registers. Internal linkage, because this header is compiled for
+// several instruction sets.
 
 namespace telepalp::codec {
 namespace {

@@ -19,7 +19,8 @@ namespace telepalp::codec {
 inline constexpr int kSymbols = 15;
 inline constexpr uint32_t kModelTotal = 32767;
 
-/// Cumulative frequencies of 15 symbols: symbol s has cdf[s + 1] - cdf[s] of 32 767. cdf[0] = 0, cdf[15] = 32 767.
+/// Cumulative frequencies of 15 symbols: the probability of symbol s is (cdf[s + 1] - cdf[s]) / 32 767. cdf[0] = 0 and
+/// cdf[15] = 32 767.
 struct alignas(32) Model {
   uint16_t cdf[16];
 };

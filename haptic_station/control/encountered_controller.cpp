@@ -74,9 +74,9 @@ bool EncounteredController::inputs_are_stale(const ControlInput& in) const noexc
   return surface_is_stale(in, settings_.ages) || (!holds && hand_is_lost(in, settings_.ages.tracker_s));
 }
 
-/// The largest force of the displayed and of the measured skin now [N]. After a release, it is the fading force of the
-/// device. With a larger bound, the hand ledger would book the work of the measured skin against a device that gives no
-/// force, and count energy given to a hand that presses on.
+/// Upper bound of the force of the displayed skin and of the measured skin now [N]. In Released and Faulted, it is the
+/// magnitude of the force that the device still gives. With a larger bound, the hand ledger would compare the work of
+/// the measured skin with that of a device that gives no force, and report an excess for a hand that presses on.
 double EncounteredController::owed_N() const noexcept {
   return has_let_go(phases_.phase()) ? force_control_.given_N() : limiter_.bound_N();
 }

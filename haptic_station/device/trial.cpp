@@ -7,8 +7,8 @@
 namespace telepalp::device {
 namespace {
 
-constexpr double kHigh = 0.07;  // above the waiting plane
-constexpr double kLow = 0.02;   // height at which the hand passes the plane
+constexpr double kHigh = 0.07;  // height above the skin [m]: above the plane on which the device waits
+constexpr double kLow = 0.02;   // height above the skin [m] at which the hand passes this plane
 
 constexpr std::array kIndentSeveralPoints = std::to_array<Waypoint>({
     {0.8, 0.00, kHigh, 0.00},

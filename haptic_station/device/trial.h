@@ -27,7 +27,7 @@ struct Waypoint {
 enum class Trial {
   IndentSeveralPoints,  ///< 1: indent the skin at different points
   MoveWithin,           ///< 2: enter at one point and move within the body
-  FindCylinder,         ///< 3: touch the cylinder's upper and lateral area
+  FindCylinder,         ///< 3: touch the upper and lateral area of a cylinder inside the body
   FreeSearch,           ///< 4: search for the cylinder, entering at several points
 };
 [[nodiscard]] std::span<const Waypoint> waypoints(Trial trial) noexcept;

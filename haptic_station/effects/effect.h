@@ -32,8 +32,8 @@ enum class ObjectTouch { None, Near, Lateral, Upper };
 // An effect is a value type with these members, all noexcept and free of allocation. EffectBank holds and steps them.
 // - begin(const EffectInput&): the end-effector has just entered the body
 // - Force<HapticBase> step(const EffectInput&, double dt_s): the force on the hand if the device could give any force
-// - only springs, with the state of the last step: Pull pull(double relaxed_m), Force<HapticBase>
-//   force(double relaxed_m) and double energy_J(double relaxed_m). LinearSpring explains relaxed springs.
+// - only springs: Pull pull(double relaxed_m), Force<HapticBase> force(double relaxed_m) and double
+//   energy_J(double relaxed_m), all at the depth of the last step. LinearSpring explains relaxed springs.
 // - only friction, which is no spring: Force<HapticBase> slip(double relaxed_m) and double energy_J()
 // - double stiffest_N_per_m(double most_N): greatest stiffness of its spring at forces up to `most_N`
 // - static constexpr const char* kName

@@ -129,7 +129,7 @@ void EffectBank::advance(const EffectInput& in, double dt_s, CostClock clock) no
 
 Force<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, double most_N, CostClock clock) noexcept {
   advance(in, dt_s, clock);
-  // Friction acts across the skin's force, with `friction_` times its magnitude at most.
+  // Friction acts perpendicular to the skin's force, with at most `friction_` times the magnitude of that force.
   springs_most_N_ = std::max(0.0, most_N) / std::sqrt(1.0 + friction_ * friction_);
   relaxed_m_ = common_relaxation_m([this](double relaxed_m) noexcept { return pull(relaxed_m); }, springs_most_N_);
   Force<HapticBase> sum;

@@ -29,15 +29,16 @@ struct EffectBill {
   std::uint64_t largest = 0;
 };
 
-/// The effects of a scene, in the order of the scene file, and the force that the device can give of them. Owner:
-/// haptic thread.
+/// The effects of a scene, in the order of the scene file. Limits the sum of their forces to what the device can give.
+/// Owner: haptic thread.
 ///
-/// Each effect is a spring, or several, with a depth d, a force f(d) and the energy U(d). While the magnitudes sum to
-/// more than the device can give, B, all springs are relaxed by one common depth m: f(d - m) sum to B. These forces are
-/// the gradient of h = sum of (U(d - m) + m f(d - m)), which is the supremum of the sum of (p d - U*(p)) over all
-/// magnitudes p >= 0 that sum to B at most, U* being the springs' complementary energy. So they are conservative
-/// whatever the springs' directions do, and their vector sum is B at most. To shorten the vector sum instead is not
-/// conservative: where two springs turn against each other, a hand could get energy in each round.
+/// Each effect except friction is one or more springs with a depth d, a force of magnitude f(d) and the energy U(d).
+/// While the magnitudes of all springs sum to more than B, the largest force that the device can give, all springs are
+/// relaxed by one common depth m, so that their f(d - m) sum to B. These forces are the gradient of h = sum of
+/// (U(d - m) + m f(d - m)), which is the supremum of the sum of (p d - U*(p)) over all magnitudes p >= 0 that sum to at
+/// most B; U* is a spring's complementary energy. The forces are therefore conservative for any directions of the
+/// springs, and their vector sum is at most B. Scaling the vector sum down to B would not be conservative: where the
+/// directions of two springs change with the device's place, a hand on a closed path could gain energy.
 class EffectBank {
  public:
   static constexpr std::size_t kMostEffects = effects::kMostEffects;
@@ -58,7 +59,8 @@ class EffectBank {
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s,
                                        double most_N = std::numeric_limits<double>::infinity(),
                                        CostClock clock = nullptr) noexcept;
-  /// Energy that the hand could get back at this bound: h, and the energy of friction's bristles.
+  /// Energy that the hand could get back while the bound `most_N` of the last step() lasts: h plus the energy of
+  /// friction's bristles.
   [[nodiscard]] double energy_J() const noexcept;
   /// The depth by which all springs are relaxed at the last step; 0: they act in full.
   [[nodiscard]] double relaxed_m() const noexcept { return relaxed_m_; }
@@ -72,7 +74,8 @@ class EffectBank {
   [[nodiscard]] const Skin* skin() const noexcept;   ///< the first skin effect; nullptr without a skin
   /// The indentation of skin(), paper S1 (docs/sources.md) eq. (8) [m]; zero without a skin.
   [[nodiscard]] Vector<HapticBase> indentation() const noexcept;
-  /// How much step() would have returned more if the indentation of skin() were `indentation_m`; zero without a skin.
+  /// The force of the springs if the indentation of skin() were `indentation_m`, minus their force in the last step();
+  /// zero without a skin.
   [[nodiscard]] Force<HapticBase> change_with_skin_at(const Eigen::Vector3d& indentation_m) const noexcept;
   [[nodiscard]] std::span<const EffectBill> bill() const noexcept { return {bill_.data(), count_}; }
   /// For a Solid, the layer's name in the scene; for other effects, the name of their kind. Valid as long as the

@@ -18,14 +18,14 @@ struct SkinLaw {
   [[nodiscard]] double stiffness_N_per_m(double distance_m) const noexcept {
     return constant_N_per_m + (slope_N_per_m2 + curve_N_per_m3 * distance_m) * distance_m;
   }
-  /// Force over the indentation `distance_m` of one axis, and its slope.
+  /// Magnitude of the force of one spring at the indentation `distance_m`, and the derivative by this indentation.
   [[nodiscard]] Pull pull(double distance_m) const noexcept {
     return {stiffness_N_per_m(distance_m) * distance_m,
             constant_N_per_m + (2.0 * slope_N_per_m2 + 3.0 * curve_N_per_m3 * distance_m) * distance_m};
   }
 };
 
-/// S1 eq. (7) with its alpha.
+/// The law of S1 eq. (7) with this `alpha` [N/m^2].
 [[nodiscard]] constexpr SkinLaw paper_law(double alpha) noexcept {
   return {.constant_N_per_m = 0.0, .slope_N_per_m2 = alpha, .curve_N_per_m3 = alpha};
 }

@@ -31,8 +31,8 @@ struct SolidSettings {
   double around_m = 0.01;  ///< within this distance of the solid, touch() is Near
   double pulse_m = 0.0;    ///< the surface moves out by this much at each pulse; 0: it is still
   double pulses_per_s = 1.2;
-  /// 0: the device is a point. Above 0: it is the lowest point of a ball of this radius, a fingertip, whose center lies
-  /// outwards of it along the skin's normal at the first contact.
+  /// 0: the device is a point. Above 0: the device is a point on a ball of this radius, a fingertip. The ball's centre
+  /// lies outwards of the device, along the skin's normal at the first contact.
   double tip_radius_m = 0.0;
 };
 
@@ -40,9 +40,10 @@ struct SolidSettings {
 /// device to the solid's proxy. Each layer of a scene has its own proxy, and the forces of all layers and of the skin
 /// are summed (S2 III.A). The force is minus the gradient of 1/2 k depth^2, with the depth the distance from device to
 /// proxy. The surface of an artery moves out by up to `pulse_m` and back at each pulse. EffectBank counts the hand's
-/// work relative to this moving wall. A fingertip of radius R is a ball: its center follows a solid that is larger by
-/// R. Sliding across a rib of radius r at a depth d, the force then turns as if its stiffness were k d / (r + R - d);
-/// for a point it is k d / (r - d), which is without bound near the middle of the rib.
+/// work relative to this moving wall. A fingertip of radius R is a ball: its centre touches a solid that is larger by R
+/// on all sides. While the ball slides across a rib of radius r at a depth d, the turning direction of the force acts
+/// like a lateral stiffness of k d / (r + R - d). For a point, this stiffness is k d / (r - d), which grows without
+/// bound towards the middle of the rib.
 class Solid {
  public:
   static constexpr const char* kName = "solid";
@@ -68,7 +69,7 @@ class Solid {
   [[nodiscard]] double swell_m(double phase) const noexcept;
 
   Settings settings_;
-  Eigen::Vector3d tip_center_m_ = Eigen::Vector3d::Zero();  ///< from the device to the center of the fingertip
+  Eigen::Vector3d tip_center_m_ = Eigen::Vector3d::Zero();  ///< from the device to the centre of the fingertip
   solids::SolidProxy proxy_;
   solids::ProxyAt felt_;
   double phase_ = 0.0;   ///< of the pulse, 0 to 1

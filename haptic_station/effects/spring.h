@@ -6,7 +6,7 @@
 
 namespace telepalp::effects {
 
-/// The magnitudes of some springs' forces, summed, and the derivative of this sum by a depth common to all of them.
+/// Sum of the magnitudes of some springs' forces, and its derivative by a depth that is added to all their depths.
 struct Pull {
   double N = 0.0;
   double N_per_m = 0.0;
@@ -39,9 +39,10 @@ struct LinearSpring {
   }
 };
 
-/// The common depth by which springs must be relaxed, so that their forces sum to `most_N` at most; 0: they do already.
-/// `pull_at(relaxed_m)` gives their Pull. Newton's method from below: no spring gets softer with depth, so the sum is
-/// convex and falls, and no step goes too far. From 25 N to 10 N it takes two to five rounds.
+/// The common depth by which springs must be relaxed, so that the magnitudes of their forces sum to at most `most_N`; 0
+/// if they need not be relaxed. `pull_at(relaxed_m)` gives their Pull. Newton's method from 0 on: no spring gets softer
+/// with depth, so the sum is a convex, falling function of the relaxation, and no step goes too far. From a sum of 25 N
+/// to 10 N it takes two to five iterations.
 template <class PullAt>
 [[nodiscard]] double common_relaxation_m(const PullAt& pull_at, double most_N) noexcept {
   constexpr int kMostRounds = 24;

@@ -13,7 +13,7 @@ static_assert(effects::kMostEffects == surface::kMostMarks);
 namespace {
 
 /// True unless the contact begins above the skin that was last seen over a hidden object, where the object cannot be.
-/// Such a contact is one with what hides it.
+/// Such a contact is one with the thing that hides the object from the camera.
 bool may_be_reached(const surface::SkinMark& mark, const surface::TouchSample& touch) noexcept {
   return mark.seen || mark.normal.isZero() || mark.normal.dot(touch.foot.m - mark.at) < 0.0;
 }
@@ -74,7 +74,7 @@ void BodyFrame::look_at_one(double age_s) noexcept {
     carried_[i] = {};
 }
 
-/// Where the object belongs in the newest surface's body, predicted to now; its velocity too.
+/// The displacement and velocity of the object in the body below the newest surface, predicted to now.
 effects::Placement BodyFrame::target(std::size_t object) const noexcept {
   const surface::SkinMark& mark = marks_[object];
   const Carried& carried = carried_[object];
@@ -82,9 +82,9 @@ effects::Placement BodyFrame::target(std::size_t object) const noexcept {
           .velocity = haptic_from_camera_ * Vector<DepthCamera>{carried.m_per_s * mark.normal}};
 }
 
-/// A contact begins: each object is as deep below the displayed skin as it is below the measured skin. This includes an
-/// object whose mark is hidden or not found yet: a hand that sank in while the station had let go of it may be inside
-/// this object, and would get the energy of a spring that it never compressed.
+/// Places each object, when a contact begins, as deep below the displayed skin as it is below the measured skin. This
+/// includes an object whose mark is hidden or not found yet: a hand that sank in while the station gave no force may be
+/// inside this object, and would get the energy of a spring that the hand never compressed.
 void BodyFrame::lower_with_skin(const surface::TouchSample& touch) noexcept {
   const Vector<HapticBase> lowered = haptic_from_camera_ * Vector<DepthCamera>{touch.newest_above_m * touch.normal};
   const Vector<HapticBase> rising =

@@ -31,7 +31,7 @@ struct Compensation {
 
   // The displayed hand, the energy at the hand and the passivity controller.
   double shown_offset_m = 0.0;  ///< from the tracked hand to the displayed hand (S1 II.E)
-  double hand_excess_J = 0.0;   ///< work on the hand in this contact without drive_J, minus the measured skin's work
+  double hand_excess_J = 0.0;   ///< work on the hand in this contact except drive_J, minus the measured skin's work
   double drive_J = 0.0;         ///< work on the hand by lift, position control and indexing's recall in this contact
   double damping_N = 0.0;       ///< magnitude of the passivity controller's damping force
 

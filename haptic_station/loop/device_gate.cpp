@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSpeedFilter_rad_per_s = 2.0 * std::numbers::pi * 150.0;
-constexpr double kHoldDecay_s = 0.005;  // during extrapolation the last velocity decays
+constexpr double kHoldDecay_s = 0.005;  // time constant with which the last velocity decays during extrapolation
 constexpr double kLongestGap_s = 0.02;  // after a longer silence the next reading is accepted as it is
 constexpr double kSpeedTolerance_m_per_s = 0.05;
 constexpr double kSpeedToleranceShare = 0.3;
@@ -43,9 +43,9 @@ void DeviceGate::accept(const ports::DeviceReading& reading, double since_s, dou
   implausible_s_ = 0.0;
 }
 
-/// Readings that agree with each other after a jump are accepted again. With a small offset to the extrapolated
-/// position, the offset remains and is removed slowly. With a large offset, they are accepted after a long time and
-/// without an offset.
+/// Handles a reading after a jump. Readings that agree with each other are accepted again. If they differ little from
+/// the extrapolated position, this offset remains and is removed slowly. If they differ more, they are accepted without
+/// an offset, but only after rebased_after_s.
 void DeviceGate::hold(const ports::DeviceReading& reading, double dt_s) noexcept {
   if (implausible_s_ <= 0.0) ++jumps_;
   implausible_s_ += dt_s;

@@ -25,7 +25,7 @@ inline std::array<float, 3> packed_towards_zero(const Eigen::Vector3d& v) noexce
   for (int axis = 0; axis < 3; ++axis) {
     float& value = floats[static_cast<std::size_t>(axis)];
     if (std::abs(static_cast<double>(value)) > std::abs(v[axis]))
-      value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) - 1U);  // the next one to zero
+      value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) - 1U);  // the next float towards zero
   }
   return floats;
 }

@@ -37,8 +37,8 @@ struct TickSample {
   std::array<float, 3> force_camera{};
   float indentation_m = 0.0F;  ///< |d| of paper S1 eq. (8) (docs/sources.md), depth in the skin; 0 out of contact
   float distance_m = 0.0F;     ///< signed distance of the device point from the skin; negative inside
-  float passivity_J = 0.0F;    ///< PassivityController::balance_J(); negative: the display is active
-  float hand_excess_J = 0.0F;  ///< work on the hand in this contact minus the measured skin's on the same path
+  float passivity_J = 0.0F;    ///< energy taken from the hand minus stored energy; negative: the display is active
+  float hand_excess_J = 0.0F;  ///< work on the hand in this contact minus the measured skin's work on the same path
   float unmodelled = 0.0F;     ///< 1: the skin moves unusually fast, or the camera was pushed; then falls to 0 in 1 s
   float yields_in_s = 0.0F;    ///< time until the motors' heat lowers the contact force; infinite: never
   float device_age_s = 0.0F;   ///< this and the next two: ages of the inputs of the controller at this tick

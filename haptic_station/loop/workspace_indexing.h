@@ -14,11 +14,12 @@ struct Indexed {
 };
 
 /// Workspace indexing (paper S2 III.B, docs/sources.md): a small device explores a large body. Inside an upright
-/// cylinder about the device's middle the hand touches the body. Beyond it the hand feels a force back to the cylinder,
-/// proportional to the distance from it and bounded. Meanwhile the patient moves in the horizontal plane in the
-/// direction of this force, at a speed proportional to it, so that what lay beyond comes into the cylinder. The paper
-/// states neither a bound nor a hysteresis; here the interaction resumes 2 mm inside the cylinder, so that a hand at
-/// its border does not switch at each tremor. Owner: haptic thread. Nothing here allocates, locks or throws.
+/// cylinder about the middle of the device's workspace the hand touches the body. Beyond the cylinder the hand feels a
+/// force back to it, proportional to the distance from the cylinder and bounded. Meanwhile the patient moves in the
+/// horizontal plane in the direction of this force, at a speed proportional to the force, so that parts of the body
+/// beyond the cylinder come into it. The paper states neither a bound nor a hysteresis; here the interaction resumes 2
+/// mm inside the cylinder, so that a hand at its border does not switch at each tremor. Owner: haptic thread. Nothing
+/// here allocates, locks or throws.
 class WorkspaceIndexing {
  public:
   explicit WorkspaceIndexing(const control::IndexingSettings& settings = {}) noexcept : settings_(settings) {}

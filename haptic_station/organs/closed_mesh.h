@@ -21,8 +21,8 @@ struct ClosedFace {
 /// not finite.
 [[nodiscard]] Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh);
 
-/// The point of a face nearest to a query, with the pseudo-normal there; its scalar product with the vector to the
-/// query is negative inside.
+/// The point of a face nearest to a query, with the pseudo-normal there. The scalar product of the pseudo-normal
+/// with the vector from this point to the query is negative inside.
 struct NearestOnFace {
   double squared_m2;
   Eigen::Vector3d at_m;

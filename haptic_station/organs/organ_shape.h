@@ -14,8 +14,8 @@ struct OrganShapeSettings {
   double margin_m = 0.02;  ///< the lattice extends so far beyond the organ on each side
 };
 
-/// Reads a closed mesh (.ply, .obj) and samples the signed distance to it in the haptic base's frame H. It takes a
-/// fraction of a second, so it is called while loading and never on the haptic thread. A file over 64 MiB is refused
+/// Reads a closed mesh (.ply, .obj) and samples the signed distance to it in the haptic base's frame H. The call takes
+/// a fraction of a second, so it is made while loading and never on the haptic thread. A file over 64 MiB is refused
 /// before it is read. Each error names the file and a fix.
 [[nodiscard]] Result<std::shared_ptr<const solids::DistanceLattice>> read_organ_shape(
     const std::filesystem::path& file, const OrganShapeSettings& settings);

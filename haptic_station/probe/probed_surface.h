@@ -29,8 +29,8 @@ struct CloudOptions {
 };
 
 /// Opens a cloud or mesh file. With Method::Grid, an organised cloud from a pinhole camera is converted to a depth
-/// image's lattice. With Method::Paper, the points make a PaperSurface. All others make a point-set surface. Error: no
-/// finite point, all points at one place or on one line, or coordinates that cannot be metres.
+/// image's lattice. With Method::Paper, the points make a PaperSurface. Any other file or method makes a point-set
+/// surface. Error: no finite point, all points at one place or on one line, or coordinates that cannot be metres.
 [[nodiscard]] Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudOptions& options,
                                                const surface::SurfaceSettings& settings);
 

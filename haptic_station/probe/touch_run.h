@@ -13,11 +13,11 @@ namespace telepalp::probe {
 struct Felt {
   double t_s = 0.0;
   Eigen::Vector3d proxy_m = Eigen::Vector3d::Zero();  ///< equals the waypoint while not in contact
-  double distance_m = 0.0;                            ///< signed distance of the waypoint; NaN: no surface in reach
+  double distance_m = 0.0;  ///< waypoint's signed distance from the surface; NaN: none in reach
   bool in_body = false;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< zero: no surface in reach
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
-  double step_us = 0.0;  ///< computation time
+  double step_us = 0.0;  ///< computing time
 };
 
 /// Touches the waypoints in order, at the times of the trajectory. A waypoint that is NaN repeats the last finite

@@ -22,16 +22,16 @@ struct Probe {
   double depth_m = 0.10;
 };
 
-/// A layer of the scene's solids.
+/// A layer of the scene: a solid inside the body.
 struct SceneLayer {
-  std::shared_ptr<const effects::SolidLayer> solid;  ///< shared with its effect
-  std::uint32_t effect = 0;                          ///< place of that effect in Scene::effects
+  std::shared_ptr<const effects::SolidLayer> solid;  ///< shared with the layer's effect
+  std::uint32_t effect = 0;                          ///< index of this effect in Scene::effects
 };
 
 /// The lattice of an organ effect.
 struct SceneOrgan {
-  std::shared_ptr<const solids::DistanceLattice> shape;  ///< shared with its effect
-  std::uint32_t effect = 0;                              ///< place of that effect in Scene::effects
+  std::shared_ptr<const solids::DistanceLattice> shape;  ///< shared with the organ's effect
+  std::uint32_t effect = 0;                              ///< index of this effect in Scene::effects
 };
 
 /// A checked scene in plain values. `message` is the parsed file: it is recorded, and message.surface() selects the
@@ -57,8 +57,8 @@ struct Scene {
   [[nodiscard]] std::vector<std::shared_ptr<const effects::SolidLayer>> solids() const;
 };
 
-/// The file of a scene: `scene` itself if it is a file, else the scene of this name in
-/// telepalp's library, such as "skin". Error: neither.
+/// The file of a scene: `scene` itself if it is a file, else the scene of this name in telepalp's library, such as
+/// "skin". Error: there is neither such a file nor such a scene.
 [[nodiscard]] Result<std::filesystem::path> find_scene(const std::string& scene);
 
 /// Reads and checks a *.scene.textproto. Error: an unknown field, reported with line and column, or a value out of its

@@ -13,9 +13,9 @@ namespace telepalp::scenes {
 using WherePart =
     std::function<std::string(const google::protobuf::Message& part, std::string_view number, double value)>;
 
-/// A tree of the scene's text format as a solid. Its words and numbers are those of the Polish notation, so the two
-/// can be turned into each other; a union of several solids is a chain of unions. `where_part` and, if it is empty,
-/// `where` give the place of an error.
+/// Converts a tree of the scene's text format to a solid. The text format has the words and numbers of the Polish
+/// notation, so each can be converted to the other; a union of more than two solids becomes a chain of unions of two.
+/// `where_part` gives the place of an error; if it is empty, `where` does.
 /// Error: a solid without a kind, a missing number, one out of its range, the wrong number of operands, or a mesh that
 /// cannot be read. The error names the path from the root, as in `union.of[2].translate`.
 [[nodiscard]] Result<solids::Solid> solid_of(const msg::Solid& message, const std::string& where,

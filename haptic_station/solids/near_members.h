@@ -14,7 +14,7 @@ namespace telepalp::solids {
 /// Owner: the haptic thread. Nothing allocates.
 class NearMembers {
  public:
-  static constexpr double kReach_m = 0.003;  ///< at 0.1 m/s, 30 ms
+  static constexpr double kReach_m = 0.003;  ///< a finger at 0.1 m/s leaves it after 30 ms
   static constexpr std::size_t kMost = 12;
 
   /// Value and gradient at a point, in the solid's frame.
@@ -24,10 +24,10 @@ class NearMembers {
   [[nodiscard]] bool covers(const SolidTree& tree, const Eigen::Vector3d& point_m) const noexcept;
   void gather(const SolidTree& tree, const Eigen::Vector3d& point_m) noexcept;
 
-  const SolidTree* tree_ = nullptr;  // borrowed; only compared
+  const SolidTree* tree_ = nullptr;  // borrowed; only its address is compared
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
   std::array<std::uint32_t, kMost> members_{};
-  std::size_t count_ = 0;  // 0: too many
+  std::size_t count_ = 0;  // 0: none gathered, or too many
 };
 
 }  // namespace telepalp::solids

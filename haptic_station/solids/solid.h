@@ -77,12 +77,13 @@ using Solid = std::vector<Node>;
 inline constexpr std::size_t kMostNodes = 200'000;
 inline constexpr int kMostNesting = 100;  ///< depth of nested operators; the last operand of a union adds no depth
 
-/// What is wrong with a node's numbers, and how to fix it; nullopt: nothing. `what` names the number and its value.
+/// What is wrong with a node's numbers, and how to fix it. `what` names the number and its value.
 struct Complaint {
   std::string what;
   std::string fix;
   std::size_t number = 0;  ///< index of the number
 };
+/// nullopt: the node's numbers are in order.
 [[nodiscard]] std::optional<Complaint> complaint_about(const Node& node);
 
 /// The index of the word in words(); nullopt: unknown.

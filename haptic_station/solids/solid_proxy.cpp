@@ -15,7 +15,7 @@ SolidAt SolidProxy::swollen_at(const SolidTree& tree, const Vector3d& p, double 
   return at;
 }
 
-/// A device that is inside at the start is led out along the gradient, which is exact for one shape.
+/// Starts the proxy at the device. From inside the solid it moves out along the gradient, which is exact for one shape.
 void SolidProxy::start(const SolidTree& tree, const Vector3d& device, double swell_m) noexcept {
   started_ = true;
   proxy_ = device;
@@ -26,8 +26,8 @@ void SolidProxy::start(const SolidTree& tree, const Vector3d& device, double swe
   }
 }
 
-/// Moves the proxy towards the device as far as the solid lets it. Each step is at most the distance to the surface.
-/// False when the solid stopped it.
+/// Moves the proxy towards the device until the solid stops it. Each step is at most the distance to the surface.
+/// Returns false when the solid stopped the proxy.
 bool SolidProxy::sweep(const SolidTree& tree, const Vector3d& device, double swell_m) noexcept {
   for (int i = 0; i < kMostSweeps; ++i) {
     const Vector3d way = device - proxy_;
@@ -48,8 +48,8 @@ bool SolidProxy::sweep(const SolidTree& tree, const Vector3d& device, double swe
   return false;
 }
 
-/// Adds or renews the plane of the part that decides at the proxy, and puts the proxy on it. False for a tie of
-/// opposite sides, which has no plane: the last planes stay.
+/// Adds or renews the plane of the part that gives the value at the proxy, and puts a proxy inside the solid on this
+/// plane. Returns false if opposite sides are equally near: then there is no plane, and the last planes stay.
 bool SolidProxy::hold(const SolidAt& at) noexcept {
   const double length = at.gradient.norm();
   if (length < kFlat) return false;

@@ -38,7 +38,7 @@ class SolidProxy {
   explicit SolidProxy(const ProxySettings& settings = {}) noexcept : settings_(settings) {}
 
   /// Ends the touch: the next step() starts at its device point. Inside the solid the proxy starts at the nearest
-  /// surface.
+  /// point of the surface.
   void forget() noexcept { *this = SolidProxy(settings_); }
 
   /// One tick. `swell_m`: the touched surface lies this far outside the tree's surface, as for a pulsating artery;

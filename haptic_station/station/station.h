@@ -124,8 +124,8 @@ class Station {
   TelemetryPublisher telemetry_;
   FaultMonitor faults_;
   std::optional<InsideThread> inside_thread_;         // only if the scene has layers or a probe
-  std::optional<msg::InnerStructures> inside_;        // once they are made
-  loop::ObjectPlacements objects_{};                  // of the newest compensation
+  std::optional<msg::InnerStructures> inside_;        // the surfaces of the layers, once they are made
+  loop::ObjectPlacements objects_{};                  // displacements in the newest compensation
   std::chrono::steady_clock::time_point next_image_;  // when the next ultrasound image is due
   std::optional<CollisionThread> collision_;
   std::optional<SurfaceWorker> worker_;

@@ -6,7 +6,7 @@
 namespace telepalp::tracking {
 namespace {
 
-constexpr double kStartSpeed_m_per_s = 0.5;  // standard deviation, after a restart
+constexpr double kStartSpeed_m_per_s = 0.5;  // standard deviation of the velocity after a restart
 constexpr double kLeastProcess_m2_per_s3 = 1e-4;
 constexpr double kRounding_m2 = 1e-14;
 
@@ -16,8 +16,8 @@ Eigen::Matrix2d transition(double dt_s) noexcept {
   return step;
 }
 
-/// The velocity changes right after a sample and then stays, for unit intensity. With small measurement noise the
-/// filter's velocity is then the one between the last two samples.
+/// Process noise of unit intensity: the velocity changes right after a sample and then stays. With small measurement
+/// noise, the filter's velocity is then the mean velocity between the last two samples.
 Eigen::Matrix2d process_noise(double dt_s) noexcept {
   const double dt2 = dt_s * dt_s;
   Eigen::Matrix2d q;
@@ -88,7 +88,7 @@ void HandEstimate::filter(const Point<HapticBase>& hand, double dt_s) noexcept {
   const double noise_m2 = noise_.variance_m2();
   const Eigen::Vector2d gain = spread.col(0) / (spread(0, 0) + noise_m2 + kRounding_m2);
   motion_ = predicted + gain * innovation_m;
-  // Joseph's form: stays symmetric and positive where the plain update loses both to rounding.
+  // Joseph's form: the covariance stays symmetric and positive, which the plain update loses to rounding.
   Eigen::Matrix2d rest = Eigen::Matrix2d::Identity();
   rest.col(0) -= gain;
   covariance_ = rest * spread * rest.transpose() + noise_m2 * gain * gain.transpose();

@@ -38,7 +38,7 @@ struct HandTrace {
 
 /// A simulated person who repeats a recorded movement, alternately forwards and backwards, so that the path is
 /// continuous. `haptic_from_tracker` transforms the movement to the haptic base's frame H. The movement is then shifted
-/// so that its mean position is above or below `skin` and its lowest point is `depth_m` lower than `skin`.
+/// so that its mean position lies on the vertical through `skin` and its lowest point is `depth_m` lower than `skin`.
 class RecordedIntention {
  public:
   RecordedIntention(const HandTrace& trace, const Transform<HapticBase, HandTracker>& haptic_from_tracker,

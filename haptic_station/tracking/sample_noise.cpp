@@ -7,7 +7,7 @@ namespace telepalp::tracking {
 namespace {
 
 constexpr double kFloor_m2 = 1e-10;  // added to squared innovations: 10 um is below any tracker's resolution
-constexpr double kWeighting = 1.5;   // corrects for the weights, which favour small products; for Gaussian noise
+constexpr double kWeighting = 1.5;   // for Gaussian noise: undoes the bias of the weights, which favour small products
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void SampleNoise::add(const Eigen::Vector3d& sample_m, double dt_s) noexcept {
   const double ratio = dt_s_ > 0.0 ? dt_s / dt_s_ : 1.0;
   if (samples_ >= 3) {
     const double forget = std::exp(-dt_s / memory_s_);
-    // Quiet moments count most: there the noise is seen alone.
+    // Samples with small innovations count most: they show the noise alone.
     const double weight = 1.0 / (innovation_m.squaredNorm() + innovation_m_.squaredNorm() + kFloor_m2);
     covariance_ = forget * covariance_ - weight * innovation_m.dot(innovation_m_) / 3.0;
     share_ = forget * share_ + weight * ((1.0 + ratio) + ratio * (1.0 + ratio_));

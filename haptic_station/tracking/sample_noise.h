@@ -13,7 +13,7 @@ class SampleNoise {
  public:
   explicit SampleNoise(double memory_s) noexcept : memory_s_(memory_s) {}
 
-  /// A movement begins at this sample, which does not continue the last one. The tracker's variance is kept.
+  /// A movement begins at this sample, which does not continue the last movement. The tracker's variance is kept.
   void begin_movement(const Eigen::Vector3d& sample_m) noexcept;
   /// A sample `dt_s` > 0 after the last one.
   void add(const Eigen::Vector3d& sample_m, double dt_s) noexcept;

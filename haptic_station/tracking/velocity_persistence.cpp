@@ -9,7 +9,7 @@ namespace {
 constexpr double kShortest_s = 0.03;
 constexpr double kLongest_s = 0.08;
 constexpr double kMost_per_s = 20.0;
-constexpr double kPrior = 1e-7;  // weight of the expectation: a few samples at 0.1 m/s
+constexpr double kPrior = 1e-7;  // weight of the expected time constant: that of a few samples at 0.1 m/s
 
 }  // namespace
 

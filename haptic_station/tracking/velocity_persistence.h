@@ -16,7 +16,7 @@ class VelocityPersistence {
   /// `expected_s`: the velocity's time constant before any movement was seen. `memory_s`: time over which it is learnt.
   VelocityPersistence(double expected_s, double memory_s) noexcept;
 
-  /// Call before add() when its state does not continue the last movement. What was learnt is kept.
+  /// Call before the add() of a state that does not continue the last movement. What was learnt is kept.
   void begin_movement() noexcept { count_ = 0; }
   /// The estimated state of the hand at a sample.
   void add(SessionTime at, const Eigen::Vector3d& hand_m, const Eigen::Vector3d& velocity_m_per_s,

@@ -10,7 +10,7 @@ using effects::Echo;
 using Eigen::Vector3d;
 
 constexpr double kSpeckle_m = 0.0006;  // size of a speckle grain
-constexpr double kSpeckle_dB = -35.0;  // of full scatter, against the echo of a perfect mirror
+constexpr double kSpeckle_dB = -35.0;  // mean level at full scatter, relative to the echo of a perfect mirror
 constexpr std::size_t kTissue = static_cast<std::size_t>(-1);
 
 /// A well-mixed 64-bit hash (the finaliser of splitmix64).
@@ -30,7 +30,7 @@ double speckle_dB(const Vector3d& p) noexcept {
   return 10.0 * std::log10(-std::log(uniform) + 1e-3);
 }
 
-/// What is known of a layer along a scan line: inside or outside, up to a depth.
+/// Whether a scan line is inside a layer: known up to the depth `known_to_m`.
 struct Crossing {
   double known_to_m = -1.0;
   bool inside = false;
@@ -65,7 +65,7 @@ class ScanLine {
     return layer == kTissue ? settings_.tissue : layers_[layer].layer->echo;
   }
 
-  /// The last layer that contains the point. A layer is asked again only where its distance no longer answers.
+  /// The last layer that contains the point. A layer's distance is evaluated anew only beyond Crossing::known_to_m.
   [[nodiscard]] std::size_t filled_by(const Vector3d& p, double depth_m, double step_m) {
     std::size_t fills = kTissue;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
@@ -88,7 +88,7 @@ class ScanLine {
     const Vector3d& normal = crossings_[now != kTissue ? now : last_].gradient;
     const double cosine = std::min(1.0, std::abs(normal.dot(along)));
     const double echo_dB = 10.0 * std::log10(reflected * std::pow(cosine, settings_.specular_power) + 1e-12);
-    const double before_dB = sent_dB_;                      // its echo does not cross the boundary
+    const double before_dB = sent_dB_;                      // the boundary's echo does not cross the boundary
     sent_dB_ += 20.0 * std::log10(1.0 - reflected + 1e-6);  // both ways through the boundary
     return before_dB + echo_dB;
   }

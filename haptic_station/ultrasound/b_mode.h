@@ -32,10 +32,10 @@ struct BModeImage {
   std::vector<std::uint8_t> gray;
 };
 
-/// A layer, and how far it has moved from the place that the scene gives it, with the skin above it. In H [m].
+/// A layer and its displacement from its place in the scene. It moves with the skin above it.
 struct PlacedLayer {
   const effects::SolidLayer* layer = nullptr;
-  Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();  ///< displacement, in H
 };
 
 /// The B-mode image of the plane under the probe. Along each scan line: the echo of each boundary is ((Z1 - Z2) / (Z1 +

@@ -20,8 +20,8 @@ struct Packet {
   bool stream = false;
 };
 
-/// Counters since the start. Each datagram counts as lost, dropped or delivered, or is still in the link. A TCP segment
-/// is delivered always, and counts as lost too, once for each loss that delays it.
+/// Counters since the link's start. Each datagram counts as lost, dropped or delivered, or is still in the link. A TCP
+/// segment is delivered always, and counts as lost too, once for each loss that delays it.
 struct LinkStatistics {
   std::uint64_t sent = 0;
   std::uint64_t sent_bytes = 0;
@@ -35,14 +35,14 @@ struct LinkStatistics {
   Nanoseconds worst_delay{0};  ///< longest time in the link
 };
 
-/// One direction of an impaired link. Pure: time is an argument. Times are since the start and never decrease. The same
-/// seed and the same packets give the same arrivals on every machine.
+/// One direction of an impaired link. Pure: time is an argument. Each time counts from the link's start, and `now`
+/// never decreases. The same seed and the same packets give the same arrivals on every machine.
 class ImpairedLink {
  public:
   ImpairedLink(const Impairment& impairment, std::uint64_t seed, Trace trace = {});
 
-  /// Changes the impairments at `now`. Packets in the link keep their times of arrival. Later packets wait in the
-  /// bottleneck's queue until its bytes have left at the new rate. A link with a trace keeps following the trace.
+  /// Changes the impairments at `now`. Packets in the link keep their times of arrival. Later packets wait until the
+  /// bytes in the bottleneck's queue have left at the new rate. A link with a trace keeps following the trace.
   void change(Nanoseconds now, const Impairment& impairment) noexcept;
 
   void send(Nanoseconds now, Packet packet);
@@ -54,7 +54,7 @@ class ImpairedLink {
   /// Bytes in the bottleneck's queue.
   [[nodiscard]] std::size_t queued_B(Nanoseconds now) const noexcept;
   /// True if the bottleneck's queue has room for `bytes` more and the link holds at most 64 MiB then. The sender of a
-  /// TCP stream waits while it is false.
+  /// TCP stream waits while has_room() is false.
   [[nodiscard]] bool has_room(Nanoseconds now, std::size_t bytes) const noexcept;
   /// Forgets a stream that has ended; its segments on the way still arrive.
   void forget_stream(std::uint64_t flow) { last_segment_.erase(flow); }

@@ -11,8 +11,8 @@ namespace telepalp::impaired {
 struct Impairment {
   Nanoseconds delay{0};        ///< propagation, one way
   Nanoseconds jitter{0};       ///< added to the delay, uniform from -jitter to jitter; the sum is never negative
-  double loss = 0.0;           ///< share of packets
-  double burst_packets = 1.0;  ///< mean length of a loss burst; 1: independent losses
+  double loss = 0.0;           ///< share of packets that are lost, 0 to 1
+  double burst_packets = 1.0;  ///< mean number of packets in a loss burst; 1: independent losses
   double reorder = 0.0;        ///< share of packets that are delayed by `reorder_by` more
   Nanoseconds reorder_by = std::chrono::milliseconds(10);
   double duplicate = 0.0;            ///< share of packets that arrive twice
@@ -23,7 +23,8 @@ struct Impairment {
   Nanoseconds outage_for{0};         ///< each period ends with an outage of this length
 };
 
-/// One row of a trace: delay, jitter, loss and rate of a measured path, valid from `at` until the next row.
+/// One row of a trace: delay, jitter, loss and rate of a measured path, valid from `at`, counted from the trace's
+/// beginning, until the next row.
 struct TraceRow {
   Nanoseconds at{0};
   Nanoseconds delay{0};

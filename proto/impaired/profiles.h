@@ -16,13 +16,14 @@ struct Profile {
   Impairment up;    ///< from the client to the server
 };
 
-/// `lan`, `lte`, `satellite` and `hostile`.
+/// The profiles `lan`, `lte`, `satellite` and `hostile`.
 [[nodiscard]] const std::vector<Profile>& profiles();
 /// Error: no profile has this name; the error lists the names.
 [[nodiscard]] Result<Profile> profile_named(std::string_view name);
 
 /// Reads a trace: CSV with the header `t_s,delay_ms,jitter_ms,loss_percent,rate_kbit_per_s`, at least two rows, times
-/// from 0 upwards. At most 1 MiB. `where`: the name of the source. Errors state it and the line.
+/// from 0 upwards. At most 1 MiB. `where`: the name of the source. An error states this name and, if one
+/// line is wrong, its number.
 [[nodiscard]] Result<Trace> parse_trace(std::string_view text, std::string_view where);
 [[nodiscard]] Result<Trace> read_trace(const std::filesystem::path& file);
 

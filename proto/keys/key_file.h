@@ -18,7 +18,8 @@ inline constexpr std::size_t kMaxKeyFileBytes = 64 * 1024;
 inline constexpr std::string_view kTokenLine = "token: ";
 
 /// A file that a person carries. It begins with a line that describes it to people. Then come either a certificate and
-/// its private key (PEM), or a token; and last the certificate of the authority, against which the peer's is checked.
+/// its private key (PEM), or a token; and last the certificate of the authority, against which the peer's certificate
+/// is checked.
 struct KeyFile {
   enum class Kind { Server, Client, Token };
 
@@ -37,7 +38,7 @@ struct KeyFile {
 [[nodiscard]] Result<KeyFile> read_key(std::string_view text, const std::string& file);
 
 /// Reads a key file from the disk. Error: it cannot be read, users other than its owner have access to it, it is no key
-/// file, or it has expired at `now`. The group of a key that root owns may read it.
+/// file, or it has expired at `now`. If root owns the file, its group may read it.
 [[nodiscard]] Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now);
 
 /// The key that a client's `--key FILE` names; null for an empty name. Error: as for load_key(), or the file is a

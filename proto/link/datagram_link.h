@@ -16,9 +16,9 @@ enum class End { Client, Server };
 
 struct DatagramLinkSettings {
   SealSettings seal;
-  Nanoseconds deadline =
-      std::chrono::milliseconds(100);  ///< limit of a frame's repair (from capture) and assembly (from 1st fragment)
-  bool takes_frames = true;            ///< false: fragments from the peer are ignored, and take no memory
+  /// A frame is repaired until this long after its capture, and assembled until this long after its first fragment.
+  Nanoseconds deadline = std::chrono::milliseconds(100);
+  bool takes_frames = true;  ///< false: fragments from the peer are ignored, and take no memory
   std::size_t most_assembling_B = FrameReceiver::kMostAssembling_B;  ///< bound on the memory of incomplete frames [B]
 };
 

@@ -18,9 +18,9 @@
 
 namespace telepalp::access {
 
-/// Decides which peers may connect and what each may do, and writes it to the audit log. Without a key every peer has
-/// the role `local`, and the server listens on loopback alone. Owner: the server's network thread. The listeners for
-/// peers and browsers hold it by shared_ptr, so that a TLS handshake can ask it for revocations through a weak_ptr.
+/// Decides which peers may connect and what each may do, and owns the audit log. Without a key every peer has the role
+/// `local`, and the server listens on loopback alone. Owner: the server's network thread. The listeners for peers and
+/// browsers hold this object by shared_ptr; each TLS handshake asks it for revoked keys through a weak_ptr.
 class Access : public std::enable_shared_from_this<Access> {
  public:
   struct Options {
@@ -31,7 +31,7 @@ class Access : public std::enable_shared_from_this<Access> {
   };
 
   [[nodiscard]] static std::shared_ptr<Access> without_keys();
-  /// Error: the key cannot be read or has expired, or the revocation list is of another authority.
+  /// Error: the key cannot be read or has expired, or another authority issued the revocation list.
   [[nodiscard]] static Result<std::shared_ptr<Access>> with_key(Options options);
 
   [[nodiscard]] bool has_keys() const noexcept { return key_.has_value(); }

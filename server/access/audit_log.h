@@ -40,10 +40,10 @@ class AuditLog {
   [[nodiscard]] static Result<std::unique_ptr<AuditLog>> open(const std::filesystem::path& file,
                                                               const std::function<void(const std::string&)>& say);
 
-  /// Writes one line. It never fails, because a full disk must not stop the patient's stream: lines that could not be
-  /// written are counted in the next line, and `say` gets one message. In 10 s at most 20 refusals of strangers (peers
-  /// that no key or token names) and 200 of others are written, so that nobody can fill the disk; the next line states
-  /// how many refusals were left out.
+  /// Writes one line. It never fails, because a full disk must not stop the patient's stream: the next line that can be
+  /// written states how many lines are missing, and `say` gets one message. In 10 s at most 20 refusals of strangers
+  /// (peers that no key or token names) and 200 refusals of named peers are written, so that nobody can fill the disk;
+  /// the next line states how many refusals were left out.
   void note(AuditEvent event, const std::string& text, keys::WallTime now);
 
   [[nodiscard]] std::uint64_t lines() const noexcept { return position_.lines; }
@@ -62,8 +62,8 @@ class AuditLog {
   std::uint64_t missing_said_ = 0;  // part of not_written_ that a later line has reported
   keys::WallTime refusals_since_{};
   std::uint64_t strangers_ = 0;  // number of refused strangers in the present 10 s
-  std::uint64_t others_ = 0;
-  std::uint64_t unsaid_ = 0;
+  std::uint64_t others_ = 0;     // number of refused named peers in the present 10 s
+  std::uint64_t unsaid_ = 0;     // refusals left out since the last line
 };
 
 }  // namespace telepalp::access

@@ -7,8 +7,8 @@
 namespace telepalp::access {
 
 /// Slows down guessing: after five wrong tokens from an address, tokens from there are refused unchecked for a second.
-/// The time doubles with each further wrong token, up to a minute. A right token clears the address. Bounded memory;
-/// pure.
+/// The time doubles with each further wrong token, up to a minute. A right token resets the count of its address.
+/// Bounded memory; pure.
 class TokenBackOff {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

@@ -8,12 +8,12 @@
 namespace telepalp::access {
 
 /// Decides which doctor's station may publish on the station's topics (it "holds the touch"): one at a time. The holder
-/// keeps the touch while it publishes, and frees it with a Goodbye or after kLease without a message; then any station
-/// may take it. When the holder's connection breaks, the same doctor may take the touch again within kLease. The holder
-/// may offer the touch to another doctor, who gets it by accepting. An offer ends after kOffer, with the holder's
-/// lease, or when the touch changes hands. It survives a broken connection of the holder: within kLease, the touch goes
-/// to the holder or to the doctor of the offer, whoever asks first. A holder that leaves with a Goodbye after
-/// an offer leaves the touch to the other doctor for kLease. Pure; owner: the server's network thread.
+/// keeps the touch while it publishes, and frees it with a Goodbye message or after kLease without a message; then any
+/// station may take it. When the holder's connection breaks, the same doctor may take the touch again within kLease.
+/// The holder may offer the touch to another doctor, who gets it by accepting. An offer ends after kOffer, with the
+/// holder's lease, or when the touch changes hands. An offer survives a broken connection of the holder: within kLease,
+/// the touch goes to the holder or to the doctor of the offer, whoever asks first. A holder that leaves with a Goodbye
+/// after an offer leaves the touch to the other doctor for kLease. Pure; owner: the server's network thread.
 class TouchLease {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

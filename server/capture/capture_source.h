@@ -11,7 +11,8 @@
 
 namespace telepalp::capture {
 
-/// State of a capture source, as shown to the technician: the states of msg.CaptureState, under other numbers.
+/// State of a capture source, as shown to the technician: the same states as msg.CaptureState, with other numeric
+/// values.
 enum class CaptureState { Waiting, Live, Lost, Ended };
 
 /// The images of a frame as a session file stores them.

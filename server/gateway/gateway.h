@@ -29,7 +29,7 @@ namespace telepalp::gateway {
 /// A state that visitors read with GET and change with POST, as JSON of Protobuf messages.
 struct JsonResource {
   std::function<std::string()> state{};  ///< unset: the server has no such state
-  /// Carries out `command` for the visitor `who`, and returns the new state; set when `state` is.
+  /// Carries out `command` for the visitor `who`, and returns the new state; set if `state` is set.
   std::function<Result<std::string>(const std::string& command, const std::string& who)> change{};
 };
 
@@ -43,11 +43,11 @@ struct GatewayOptions {
   std::function<std::string()> problem{};            ///< why the health check fails; empty: healthy
   std::function<hub::DatagramCounts()> datagrams{};  ///< counts of datagrams that arrived at the UDP port
   JsonResource playback{};                           ///< msg::PlaybackState and msg::PlaybackCommand
-  foxglove::PlaybackPort playback_port{};            ///< the same for the WebSocket's playback control
+  foxglove::PlaybackPort playback_port{};            ///< control of the played session over the WebSocket
   JsonResource network{};                            ///< msg::NetworkState and msg::NetworkCommand
   JsonResource notes{};                              ///< msg::SessionNotes and msg::NoteCommand
   JsonResource comparison{};                         ///< msg::ComparisonState and msg::ComparisonCommand
-  std::function<std::string()> session_events{};     ///< JSON of msg::SessionEvents; set when playback is
+  std::function<std::string()> session_events{};     ///< JSON of msg::SessionEvents; set if `playback` is set
   JsonResource recording{};  ///< msg::RecordingState and msg::RecordingCommand; unset: nothing can be recorded here
   std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
@@ -85,7 +85,7 @@ class Connection {
   /// Sends the client the state of the played session; called each second.
   virtual void send_playback_state() {}
   /// True when the connection is a viewer that has subscribed to nothing and does not hold the hand, so that it may be
-  /// closed to make room for another one.
+  /// closed to make room for a new connection.
   [[nodiscard]] virtual bool is_idle() const { return false; }
 
  protected:

@@ -12,8 +12,8 @@ namespace telepalp::gateway {
 struct RequestPolicy {
   /// Host names of this server, as "host" or "host:port". IP addresses and "localhost" are always allowed.
   std::vector<std::string> allowed_hosts;
-  /// Further origins whose pages may open the WebSocket, for example "https://viewer.example". The server's own is
-  /// always allowed.
+  /// Further origins whose pages may open the WebSocket, for example "https://viewer.example". The server's own
+  /// origin is always allowed.
   std::vector<std::string> allowed_origins;
 };
 
@@ -31,9 +31,9 @@ inline constexpr std::string_view kNotOurHost =
 /// a foreign web page whose DNS name was made to resolve to this machine (DNS rebinding).
 [[nodiscard]] bool host_is_ours(const RequestPolicy& policy, std::string_view host);
 
-/// True when a page from `origin` may open a WebSocket: `origin` names `host`, which is ours, or is allowed by the
-/// policy. A request without an origin does not come from a browser's page; it is accepted only if `is_trusted_program`
-/// (Visit::is_from_trusted_program()).
+/// True when a page from `origin` may open a WebSocket: `origin` names `host`, and `host` is a name of this server, or
+/// the policy allows `origin`. A request without an origin does not come from a browser's page; it is accepted only if
+/// `is_trusted_program`: it comes from this machine, or brought a valid token.
 [[nodiscard]] bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,
                                      bool is_trusted_program);
 

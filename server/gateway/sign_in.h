@@ -7,7 +7,7 @@
 
 namespace telepalp::gateway {
 
-/// `__Host-`: browsers send it back over HTTPS to this host alone.
+/// Name of the session's cookie. For the prefix `__Host-`, browsers send the cookie over HTTPS to this host alone.
 inline constexpr std::string_view kCookieName = "__Host-telepalp";
 inline constexpr std::string_view kSignInTarget = "/sign-in";
 inline constexpr std::string_view kSignOutTarget = "/sign-out";
@@ -21,8 +21,9 @@ inline constexpr std::string_view kSignOutTarget = "/sign-out";
 
 /// `target` without its query.
 [[nodiscard]] std::string_view path_of(std::string_view target) noexcept;
-/// The viewer's page with the query of `target`: the view or the moment that was requested before signing in. It is "/"
-/// alone if the query has more than 200 characters, or others than letters, digits and =&._-
+/// The path of the viewer's page with the query of `target`, which names the view or the moment that was requested
+/// before signing in. The path is "/" without a query if the query has more than 200 characters, or others than
+/// letters, digits and =&._-
 [[nodiscard]] std::string page_asked(std::string_view target);
 
 /// The value of the field `token` in a posted form.

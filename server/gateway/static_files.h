@@ -18,7 +18,7 @@ struct StaticFile {
   std::string gzip_etag{};   ///< of `gzip_bytes`: each representation has its own tag (RFC 9110, 8.8.3)
   std::string gzip_bytes{};  ///< `bytes` compressed; empty if gzip saves less than a tenth
   std::string brotli_etag{};
-  std::string brotli_bytes{};  ///< from NAME.br beside NAME, which the build made; empty without one
+  std::string brotli_bytes{};  ///< of the file NAME.br, which the build made beside NAME; empty: no such file
 };
 
 /// Compresses `bytes` to a gzip file (RFC 1952), deterministically.

@@ -33,7 +33,7 @@ class ViewerCommands {
                                                           SessionTime now);
 
  private:
-  /// The message on an advertised channel; its position is not checked. nullopt: no such message.
+  /// Parses a ViewerHand on an advertised channel, without a check of the hand's position. nullopt: not such a message.
   [[nodiscard]] std::optional<msg::ViewerHand> read(std::string_view bytes) const;
 
   std::set<std::uint32_t> channels_;

@@ -10,7 +10,7 @@
 
 namespace telepalp::gateway {
 
-/// Answers to a command for a played session, over HTTP and in the stream.
+/// Refusals of a command for a played session, over HTTP and over the WebSocket.
 inline constexpr std::string_view kNoSession =
     "this server plays no session. fix: telepalp-server --source session:FILE.mcap";
 inline constexpr std::string_view kOnlyForPlayers = "only technicians and QA may control a played session";
@@ -21,7 +21,8 @@ inline constexpr std::string_view kPlaybackTarget = "/playback";
 /// Path of the events of the whole played session: only GET is allowed.
 inline constexpr std::string_view kEventsTarget = "/playback/events";
 
-/// Path of the network that impairs the played session: GET returns it and its counts; POST changes it.
+/// Path of the network that impairs the played session: GET returns its settings and counts; POST changes its
+/// settings.
 inline constexpr std::string_view kNetworkTarget = "/playback/network";
 
 /// Path of the notes on the played session: GET returns them; POST adds or removes one.

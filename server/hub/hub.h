@@ -30,8 +30,9 @@ class Hub {
   /// several subscribers counts once for each.
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
 
-  /// Adds a subscriber. `wake` is called when its empty queue gets a message, and at each message while `by_datagram`.
-  /// `sender`: the number that marks the messages that this peer publishes; 0: it publishes none.
+  /// Adds a subscriber. `wake` is called when the subscriber's empty queue gets a message, and at each message while
+  /// send_by_datagram() is on. `sender`: the number that marks the messages that this peer publishes; 0: it publishes
+  /// none.
   SubscriberId join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender = 0);
   void leave(SubscriberId subscriber);
 
@@ -52,7 +53,8 @@ class Hub {
     key_frame_requested_ = std::move(handler);
   }
 
-  /// Takes the next message from the subscriber's queue, in the order of SendQueue::pop(); nullopt when it is empty.
+  /// Takes the next message from the subscriber's queue: those of /camera/... first, while the other topics get a
+  /// quarter of the camera's bytes (SendQueue::pop()). nullopt when the queue is empty.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
   /// While `on`, datagrams carry the deadline topics (camera images, station state, viewer's hand: a late message is of

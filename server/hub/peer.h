@@ -92,7 +92,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     return kind == PlaceKind::Recorder ? keys::Operation::Record : keys::Operation::Watch;
   }
 
-  /// Refuses the peer with a final Goodbye: a further attempt would fail the same way.
+  /// Refuses the peer with a Goodbye that tells the peer not to try again, because the attempt would fail the same way.
   void deny(const Error& why) {
     audited_ = true;
     access().note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(why.what));

@@ -18,7 +18,7 @@ class PeerDatagrams : private DatagramPort::Session {
   struct Peer {
     SubscriberId subscriber = 0;
     std::function<SessionTime()> now{};
-    /// A message came by datagram; empty: this peer may publish nothing, and its frames are ignored.
+    /// Called for each message that comes by datagram; empty: the peer may publish nothing, its frames are ignored.
     std::function<void(wire::Message)> on_message{};
     std::function<void(wire::DatagramPhase)> on_phase{};  ///< called when the phase becomes Up or Blocked
   };
@@ -36,7 +36,7 @@ class PeerDatagrams : private DatagramPort::Session {
   /// destroy the object that calls it.
   void close() noexcept;
   /// True if the depth images of this peer may be predicted from each other: they go over TCP, or
-  /// link::references_arrive() holds for the datagrams' path.
+  /// the datagrams' path loses hardly any of them, or repairs a loss in time (link::references_arrive()).
   [[nodiscard]] bool references_arrive() const noexcept;
   /// Call it when the hub has a message for the peer.
   void wake() { end_->pump(); }

@@ -21,8 +21,8 @@
 
 namespace telepalp::hub {
 
-/// Parses an address to listen on. Error: not a loopback address, and `has_keys` is false: without TLS it would expose
-/// the patient to the network.
+/// Parses an address to listen on. Error: not a loopback address, and `has_keys` is false: without TLS such an
+/// address would expose the patient to the network.
 [[nodiscard]] Result<boost::asio::ip::address> listening_address(const std::string& address, bool has_keys);
 
 class DatagramPort;
@@ -43,8 +43,9 @@ class PeerListener {
   };
   struct Counts {
     std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;  ///< peers refused for their key, their right, want of a place or the touch of another
-                                ///< doctor; and pauses in accepting, because no file descriptor was free
+    /// Refused peers (bad key, missing right, no free place, or another doctor holds the touch), connections that were
+    /// closed because too many had sent no Hello, and pauses in accepting because no file descriptor was free.
+    std::uint64_t refused = 0;
     std::uint64_t let_go_idle = 0;       ///< connections closed because they neither received nor published
     std::uint64_t invalid_messages = 0;  ///< invalid messages of peers, dropped
     std::uint64_t over_rate = 0;         ///< messages dropped because the peer exceeded its rate

@@ -40,7 +40,7 @@ class PeerTouch {
   /// Answers the peer's request to offer the touch, or to withdraw its offer.
   [[nodiscard]] msg::HandOver offer(const keys::Identity& who, const std::string& to);
 
-  /// Says who holds the touch and what `who`, who may not take it now, can do.
+  /// Text for `who`, who may not take the touch now: who holds the touch, and how `who` can get it.
   [[nodiscard]] std::string is_held(const keys::Identity& who) const;
 
  private:

@@ -16,7 +16,7 @@ namespace telepalp::pipeline {
 /// The colour message of `frame`, as JPEG. `frame` is well formed and has colour.
 [[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, int jpeg_quality);
 
-/// The same for an image that is compressed already.
+/// The colour message of `frame` with the image `compressed`, whose coding is `format`.
 [[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, const std::string& format,
                                                       std::string compressed);
 

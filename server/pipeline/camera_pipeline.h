@@ -33,8 +33,8 @@ class CameraPipeline {
   CameraPipeline(capture::CaptureSource& source, std::string source_name, EncodeOptions options,
                  wire::SessionClock clock, Handlers handlers);
 
-  /// Waits at most 0.1 s for a frame and publishes it, and the source's state when it is due. False: the source has
-  /// ended and its last state is published.
+  /// Waits at most 0.1 s for a frame and publishes the frame. Publishes the source's state when it changes, and each
+  /// second. False: the source has ended and its last state is published.
   [[nodiscard]] bool step();
 
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }

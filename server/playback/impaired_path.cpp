@@ -9,9 +9,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kSegment_B = 1448;  // of a TCP connection over Ethernet
-constexpr std::size_t kMostImages =
-    60;  // depth images that wait: two groups of pictures of the default length, and more
-constexpr Nanoseconds kRoomAgain = 5ms;  // until a full queue of the bottleneck is asked again
+constexpr std::size_t kMostImages = 60;   // limit of the depth images that wait; a group of pictures has 12 by default
+constexpr Nanoseconds kRoomAgain = 5ms;   // wait before the bottleneck's full queue is checked again
 constexpr std::uint8_t kDepthChannel = 0;
 static_assert(wire::datagram_channel(wire::kCameraDepth) == kDepthChannel);
 

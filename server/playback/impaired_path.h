@@ -14,11 +14,11 @@
 namespace telepalp::playback {
 
 /// The messages of a played session on their way through an impaired network. Those of the deadline topics
-/// (datagram_message.h) cross it as sealed datagrams, with the repair of telepalp's own link; the others as segments of
-/// one TCP stream. Pure: time is an argument and never decreases. Owner: the network thread.
+/// (datagram_message.h) cross it as sealed datagrams, with the repair of telepalp's own link; the other messages cross
+/// it as segments of one TCP stream. Pure: time is an argument and never decreases. Owner: the network thread.
 class ImpairedPath {
  public:
-  /// Messages of the TCP stream that wait here take at most this much; further ones are dropped.
+  /// Limit for the bytes of the TCP stream's messages that have not arrived; further messages are dropped.
   static constexpr std::size_t kMostWaiting_B = std::size_t{8} << 20U;
 
   ImpairedPath(SessionTime now, const impaired::Profile& network, std::uint64_t seed);

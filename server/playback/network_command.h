@@ -8,7 +8,7 @@
 
 namespace telepalp::playback {
 
-/// The network that a played session crosses: a profile, possibly with numbers of its own.
+/// The network that a played session crosses: a named profile, of which commands may have changed numbers.
 struct ChosenNetwork {
   std::string profile = "none";  ///< none: no network
   bool changed = false;          ///< numbers were changed after the profile was chosen

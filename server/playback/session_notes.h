@@ -9,14 +9,15 @@
 
 namespace telepalp::playback {
 
-/// What people noted about moments of a session: at most wire::kMostNotes notes. They are kept in wire::notes_file(),
-/// which is replaced as a whole with each change. Owner: the network thread, which waits at each change until the file
-/// is on the disk.
+/// The notes that people wrote on moments of a session: at most wire::kMostNotes. They are kept in the file
+/// SESSION.mcap.notes.json, which is replaced as a whole with each change. Owner: the network thread, which waits at
+/// each change until the file is on the disk.
 class SessionNotes {
  public:
   static constexpr std::size_t kMostText_B = 500;
 
-  /// Reads the notes on `session`. `duration_s`: the session's length. Error: as wire::read_notes().
+  /// Reads the notes on `session`. `duration_s`: the session's length. Error: the notes file
+  /// cannot be read, has too many notes, or a note with an impossible time.
   [[nodiscard]] static Result<SessionNotes> open(const std::filesystem::path& session, double duration_s);
 
   /// Carries out the JSON of a msg::NoteCommand, writes the file, and returns all notes as JSON. A command without

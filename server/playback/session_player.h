@@ -42,8 +42,8 @@ class SessionPlayer {
   /// Carries the command out as soon as possible. Error: a position beyond the session's end, or the session is over:
   /// it has reached its end while playing without `loop`. Any thread.
   [[nodiscard]] Result<void> apply(const msg::PlaybackCommand& command);
-  /// While paused, publishes the present picture and the camera models again, for a subscriber that joined after them.
-  /// At most once a second. Any thread.
+  /// While paused, publishes the present picture and the camera models again, for a subscriber that joined after their
+  /// publication. At most once a second. Any thread.
   void show_again();
   [[nodiscard]] msg::PlaybackState state() const;  ///< any thread
   /// The first instant of the session file.

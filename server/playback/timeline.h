@@ -14,7 +14,7 @@ namespace telepalp::playback {
 /// instant are in memory.
 class Timeline {
  public:
-  /// `topics`: full names, or prefixes that end in '*'. Error: not a session file, or it has no message on them.
+  /// `topics`: full names, or prefixes that end in '*'. Error: not a session file, or no message on these topics.
   [[nodiscard]] static Result<Timeline> open(const std::filesystem::path& file, std::vector<std::string> topics);
 
   [[nodiscard]] SessionTime begin() const noexcept { return begin_; }

@@ -11,7 +11,8 @@
 
 namespace telepalp::recording {
 
-/// A child process that ends with this one: the kernel sends it SIGTERM when the thread that started it ends.
+/// A child process that ends with the server: the kernel sends the child SIGTERM when the thread that called start()
+/// ends.
 class RecorderProcess {
  public:
   /// Starts `program`; its stderr goes to the file `log`. Error: `program` is not executable, `log`

@@ -33,10 +33,10 @@ class SessionRecorder {
   ~SessionRecorder();
 
   /// Begins session_YYYYMMDD_HHMMSS.mcap, named after `now` in UTC, or completes the present file. Error: a recording
-  /// begins while one is under way, or ends while none is; or the recorder cannot be started.
+  /// begins while one is under way, or ends while none is under way; or the recorder cannot be started.
   [[nodiscard]] Result<void> apply(const msg::RecordingCommand& command, std::chrono::system_clock::time_point now);
 
-  /// The present state. It also notices when the recorder has ended.
+  /// The present state. The call also checks whether the recorder process has ended.
   [[nodiscard]] msg::RecordingState state();
 
  private:
@@ -46,7 +46,7 @@ class SessionRecorder {
   [[nodiscard]] std::filesystem::path log_file() const;
 
   Options options_;
-  std::optional<RecorderProcess> process_;  // while it runs
+  std::optional<RecorderProcess> process_;  // nullopt: no recorder runs
   std::chrono::steady_clock::time_point began_{};
   msg::RecordingState state_;
 };

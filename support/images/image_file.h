@@ -20,7 +20,7 @@ struct GrayImage16 {
   std::vector<std::uint16_t> samples;
 };
 
-/// The content of an image file. A 16-bit gray file becomes depth samples. An 8-bit gray, palette or colour file
+/// The content of an image file. A 16-bit grey file becomes depth samples. An 8-bit grey, palette or colour file
 /// becomes a colour image; its alpha channel is dropped.
 using AnyImage = std::variant<GrayImage16, ColorImage>;
 
@@ -32,11 +32,11 @@ using AnyImage = std::variant<GrayImage16, ColorImage>;
 /// Reads a PNG or TIFF file, recognised by its first bytes. Error: the file is larger than 256 MiB.
 [[nodiscard]] Result<AnyImage> read_image(const std::filesystem::path& file);
 
-/// read_image() for a file that must contain depth, or colour. Error: it contains the other.
+/// read_image() for a file that must contain depth, or colour. Error: it contains the other kind of image.
 [[nodiscard]] Result<GrayImage16> read_depth_image(const std::filesystem::path& file);
 [[nodiscard]] Result<ColorImage> read_color_image(const std::filesystem::path& file);
 
-/// Encodes a well-formed, non-empty image as PNG. Depth samples are stored losslessly as 16-bit gray.
+/// Encodes a well-formed, non-empty image as PNG. Depth samples are stored losslessly as 16-bit grey.
 [[nodiscard]] std::string encode_png(const GrayImage16& image);
 [[nodiscard]] std::string encode_png(const ColorImage& image);
 

@@ -21,8 +21,8 @@ struct Rectangle {
 /// Fills the part of the rectangle that lies in the image.
 void fill(ColorImage& image, const Rectangle& where, const Rgb& rgb);
 
-inline constexpr int kLetterWidth_dots = 6;   ///< with the space beside it
-inline constexpr int kLetterHeight_dots = 8;  ///< with the part below the line, as in p
+inline constexpr int kLetterWidth_dots = 6;   ///< including the gap to the next letter
+inline constexpr int kLetterHeight_dots = 8;  ///< including the descender, as in p
 
 /// Writes a line of text; (x, y) is its upper left corner. A dot of a letter is `dot_px` pixels wide. Letters that are
 /// not ASCII are shown as a question mark; dots outside the image are left out.

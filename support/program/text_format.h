@@ -24,14 +24,14 @@ class NumberPlaces {
   struct Text {
     std::string field;
     std::string value;
-    std::size_t byte;  ///< of the field's name in the file
+    std::size_t byte;  ///< offset of the field's name in the file [B]
   };
   /// A nested message and the numbers in it.
   struct Part {
     const google::protobuf::Message* message;  ///< only its address is compared
     int line;                                  ///< from 1
     int column;                                ///< from 1
-    std::size_t first_number;                  ///< index of its first number, of all numbers
+    std::size_t first_number;                  ///< index of its first number among all numbers of the file
     std::size_t end_number;                    ///< index after its last number
   };
   explicit NumberPlaces(std::vector<Place> places = {}, std::vector<Text> texts = {}, std::vector<Part> parts = {},
@@ -47,8 +47,8 @@ class NumberPlaces {
   [[nodiscard]] std::string where(const std::string& file, std::string_view field, std::string_view value,
                                   std::size_t offset) const;
 
-  /// `file:line:column` of the name of `part`, a message inside the one that was parsed, which must not have moved;
-  /// `file` alone for another message.
+  /// `file:line:column` of the name of `part`, a message inside the parsed message. The parsed message must not have
+  /// moved in memory since. `file` alone if `part` is not inside the parsed message.
   [[nodiscard]] std::string where(const std::string& file, const google::protobuf::Message& part) const;
 
   /// `file:line:column` of the first field of that name with that value inside `part`; the place of `part` when it has

@@ -10,7 +10,8 @@ namespace telepalp::export_tool {
 /// the frame has colour that is registered to depth.
 [[nodiscard]] std::string ply_of(const RgbdFrame& frame);
 
-/// The same as an organised binary PCD file; points that were not measured are NaN.
+/// One point for each pixel of `frame`, otherwise as ply_of(), as the bytes of an organised binary PCD file; points
+/// that were not measured are NaN.
 [[nodiscard]] std::string pcd_of(const RgbdFrame& frame);
 
 }  // namespace telepalp::export_tool

@@ -22,8 +22,8 @@ class Frames {
   /// Error: the error that `take` returned.
   [[nodiscard]] Result<void> for_each(const std::function<Result<bool>(const RgbdFrame&)>& take);
 
-  /// The last frame that was published up to `at_s` after the session's first message. Error: none in the 10 s
-  /// before that time, or it cannot be decoded.
+  /// The last frame that was published up to `at_s` after the session's first message. Error: no depth image in
+  /// the 10 s before that time, or it cannot be decoded.
   [[nodiscard]] Result<RgbdFrame> at(double at_s);
 
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
@@ -43,7 +43,7 @@ class Frames {
   wire::McapReader reader_;
   codec::DepthReader depth_;
   std::optional<Intrinsics> pinhole_;
-  std::optional<foxglove::CompressedImage> color_;  // its depth image has not come yet
+  std::optional<foxglove::CompressedImage> color_;  // colour image whose depth image has not come yet
   std::optional<Waiting> waiting_;                  // depth image whose colour may follow
   std::uint64_t damaged_ = 0;
 };

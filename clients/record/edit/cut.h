@@ -26,8 +26,8 @@ struct EditReport {
 
 /// Writes the messages of `file` from options.from until options.to to `out`, with all metadata and attachments. `out`
 /// begins with the messages that a player needs at options.from: the last message of each latched topic (such as camera
-/// model and status), and the depth images since the last key frame. They keep their times unless these are more than
-/// 10 s before options.from, which then replaces them. Error: there is nothing to write, or a file cannot be read or
+/// model and status), and the depth images since the last key frame. A message that is over 10 s older than
+/// options.from gets options.from as its time. Error: there is nothing to write, or a file cannot be read or
 /// written.
 [[nodiscard]] Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem::path& out,
                                      const CutOptions& options);

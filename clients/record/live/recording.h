@@ -40,16 +40,16 @@ struct RecordingReport {
   std::uint64_t files = 1;
   std::uint64_t dropped = 0;  ///< messages dropped because the disk was too slow, full or failing
   std::uint64_t gaps = 0;     ///< number of times that the connection was lost
-  double gap_s = 0.0;
+  double gap_s = 0.0;         ///< total time without a connection
 };
 
 /// Subscribes and writes the received messages until the time is up or SIGINT or SIGTERM arrives. The files are then
-/// complete and indexed; after an error, too, if the server had answered before. A full disk raises an alarm and ends
+/// complete and indexed, even after an error if the server had answered before. A full disk raises an alarm and ends
 /// nothing: the recording goes on in a new file when there is room again, and the result is an error. Further signals
 /// have no effect. Five seconds after the first signal the process ends, even if the disk has not stored everything.
 [[nodiscard]] Result<RecordingReport> record(const RecordingOptions& options);
 
-/// The report as text: "12.0 s, 3210 messages, 4.5 MB".
+/// The report as text: "12.0 s from the connection to the end, 3210 messages, 4.5 MB".
 [[nodiscard]] std::string describe(const RecordingReport& report);
 
 }  // namespace telepalp::record

@@ -22,7 +22,7 @@ struct Origins {
 /// first message if it has no tick.
 [[nodiscard]] Origins common_origins(const Session& a, const Session& b) noexcept;
 
-/// Two runs at the same time since their origins.
+/// Both runs at an equal time since their origins.
 struct Instant {
   double at_s = 0.0;
   std::size_t tick_a = 0;  ///< index in the ticks of the first run

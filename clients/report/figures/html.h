@@ -12,7 +12,7 @@ extern const std::string_view kStyle;
 /// `bytes` in base64. Source: RFC 4648.
 [[nodiscard]] std::string base64(std::string_view bytes);
 
-/// What stands in the columns after the first one: numbers are right-aligned, words left-aligned.
+/// Content of the columns after the first one: numbers are right-aligned, words left-aligned.
 enum class Cells { Numbers, Words };
 
 /// An HTML table; the function escapes the cells' text.

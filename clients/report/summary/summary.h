@@ -58,7 +58,7 @@ struct Summary {
   Quantiles capture_to_touchable_ms;
   double object_unseen_share = 0.0;        ///< share of time: an inner object stays put, as the skin above is not seen
   double object_slide_unseen_share = 0.0;  ///< share of time: an inner object ignores a slide that cannot be measured
-  double unmodelled_share = 0.0;           ///< share of time: predictions are reduced; the patient moves unlike before
+  double unmodelled_share = 0.0;           ///< share of time with reduced prediction: the patient moves unlike before
   Quantiles surface_carried_mm, hand_carried_mm;  ///< magnitude of the predicted displacement
   /// The loosest bound of the depth that the station touched; without a station, that of the recorded images.
   wire::DepthFidelity depth;
@@ -72,8 +72,8 @@ struct Summary {
   double force_max_N = kUnknown;  ///< largest in any state; out of contact, it moves the free device
   double force_in_contact_max_N = kUnknown;
   double indentation_max_mm = kUnknown;
-  double display_least_mJ = kUnknown;     ///< least energy taken from the hand less energy stored; below 0: active
-  double hand_excess_most_mJ = kUnknown;  ///< most work on the hand in a contact, minus the measured skin's
+  double display_least_mJ = kUnknown;     ///< least balance: energy taken from the hand minus stored; below 0: active
+  double hand_excess_most_mJ = kUnknown;  ///< largest in a contact: work on the hand minus the measured skin's
   std::uint64_t heat_warnings = 0;        ///< announcements that warm motors will lower the force
   std::uint64_t non_finite = 0;           ///< forces, positions or depths that are not finite
   std::uint64_t damaged_messages = 0;

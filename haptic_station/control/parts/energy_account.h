@@ -5,18 +5,19 @@
 namespace telepalp::control {
 
 /// Sums the energy that the effects take from the hand and return to it, and adds the passivity controller's damping.
-/// The sum stays correct while the device gives less force than the effects ask for: in a contact that is faded, after
-/// the limiter, and where the bound of EffectBank is not exact. Owner: haptic thread.
+/// The sum stays correct while the device gives less force than the effects ask for: while the contact is released
+/// gradually, when the limiter reduces the force, and when the effects ask for more than `bound_N`. Owner: haptic
+/// thread.
 class EnergyAccount {
  public:
   /// Starts the balance of a new contact at zero.
   void begin() noexcept;
 
   /// Returns the force to display over the next tick [N], damping included. `asked_N`: the force that the effects ask
-  /// for, already relaxed to `bound_N` by EffectBank. A stiff region's rim, the virtual coupling, and friction across
-  /// an anchored skin may exceed it a little; the sum is then shortened. `share`: the displayed share of `asked_N`, 0
-  /// to 1; below 1 while the contact is faded. `exchange`: energy and motion between the effects and the hand over the
-  /// last tick. `bound_N`: the present peak force of the limiter.
+  /// for, which EffectBank has relaxed to `bound_N`. It can exceed `bound_N` slightly at a stiff region's rim, through
+  /// the virtual coupling, and with friction on an anchored skin; step() then scales it down to `bound_N`. `share`: the
+  /// displayed share of `asked_N`, 0 to 1; below 1 while the contact is released gradually. `exchange`: energy and
+  /// motion between the effects and the hand over the last tick. `bound_N`: the largest force that the skin may give.
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& asked_N, double share, const Exchange& exchange,
                                      double bound_N, double dt_s) noexcept;
 

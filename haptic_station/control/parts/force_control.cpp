@@ -36,8 +36,8 @@ void ForceControl::begin(const effects::EffectInput& felt) noexcept {
   share_ = 1.0;
 }
 
-/// The force of the effects, relaxed to what the device gives at most. Sets in `exchange` the energy that they took
-/// from the hand and the energy that they store.
+/// The force of the effects, whose springs are relaxed so that the device can give it. Sets in `exchange` the energy
+/// that the effects took from the hand and the energy that they store.
 Force<HapticBase> ForceControl::ask_effects(const effects::EffectInput& felt, Exchange& exchange, double bound_N,
                                             double dt_s) noexcept {
   Force<HapticBase> force;

@@ -34,7 +34,7 @@ class PhaseMachine {
   Phase previous_ = Phase::Released;
   FaultCause fault_ = FaultCause::None;
   double in_phase_s_ = 0.0;
-  bool was_outside_ = false;  ///< in Released: at the release, or since then with good inputs, `Seen::outside` was true
+  bool was_outside_ = false;  ///< in Released: `Seen::outside` was true at the release, or later with valid inputs
 };
 
 }  // namespace telepalp::control

@@ -11,8 +11,8 @@ namespace telepalp::control {
 /// H, the haptic base's frame, with y up. Owner: haptic thread.
 class PositionControl {
  public:
-  /// `offset_fade_s`: decay time constant of eq. (5)'s Delta p. At its start, Delta p leads from the point at the
-  /// hand's x and z and at the target's height to the end-effector.
+  /// `offset_fade_s`: decay time constant of Delta p in eq. (5). When Out body begins, Delta p is the position of the
+  /// end-effector minus the point with the hand's x and z and the target's height.
   PositionControl(const PositionControlSettings& settings, double offset_fade_s) noexcept
       : settings_(settings), offset_fade_s_(offset_fade_s) {}
 

@@ -35,7 +35,7 @@ double ForceLimiter::holds_for_s(double force_N) const noexcept {
 
 double ForceLimiter::bound_N() const noexcept {
   const double full_N2 = limits_.continuous_N * limits_.continuous_N;
-  if (full_N2 <= 0.0) return 0.0;  // motors that can hold no force have no heat to spend on a larger one, either
+  if (full_N2 <= 0.0) return 0.0;  // continuous_N is 0: no force is allowed at any heat
   const double left = std::clamp((full_N2 - heat_N2_) / (kTaper * full_N2), 0.0, 1.0);
   return limits_.continuous_N + (limits_.peak_N - limits_.continuous_N) * left;
 }

@@ -13,9 +13,9 @@
 namespace telepalp::device {
 
 /// A device that speaks the protocol of UDP_DEVICE.md, like PC-2, the computer that controls the device in paper S1
-/// (docs/sources.md) II.B. It sends one datagram per tick, and receives, on the haptic thread with non-blocking calls.
-/// A device that reports that its motors are off counts as silent. Only loopback addresses are accepted, because the
-/// datagrams are not encrypted.
+/// (docs/sources.md) II.B. This class sends one datagram per tick and receives the device's datagrams, both on the
+/// haptic thread with non-blocking calls. A device that reports that its motors are off counts as silent. Only loopback
+/// addresses are accepted, because the datagrams are not encrypted.
 class UdpDevice final : public ports::Device {
  public:
   /// Error: the address is not a loopback address, or the socket cannot be opened.

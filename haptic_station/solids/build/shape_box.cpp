@@ -9,7 +9,7 @@ using Eigen::Vector3d;
 
 Box around_origin(const Vector3d& half_m) noexcept { return {-half_m, half_m}; }
 
-/// A body of revolution.
+/// The bounding box of a body of revolution.
 Box about_axis(int axis, double radius_m, double half_length_m) noexcept {
   Vector3d half = Vector3d::Constant(radius_m);
   half[axis] = half_length_m;

@@ -41,7 +41,7 @@ class Marcher {
   }
 
  private:
-  /// Skips a block that the surface cannot reach, and halves the others down to single cells.
+  /// Skips a block of cells that the surface cannot reach, and halves any other block down to single cells.
   void block(const Vector3i& low, const Vector3i& high) {
     const Vector3i size = high - low;
     const Vector3d middle = lattice_.origin + 0.5 * lattice_.cell_m * (low + high).cast<double>();
@@ -81,8 +81,8 @@ class Marcher {
     double m;
   };
 
-  /// The triangles of a tetrahedron, whose corners are right-handed. Corners are moved so that those inside come first;
-  /// an even number of swaps keeps the hand.
+  /// The triangles of a tetrahedron, whose corners are right-handed. Corners are swapped so that those inside come
+  /// first. An even number of swaps keeps them right-handed.
   void cut(std::array<Corner, 4> t) {
     const auto inside = [](const Corner& corner) { return corner.m < 0.0; };
     int swaps = 0;
@@ -149,7 +149,7 @@ Result<SolidMesh> mesh_of(const SolidTree& tree, double cell_m) {
 }
 
 std::size_t open_edges(const SolidMesh& mesh) {
-  std::unordered_map<std::uint64_t, int> balance;  // per edge: forwards minus backwards, and both together times 1024
+  std::unordered_map<std::uint64_t, int> balance;  // per edge: uses forwards minus backwards, plus 1024 times all uses
   for (const auto& triangle : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint64_t a = triangle[i];

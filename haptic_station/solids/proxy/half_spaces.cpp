@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kAllowed_m = 1e-9;
-constexpr double kParallel = 1e-6;  // of a determinant of unit normals
+constexpr double kParallel = 1e-6;  // planes are parallel if the determinant of their unit normals is below this
 
 double height(const HalfSpace& space, const Vector3d& p) noexcept { return space.normal.dot(p) - space.offset_m; }
 

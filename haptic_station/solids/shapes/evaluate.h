@@ -18,7 +18,7 @@ namespace telepalp::solids {
   return at;
 }
 
-/// Converts a point in the other direction: to the node's own frame.
+/// Converts a point from the frame of the operator that contains the node to the node's own frame.
 [[nodiscard]] inline Eigen::Vector3d in_frame_of(const TreeNode& node, const Eigen::Vector3d& p) noexcept {
   if (!node.placed) return p;
   const Eigen::Vector3d moved = (p - node.shift) / node.scale;

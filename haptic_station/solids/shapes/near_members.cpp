@@ -38,7 +38,7 @@ void NearMembers::gather(const SolidTree& tree, const Vector3d& point_m) noexcep
   count_ = 0;
   const TreeNode& root = tree.nodes[tree.root];
   const Vector3d p = in_frame_of(root, point_m);
-  // The root's frame shrinks lengths by its scale, and values alike, so the slope stays.
+  // In the root's own frame, lengths and values are both divided by its scale, so the greatest slope is the same.
   const double most_m = solid_at(tree, point_m).m / root.scale + 2.0 * tree.steepest * kReach_m / root.scale;
   const auto take = [&](std::uint32_t member) {
     if (evaluate(tree, member, p).m > most_m) return true;

@@ -13,13 +13,15 @@ using Eigen::Vector3d;
 
 constexpr int kMostNewtonSteps = 40;
 
-/// A distance in the half-plane through an axis: across [0, inf) from the axis, along it.
+/// A signed distance in a half-plane that ends at an axis. Coordinates: distance from the axis, position along the
+/// axis.
 struct ProfileAt {
   double m;
-  Vector2d gradient;  ///< across, along
+  Vector2d gradient;  ///< away from the axis, along the axis
 };
 
-/// The outline of a torus. Beyond the axis, the nearest point of a tube wider than its ring is the cusp.
+/// The outline of a torus. For a tube wider than its ring, the part of the circle beyond the axis is no surface; there
+/// the cusp on the axis is the nearest point.
 ProfileAt ring_profile(const Vector2d& at, double ring_m, double tube_m) noexcept {
   const Vector2d from(at.x() - ring_m, at.y());
   const double length = from.norm();
@@ -41,14 +43,14 @@ ProfileAt rectangle_profile(const Vector2d& at, double radius_m, double half_m) 
   return {length, {beyond.x() / length, side * beyond.y() / length}};
 }
 
-/// The directions across an axis, for a shape of revolution.
+/// The two coordinate axes perpendicular to the axis of a shape of revolution.
 struct Across {
   int first;
   int second;
   explicit Across(int axis) noexcept : first((axis + 1) % 3), second((axis + 2) % 3) {}
 };
 
-/// The outline turned about the axis.
+/// The solid of revolution of an outline about the axis.
 template <class Profile>
 ShapeAt revolved(const Vector3d& p, int axis, const Profile& profile) noexcept {
   const Across across(axis);
@@ -122,12 +124,13 @@ ShapeAt box_at(const Vector3d& p, const Vector3d& half_m) noexcept {
 ShapeAt ellipsoid_at(const Vector3d& p, const Vector3d& radii_m) noexcept {
   const double scale = radii_m.maxCoeff();
   const Vector3d r = radii_m / scale;
-  // A coordinate of zero would lose the side on which the nearest point lies; 1e-12 shifts the result by as much.
+  // At a coordinate of zero the nearest point may lie on either side, and Newton's method would lose it. A coordinate
+  // of 1e-12 instead shifts the result by at most 1e-12.
   const Vector3d side(p.x() < 0.0 ? -1.0 : 1.0, p.y() < 0.0 ? -1.0 : 1.0, p.z() < 0.0 ? -1.0 : 1.0);
   const Vector3d y = (p.cwiseAbs() / scale).cwiseMax(1e-12);
   const Vector3d r2 = r.cwiseProduct(r);
   const Vector3d ry = r.cwiseProduct(y);
-  // u counts from the pole of the smallest radius: t itself would lose digits there.
+  // u = t + least2 is iterated instead of t, which would lose digits near the pole t = -least2.
   const double least2 = r2.minCoeff();
   const Vector3d above = r2 - Vector3d::Constant(least2);
   double u = (ry - above).maxCoeff();

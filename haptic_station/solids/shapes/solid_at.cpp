@@ -31,8 +31,8 @@ struct Waiting {
 constexpr std::size_t kMostWaiting =
     64;  // at most 16 levels of 4 children: each leaves 3 boxes waiting, the last one 4
 
-/// Begins to load the two cache lines that a visit of the child reads, while the other children are tested: among
-/// 10 000 solids, most of the time is spent on waiting for them.
+/// Prefetches the two cache lines that a visit of the child reads, while the other children are tested: with 10 000
+/// solids, waiting for these lines takes most of the time.
 void prefetch(const SolidTree& tree, std::uint32_t child) noexcept {
   if ((child & BoxNode::kMember) != 0) {
     const TreeNode& member = tree.nodes[child & ~BoxNode::kMember];

@@ -17,7 +17,7 @@ struct Token {
 class Tokens {
  public:
   explicit Tokens(std::string_view text) noexcept : text_(text) {}
-  /// The next word; at the end one without text, at the position of the end.
+  /// The next word. At the end of the text: a token with empty `text`, at the position of the end.
   [[nodiscard]] Token next() noexcept;
 
  private:

@@ -16,7 +16,7 @@ namespace telepalp::station {
 /// What clients draw of a scene's layers.
 struct InnerSurfaces {
   msg::InnerStructures drawn;
-  std::vector<std::string> left_out;  ///< "layer liver: the solid has no bounds …": it is felt and not drawn
+  std::vector<std::string> left_out;  ///< layers that are not drawn: "layer liver: the solid has no bounds …"
 };
 
 /// The surfaces of the layers by marching cubes, thinned to one point in each cell of a grid and moved onto the true

@@ -27,7 +27,7 @@ void draw_grid(ColorImage& ground, const PictureView& view, int line_px) {
     images::fill(ground, {0, static_cast<int>(std::lround(y)), view.side_px, line_px}, kGrid);
 }
 
-/// The flat skin: the whole picture from above, else all that lies below y = 0.
+/// The flat skin: it fills a picture from above, and the part below y = 0 in a picture from a side.
 ColorImage flat_ground(const PictureView& view, int line_px) {
   const bool above = view.up.y() < 0.5;
   ColorImage ground = blank(view.side_px, view.side_px, kSkin);

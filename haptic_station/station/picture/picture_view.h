@@ -25,7 +25,8 @@ struct Directions {
                                           std::span<const SkinPoint> skin, const Directions& directions,
                                           std::optional<double> width_m, int side_px);
 
-/// Where a point of H is in a picture [px], and how near it is to the eye [m].
+/// Where a point of H is in a picture, from the top left corner [px], and how far it lies in front of the view's
+/// centre, towards the eye [m].
 struct Seen {
   double x;
   double y;

@@ -10,15 +10,15 @@
 
 namespace telepalp::station {
 
-/// What a scene names besides its effects.
+/// The parts of a scene that are not effects: surface setting, recorded hand and patient model.
 struct SceneParts {
   surface::SurfaceSettings surface;
   std::optional<tracking::HandTrace> trace;  ///< nullopt: the scene names no recorded hand
   std::optional<StaticPatient> model;        ///< nullopt: the patient is streamed
 };
 
-/// Reads the files that the scene names besides those of its effects, and no other file. `scene_file`: relative paths
-/// start at its folder. `anyway`: accept a model that open_static_patient() would refuse.
+/// Reads the scene's recorded hand and patient model, and no other file. Relative paths start at the folder of
+/// `scene_file`. `anyway`: accept a model that open_static_patient() would refuse.
 [[nodiscard]] Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem::path& scene_file,
                                             bool anyway);
 

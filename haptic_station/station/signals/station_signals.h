@@ -11,7 +11,7 @@
 
 namespace telepalp::station {
 
-/// A scene that was read and checked, with what it names besides its effects.
+/// A scene that was read and checked, and its parts that are not effects.
 struct LoadedScene {
   scenes::Scene scene;
   SceneParts parts;
@@ -19,7 +19,7 @@ struct LoadedScene {
 
 /// Requests of an operator by signals: SIGINT and SIGTERM end the station; SIGHUP makes it read its scene again, or
 /// ends it if its terminal was closed. This object outlives each Station of the process, so that a signal that comes
-/// between two of them is kept for the second. Owner: network thread; the scene is read on a thread of its own.
+/// between two stations is kept for the second one. Owner: network thread; the scene is read on a thread of its own.
 class StationSignals {
  public:
   enum class Asked { Nothing, End, NewScene };

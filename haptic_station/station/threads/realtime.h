@@ -10,7 +10,7 @@ namespace telepalp::station {
 /// without it.
 enum class Realtime { Require, Prefer };
 
-/// The operating system grants the two separately: each needs its own right.
+/// The operating system grants real-time priority and locked memory separately: each needs its own right.
 struct RealtimeGrant {
   bool priority = false;       ///< SCHED_FIFO priority: no ordinary program delays a tick
   bool locked_memory = false;  ///< the process's memory stays in RAM: no page fault delays a tick

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kMiddle_m = 0.02;  // around the mark, where the rise must be seen
+constexpr double kMiddle_m = 0.02;  // radius around the mark in which the skin must be measured
 constexpr int kLooks = 2;           // how often the residuals are computed again from the image
 constexpr int kReweighted = 2;      // reweighted fits to each set of residuals
 constexpr double kFirstScale_m = 0.01;
@@ -141,7 +141,7 @@ PatchCoefficients coefficients_of(const PatchPose& pose) {
 void step(const PatchFit& fit, bool slides, PatchCoefficients& found) {
   if (slides)
     found += fit.normal.ldlt().solve(fit.by);
-  else  // the slide is given: only the rise is found
+  else  // the slide is given: only the change of depth is fitted
     found.tail<6>() += fit.normal.bottomRightCorner<6, 6>().ldlt().solve(fit.by.tail<6>());
 }
 

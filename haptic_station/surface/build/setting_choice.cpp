@@ -6,7 +6,7 @@ namespace telepalp::surface {
 namespace {
 
 constexpr double kShare = 0.5;        // share of the frame period that a snapshot may take
-constexpr double kSpareShare = 0.15;  // below it the next better setting fits, which costs three times as much
+constexpr double kSpareShare = 0.15;  // below this share the next better setting fits: it costs three times as much
 constexpr double kPatience_s = 0.33;
 constexpr double kFirstRetry_s = 10.0;
 constexpr double kLongestRetry_s = 600.0;

@@ -14,9 +14,9 @@ namespace telepalp::surface {
 
 /// Selects among affordable_settings() by the measured cost of a snapshot, which may take half of the frame period.
 /// When the frames above this limit have lasted 1/3 s longer than those below it, the next cheaper setting is selected.
-/// The better one is retried after a run of snapshots that take less than 15 % of the frame period. This run lasts 10 s
-/// after the first selection of a cheaper setting, and doubles, up to 600 s, with each further one. Owner: surface
-/// thread.
+/// The next better setting is retried after a run of snapshots that take less than 15 % of the frame period. This run
+/// lasts 10 s after the first selection of a cheaper setting. Each further selection of a cheaper setting doubles this
+/// time, up to 600 s. Owner: surface thread.
 class SettingChoice {
  public:
   explicit SettingChoice(const SurfaceSettings& asked) : settings_(affordable_settings(asked)) {}

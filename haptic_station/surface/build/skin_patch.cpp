@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kSpacing_m = 0.005;  // of its nodes
+constexpr double kSpacing_m = 0.005;  // of a patch's nodes
 constexpr double kBreak_m = 0.03;     // a window over which depth differs by more is a silhouette
 
 /// Depth and its slope by pixel, from a plane through a window.

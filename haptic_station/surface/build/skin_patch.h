@@ -19,7 +19,7 @@ struct SkinPatch {
   Eigen::Vector3d mark = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, towards the camera
   std::vector<Node> nodes;
-  Eigen::Matrix2d slide_information = Eigen::Matrix2d::Zero();  ///< Fisher information on a slide for 1 m depth noise
+  Eigen::Matrix2d slide_information = Eigen::Matrix2d::Zero();  ///< Fisher information on a slide; depth noise: 1 m
 };
 
 /// The patch where the line through `point` [m] along `up` (unit) meets the surface; both in the depth camera's frame.

@@ -31,7 +31,7 @@ inline constexpr double kWidestSupport_m = 0.02;  ///< a cloud whose noise needs
 [[nodiscard]] int neighbors_in_support(const CloudNoise& noise);
 
 /// "22500 points 2.0 mm apart scatter by 2.00 mm around their surface; because of this noise, each place is averaged
-/// over 9.6 mm instead of 6.0 mm".
+/// over a radius of 9.6 mm instead of 6.0 mm".
 [[nodiscard]] std::string description_of(const CloudNoise& noise, std::size_t points);
 
 }  // namespace telepalp::surface

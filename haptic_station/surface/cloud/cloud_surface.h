@@ -20,11 +20,11 @@ struct CloudShape {
   double seed_radius_m = 0.3;  ///< search radius for the nearest point
 };
 
-/// A point-set surface for unorganised clouds: a weighted mean of tangent planes, as in
-/// GridSurface (grid_surface.h), whose support is in pixels; here it is in metres. The weight of a point fades to zero
-/// as its normal turns away from `facing`, the outward direction given to evaluate(): such a point belongs to the other
-/// side of a thin sheet. If the support is the distance of the k-th neighbour, the implicit function is continuous, but
-/// its gradient neglects the change of that distance. Does not own points or index.
+/// A point-set surface for unorganised clouds: a weighted mean of tangent planes. Each weight falls to zero at the
+/// support, a distance in metres. The weight of a point also fades to zero as its normal turns away from `facing`, the
+/// outward direction given to evaluate(): such a point belongs to the other side of a thin sheet. If the support is the
+/// distance of the k-th neighbour, the implicit function is continuous, but its gradient neglects the change of that
+/// distance. Does not own points or index.
 class CloudSurface : public SurfaceSnapshot {
  public:
   [[nodiscard]] FieldSample evaluate(const Eigen::Vector3d& query, const Eigen::Vector3d& facing,

@@ -54,7 +54,7 @@ double full_weight(double support_nodes) noexcept {
   return std::numbers::pi * support_nodes * support_nodes * kMeanWeight;
 }
 
-/// Below the first coverage there is no surface; from the second on the support is full.
+/// Share of full_weight() below which there is no surface, and share from which the support is full.
 constexpr double kLeastCover = 0.30;
 constexpr double kWholeCover = 0.55;
 

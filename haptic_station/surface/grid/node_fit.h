@@ -11,7 +11,7 @@ namespace telepalp::surface {
 struct FitSettings {
   int step_px = 2;         ///< distance between nodes
   int radius_px = 6;       ///< half side of the window of each node's fit
-  double break_m = 0.015;  ///< depth step between neighbouring pixels, at 1 m, that separates surfaces
+  double break_m = 0.015;  ///< depth step between neighbouring pixels that separates surfaces, at 1 m depth
   int bridge_px = 2;       ///< holes of at most this radius are bridged
 };
 

@@ -4,14 +4,14 @@
 
 #include "proto/words/vectorised.h"
 
-// Compiled for several instruction sets, without inline functions of headers that other files compile
-// (filter_rows.cpp).
+// Compiled for several instruction sets. This file must not use inline functions of headers that other files compile
+// for another instruction set.
 
 namespace telepalp::surface {
 namespace {
 
-constexpr float kNarrowAt = 0.75F;  // cosine between ray and normal
-constexpr float kWideAt = 0.95F;
+constexpr float kNarrowAt = 0.75F;  // up to this cosine between ray and normal, only the narrow window counts
+constexpr float kWideAt = 0.95F;    // from this cosine on, only the wide window counts
 
 struct In {
   const float* wide_at;

@@ -3,8 +3,8 @@
 #include "haptic_station/surface/snapshot/soft_object_weight.h"
 #include "proto/words/vectorised.h"
 
-// This is most of the time of a haptic tick. A query has 26 sums, which fill seven registers of four doubles, so the
-// loop keeps them there. Each lane adds its terms in the order of the nodes.
+// sum_nodes() takes most of the time of a haptic tick. A query has 26 sums, which fill seven registers of four doubles,
+// so the loop keeps them there. Each lane adds its terms in the order of the nodes.
 
 namespace telepalp::surface {
 namespace {
@@ -18,7 +18,7 @@ using FloatLanes [[gnu::vector_size(16)]] = float;
   to = __builtin_convertvector(floats, Lanes);
 }
 
-// Not inlined: it is rare, and the loop over the nodes keeps its registers.
+// Not inlined, because it is rarely called: the loop over the nodes then keeps its registers.
 [[gnu::noinline]] void add_gate(double by_distance, double plane, const Vector3d& normal, const Vector3d& offset,
                                 GateSums& sums) noexcept {
   const Vector3d by_m = by_distance * normal;

@@ -5,8 +5,8 @@
 
 #include "proto/words/vectorised.h"
 
-// Compiled for several instruction sets, without inline functions of headers that other files compile
-// (filter_rows.cpp).
+// Compiled for several instruction sets. This file must not use inline functions of headers that other files compile
+// for another instruction set.
 
 namespace telepalp::surface {
 

@@ -54,8 +54,9 @@ struct MaskedColumns {
   std::array<std::array<float, kMostSide + kBlock>, 3> value;  ///< sums of w_l l^b times the pixel's value, b = 0 ... 2
 };
 
-/// `first`: index of the window's top left pixel in `image`. `mask[l]`: bit k selects pixel (k, l). Only the rows with
-/// a selected pixel are read, and of them the columns from `from` to before `to` and up to a block behind them.
+/// Computes `sums` over one window of `image`. `first`: index of the window's top left pixel in `image`. `mask[l]`: bit
+/// k selects pixel (k, l). Only the rows with a selected pixel are read. Of these rows, the columns from `from` to
+/// before `to` are read, and up to kBlock columns behind them.
 void sum_masked_columns(const float* image, std::ptrdiff_t first, std::ptrdiff_t stride, const std::uint32_t* mask,
                         const AxisWeights& axis, int from, int to, MaskedColumns& sums);
 

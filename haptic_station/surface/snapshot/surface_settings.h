@@ -12,7 +12,7 @@ namespace telepalp::surface {
 enum class Method {
   Grid,   ///< smoothed nodes on the depth image's own lattice: the default
   Paper,  ///< exactly paper S1 §II.C (docs/sources.md): N neighbours within R, normals estimated per query
-  Cloud,  ///< points with given normals; weights fall to zero at the support: static models, unorganised clouds
+  Cloud,  ///< points whose normals are known before the query; for static models and unorganised clouds
 };
 
 /// The neighbour index of Paper and Cloud. Grid needs none.
@@ -33,7 +33,7 @@ struct SurfaceSettings {
   double support_nodes = 2.5;  ///< a node farther than this from the query's pixel has no weight [nodes]
   int fit_radius_px = 8;       ///< half side of the window of each node's quadratic fit
   double gate_m = 0.02;        ///< a node whose tangent plane is farther than this from the query is ignored
-  double break_m = 0.015;  ///< depth step between neighbouring pixels, at 1 m, that separates surfaces; grows with z²
+  double break_m = 0.015;  ///< depth step between neighbours that separates surfaces at a depth of 1 m; grows with z²
   int bridge_px = 2;       ///< holes of at most this radius are bridged
 
   // over time

@@ -40,7 +40,7 @@ struct Knots {
 [[nodiscard]] Knots knots_at(double pixel, int cells) noexcept;
 
 /// Values of the function over one row of pixels. `out` is padded by half a cell on the left: pixel u is at out[u +
-/// kRowLead]. It is at least row_length() long.
+/// kRowLead]. `out` has at least row_length() elements.
 inline constexpr int kRowLead = CellLattice::kCell_px / 2;
 [[nodiscard]] inline std::size_t row_length(const CellLattice& lattice) noexcept {
   return static_cast<std::size_t>(lattice.columns + 1) * CellLattice::kCell_px;

@@ -36,7 +36,7 @@ struct LeanSums {
   float* count;  ///< number of residuals
 };
 
-/// Adds to the average the cell's filtered change of depth, `moved`, then updates it with `seen`; the average
+/// Adds the cell's filtered change of depth, `moved`, to the average, then updates the average with `seen`; the average
 /// counts at most `memory_frames` frames. Adds the residuals, `seen` minus (average + `expected`), to `leans`.
 /// `expected` is the cell's unfiltered change of depth, so that a motion of the whole cell causes no residual in its
 /// pixels.

@@ -17,8 +17,8 @@ constexpr double kQuickFrom = 6.5;
 constexpr double kEnergyMemory_s = 4.0;
 constexpr double kLeastCount = 12.0;  // least number of pixels for a cell's mean to be used
 constexpr double kVelocityFade_s = 1.0;
-constexpr double kSharedMotion_rad_per_s = 3.0;  // while no breath is known; a predicted motion turns after 0.5 s
-constexpr double kRoughnessLeak = 0.1;           // share per frame
+constexpr double kSharedMotion_rad_per_s = 3.0;  // while no breath is known: predicted motion reverses after 0.5 s
+constexpr double kRoughnessLeak = 0.1;           // share of the velocities' roughness removed per frame
 
 /// How significant a running mean of innovations is: 0 within the noise, 1 certain.
 double leaning(double lean_m, double sigma_m) noexcept {
@@ -45,7 +45,8 @@ MotionField::MotionField(int width_px, int height_px, const SurfaceSettings& set
       shared_(lattice_.size()),
       shared_seen_(lattice_.size()) {}
 
-/// The shared motion continues with what is predicted here, breath or not: innovations are relative to this.
+/// Predicts the motion from terms_, which include the breathing model. The shared motion is set to this prediction,
+/// because the innovations of the next frame are relative to it.
 void MotionField::predict(double dt_s) {
   MotionModel ahead = model();
   ahead.speed = ahead.acceleration = kFullForesight;

@@ -32,7 +32,7 @@ class MotionField {
   /// Updates the filter with the innovations of a frame: measured depth minus the depth that change() predicts.
   void correct(const std::vector<CellInnovation>& seen, double dt_s);
 
-  /// Change of depth since the frame before that predict() expects, as spline coefficients [m].
+  /// The change of depth since the frame before as predict() expects it, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& change() const noexcept { return change_; }
   /// The change of depth since the frame before as correct() estimates it, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& moved() const noexcept { return moved_; }
@@ -48,7 +48,7 @@ class MotionField {
     double velocity_m_per_s = 0.0;  ///< beyond the cell's share of the motion common to the body (SharedMotion)
     double energy = 0.0;  ///< running mean of the squared speed, shared part included; gives the cell's weight_
     double frames = 0.0;
-    double lean_m = 0.0;  ///< running mean of the neighbourhood's innovation less SharedMotion's; 0: no lag
+    double lean_m = 0.0;  ///< running mean of the neighbourhood's minus SharedMotion's innovation; 0: no lag
   };
 
   void update_moving(const std::vector<CellInnovation>& seen);

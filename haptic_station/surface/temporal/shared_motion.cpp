@@ -14,8 +14,8 @@ constexpr double kQuick_s = 0.07;
 constexpr double kCalmUpTo = 2.0;   // mean innovation [sigma]
 constexpr double kQuickFrom = 6.0;  // mean innovation [sigma]
 constexpr double kLeanGain = 0.3;
-constexpr double kOutlier = 4.0;      // a cell that deviates by more counts less [sigma] …
-constexpr double kOddShare = 0.3;     // … unless it deviates by less than this part of its expected innovation
+constexpr double kOutlier = 4.0;      // a cell counts less if it deviates by more than this [sigma] …
+constexpr double kOddShare = 0.3;     // … plus this share of its expected innovation
 constexpr double kMovesWithIt = 0.3;  // least share of a cell that enters the median
 constexpr double kLeastAgreement =
     0.85;  // share of the cells; with less, the motion is not shared: the camera was pushed

@@ -54,7 +54,7 @@ class SharedMotion {
   /// most the one learned over the last half second, and the weight of the acceleration is 0.
   [[nodiscard]] ForesightShare speed_share() const noexcept;
   [[nodiscard]] ForesightShare acceleration_share() const noexcept;
-  /// 0 to 1: 1 while the motion is much faster than usual, or when the whole body does not share it; then it falls to 0
+  /// 1 while the motion is much faster than usual, or not shared by the whole body. Afterwards the value falls to 0
   /// within 1 s.
   [[nodiscard]] double unmodelled() const noexcept { return unmodelled_; }
 

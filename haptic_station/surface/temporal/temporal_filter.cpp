@@ -116,7 +116,7 @@ void TemporalFilter::end_of_patches(int patch_row) {
       count += sums_[width + u];
     }
     float& mean = patch_mean_[static_cast<std::size_t>(patch_row) * across + patch];
-    mean = 0.5F * (mean + (count > 0.0F ? lean / std::sqrt(count) : 0.0F));  // unit variance by chance
+    mean = 0.5F * (mean + (count > 0.0F ? lean / std::sqrt(count) : 0.0F));  // unit variance under noise alone
     if (std::abs(mean) < kPatchOutlier * 0.577F)
       continue;  // sqrt(1/3): standard deviation of a running mean with weight 1/2
     for (int row = patch_row * kPatch_px; row < std::min((patch_row + 1) * kPatch_px, average_.height); ++row)

@@ -9,8 +9,8 @@ namespace telepalp::surface {
 /// Averages the depth of each pixel over frames. The average moves with the pixel's cell in MotionField, so that
 /// breathing does not smear it. Any other motion gives a patch of 4 × 4 pixels residuals of one sign; the average of
 /// that patch then counts as at most four frames. Latency: none for motion that MotionField models. A step in depth
-/// that it does not model is detected after two to four frames. A step too small to detect (below about 0.65 sigma of a
-/// pixel's noise) fades with the memory of the average.
+/// that MotionField does not model is detected after two to four frames. A step too small to detect (below about 0.65
+/// sigma of a pixel's noise) fades with the memory of the average.
 class TemporalFilter {
  public:
   TemporalFilter(int width, int height, const SurfaceSettings& settings);

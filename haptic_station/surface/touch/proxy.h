@@ -11,8 +11,8 @@ struct ConstraintPlane {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
 };
 
-/// The point nearest to `device` that one constraint plane allows: the projection of the device on the plane, or the
-/// device itself on the side of the normal. Source: the goal of the proxy in Salisbury and Tarr (1997).
+/// The point nearest to `device` that one constraint plane allows: the projection of `device` on the plane, or
+/// `device` itself where it lies on the side of the normal. Source: the goal of the proxy in Salisbury and Tarr (1997).
 [[nodiscard]] Eigen::Vector3d goal_on_plane(const Eigen::Vector3d& device, const ConstraintPlane& plane) noexcept;
 
 /// The point nearest to `device` that two constraint planes allow. It lies on no plane, on one plane, or, in a crease,

@@ -26,8 +26,8 @@ class FollowShare {
 };
 
 /// One step of a critically damped approach with bounded speed and acceleration. `rate`: rate of the value; `error`:
-/// target minus value; `target_rate`: rate of the target; `share`: FollowShare::of() the same limits and time. Returns
-/// the next rate of the value. The result depends only on the present error and rates, so the approach is the same
+/// target minus value; `target_rate`: rate of the target; `share`: FollowShare::of(`limits`, `dt_s`). Returns the
+/// next rate of the value. The result depends only on the present error and rates, so the approach is the same
 /// whether the target is updated 10 or 200 times a second.
 [[nodiscard]] Eigen::Vector3d next_rate(const Eigen::Vector3d& rate, const Eigen::Vector3d& error,
                                         const Eigen::Vector3d& target_rate, const FollowLimits& limits, double share,

@@ -16,10 +16,10 @@ constexpr double kSharpCosine = 0.94;  // planes turned by more than 20 degrees 
 constexpr int kMostHops = 32;
 constexpr double kFootPerDevice = 3.0;      // largest ratio of the foot's movement to the device's, as on a dome
 constexpr double kFoot_m_per_s = 0.15;      // largest speed of the foot under a device at rest
-constexpr double kHeldPlane_m_per_s = 0.1;  // of a held plane's foot below the device; the force follows it
+constexpr double kHeldPlane_m_per_s = 0.1;  // largest speed at which the foot slides on a held plane
 constexpr double kLeastShown = 0.05;        // least displayed share at which a contact begins
 constexpr double kLongestTick_s = 0.01;     // longest tick over which the controller computes a speed
-constexpr double kAnchorLook_s = 0.0039;    // between two evaluations at the anchor; a little less than eight ticks
+constexpr double kAnchorLook_s = 0.0039;    // time between evaluations at the anchor; just under eight ticks
 
 Vector3d tangential(const Vector3d& v, const Vector3d& normal) noexcept { return v - normal.dot(v) * normal; }
 
@@ -175,7 +175,7 @@ void Touch::follow(const Vector3d& device) noexcept {
   for (int iteration = 0; here.valid; ++iteration) {
     const double steepness = here.gradient.norm();
     const bool steep = steepness > kSteepEnough;
-    if (steep) normal_ = here.gradient / steepness;  // else the last valid plane is kept: hard case "gradient vanishes"
+    if (steep) normal_ = here.gradient / steepness;  // else the last valid normal is kept
     if (normal_.isZero()) normal_ = here.normal;
     const Vector3d onto = -here.f_m / std::max(steepness, kSteepEnough) * normal_;
     const Vector3d wanted = tangential(device - foot_, normal_);

@@ -12,11 +12,11 @@ namespace telepalp::surface {
 
 struct TouchSettings {
   FollowLimits follow;
-  int most_iterations = 4;        ///< iterations of one search for the foot; each evaluates the surface at least once
-  double settle_m = 2e-5;         ///< a shorter step of the foot ends the search: its error is of second order
-  double longest_hop_m = 0.004;   ///< a longer move of the device is divided, into at most 32 parts, to miss no surface
-  double deepest_start_m = 0.09;  ///< a device first seen deeper than this is behind the surface, not in the body
-  bool gentle_start = true;       ///< a device first seen in the body: the skin is displayed at it and rises from there
+  int most_iterations = 4;         ///< iterations of one search for the foot; each evaluates the surface at least once
+  double settle_m = 2e-5;          ///< a shorter step of the foot ends the search: the error left is of second order
+  double longest_hop_m = 0.004;    ///< a longer move of the device is searched in up to 32 parts, to miss no surface
+  double deepest_start_m = 0.09;   ///< a device first seen deeper than this is behind the surface, not in the body
+  bool gentle_start = true;        ///< over a device first seen in the body, the skin begins at the device and rises
   double other_surface_m = 0.045;  ///< a surface that jumps farther than this during a contact is another surface
   double off_foot_m = 0.004;       ///< a device tangentially farther than this from its foot is beyond the rim
   double stale_after_s = 1.0;      ///< age of the snapshot at which the contact begins to fade
@@ -37,16 +37,16 @@ struct TouchSample {
   double newest_velocity_m_per_s = 0.0;  ///< speed of the newest surface there, along the normal
   Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< of the displayed skin where contact began
   double uncertainty_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
-  double support = 0.0;        ///< displayed share of the contact; 0 where the known surface ends or is stale
-  double unmodelled = 0.0;     ///< MotionModel::unmodelled of the newest snapshot; set even without a contact
+  double support = 0.0;        ///< factor on the contact: 1: whole, 0: the known surface ends or is stale
+  double unmodelled = 0.0;     ///< 1: the body moves much faster than usual, or the camera was pushed; then falls to 0
   double age_s = 0.0;          ///< time since the snapshot's capture or its adoption, whichever is longer
 };
 
-/// Displacement at the foot of the displayed surface from the newest snapshot as captured, along the normal; positive
-/// out of the body.
+/// Displacement of the displayed surface, at the foot, from the newest snapshot as captured. It is measured along the
+/// normal, positive out of the body.
 struct Displaced {
   double carried_m = 0.0;  ///< part due to prediction over the snapshot's age
-  double slewed_m = 0.0;   ///< remaining offset from the newest surface since the last change of snapshots
+  double slewed_m = 0.0;   ///< offset from the newest surface that the gradual change of snapshots has left
 };
 
 /// The touch of one device point: finds the foot, the surface point nearest to the device, and the proxy, predicts the

@@ -10,8 +10,8 @@
 
 namespace telepalp::tracking {
 
-/// Hands the newest hand position and attitude from a protocol thread to the haptic thread and converts its time to
-/// session time. `Frame`: the frame of reference of the positions.
+/// Hands the newest hand position and attitude from a protocol thread to the haptic thread and converts their time
+/// stamp to session time. `Frame`: the frame of reference of the positions.
 template <class Frame>
 class LatestHand {
  public:

@@ -26,7 +26,9 @@ struct Frame {
 struct SenderStatistics {
   std::uint64_t started = 0;
   std::uint64_t replaced = 0;  ///< dropped unsent, because a newer frame was offered
-  std::uint64_t expired = 0;   ///< dropped unsent: would arrive after twice the deadline (frame_sender.cpp)
+  /// Dropped unsent, because they would arrive more than twice the deadline after their capture. Over a path whose
+  /// delay exceeds the deadline: because they were older than the deadline.
+  std::uint64_t expired = 0;
   std::uint64_t data_shards = 0;
   std::uint64_t repair_shards = 0;
   std::uint64_t requested_shards = 0;  ///< repair shards that were sent on request

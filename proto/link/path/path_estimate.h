@@ -22,7 +22,7 @@ class PathEstimate {
 
   /// True if a datagram may be sent now: in_flight_B() leaves room below limit_B(), and sending does not pause to empty
   /// the path's queue. Without feedback for the longer of 1 s and 4 round trips, all data in flight counts as lost, and
-  /// limit_B() falls to its least value. From there it doubles with each round trip, up to half of what it was.
+  /// limit_B() falls to its least value. From there it doubles with each round trip, up to half of its earlier value.
   [[nodiscard]] bool has_room(SessionTime now) noexcept;
 
   [[nodiscard]] Nanoseconds round_trip() const noexcept { return round_trip_; }  ///< smoothed; 0: unknown
@@ -30,7 +30,7 @@ class PathEstimate {
   /// Queueing delay in the direction of sending, without jitter.
   [[nodiscard]] Nanoseconds queue_delay() const noexcept { return queue_delay_; }
   [[nodiscard]] double loss() const noexcept { return loss_; }                    ///< share of packets
-  [[nodiscard]] double burst_packets() const noexcept { return burst_packets_; }  ///< mean, at least 1
+  [[nodiscard]] double burst_packets() const noexcept { return burst_packets_; }  ///< mean length of a loss burst
   [[nodiscard]] double rate_B_per_s() const noexcept { return rate_B_per_s_; }    ///< rate of delivery; 0: unknown
   [[nodiscard]] std::uint64_t in_flight_B() const noexcept { return sent_bytes_ - acknowledged_; }
   [[nodiscard]] std::uint64_t limit_B() const noexcept { return limit_B_; }

@@ -19,15 +19,16 @@ class ColorDepthPairing {
     ColorImage color;  ///< empty when no colour image lies within kStaleColor
   };
 
-  static constexpr std::chrono::microseconds kSameInstant{17'000};  ///< nearer images form a pair; half a 30 Hz period
+  static constexpr std::chrono::microseconds kSameInstant{17'000};  ///< limit for a pair: half a period of 30 Hz
   static constexpr std::chrono::microseconds kStaleColor{200'000};
   static constexpr Nanoseconds kWaitForColor{15'000'000};
 
   void add_color(std::chrono::microseconds driver_time, ColorImage color);
   void add_depth(std::chrono::microseconds driver_time, SessionTime arrival, DepthImage depth);
 
-  /// Returns the depth image with its colour image; after kWaitForColor, with the last one within kStaleColor, or none.
-  /// nullopt: no depth image, or it still waits.
+  /// Returns the depth image with its colour image. After kWaitForColor, it returns the depth image with the last
+  /// colour image, or without colour if that image is more than kStaleColor away. nullopt: there is no depth image, or
+  /// the depth image still waits for its colour.
   [[nodiscard]] std::optional<Pair> take(SessionTime now);
 
   /// True while a depth image waits for its colour.

@@ -12,7 +12,7 @@ namespace telepalp::capture {
 [[nodiscard]] std::optional<DepthImage> depth_image(const openni::VideoFrameRef& frame);
 [[nodiscard]] std::optional<ColorImage> color_image(const openni::VideoFrameRef& frame);
 
-/// Pinhole intrinsics from the driver's fields of view. `color` may be an invalid stream.
+/// Pinhole intrinsics from the driver's fields of view. `color` is an invalid stream if the camera has no colour.
 [[nodiscard]] CameraModel camera_of(openni::Device& device, const openni::VideoStream& depth,
                                     const openni::VideoStream& color);
 

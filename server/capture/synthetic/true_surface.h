@@ -38,8 +38,8 @@ class TrueSurface {
   TrueSurface(std::shared_ptr<const RestShape> rest, const PatientPose& pose) noexcept;
 
   /// The surface point on the ray through pixel (u, v), for any finite coordinates; pixel centres have integer
-  /// coordinates. Error: zero, since this defines the surface. At a pixel centre, z equals the noise-free depth up to
-  /// float rounding.
+  /// coordinates. Error: zero, since this function defines the surface. At a pixel centre, z equals the noise-free
+  /// depth up to float rounding.
   [[nodiscard]] TrueSurfacePoint at_pixel(double u, double v) const noexcept;
 
   /// Depth z [m] of the surface on the ray through pixel (u, v).
@@ -63,7 +63,8 @@ class TrueSurface {
   [[nodiscard]] std::optional<TrueHeight> height_along(const Point<DepthCamera>& point,
                                                        const Vector<DepthCamera>& up) const noexcept;
 
-  /// Distance from `point` to closest_to(point) [m]: positive outside, negative inside the body. nullopt as there.
+  /// Distance from `point` to closest_to(point) [m]: positive outside, negative inside the body. nullopt where
+  /// closest_to() returns nullopt.
   [[nodiscard]] std::optional<double> signed_distance_m(const Point<DepthCamera>& point) const noexcept;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace telepalp::gateway::foxglove {
 
-/// The played session, as the WebSocket sees it. Both functions are unset when the server plays none.
+/// The played session, as the WebSocket sees it. Both functions are unset without such a session.
 struct PlaybackPort {
   std::function<msg::PlaybackState()> state;
   std::function<Result<void>(const msg::PlaybackCommand&)> move;
@@ -30,7 +30,8 @@ struct PlaybackRequest {
 /// True if the client's binary message is a playback request, well formed or not.
 [[nodiscard]] bool is_playback_request(std::string_view bytes) noexcept;
 
-/// Error: truncated, an unknown command, a speed that is not finite, or a time outside the session of `state`.
+/// Error: a truncated request, an unknown command, a speed that is not finite, or a time outside the session of
+/// `state`.
 [[nodiscard]] Result<PlaybackRequest> read_playback_request(std::string_view bytes, const msg::PlaybackState& state);
 
 /// The request as a command to the player.

@@ -92,8 +92,8 @@ class Discard {
   std::size_t left_ = kMostDiscarded;
 };
 
-/// Beast calls these at the end of a WebSocket. The close frame has been exchanged inside the session, so TLS's own
-/// close_notify is not sent.
+/// Beast calls these two functions at the end of a WebSocket. The close frame has been exchanged inside TLS, so TLS's
+/// own close_notify is not sent.
 template <class Handler>
 void async_teardown(boost::beast::role_type, WebStream& stream, Handler&& handler) {
   boost::system::error_code ignored;  // a peer that is gone also ends the read

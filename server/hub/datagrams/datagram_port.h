@@ -35,7 +35,7 @@ class DatagramPort {
   std::uint32_t join(Session& session);
   void leave(std::uint32_t number) noexcept { sessions_.erase(number); }
 
-  /// False: the socket is full, and the datagram can be sent again.
+  /// False: the socket's send buffer is full, and the datagram can be sent again.
   [[nodiscard]] bool send(std::span<const std::byte> datagram, const Endpoint& to);
 
   [[nodiscard]] const DatagramCounts& counts() const noexcept { return counts_; }

@@ -23,7 +23,7 @@ struct TrackPoint {
 /// The states of the first station of a session, in order of time.
 struct StateTrack {
   std::int64_t begin_ns = 0;  ///< session time of the session's first message
-  std::int64_t end_ns = 0;    ///< and of its last one
+  std::int64_t end_ns = 0;    ///< session time of the session's last message
   std::vector<TrackPoint> points;
 };
 

@@ -15,7 +15,7 @@ struct FrameCounts {
   std::uint64_t in_time = 0;      ///< depth and colour were complete by the deadline
   std::uint64_t touched = 0;      ///< became a surface for the haptic loop
   std::uint64_t undecodable = 0;  ///< arrived, but could not be decoded
-  std::uint64_t offered_B = 0;    ///< of all frames
+  std::uint64_t offered_B = 0;    ///< size of all offered frames
 };
 
 /// One run of the source over one network: the server's sender, the network and the station, in virtual time. Cells
@@ -27,7 +27,8 @@ class Cell {
   Cell(const StationSetup& setup, const Scenario& scenario, const TapeSettings& tape, TruthAt truth, Publish publish,
        Wires wires);
 
-  /// Runs all ticks before `until`. `frames`: those captured in this window. Appends a record of each tick to `ticks`.
+  /// Runs all ticks before `until`. `frames`: those captured since the last call's `until` and before
+  /// this one. Appends a record of each tick to `ticks`.
   void run_until(SessionTime until, const TapeFrames& frames, std::vector<TickRecord>& ticks);
 
   [[nodiscard]] FrameCounts frames() const noexcept;

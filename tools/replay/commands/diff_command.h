@@ -2,7 +2,7 @@
 
 namespace telepalp::replay {
 
-/// `telepalp-replay diff A B`.
+/// Runs `telepalp-replay diff A B`, which prints the first message in which two sessions differ. Returns the exit code.
 [[nodiscard]] int diff_command(int argc, const char* const* argv);
 
 }  // namespace telepalp::replay

@@ -22,8 +22,8 @@ namespace telepalp::replay {
 /// Speed, and the share of each part in the processor time. It differs each time, unlike the reports.
 [[nodiscard]] std::string cost_in_words(const RunResults& results, double wall_s);
 
-/// The network towards the station, the faults and the seed in one line: "80 ms one way ± 15 ms, 5 % lost in bursts of
-/// 4 packets; seed 1".
+/// The network towards the station, the faults and the seed in one line: "80 ms delay one way ± 15 ms, 5 % lost in
+/// bursts of 4 packets on average; seed 1".
 [[nodiscard]] std::string in_words(const Scenario& scenario);
 
 }  // namespace telepalp::replay

@@ -31,7 +31,7 @@ struct EncoderGlitch {
   double off_m = 0.0;
 };
 
-/// Faults beyond those of the link.
+/// Faults that are not impairments of the network's packets.
 struct Faults {
   std::vector<Window> outages = {};   ///< no datagram crosses the network in either direction
   std::vector<Window> restarts = {};  ///< the server is down; at the window's end it begins a new link session

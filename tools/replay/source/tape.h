@@ -47,7 +47,7 @@ class Tape {
   Tape& operator=(Tape&&) noexcept;
 
   /// The frames that were captured before `until` and not returned yet. Error: decoding a losslessly encoded frame
-  /// gives other depth.
+  /// does not give the original depth.
   [[nodiscard]] Result<TapeFrames> read_until(SessionTime until);
   /// True when no frame follows.
   [[nodiscard]] bool ended() const noexcept;

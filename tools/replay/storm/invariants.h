@@ -26,7 +26,7 @@ class Invariants {
     std::string what;
   };
 
-  /// The worst of both energy ledgers so far.
+  /// The worst values of the energy ledgers so far.
   struct Ledgers {
     double least_passivity_J = 0.0;
     double most_excess_J = 0.0;  ///< the largest hand_excess_J that the station reported
@@ -68,7 +68,7 @@ class Invariants {
   Ledgers ledgers_;
 };
 
-/// "at 3.214 s: the force is not finite".
+/// "at 3.214 s of the run: the force is not finite (NaN or infinite)".
 [[nodiscard]] std::string in_words(const Invariants::Violation& violation);
 
 }  // namespace telepalp::replay

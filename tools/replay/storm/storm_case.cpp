@@ -71,7 +71,7 @@ Faults draw_faults(Draw& draw, double seconds) {
   return faults;
 }
 
-/// With six decimals at most: what was drawn is whole.
+/// The number with at most six decimals, which is exact, because all drawn numbers are whole.
 std::string number(double value) {
   const std::string words = span_in_words(from_milliseconds(value));
   return words.substr(0, words.size() - 2);
@@ -99,7 +99,7 @@ std::string fault_words(const Faults& faults) {
   return words;
 }
 
-/// Sets one figure of both directions to its best.
+/// Removes one impairment from both directions of the network.
 void set_network(StormCase& storm, void (*set)(impaired::Impairment& network)) {
   set(storm.scenario.down);
   set(storm.scenario.up);

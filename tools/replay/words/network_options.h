@@ -10,7 +10,7 @@ namespace telepalp::replay {
 /// The options that describe the network and the faults of a run.
 [[nodiscard]] std::vector<program::Option> network_options();
 
-/// The scenario that these options describe: a named network profile, with the values that further options replace. The
+/// The scenario that these options describe: a named network profile, in which further options replace values. The
 /// default deadline is 100 ms plus the delay, because a frame cannot arrive before the delay is over.
 [[nodiscard]] Result<Scenario> read_scenario(const program::Arguments& arguments);
 

@@ -11,23 +11,23 @@ namespace telepalp::capture {
 struct BreathStyle {
   double amplitude_m = 0.005;
   double rate_hz = 0.25;
-  double period_spread = 0.2;     ///< each period lies within this share of the mean
-  double amplitude_spread = 0.3;  ///< each amplitude lies within this share of the mean
-  double least_inhale = 0.3;      ///< least share of inhaling; drawn for each breath up to `most_inhale`
+  double period_spread = 0.2;     ///< each period differs from the mean by at most this share of the mean
+  double amplitude_spread = 0.3;  ///< each amplitude differs from the mean by at most this share of the mean
+  double least_inhale = 0.3;      ///< the share of inhaling is drawn from `least_inhale` to `most_inhale`
   double most_inhale = 0.45;
-  double most_pause = 0.15;  ///< greatest share of the pause after exhaling; drawn for each breath from 0 to this
-  double ripple_m = 0.0;     ///< amplitude of the belly's ripple by syllables while the patient speaks
+  double most_pause = 0.15;  ///< the share of the pause after exhaling is drawn from 0 to `most_pause`
+  double ripple_m = 0.0;     ///< amplitude of the oscillation by syllables, while a speaking patient exhales
 };
 
-/// A random sequence of breaths. Each breath has its own period, amplitude, end level, shares of inhale and pause, and
-/// skew of the exhale. The sequence has 256 breaths and repeats, so the breath is a pure function of time. It is
-/// continuously differentiable.
+/// A random sequence of breaths. Each breath has its own period, amplitude, lift at its end, shares of inhale and
+/// pause, and skew of the exhale. The sequence has 256 breaths and repeats, so the belly's lift is a pure function of
+/// time; this function is continuously differentiable.
 class BreathSequence {
  public:
   BreathSequence(const BreathStyle& style, std::uint64_t seed);
 
-  /// The breath at `time_s` from the sequence's beginning; any value. `speed`: rate of `time_s` against real time, 0
-  /// while the breath is held.
+  /// The breath at `time_s` from the sequence's beginning, for any finite time. `speed`: rate of `time_s` against real
+  /// time, 0 while the breath is held.
   [[nodiscard]] Breath at(double time_s, double speed = 1.0) const noexcept;
   [[nodiscard]] double duration_s() const noexcept { return ends_s_.empty() ? 0.0 : ends_s_.back(); }
 

@@ -5,7 +5,8 @@
 namespace telepalp::capture {
 
 /// A random number, uniform in [least, most), as a pure function of (seed, event, which): any event of a motion can be
-/// drawn without the events before it. The mixing function is SplitMix64's.
+/// drawn without the events before it. `which` numbers the quantities of one event. The mixing function is
+/// SplitMix64's.
 [[nodiscard]] inline double seeded_draw(std::uint64_t seed, std::int64_t event, std::uint64_t which, double least,
                                         double most) noexcept {
   std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(event) * 0xD1B54A32D192ED03ULL +

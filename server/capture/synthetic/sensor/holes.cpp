@@ -12,8 +12,9 @@ constexpr int kRaggedReach_px = 2;         // the correlation window straddles t
 constexpr float kGrazingSlope_m = 0.005F;  // depth change a pixel: rays within about 17 degrees of the skin at 0.8 m
 constexpr std::uint8_t kAlways = 255;
 
-/// Marks the pixels that the projector cannot light. Along a row, away from the projector, the direction to the points
-/// must increase; a point with a smaller direction than an earlier one lies in that one's shadow.
+/// Marks the pixels that the projector cannot light. Along a row from right to left, away from the projector, the
+/// column in which the projector sees the points must decrease: a point in a larger column than an earlier point lies
+/// in the earlier point's shadow.
 void mark_shadow(const float* depth_m, int width, float fx, std::uint8_t* hole) {
   float reached = static_cast<float>(width) * 2.0F;
   for (int u = width - 1; u >= 0; --u) {

@@ -11,8 +11,8 @@
 
 namespace telepalp::capture {
 
-/// Simulates the depth sensor. The per-pixel tables of the body at rest are computed once; a frame of a body that has
-/// slid or risen computes its own.
+/// Simulates the depth sensor. The per-pixel tables of the body at rest are computed once; each frame of a body
+/// that has slid or risen computes tables of its own.
 class SensorModel {
  public:
   /// `rest` is shared with the patient's TrueSurface, so that both use one immutable shape.
