@@ -38,14 +38,14 @@ program::Usage usage() {
                        "openni2[:URI] | oni:FILE | images:DIR | pcd:FILE | synthetic[:MODEL] | session:FILE.mcap",
                        "synthetic"},
                       {"loop", "yes|no", "repeat a recording when it ends", "yes"},
-                      {"seconds", "S", "stop after this time; 0: never", "0"},
-                      {"bind", "ADDRESS", "where to listen; a network address needs --key", "127.0.0.1"},
+                      {"seconds", "S", "stop after S seconds; 0: never", "0"},
+                      {"bind", "ADDRESS", "address to listen on; a network address needs --key", "127.0.0.1"},
                       {"key", "FILE",
                        "this server's key file (telepalp-keys server); with it, clients need keys; default: none"},
-                      {"revoked", "FILE", "revoked keys; default: revoked.crl beside the key"},
+                      {"revoked", "FILE", "list of revoked keys; default: revoked.crl by the key"},
                       {"audit", "FILE", "log of who did what; default: audit.log by the key"},
-                      {"port", "PORT", "for stations and recorders; 0: any free one", program::kServerPort},
-                      {"http-port", "PORT", "of the web viewer; 0: any free one; default: none"},
+                      {"port", "PORT", "port for stations and recorders; 0: any free one", program::kServerPort},
+                      {"http-port", "PORT", "port of the web viewer; 0: any free one; default: none"},
                       {.name = "allow-origin",
                        .argument = "ORIGIN",
                        .help = "other site whose pages may open the stream, such as https://app.foxglove.dev; may be "
@@ -53,7 +53,7 @@ program::Usage usage() {
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: beside this program"},
                       {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
-                      {"compare-dir", "DIR", "folder of sessions to compare with the played one"},
+                      {"compare-dir", "DIR", "sessions to compare with the played one; default: none"},
                       {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
                       {"ready-file", "FILE", "write the ports into this file once clients can connect; default: none"},
                       {"depth-mode", "MODE",
@@ -276,7 +276,7 @@ void offer_comparison(gateway::GatewayOptions& options, PlayedSession& session) 
                           .change = [](const std::string&, const std::string&) -> Result<std::string> {
                             return Error{.what = "this server compares no sessions",
                                          .where = "playback/comparison",
-                                         .fix = "telepalp-server --compare-dir DIR"};
+                                         .fix = "start telepalp-server with --compare-dir DIR"};
                           }};
     return;
   }
@@ -350,8 +350,9 @@ int run(Asked asked) {
     program::log(kProgram, "stopping: " + reason);
     boost::system::error_code ignored;
     signals.cancel(ignored);  // not clear(): the handlers stay installed, so a second signal has no further effect
-    program::end_within(program::kTimeToEnd,
-                        "telepalp-server: the camera did not stop within 5 s; the program ends without closing it");
+    program::end_within(
+        program::kTimeToEnd,
+        "telepalp-server: the camera did not stop within 5 s; the program ends without closing the camera");
     time_is_up.cancel();
     gateway.reset();
     recorder.reset();  // before the server ends, so that the recorder completes its file; it gets at most 3 s

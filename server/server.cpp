@@ -118,7 +118,9 @@ std::string Server::problem() const {
   if (player_ && !player_->state().playing()) return "";
   constexpr std::chrono::seconds kLongest{5};
   const auto since = std::max(last_depth_, started_);
-  return std::chrono::steady_clock::now() - since > kLongest ? "no depth image for 5 s" : "";
+  return std::chrono::steady_clock::now() - since > kLongest
+             ? "no depth image for 5 s. fix: check the camera, see the server's log"
+             : "";
 }
 
 void Server::publish_every_second() {
@@ -185,8 +187,8 @@ std::string Server::summary() const {
   const hub::Hub::TopicCount depth = found == hub_.topic_counts().end() ? hub::Hub::TopicCount{} : found->second;
   char line[200];
   std::snprintf(line, sizeof line,
-                "%.1f s, %llu frames captured; depth images: %llu published, %llu sent, %llu dropped", seconds,
-                static_cast<unsigned long long>(frames()), static_cast<unsigned long long>(depth.published),
+                "%.1f s, %llu frames captured; depth images: %llu published, %llu sent to subscribers, %llu dropped",
+                seconds, static_cast<unsigned long long>(frames()), static_cast<unsigned long long>(depth.published),
                 static_cast<unsigned long long>(depth.sent), static_cast<unsigned long long>(depth.dropped));
   return line;
 }

@@ -120,10 +120,10 @@ void draw_touch(const Scene& scene, const Touch& touch, const Mesh& skin, const 
 std::vector<PanelLine> key_to_colours(const Touch& touch) {
   const Eigen::Vector3f skin = avatar_color(touch.indentation_m);
   const Ink hand{srgb_from_linear(skin.x()), srgb_from_linear(skin.y()), srgb_from_linear(skin.z())};
-  return {{"doctor's hand (redder: deeper)", "", hand},
-          {"device ball, 6 cm", "", kDeviceInk},
+  return {{"doctor's hand (redder when deeper)", "", hand},
+          {"haptic device's ball, 6 cm", "", kDeviceInk},
           {"proxy on the skin", "", kProxyInk},
-          {"force, 25 mm for 1 N", "", kForceInk}};
+          {"force (25 mm long for 1 N)", "", kForceInk}};
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ program::Usage cut_usage() {
           .purpose = "copies a part of a session to a new file",
           .positional = "FILE",
           .options = {{"out", "FILE.mcap", "the new file"},
-                      {"from", "TIME", "since the session's beginning: 90, 90s, 1.5min", "0s"},
-                      {"to", "TIME", "since the session's beginning; default: the end"},
+                      {"from", "TIME", "begin here, since the session's start: 90s, 1.5min", "0s"},
+                      {"to", "TIME", "end here, since the session's start; default: its end"},
                       {"topics", "LIST", "shell patterns, comma-separated; !PATTERN excludes", "*"}},
           .example = "telepalp-record cut session.mcap --from 0.5s --to 1.5s --out part.mcap"};
 }
@@ -67,7 +67,7 @@ Error asked_wrongly(std::string what, const program::Usage& usage) {
 /// The one file of a command.
 Result<std::string> file_of(const program::Arguments& arguments, const program::Usage& usage) {
   if (arguments.positional().size() == 1) return arguments.positional().front();
-  return asked_wrongly("name one session file", usage);
+  return asked_wrongly("not exactly one session file is named", usage);
 }
 
 /// Reads the arguments of a command and runs it: an exit code, also after --help or a wrong option.
@@ -177,7 +177,8 @@ int repair_command(int argc, const char* const* argv) {
 int cut_command(int argc, const char* const* argv) {
   return with_file(cut_usage(), argc, argv, [](const std::string& file, const program::Arguments& arguments) {
     if (!arguments.has("out"))
-      return program::fail(asked_wrongly("name the new file with --out", cut_usage()), program::kAskedWrongly);
+      return program::fail(asked_wrongly("the new file is not named: --out FILE.mcap is missing", cut_usage()),
+                           program::kAskedWrongly);
     const Result<CutOptions> options = cut_options(arguments);
     if (!options) return program::fail(options.error(), program::kAskedWrongly);
     return show_edit(cut(file, arguments.text("out"), *options), arguments.text("out"));
@@ -188,8 +189,9 @@ int merge_command(int argc, const char* const* argv) {
   return with_arguments(merge_usage(), argc, argv, [](const program::Arguments& arguments) {
     const std::vector<std::filesystem::path> files(arguments.positional().begin(), arguments.positional().end());
     if (files.size() < 2 || files.size() > kMostMerged || !arguments.has("out"))
-      return program::fail(asked_wrongly("name 2 to 256 session files, and the new file with --out", merge_usage()),
-                           program::kAskedWrongly);
+      return program::fail(
+          asked_wrongly("merge needs 2 to 256 session files, and a new file named by --out", merge_usage()),
+          program::kAskedWrongly);
     return show_edit(merge(files, arguments.text("out")), arguments.text("out"));
   });
 }

@@ -20,11 +20,11 @@ program::Usage usage() {
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
                       {"out", "FILE.mcap", "new session file; FILE.mcap.partial until complete"},
-                      {"topics", "LIST", "shell patterns, comma-separated; !PATTERN excludes", "*"},
+                      {"topics", "LIST", "topics, as shell patterns: A,B; !PATTERN excludes", "*"},
                       {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
                       {"split", "SIZE|TIME", "begin a new file after this: 500MB, 10min"},
                       {"keep-last", "TIME", "remove files older than this: 5min"},
-                      {"consent", "TEXT", "the patient's consent: 'study 17, signed'"},
+                      {"consent", "TEXT", "text for the file on the patient's consent"},
                       {"scene", "FILE", "the station's scene file, to be attached"},
                       {.name = "attach",
                        .argument = "FILE",
@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
   if (!*arguments) return program::kDone;
   const program::Arguments& asked = **arguments;
   if (asked.has("out")) return run_recording(asked);
-  return program::fail({.what = "nothing to do",
+  return program::fail({.what = "neither a file to record to nor a command is given",
                         .where = kProgram,
                         .fix = "give --out FILE.mcap, or a command: info, verify, repair, cut, merge"},
                        program::kAskedWrongly);

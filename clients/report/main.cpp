@@ -19,7 +19,7 @@ namespace {
 
 const program::Usage kUsage{
     .program = "telepalp-report",
-    .purpose = "reports on a session file: report.html, report.json, view.png; of two sessions: comparison.html",
+    .purpose = "writes report.html, report.json and view.png about a session, or comparison.html about two sessions",
     .positional = "SESSION.mcap [OTHER.mcap]",
     .options = {{.name = "out", .argument = "DIR", .help = "folder for the files; created if missing", .initial = "."}},
     .example = "telepalp-report out/session.mcap --out out"};
@@ -108,10 +108,11 @@ int main(int argc, char** argv) {
   const auto& given = **arguments;
   const std::vector<std::string>& sessions = given.positional();
   if (sessions.empty() || sessions.size() > 2)
-    return program::fail({.what = "name one session file, or two to compare",
-                          .where = "telepalp-report",
-                          .fix = "see telepalp-report --help"},
-                         program::kAskedWrongly);
+    return program::fail(
+        {.what = "neither one nor two session files are named",
+         .where = "telepalp-report",
+         .fix = "name one session file to report on, or two to compare: telepalp-report SESSION.mcap [OTHER.mcap]"},
+        program::kAskedWrongly);
   const Result<void> done = sessions.size() == 1 ? write_report(sessions.front(), given.text("out"))
                                                  : write_comparison(sessions, given.text("out"));
   return done ? program::kDone : program::fail(done.error());

@@ -41,7 +41,7 @@ std::vector<LiveFigures::Topic> LiveFigures::topics(
 }
 
 std::string in_table(const std::vector<LiveFigures::Topic>& topics, double clock_uncertainty_ms) {
-  std::string text = "topic                     per s      kB/s  age p50 ms  age p99 ms   missed\n";
+  std::string text = "topic                messages/s      kB/s  age p50 ms  age p99 ms   missed\n";
   char line[160];
   for (const LiveFigures::Topic& topic : topics) {
     std::snprintf(line, sizeof line, "%-22s %8.1f %9.1f %11.2f %11.2f %8llu\n", topic.name.c_str(), topic.per_s,
@@ -49,7 +49,9 @@ std::string in_table(const std::vector<LiveFigures::Topic>& topics, double clock
                   static_cast<unsigned long long>(topic.missed));
     text += line;
   }
-  std::snprintf(line, sizeof line, "error of each age: at most %.2f ms, the error bound of the session clock\n",
+  std::snprintf(line, sizeof line,
+                "age: from publication to arrival; error at most %.2f ms (bound of the session clock). missed: "
+                "published, but not received\n",
                 clock_uncertainty_ms);
   return text + line;
 }

@@ -1,4 +1,4 @@
-"""PLY files as the scripts beside it read and write them: binary little-endian, x y z floats, triangles."""
+"""Reads and writes PLY files: binary little-endian, x y z as floats, triangles."""
 
 import struct
 

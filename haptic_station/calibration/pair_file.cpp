@@ -26,9 +26,11 @@ Result<std::vector<PointPair>> parse_point_pairs(std::string_view text, std::str
     const bool good = row && std::abs((*row)[0]) < 1e6 && std::floor((*row)[0]) == (*row)[0];
     if (!good || pairs.size() == kMostRows)
       return Error{
-          .what = good ? "more than 100000 rows" : "the row is not a whole place number and six finite coordinates",
+          .what = good ? "more than 100000 rows"
+                       : "the row is not seven finite numbers: the number of the place, which is an integer, and six "
+                         "coordinates in metres",
           .where = file + ":" + std::to_string(number),
-          .fix = good ? "give at most 100000 rows" : "give rows like 1,0.1,0.02,0,0.12,0,0.3 with decimal points"};
+          .fix = good ? "give at most 100000 rows" : "write rows such as 1,0.1,0.02,0,0.12,0,0.3, with decimal points"};
     const auto& r = *row;
     pairs.push_back({.place = static_cast<int>(r[0]), .to = {r[1], r[2], r[3]}, .from = {r[4], r[5], r[6]}});
   }

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr double kFurthest_m = 10.0;
 constexpr std::size_t kMostPairs = 100'000;
-constexpr double kLargestScale = 1.25;  // with a greater ratio of their sizes, the two sets have different units
+constexpr double kLargestScale = 1.25;  // sets whose sizes have a greater ratio have different units
 
 struct Place {
   Vector3d to = Vector3d::Zero();
@@ -129,7 +129,7 @@ Residuals residuals_of(std::span<const PointPair> pairs, const Eigen::Isometry3d
 
 Result<Registration> register_points(std::span<const PointPair> pairs, const RegistrationSettings& settings) {
   if (pairs.size() > kMostPairs)
-    return refusal(std::to_string(pairs.size()) + " pairs are too many", "give at most 100000");
+    return refusal(std::to_string(pairs.size()) + " pairs are too many", "give at most 100000 pairs");
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (const auto far = [](const Vector3d& p) { return !p.allFinite() || p.cwiseAbs().maxCoeff() > kFurthest_m; };
         far(pairs[i].to) || far(pairs[i].from))

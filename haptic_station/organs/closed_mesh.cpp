@@ -95,12 +95,15 @@ Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh) {
                      .where = {},
                      .fix = "export the mesh again"};
   if (const std::size_t open = open_edges(triangles); open > 0)
-    return Error{.what = "is not closed: " + std::to_string(open) + " edges have a face on one side only",
+    return Error{.what = "is not closed: " + std::to_string(open) +
+                         " edges lack a face, or join two faces of opposite orientation",
                  .where = {},
                  .fix = "close its holes, and orient all faces outwards"};
   const double volume = volume_m3(triangles, mesh.points);
   if (!(std::abs(volume) > 1e-9))
-    return Error{.what = "encloses no volume", .where = {}, .fix = "check the unit (unit_m) and the mesh"};
+    return Error{.what = "encloses no volume",
+                 .where = {},
+                 .fix = "check unit_m, the unit of the file's coordinates in metres, and the mesh"};
   if (volume < 0.0)
     for (Triangle& t : triangles) std::swap(t[1], t[2]);
   return faces_of(triangles, mesh.points);

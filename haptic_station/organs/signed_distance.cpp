@@ -78,7 +78,7 @@ Result<solids::DistanceLattice> lattice_around(const std::vector<ClosedFace>& fa
   if (!(cells.prod() < kMostNodes))
     return Error{.what = "needs a grid of more than 16 million nodes",
                  .where = {},
-                 .fix = "give larger cells (cell_m), or check the unit (unit_m)"};
+                 .fix = "give larger cells (cell_m), or check the unit of the file's coordinates (unit_m)"};
   for (int axis = 0; axis < 3; ++axis) lattice.size[static_cast<std::size_t>(axis)] = static_cast<int>(cells[axis]) + 1;
   lattice.nodes_m.resize(lattice.index(0, 0, lattice.size[2]));
   return lattice;

@@ -18,7 +18,7 @@ std::vector<program::Option> surface_options() {
           {"depth", "FILE", "instead of --cloud: a 16-bit depth PNG"},
           {"camera", "FILE", "camera.textproto of the depth PNG"},
           {"setting", "NAME", "surface setting: fast, smooth, paper, cloud …", "fast"},
-          {"unit-m", "M", "metres for one unit of the cloud's coordinates", "1"},
+          {"unit-m", "M", "length of one unit of the cloud's coordinates, in metres; millimetres: 0.001", "1"},
           {"samples", "N", "points sampled on a mesh; default: as many as its shape needs"},
           {"spacing-mm", "MM", "instead of --samples: spacing of the points"},
           {"anyway", "", "touch a model that is otherwise refused: coarse, noisy, or without a known outside"},
@@ -39,8 +39,8 @@ program::Usage touch_usage() {
   usage.options.insert(usage.options.end(),
                        {{"trajectory", "FILE", "CSV with columns t_s,x,y,z: metres, in the cloud's frame"},
                         {"k", "N/M", "stiffness of the spring from device to proxy", "500"},
-                        {"out", "FILE", "CSV to write"},
-                        {"plot", "FILE", "also an SVG: distance, force and computing time of each step, over time"}});
+                        {"out", "FILE", "CSV to write: proxy, distance, normal and force at each waypoint"},
+                        {"plot", "FILE", "SVG to write: distance, force and computing time of each step, over time"}});
   return usage;
 }
 
@@ -52,12 +52,13 @@ program::Usage path_usage() {
                        .positional = "",
                        .options = surface_options(),
                        .example = "telepalp-probe path --cloud torso.pcd --out path.csv"};
-  usage.options.insert(usage.options.end(), {{"at", "X,Y,Z", "first place, in metres; default: the middle"},
-                                             {"spots", "N", "number of places to press", "5"},
-                                             {"depth-mm", "MM", "depth of each press below the surface", "10"},
-                                             {"speed-mm-s", "MM/S", "speed along the path", "100"},
-                                             {"rate-hz", "HZ", "waypoints a second", "2000"},
-                                             {"out", "FILE", "CSV to write"}});
+  usage.options.insert(usage.options.end(),
+                       {{"at", "X,Y,Z", "first spot, in metres, in the cloud's frame; default: the cloud's middle"},
+                        {"spots", "N", "number of spots to press", "5"},
+                        {"depth-mm", "MM", "depth of each press below the surface", "10"},
+                        {"speed-mm-s", "MM/S", "speed along the path", "100"},
+                        {"rate-hz", "HZ", "waypoints per second of the path", "2000"},
+                        {"out", "FILE", "CSV to write, with columns t_s,x,y,z"}});
   return usage;
 }
 
@@ -84,16 +85,17 @@ Result<double> spacing_m_of(const program::Arguments& arguments) {
 Result<void> check_surface(const program::Arguments& arguments) {
   const bool cloud = !arguments.text("cloud").empty();
   const bool depth = !arguments.text("depth").empty();
-  if (cloud && depth) return asked_wrongly("--cloud and --depth are both given");
-  if (!cloud && !depth) return asked_wrongly("neither --cloud nor --depth is given");
-  if (depth && arguments.text("camera").empty()) return asked_wrongly("--depth needs --camera");
-  if (arguments.text("out").empty()) return asked_wrongly("--out is missing");
+  if (cloud && depth) return asked_wrongly("--cloud and --depth are both given, but one surface is touched");
+  if (!cloud && !depth) return asked_wrongly("neither --cloud nor --depth is given, so there is no surface to touch");
+  if (depth && arguments.text("camera").empty())
+    return asked_wrongly("--depth is given without --camera, the camera.textproto of this PNG");
+  if (arguments.text("out").empty()) return asked_wrongly("--out, the CSV file to write, is missing");
   if (const auto setting = surface::surface_settings(arguments.text("setting")); !setting) return setting.error();
   if (const auto unit = arguments.number("unit-m", 1e-6, 1e6); !unit) return unit.error();
   if (const auto samples = samples_of(arguments); !samples) return samples.error();
   if (const auto spacing = spacing_m_of(arguments); !spacing) return spacing.error();
   if (arguments.has("samples") && arguments.has("spacing-mm"))
-    return asked_wrongly("--samples and --spacing-mm are both given");
+    return asked_wrongly("--samples and --spacing-mm are both given, but each determines the other");
   return {};
 }
 
@@ -124,7 +126,7 @@ void say_summary(const std::vector<probe::Felt>& felt) {
   const auto middle = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);
   std::nth_element(step_us.begin(), middle, step_us.end());
   std::fprintf(stderr,
-               "%zu waypoints, %zu in contact; largest force %.3g N; median computing time %.3g us a waypoint\n",
+               "%zu waypoints, %zu in contact; largest force %.3g N; median computing time of a waypoint %.3g us\n",
                felt.size(), in_body, most_N, *middle);
 }
 
@@ -132,7 +134,8 @@ int touch(const program::Arguments& arguments) {
   if (const auto checked = check_surface(arguments); !checked)
     return program::fail(checked.error(), program::kAskedWrongly);
   if (arguments.text("trajectory").empty())
-    return program::fail(asked_wrongly("--trajectory is missing"), program::kAskedWrongly);
+    return program::fail(asked_wrongly("--trajectory, the CSV file of the path to touch along, is missing"),
+                         program::kAskedWrongly);
   const Result<double> stiffness = arguments.number("k", 0.0, 1e5);
   if (!stiffness) return program::fail(stiffness.error(), program::kAskedWrongly);
   const Result<std::vector<probe::Waypoint>> trajectory = probe::read_trajectory(arguments.text("trajectory"));

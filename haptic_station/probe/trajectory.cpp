@@ -34,7 +34,7 @@ std::optional<std::array<double, 4>> four_numbers(std::string_view line, bool& a
 }  // namespace
 
 Result<std::vector<Waypoint>> parse_trajectory(std::string_view text, const std::string& name) {
-  const std::string fix = "write lines t_s,x,y,z: seconds that grow, metres in the cloud's frame";
+  const std::string fix = "write lines t_s,x,y,z: seconds that do not decrease, and metres in the cloud's frame";
   std::vector<Waypoint> waypoints;
   TextCursor cursor(text);
   while (!cursor.at_end()) {
@@ -46,7 +46,7 @@ Result<std::vector<Waypoint>> parse_trajectory(std::string_view text, const std:
     if (!values) return Error{.what = "does not have four columns", .where = where, .fix = fix};
     const auto& [t_s, x, y, z] = *values;
     if (!all_numbers && waypoints.empty() && line.find("t_s") != std::string_view::npos) continue;  // the header
-    if (!std::isfinite(t_s)) return Error{.what = "its first column is not a finite time", .where = where, .fix = fix};
+    if (!std::isfinite(t_s)) return Error{.what = "the first column is not a finite time", .where = where, .fix = fix};
     if (!waypoints.empty() && t_s < waypoints.back().t_s)
       return Error{.what = "the time decreases from " + std::to_string(waypoints.back().t_s) + " s to " +
                            std::to_string(t_s) + " s",

@@ -112,7 +112,8 @@ effects::Echo read_echo(FieldCheck& check, const msg::SolidEffect::Echo& message
   if (message.has_attenuation_db_per_cm())
     check.number("solid.echo.attenuation_dB_per_cm", message.attenuation_db_per_cm(), {0, 200, "dB/cm"},
                  echo.attenuation_dB_per_cm);
-  if (message.has_scatter()) check.number("solid.echo.scatter", message.scatter(), {0, 1, ""}, echo.scatter);
+  if (message.has_scatter())
+    check.number("solid.echo.scatter", message.scatter(), {0, 1, "parts of full brightness"}, echo.scatter);
   return echo;
 }
 

@@ -51,7 +51,7 @@ effects::Skin::Settings read_skin_settings(FieldCheck& check, const msg::SkinEff
   if (message.has_alpha_n_per_m2()) {
     if (message.has_stiffness_n_per_m() || message.has_at_indentation_m())
       check.complain("skin gives alpha_N_per_m2 beside stiffness_N_per_m or at_indentation_m",
-                     "give alpha_N_per_m2, or the other two");
+                     "give alpha_N_per_m2 alone, or the other two");
     TELEPALP_READ(check, "skin.", message, alpha_n_per_m2, alpha, {1, 1e6, "N/m^2"});
   }
   skin.law = effects::paper_law(alpha);
@@ -84,7 +84,7 @@ effects::InnerSphere read_sphere(FieldCheck& check, const msg::SphereEffect& mes
 /// The load is the force of the first skin in the scene, at any position in the file.
 effects::Friction read_friction(FieldCheck& check, const msg::FrictionEffect& message, const msg::Scene& scene) {
   effects::Friction::Settings friction;
-  TELEPALP_READ(check, "friction.", message, coefficient, friction.coefficient, {0, 3, ""});
+  TELEPALP_READ(check, "friction.", message, coefficient, friction.coefficient, {0, 3, "N/N"});
   TELEPALP_READ(check, "friction.", message, bristle_stiffness_n_per_m, friction.bristle_stiffness_N_per_m,
                 {10, 3000, "N/m"});
   const auto skin = std::ranges::find_if(scene.effects(), [](const msg::Effect& effect) { return effect.has_skin(); });
@@ -108,7 +108,7 @@ effects::StiffRegions read_regions(FieldCheck& check, const msg::RegionsEffect& 
     if (!regions.add(region))
       check.in(given).complain(
           "regions names more than " + std::to_string(effects::StiffRegions::kMostRegions) + " regions",
-          "leave some out, or add a second effect");
+          "leave some out, or add a second regions effect");
   }
   return regions;
 }
@@ -149,7 +149,8 @@ bool add_layer(FieldCheck& check, const msg::SolidEffect& message, const std::fi
 
 void read_effects(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene) {
   effects::EffectBank& bank = scene.effects;
-  if (message.effects().empty()) check.in(message).complain("names no effect", "add at least effects { skin {} }");
+  if (message.effects().empty())
+    check.in(message).complain("the scene names no effect", "add at least effects { skin {} }");
   for (const msg::Effect& effect : message.effects()) {
     bool room = true;
     if (effect.has_skin())
@@ -167,10 +168,11 @@ void read_effects(FieldCheck& check, const msg::Scene& message, const std::files
     else if (effect.has_solid())
       room = add_layer(check, effect.solid(), folder, scene);
     else
-      check.in(effect).complain("an effect without a kind", "name it, as in effects { skin {} }");
+      check.in(effect).complain("an effect without a kind", "name its kind, as in effects { skin {} }");
     if (!room)
-      check.in(effect).complain("more than " + std::to_string(effects::EffectBank::kMostEffects) + " effects",
-                                "name fewer");
+      check.in(effect).complain(
+          "the scene names more than " + std::to_string(effects::EffectBank::kMostEffects) + " effects",
+          "leave some effects out");
   }
 }
 

@@ -119,7 +119,9 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
   scene.message = message;
   scene.name = message.name().empty() ? name.stem().string() : message.name();
   if (!message.has_haptic_from_camera())
-    check.complain("haptic_from_camera is missing", "copy it from palpation.scene.textproto");
+    check.complain("haptic_from_camera is missing",
+                   "give the pose of the camera in the haptic base's frame; the library's palpation.scene.textproto "
+                   "has an example");
   scene.haptic_from_camera.iso = read_transform(check, "haptic_from_camera", message.haptic_from_camera());
   scene.center_on_surface = message.center_on_surface();
   read_model(check, message.patient_surface(), name.parent_path());

@@ -35,7 +35,7 @@ class TreeReader {
     const FieldDescriptor* kind =
         message.GetReflection()->GetOneofFieldDescriptor(message, message.GetDescriptor()->oneof_decl(0));
     if (kind == nullptr)
-      return error(message, path, "a solid without a kind", "name it, as in of { sphere { radius_m: 0.02 } }");
+      return error(message, path, "a solid without a kind", "name its kind, as in of { sphere { radius_m: 0.02 } }");
     if (level > solids::kMostNesting)
       return error(message, path, "operators nest deeper than " + std::to_string(solids::kMostNesting),
                    "give a union more than two solids instead of nesting unions");
@@ -96,7 +96,7 @@ class TreeReader {
       return error(body, path,
                    "has " + std::to_string(count) + (count == 1 ? " operand" : " operands") + " instead of " +
                        std::to_string(wanted) + (chain ? " or more" : ""),
-                   "give each as of { ... }");
+                   "give each operand as of { ... }");
     for (int i = 0; i < count; ++i) {
       const bool opens = chain ? i + 1 < count : i == 0;
       if (opens) solid_.push_back(node);

@@ -32,16 +32,17 @@ program::Usage usage() {
                       {"key", "FILE", "your key file, for a server on another machine"},
                       {"accept-touch", "", "take the touch when its holder offers it to you"},
                       {"scene", "FILE|NAME", "scene file, or a scene of the library", "palpation"},
-                      {"surface", "NAME|model:FILE", "surface setting, or a model; default: the scene's"},
+                      {"surface", "NAME|model:FILE", "surface setting or patient model; default: the scene's"},
                       {"anyway", "", "touch a model even if it is refused as coarse or noisy"},
                       {"calibration", "FILE", "calibration file (telepalp-station calibrate)"},
-                      program::patience_option("longest wait for the first image; 0: for ever"),
+                      program::patience_option("seconds to wait for the first image; 0: for ever"),
                       {"device", station::kDeviceWords, "the haptic device", "simulated"},
                       {"tracker", station::kTrackerWords,
                        "the hand tracker; held: the hand grips the device; browser: a hand in the viewer", "simulated"},
                       {"check", "", "check the scene, list its effects, and exit"},
                       {"control", "PATH", "command socket, or none; default: in the runtime folder"},
-                      {"state-dir", "DIR", "folder for the last 10 s before a fault; default: the user's state folder"},
+                      {"state-dir", "DIR",
+                       "folder for a recording of the last 10 s before a fault; default: the user's state folder"},
                       {"seconds", "S", "run time; 0: until Ctrl-C", "0"},
                       {"realtime", "require|prefer", "if real-time priority is refused: fail, or run", "prefer"}},
           .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10",
@@ -94,7 +95,7 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
                                                      : station::default_state_folder()};
 }
 
-/// The scene with the transforms of this site's calibration.
+/// Reads the scene, and replaces its transforms by those of this site's calibration file, if one is given.
 Result<scenes::Scene> read_calibrated(const std::filesystem::path& scene_file, const program::Arguments& arguments) {
   Result<scenes::Scene> scene = scenes::read_scene(scene_file);
   if (scene)
@@ -118,8 +119,9 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
               touched.c_str(), effects.c_str());
   for (const msg::Effect& effect : scene->message.effects())
     if (const effects::TissuePreset* tissue = effects::find_tissue(effect.skin().tissue()))
-      std::printf("skin as %s: fitted to the compression test of %s; RMS error %.1f %% of the largest load\n",
-                  tissue->name.data(), tissue->material.data(), 100.0 * tissue->rms_error_share);
+      std::printf(
+          "skin as %s: fitted to the compression test of the silicone %s; RMS error %.1f %% of the largest load\n",
+          tissue->name.data(), tissue->material.data(), 100.0 * tissue->rms_error_share);
   const double effects_N_per_m = scene->effects.stiffest_N_per_m(scene->control.limits.peak_N);
   if (const control::VirtualCoupling coupling(scene->control.coupling, effects_N_per_m); coupling.engaged())
     std::printf(
@@ -129,7 +131,7 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
   return program::kDone;
 }
 
-/// The scene with all that it names.
+/// Reads the scene and the files that it names.
 Result<station::LoadedScene> load(const std::filesystem::path& scene_file, const program::Arguments& arguments,
                                   bool anyway) {
   Result<scenes::Scene> scene = read_calibrated(scene_file, arguments);

@@ -164,7 +164,7 @@ void Station::stop(const std::string& reason) {
   say("ending: " + reason);
   if (const std::string ages = ages_.in_words(); !ages.empty()) say(ages);
   if (!costs_.empty())
-    say("computing time of the effects in contact: " +
+    say("mean computing time of each effect in a tick with contact: " +
         line_of(costs_, std::chrono::duration<double, std::micro>(kTickPeriod).count()));
   fast_timer_.cancel();
   slow_timer_.cancel();

@@ -160,16 +160,17 @@ std::string to_html(std::span<const TrialResult> results) {
       "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>Run in virtual time by a "
       "simulated hand on a simulated device, through the live haptic loop. Plane: a level skin that is known exactly, "
       "so that errors come from the controller alone. Camera: a belly under a Kinect-like camera, with noise and "
-      "disparity "
-      "steps, through the surface builder. There is no network. The numbers in the charts name the controller's "
+      "disparity steps, through the surface builder. There is no network. Positions are in the haptic base's frame: y "
+      "points up, and the origin is the middle of the skin. |d| is the indentation, |F| the force. The numbers in the "
+      "charts name the controller's "
       "phase: 0 in body, 1 body to plane, 2 out body, 3 plane to body, -1 cylinder lateral, -2 around the cylinder, "
-      "-3 cylinder upper.</p>\n";
+      "-3 cylinder upper, 4 released, 5 faulted (without force).</p>\n";
   for (const TrialResult& result : results) {
     const TrialFigures& f = result.figures;
-    out += "<h2>" + std::string(title(result.trial)) + ", on the " + result.surface + "</h2>\n<p>largest force " +
-           plot::readable(f.most_force_N) + " N, largest step " + plot::readable(f.worst_force_step_N) +
-           " N a tick, end-effector jump at transitions " + plot::readable(f.worst_jump_m * 1e3) + " mm, " +
-           plot::readable(f.contact_s) + " s in contact, " + plot::readable(f.unfelt_s) +
+    out += "<h2>" + std::string(title(result.trial)) + ", surface: " + result.surface + "</h2>\n<p>largest force " +
+           plot::readable(f.most_force_N) + " N, largest change of force " + plot::readable(f.worst_force_step_N) +
+           " N in a tick, largest jump of the end-effector at a phase change " + plot::readable(f.worst_jump_m * 1e3) +
+           " mm, " + plot::readable(f.contact_s) + " s in contact, " + plot::readable(f.unfelt_s) +
            " s inside the true skin without force</p>\n";
     for (const plot::Chart& chart : charts_of(result)) out += plot::to_svg(chart);
   }

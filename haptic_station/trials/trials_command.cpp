@@ -17,9 +17,11 @@ program::Usage usage() {
           .options = {{"out", "DIR", "folder for report.html and report.json", "trials"},
                       {"scene", "FILE|NAME",
                        "scene file, or a scene of the library; default: the study's skin and cylinder"},
-                      {"surface", "KIND", "plane: level and exact; camera: a belly under a Kinect-like camera; both",
+                      {"surface", "KIND",
+                       "plane: a level skin that is known exactly; camera: a belly under a simulated depth camera; "
+                       "both: one after the other",
                        "both"},
-                      {"breathing-mm", "MM", "amplitude of the skin's motion by breathing", "0"}},
+                      {"breathing-mm", "MM", "amplitude of the skin's motion by breathing, in millimetres", "0"}},
           .example = "telepalp-station trials --out trials"};
 }
 
@@ -46,8 +48,8 @@ void run_all(const VirtualStationSettings& settings, double breathing_m, bool by
     result.surface = by_camera ? "camera" : "plane";
     const TrialFigures& f = result.figures;
     std::printf(
-        "%-38s on the %-6s %3zu transitions, %5.2f s in contact, %4.2f s inside the true skin without force, "
-        "largest force %5.2f N, largest step of force in a tick %.3f N\n",
+        "%-38s surface %-6s %3zu phase changes, %5.2f s in contact, %4.2f s inside the true skin without force, "
+        "largest force %5.2f N, largest change of force in a tick %.3f N\n",
         title(trial), result.surface, result.transitions.size(), f.contact_s, f.unfelt_s, f.most_force_N,
         f.worst_force_step_N);
     results.push_back(std::move(result));
@@ -67,9 +69,9 @@ int trials_command(int argc, const char* const* argv) {
   if (!settings) return program::fail(settings.error());
   const std::string surface = arguments.text("surface");
   if (surface != "plane" && surface != "camera" && surface != "both")
-    return program::fail({.what = "--surface '" + surface + "' is not known",
+    return program::fail({.what = "--surface '" + surface + "' is not plane, camera or both",
                           .where = "telepalp-station trials",
-                          .fix = "give plane, camera or both"},
+                          .fix = "give one of them"},
                          program::kAskedWrongly);
   std::vector<TrialResult> results;
   if (surface != "camera") run_all(*settings, 1e-3 * *breathing_mm, false, results);

@@ -175,7 +175,7 @@ void Connection::finish(const std::string& reason) noexcept {
 
 void Connection::on_lost(const boost::system::error_code& code) noexcept {
   if (phase_ == Phase::Greeting) refusal_ = stream_->refusal(code);
-  finish(phase_ == Phase::Leaving ? leaving_because_ : "connection ended: " + code.message());
+  finish(phase_ == Phase::Leaving ? leaving_because_ : "connection ended without a Goodbye message: " + code.message());
 }
 
 void Connection::watch(std::chrono::steady_clock::duration patience, std::string reason) {
@@ -276,8 +276,8 @@ Result<void> Connection::on_control(const Frame& frame) {
 Result<void> Connection::on_hello(const msg::Hello& peer) {
   if (phase_ != Phase::Greeting) return bad_peer("sends a second Hello message");
   if (peer.protocol() != kProtocolVersion) {
-    const Error error = bad_peer("speaks version " + std::to_string(peer.protocol()) +
-                                 " of the wire protocol, this end speaks version " + std::to_string(kProtocolVersion));
+    const Error error = bad_peer("it speaks version " + std::to_string(peer.protocol()) +
+                                 " of the wire protocol instead of version " + std::to_string(kProtocolVersion));
     refusal_ = other_version(error.what);
     return error;
   }

@@ -133,7 +133,8 @@ void Gateway::refuse(tcp::socket socket) {
   const auto now = std::chrono::steady_clock::now();
   if (context_->options.log && (refusal_noted_ == decltype(refusal_noted_){} || now - refusal_noted_ >= kQuiet)) {
     refusal_noted_ = now;
-    context_->options.log("a browser is refused: all " + places + " places for browsers are taken");
+    context_->options.log("a browser is refused: all " + places +
+                          " places for browsers are taken. fix: close another viewer");
   }
   refuse_full_house(std::move(socket), "the server is full: all " + places +
                                            " places for browsers are taken. fix: close another viewer, then try again");

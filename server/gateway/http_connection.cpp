@@ -120,7 +120,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));
     if (!subprotocol)
       return write(refuse(request, http::status::bad_request,
-                          "the request offers no known subprotocol: offer foxglove.websocket.v1"));
+                          "the request offers no known WebSocket subprotocol. fix: offer foxglove.websocket.v1"));
     if (!visit_->may(keys::Operation::Watch))
       return write(refuse(request, http::status::unauthorized,
                           "sign in first, at https://" + std::string(host) + "/, or open wss://" + std::string(host) +

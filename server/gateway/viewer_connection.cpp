@@ -193,8 +193,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
       return warn(to_string(may.error()));
     if (!context()->holder.hand_over(*subscriber_, to, context()->now()))
       return warn(
-          "the hand is not handed over: this viewer does not hold it, or that viewer does not ask for it. fix: hold "
-          "the hand, and name a viewer that asks for it");
+          "the hand is not handed over: this viewer does not hold it, or the named viewer has not asked for it in the "
+          "last 3 s. fix: take the hand first, and name a viewer that asks for it");
     note_hand(false, " to=\"viewer " + std::to_string(to) + "\"");
     publish_holder();
   }
@@ -212,19 +212,20 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (untaken_warned_ && now - *untaken_warned_ < kUntakenWarnedEvery) return;
     untaken_warned_ = now;
     warn(
-        "no station takes a hand from a viewer. fix: telepalp-station --tracker browser, or deploy/demo --hand "
-        "browser");
+        "no connected station follows the hand of a viewer. fix: start telepalp-station --tracker browser, or "
+        "deploy/demo --hand browser");
   }
 
   void subscribe(const foxglove::Request::Subscription& wanted) {
     const std::optional<wire::Topic> topic = foxglove::topic_of_channel(wanted.channel);
     if (!topic)
-      return warn("there is no channel " + std::to_string(wanted.channel) + ": subscribe to an advertised one");
+      return warn("there is no channel " + std::to_string(wanted.channel) +
+                  ". fix: subscribe to an advertised channel");
     if (subscriptions_.size() >= kMaxSubscriptions)
       return warn("this viewer has " + std::to_string(kMaxSubscriptions) +
-                  " subscriptions already, as many as it may have");
+                  " subscriptions already, as many as it may have. fix: unsubscribe from a topic first");
     if (!subscriptions_.emplace(wanted.id, topic->name).second)
-      warn("the subscription id " + std::to_string(wanted.id) + " is in use: choose another id");
+      warn("the subscription id " + std::to_string(wanted.id) + " is in use. fix: choose another id");
   }
 
   void warn(const std::string& text) { say(foxglove::status(foxglove::Level::Warning, text)); }

@@ -19,7 +19,9 @@ constexpr std::chrono::milliseconds kAcceptBackOff{100};
 Error cannot_listen(const tcp::endpoint& endpoint, const error_code& code) {
   const std::string where = endpoint.address().to_string() + ":" + std::to_string(endpoint.port());
   if (code == asio::error::address_in_use)
-    return {.what = "the port is in use", .where = where, .fix = "stop what listens there, or give another --port"};
+    return {.what = "the port is in use",
+            .where = where,
+            .fix = "stop the program that listens there, or give another --port"};
   return {.what = "cannot listen: " + code.message(), .where = where, .fix = "give another --bind or --port"};
 }
 
@@ -87,7 +89,7 @@ error_code PeerListener::open(const tcp::endpoint& endpoint) {
     if (failed = datagrams_->open({endpoint.address(), port_}); !failed) return {};
     if (endpoint.port() == 0 && attempt + 1 < kAttempts) continue;
     note("UDP port " + std::to_string(port_) + " cannot be opened (" + failed.message() +
-         "): images go over TCP alone. fix: stop what uses this UDP port, or give another --port");
+         "): images go over TCP alone. fix: stop the program that uses this UDP port, or give another --port");
     return {};
   }
   return {};
@@ -127,8 +129,9 @@ void PeerListener::accept() {
 
 /// Called at the first failure to accept after a success, not at the failures that follow it.
 void PeerListener::note_pause(const error_code& why) {
-  const std::string text =
-      "no connection can be accepted (" + why.message() + "): accepting pauses, and the server tries again every 0.1 s";
+  const std::string text = "no connection can be accepted (" + why.message() +
+                           "): accepting pauses, and the server tries again every 0.1 s"
+                           ". fix: close programs, or raise ulimit -n";
   options_.access->note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(text));
   note_refusal(text);
 }

@@ -84,8 +84,8 @@ std::string PeerTouch::is_held(const keys::Identity& who) const {
   if (lease.offered_to(Clock::now()) == who.name)
     return "doctor " + holder + " offers you the touch. fix: accept it: telepalp-station hand-over --accept";
   return "doctor " + holder +
-         " holds the touch. fix: wait: it is yours when that station ends, or is silent for 10 s; "
-         "or let that doctor offer it: telepalp-station hand-over --to " +
+         " holds the touch. fix: wait until that doctor's station ends or is silent for 10 s, or ask that doctor to "
+         "offer you the touch: telepalp-station hand-over --to " +
          who.name;
 }
 

@@ -105,7 +105,7 @@ bool CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Pro
   message.key_frame = key_frame;
   if (message.payload->size() <= wire::kMaxPayloadBytes) return handlers_.publish(std::move(message));
   refused_ = std::string(topic.name) + " needs " + std::to_string(message.payload->size()) + " B, more than the " +
-             std::to_string(wire::kMaxPayloadBytes) + " B of a message. fix: use smaller images" +
+             std::to_string(wire::kMaxPayloadBytes) + " B that a message may have. fix: use smaller images" +
              (topic.name == wire::kCameraColor.name ? ", or lower --jpeg-quality" : "");
   return false;
 }

@@ -73,7 +73,7 @@ Result<void> SessionPlayer::apply(const msg::PlaybackCommand& command) {
   if (over_)
     return Error{.what = "the session is over, and the server ends",
                  .where = "playback",
-                 .fix = "start the server again; with the option `loop` on, it begins the session again at its end"};
+                 .fix = "start the server again; with --loop yes it plays the session again and again"};
   if (command.has_seek_s() && command.seek_s() > state_.duration_s())
     return Error{.what = "the session lasts only " + std::to_string(state_.duration_s()) + " s",
                  .where = "seek_s",

@@ -90,8 +90,8 @@ Result<PlyHeader> parse_ply_header(std::span<const std::byte> bytes, const std::
     } else if (key == "element") {
       const auto count = TextCursor::number<std::size_t>(TextCursor::word_of(rest));
       if (!count || *count > 3 * kMostModelPoints || *count > bytes.size())
-        return bad_mesh(name, "declares a number of elements '" + std::string(first) +
-                                  "' that is unreadable, or more than it has bytes for");
+        return bad_mesh(name, "declares a number of elements of the kind '" + std::string(first) +
+                                  "' that is not a whole number, or is too large for the file's size");
       const auto same = [&](const Element& element) { return element.name == first; };
       if (std::any_of(header.elements.begin(), header.elements.end(), same))
         return bad_mesh(name, "has two elements called '" + std::string(first) + "'");

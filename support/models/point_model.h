@@ -40,6 +40,7 @@ inline constexpr std::size_t kMostModelPoints = 20'000'000;
 /// metres are plausible.
 [[nodiscard]] std::string unit_complaint(const PointModel& model);
 inline constexpr const char* kSayTheUnit =
-    "give the unit of the file's coordinates in metres: --unit-m, or unit_m in a scene";
+    "give the length of one unit of the file's coordinates in metres, such as 0.001 for millimetres: --unit-m 0.001, "
+    "or unit_m: 0.001 in a scene";
 
 }  // namespace telepalp::models

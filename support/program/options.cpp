@@ -59,12 +59,13 @@ Result<T> parse_bounded(std::string_view option, const std::string& text, T leas
   T value{};
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc{} || end != text.data() + text.size() || !(value >= least) || !(value <= most)) {
-    std::string what = "'" + text + "' is not a number from ";
+    std::string what = "'" + text + "' is not a ";
     char bounds[80];
     if constexpr (std::is_floating_point_v<T>)
-      std::snprintf(bounds, sizeof bounds, "%g to %g", least, most);
+      std::snprintf(bounds, sizeof bounds, "number from %g to %g", least, most);
     else
-      std::snprintf(bounds, sizeof bounds, "%lld to %lld", static_cast<long long>(least), static_cast<long long>(most));
+      std::snprintf(bounds, sizeof bounds, "whole number from %lld to %lld", static_cast<long long>(least),
+                    static_cast<long long>(most));
     return Error{.what = what + bounds, .where = "--" + std::string(option), .fix = "give a number in that range"};
   }
   return value;
@@ -124,7 +125,7 @@ Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, co
     arguments.given_.push_back({option.string_key, option.value.empty() ? "" : option.value.front()});
   }
   if (!arguments.positional_.empty() && !takes_words(usage))
-    return asked_wrongly(usage, "'" + arguments.positional_.front() + "' is not an option");
+    return asked_wrongly(usage, "'" + arguments.positional_.front() + "' is neither an option nor a command");
   for (const Option& option : usage.options)
     if (!option.initial.empty() && !arguments.has(option.name))
       arguments.given_.push_back({std::string(option.name), std::string(option.initial)});

@@ -133,7 +133,7 @@ TEST(HostilePeer, ASubscriptionBeforeHelloIsRefused) {
 TEST(HostilePeer, AnotherProtocolVersionIsNamed) {
   msg::Control control = hello();
   control.mutable_hello()->set_protocol(2);
-  expect_says(answer_to(control_frame(control)), "speaks version 2 of the wire protocol, this end speaks version 1");
+  expect_says(answer_to(control_frame(control)), "speaks version 2 of the wire protocol instead of version 1");
 }
 
 TEST(HostilePeer, AChannelThatWasNotAdvertisedIsRefused) {

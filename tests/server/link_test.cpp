@@ -173,7 +173,7 @@ TEST(Link, AServerOfAnotherProtocolVersionIsNamedAsSuch) {
   Client client(site, {}, "test", other.local_endpoint().port());
   ASSERT_TRUE(site.run_until([&] {
     return !client.details.empty() &&
-           client.details.back().find("speaks version 7 of the wire protocol, this end speaks version 1") !=
+           client.details.back().find("speaks version 7 of the wire protocol instead of version 1") !=
                std::string::npos;
   }));
   EXPECT_EQ(client.link.state(), wire::LinkState::Refused);

@@ -117,7 +117,7 @@ TEST(ServerProgram, NamesThePortThatIsInUse) {
   const auto [code, said] = outcome({"--source", "synthetic", "--port", port});
   EXPECT_EQ(code, 1);
   EXPECT_EQ(said, "error: 127.0.0.1:" + port +
-                      ": the port is in use. fix: stop what listens there, or give another --port\n");
+                      ": the port is in use. fix: stop the program that listens there, or give another --port\n");
 }
 
 TEST(ServerProgram, BadInputIsOneLineWithItsFixAndItsExitCode) {

@@ -17,8 +17,8 @@ struct Totals {
     bytes += static_cast<double>(packet_bytes);
   }
   void print() const {
-    std::printf("%zu frames, %.0f B of samples in %.0f B: ratio %.2f, %.3f bits per pixel\n", frames, 2.0 * pixels,
-                bytes, 2.0 * pixels / bytes, 8.0 * bytes / pixels);
+    std::printf("%zu frames, %.0f B of samples compressed to %.0f B: ratio %.2f, %.3f bits per pixel\n", frames,
+                2.0 * pixels, bytes, 2.0 * pixels / bytes, 8.0 * bytes / pixels);
   }
 };
 

@@ -27,13 +27,13 @@ constexpr double kLongest_s = 1e7;
 
 program::Usage usage() {
   return {.program = kProgram,
-          .purpose = "writes a session's images, clouds and numbers in other formats",
+          .purpose = "writes a session's images, point clouds and numbers in other formats",
           .positional = "SESSION.mcap",
           .options = {{"png", "DIR", "depth and colour of each frame, for telepalp-server --source images:DIR"},
                       {"csv", "TOPIC", "the numbers of a topic, such as /station/ticks"},
-                      {"ply", "S", "the cloud at S seconds after the beginning"},
-                      {"pcd", "S", "the cloud at S seconds as an organised PCD file"},
-                      {"foxglove", "FILE.mcap", "image, cloud, transforms and force in Foxglove's types"},
+                      {"ply", "S", "the point cloud at S seconds after the beginning"},
+                      {"pcd", "S", "the point cloud at S seconds as an organised PCD file"},
+                      {"foxglove", "FILE.mcap", "images, point clouds, transforms and force in Foxglove's types"},
                       {"report", "DIR", "the same as telepalp-report SESSION.mcap --out DIR"},
                       {"out", "FILE", "file for --csv, --ply or --pcd; default: stdout"}},
           .example = "telepalp-export session.mcap --ply 1.5 --out skin.ply"};

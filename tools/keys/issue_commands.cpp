@@ -44,7 +44,7 @@ Result<std::string> issue(const Asked& asked, const keys::Authority::Issue& what
                       : "telepalp-record --connect SERVER --out FILE.mcap --key " + file.string());
     case KeyFile::Kind::Token:
       return keep(folder, folder.authority().token(what), file, replace,
-                  "paste the line after `token:` in the browser, or give --key " + file.string());
+                  "paste the text after `token:` into the browser's sign-in page, or give --key " + file.string());
   }
   return Error{.what = "the file holds neither a key nor a token",
                .where = asked.file,

@@ -20,7 +20,7 @@ program::Usage usage() {
           .purpose = "makes, renews and revokes the keys of a server and its peers; checks an audit log",
           .positional = {},
           .options = {{"dir", "DIR", "folder of the keys", "keys"},
-                      {"name", "NAME", "whose key: a person, a server, or the authority"},
+                      {"name", "NAME", "name of the person, server or authority of the key"},
                       {"role", "ROLE", "technician, doctor, viewer or qa: what the key allows"},
                       {.name = "host",
                        .argument = "HOST",

@@ -95,7 +95,7 @@ program::Usage usage() {
                   {"profile", "NAME", "lan, lte, satellite or hostile"},
                   {"trace", "FILE.csv", "CSV of delay, jitter, loss and rate over time"},
                   {"seed", "N", "seed of the random numbers", "1"},
-                  {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
+                  {"seconds", "S", "stop after S seconds; 0: until Ctrl-C", "0"},
                   {"json", "", "at the end, print all counters to stdout"},
                   {"quiet", "", "do not print statistics each second"},
                   {"ready-file", "FILE", "file for the port; written once clients can connect"}},

@@ -18,9 +18,11 @@ std::string formatted(const char* format, Values... values) {
 
 std::string first_line(const SessionFacts& facts) {
   const double size_MB = static_cast<double>(facts.bytes) / 1e6;
-  std::string line = formatted("%.1f s, %llu messages in %llu chunks, %.1f MB", facts.seconds,
-                               static_cast<unsigned long long>(facts.messages),
-                               static_cast<unsigned long long>(facts.chunks), size_MB);
+  std::string line = formatted(
+      "%.1f s from the first message, which can be older than the recording, to the last; %llu "
+      "messages in %llu chunks, %.1f MB",
+      facts.seconds, static_cast<unsigned long long>(facts.messages), static_cast<unsigned long long>(facts.chunks),
+      size_MB);
   if (facts.seconds >= 1.0) line += formatted(" (%.1f MB/min)", size_MB * 60.0 / facts.seconds);
   return line + "\n";
 }
@@ -36,8 +38,8 @@ std::string made_by(const SessionFacts& facts) {
 std::string clock_line(const SessionFacts& facts) {
   std::string line;
   if (facts.clock)
-    line = formatted("wall clock: drifts %.1f ppm from the session clock, largest step %.3f ms", facts.clock->drift_ppm,
-                     facts.clock->largest_step_ms);
+    line = formatted("the server's wall clock drifts %.1f ppm from its session clock; largest step: %.3f ms",
+                     facts.clock->drift_ppm, facts.clock->largest_step_ms);
   if (const auto found = facts.recording.find("clock_uncertainty_us"); found != facts.recording.end())
     line += (line.empty() ? "" : "; ") + ("error of the recorder's session clock: at most " + found->second + " us");
   return line.empty() ? "" : program::escaped(line) + "\n";
@@ -94,7 +96,9 @@ std::string peer_table(const SessionFacts& facts) {
     rows.push_back({peer.name.empty() ? "unknown" : program::escaped(peer.name), program::escaped(peer.address),
                     peer.sender == 0 ? "" : std::to_string(peer.sender), std::to_string(peer.messages),
                     std::to_string(peer.dropped_before_it), std::to_string(peer.dropped_by_it)});
-  return "\n" + table(rows, 2);
+  return "\ndropped_for_peer: messages that the server dropped because the peer read too slowly\n"
+         "dropped_by_peer: depth frames and ticks that the peer itself reported as dropped\n" +
+         table(rows, 2);
 }
 
 void add_text(program::Json& json, const char* key, const std::string& text) {
@@ -150,7 +154,8 @@ std::string in_words(const SessionFacts& facts) {
   std::string tail;
   for (const std::string& note : notes_on(facts)) tail += "note: " + program::escaped(note) + "\n";
   for (const std::string& damage : facts.damages) tail += "damage: " + program::escaped(damage) + "\n";
-  return text + "\n" + topic_table(facts) + peer_table(facts) + (tail.empty() ? "" : "\n" + tail);
+  return text + "\nlost: messages that were published, but are not in the file (missing sequence numbers)\n" +
+         topic_table(facts) + peer_table(facts) + (tail.empty() ? "" : "\n" + tail);
 }
 
 std::string in_json(const SessionFacts& facts) {

@@ -30,7 +30,7 @@ Result<wire::mcap::Attachment> attach(const std::filesystem::path& file) {
   if (size > kMostBytes)
     return Error{.what = "is larger than 16 MiB, the limit of an attachment",
                  .where = file.string(),
-                 .fix = "keep it beside the session"};
+                 .fix = "leave it out, and keep this file beside the session file"};
   std::ifstream stream(file, std::ios::binary);
   std::string data{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) return unreadable("it cannot be read");

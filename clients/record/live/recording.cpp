@@ -258,7 +258,8 @@ class Recording {
 }  // namespace
 
 std::string describe(const RecordingReport& report) {
-  std::string text = fixed(report.seconds, 1) + " s, " + std::to_string(report.messages) + " messages, " +
+  std::string text = fixed(report.seconds, 1) + " s from the connection to the end, " +
+                     std::to_string(report.messages) + " messages, " +
                      fixed(static_cast<double>(report.file_bytes) / 1e6, 1) + " MB";
   if (report.files > 1) text += " in " + std::to_string(report.files) + " files";
   if (report.dropped > 0)

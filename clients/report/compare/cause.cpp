@@ -86,7 +86,8 @@ std::string cause_in_words(const Run& a, const Run& b, const Instant& instant) {
     return letting_go(a_let_go ? a : b, a_let_go ? instant.tick_a : instant.tick_b, a_let_go ? "A" : "B") +
            (ages_differ ? "; " + ages(age_a, age_b) : "");
   if (std::isfinite(age_a) != std::isfinite(age_b))
-    return std::string(std::isfinite(age_a) ? "B" : "A") + " has no surface yet, or recorded no state within 20 ms";
+    return std::string(std::isfinite(age_a) ? "B" : "A") +
+           " has no surface yet, or recorded no state within 20 ms of this tick";
   if (ages_differ) return ages(age_a, age_b);
   return "not known: the hands are at most 1 mm apart, and the ages of the surfaces differ by at most 5 ms or are "
          "unknown in both; compare the settings";

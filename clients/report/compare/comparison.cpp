@@ -65,24 +65,26 @@ std::string headline(const Comparison& comparison) {
   const TickComparison& ticks = comparison.ticks;
   if (ticks.common == 0) return "The two runs have no ticks at the same time, so only their figures are compared.";
   if (!ticks.first_felt)
-    return "The hand feels the same in both runs: no force in contact differs by more than " + readable(kFelt_N) +
-           " N.";
+    return "The hand feels no difference: in contact, the forces of the two runs differ by at most " +
+           readable(kFelt_N) + " N.";
   return "The hand feels a difference from " + number(ticks.first_felt->at_s, 3) +
-         " s on: " + forces_in_words(comparison.a, comparison.b, *ticks.first_felt) + ".";
+         " s after the start on: " + forces_in_words(comparison.a, comparison.b, *ticks.first_felt) + ".";
 }
 
 std::string account(const Comparison& comparison) {
   const TickComparison& ticks = comparison.ticks;
   std::string text;
-  if (ticks.first_felt) text = "Why: " + cause_in_words(comparison.a, comparison.b, *ticks.first_felt) + ". ";
+  if (ticks.first_felt) text = "Likely cause: " + cause_in_words(comparison.a, comparison.b, *ticks.first_felt) + ". ";
   text += settings_sentence(comparison);
   if (ticks.common == 0 || comparison.equal()) return text;
   const double share = 100.0 * static_cast<double>(ticks.phase_other) / static_cast<double>(ticks.common);
-  text += " Over " + std::to_string(ticks.common) + " ticks that both runs have, the forces are " +
-          readable(ticks.force_rms_N) + " N apart (RMS)";
+  text += " Over all " + std::to_string(ticks.common) +
+          " ticks that both runs have, in contact or not, the device's forces are " + readable(ticks.force_rms_N) +
+          " N apart (RMS)";
   if (ticks.largest)
     text += ", at most " + readable(ticks.largest->force_apart_N) + " N at " + number(ticks.largest->at_s, 3) + " s";
-  return text + ", and the states differ at " + readable(share) + " % of the ticks.";
+  return text + ", and the states differ at " + readable(share) +
+         " % of the ticks. Out of contact the force moves only the free device, and the hand does not feel it.";
 }
 
 double pictured_s(const Comparison& comparison) {

@@ -30,8 +30,8 @@ std::string stacked(const std::vector<plot::Chart>& charts) {
 
 std::string name_of(const char* letter, const Run& run) {
   return "<span class=\"" + std::string(letter[0] == 'A' ? "a" : "b") + "\">" + letter + "</span> " +
-         escaped(run.label) + " · " + number(run.summary.seconds, 1) + " s · " + std::to_string(run.session.messages) +
-         " messages";
+         escaped(run.label) + " · " + number(run.summary.seconds, 1) + " s from the first message to the last · " +
+         std::to_string(run.session.messages) + " messages";
 }
 
 std::string first_screen(const Comparison& comparison) {
@@ -77,11 +77,11 @@ std::string first_difference_section(const Comparison& comparison) {
   if (const auto& state = comparison.ticks.first_phase)
     content += "<p>The states first differ at " + number(state->at_s, 4) +
                " s: " + escaped(states_in_words(comparison.a, comparison.b, *state)) +
-               ". Why: " + why(comparison, *state);
+               ". Likely cause: " + why(comparison, *state);
   if (const auto& felt = comparison.ticks.first_felt)
-    content += "<p>The forces at the hand first differ at " + number(felt->at_s, 4) +
+    content += "<p>The forces in contact first differ by more than 0.05 N at " + number(felt->at_s, 4) +
                " s: " + escaped(forces_in_words(comparison.a, comparison.b, *felt)) +
-               ". Why: " + why(comparison, *felt);
+               ". Likely cause: " + why(comparison, *felt);
   const auto shown = comparison.ticks.first_felt ? comparison.ticks.first_felt : comparison.ticks.first_phase;
   if (shown) content += stacked(around(comparison.a.session, comparison.b.session, *shown));
   if (!comparison.messages_compared)
@@ -128,8 +128,11 @@ std::string metrics_sections(const Comparison& comparison) {
         "Metrics of telepalp-replay: each run compared with the run over an unimpaired network, and with the true "
         "skin where it is known. docs/replay.md defines each metric.",
         metric_rows(comparison.replay_metrics));
-  return out + section("Figures of the sessions", "Each figure in both runs. A row is marked where B is worse.",
-                       metric_rows(comparison.metrics));
+  return out +
+         section(
+             "Figures of the sessions",
+             "Each figure in both runs, and the difference B − A, also in % of A. A row is marked where B is worse.",
+             metric_rows(comparison.metrics));
 }
 
 std::string overlay_sections(const Comparison& comparison) {

@@ -36,9 +36,9 @@ std::string camera_words(const Session& session) {
   const auto found = session.calibrations.find("camera_depth");
   if (found == session.calibrations.end() || found->second.k_size() != 9) return {};
   const foxglove::CameraCalibration& camera = found->second;
-  return std::to_string(camera.width()) + "x" + std::to_string(camera.height()) + ", focal length " +
-         plot::number(camera.k(0)) + " " + plot::number(camera.k(4)) + " px, centre " + plot::number(camera.k(2)) +
-         " " + plot::number(camera.k(5)) + " px";
+  return std::to_string(camera.width()) + "x" + std::to_string(camera.height()) + " pixels, focal lengths in x and y " +
+         plot::number(camera.k(0)) + " and " + plot::number(camera.k(4)) + " px, principal point at " +
+         plot::number(camera.k(2)) + ", " + plot::number(camera.k(5)) + " px";
 }
 
 std::string timer_words(const Session& session) {
@@ -86,16 +86,16 @@ std::vector<Setting> settings_of(const Run& a, const Run& b) {
       {"network", replay_text(a, &ReplayFacts::network), replay_text(b, &ReplayFacts::network)},
       {"software", software(a), software(b)},
       {"source", source_of(a.session), source_of(b.session)},
-      {"recorded from", a.session.origin, b.session.origin},
+      {"recorded server or file", a.session.origin, b.session.origin},
       {"scene", scene_words(a, b), scene_words(b, a)},
       {"effects", effects_words(a.session), effects_words(b.session)},
-      {"hand", replay_text(a, &ReplayFacts::hand), replay_text(b, &ReplayFacts::hand)},
-      {"seed", replay_text(a, &ReplayFacts::seed), replay_text(b, &ReplayFacts::seed)},
-      {"depth", depth_words(a), depth_words(b)},
-      {"surface", setting_of_surface(a.session), setting_of_surface(b.session)},
+      {"hand of the replay", replay_text(a, &ReplayFacts::hand), replay_text(b, &ReplayFacts::hand)},
+      {"seed of the replay", replay_text(a, &ReplayFacts::seed), replay_text(b, &ReplayFacts::seed)},
+      {"depth coding", depth_words(a), depth_words(b)},
+      {"surface setting", setting_of_surface(a.session), setting_of_surface(b.session)},
       {"depth camera", camera_words(a.session), camera_words(b.session)},
       {"station's computer", timer_words(a.session), timer_words(b.session)},
-      {"recorded by", a.info.recorded_by, b.info.recorded_by},
+      {"person or account that recorded", a.info.recorded_by, b.info.recorded_by},
   };
   std::erase_if(all, [](const Setting& setting) { return setting.a.empty() && setting.b.empty(); });
   std::stable_partition(all.begin(), all.end(), [](const Setting& setting) { return setting.differs(); });

@@ -48,7 +48,8 @@ std::string check_card(const Check& check) {
 std::string first_screen(const Session& session, const Summary& summary, const Verdict& verdict) {
   std::string out = "<h1>telepalp: report of a run</h1>\n<p class=\"from\">" + escaped(session.name) +
                     (source_of(session).empty() ? "" : " · " + escaped(source_of(session))) + " · " +
-                    number(summary.seconds, 1) + " s · " + std::to_string(session.messages) + " messages</p>\n";
+                    number(summary.seconds, 1) + " s from the first message to the last · " +
+                    std::to_string(session.messages) + " messages</p>\n";
   const char* const look = verdict.good ? "" : summary.ticks > 0 ? " look" : " none";
   out += "<div class=\"verdict" + std::string(look) + "\"><div class=\"headline\">" + escaped(verdict.headline) +
          "</div><p>" + escaped(verdict.account) + "</p>\n";
@@ -64,10 +65,11 @@ std::string view_section(const Session& session, const std::string& view_png) {
   if (session.states.empty())
     return section("The patient", "What the camera saw. No station took part in this session.",
                    "<img alt=\"the patient\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
-  return section("The augmented view at the deepest touch",
-                 "What the camera saw, with the doctor's hand drawn at the proxy on the skin; the deeper it presses, "
-                 "the redder it is.",
-                 "<img alt=\"augmented view\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
+  return section(
+      "The augmented view at the deepest touch",
+      "What the camera saw, with the doctor's hand drawn at the proxy on the skin; the deeper the hand presses, "
+      "the redder it is drawn.",
+      "<img alt=\"augmented view\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
 }
 
 std::string notes_section(const Session& session) {
@@ -78,7 +80,7 @@ std::string notes_section(const Session& session) {
   return section("Notes",
                  "What people noted about moments of the session while they watched it. Times count from the "
                  "session's beginning.",
-                 table({"time", "note", "writer", "written"}, rows, Cells::Words));
+                 table({"time", "note", "writer", "date of writing"}, rows, Cells::Words));
 }
 
 std::string states_section(const Summary& summary) {
@@ -88,22 +90,26 @@ std::string states_section(const Summary& summary) {
         {std::string(ar::kPhases[i].words), std::string(ar::kPhases[i].mark), std::to_string(summary.dwells[i].entries),
          number(summary.dwells[i].seconds, 3),
          summary.seconds > 0.0 ? number(100.0 * summary.dwells[i].seconds / summary.seconds, 1) + " %" : "–"});
-  return section("States", "How often the controller entered each state and how long it stayed.",
-                 table({"state", "number", "entries", "seconds", "of the session"}, rows));
+  return section(
+      "States",
+      "How often the controller entered each state, and how long it stayed there. The numbers are those of paper S1; "
+      "R and F are not in S1.",
+      table({"state", "number", "times entered", "time in the state [s]", "share of the session"}, rows));
 }
 
 std::string motion_sections(const Session& session) {
   if (session.ticks.size() == 0) return "";
   std::string out =
       section("Position by state",
-              "Outside the body, the end-effector follows the hand on a plane above it; in the body, the hand "
-              "pushes it. There should be no jump where the state changes.",
+              "Outside the body, the end-effector follows the hand on a plane above the body; in the body, the hand "
+              "pushes the end-effector. The end-effector should not jump where the state changes.",
               stacked({position_by_state(session)}));
-  out += section("Force against indentation",
-                 "In contact; the indentation is measured from the first contact point. The area between the curves "
-                 "of pressing and leaving is energy that the skin took from the hand. Where the force is larger in "
-                 "leaving than in pressing, the hand was given energy.",
-                 in_pairs(force_against_indentation(session)));
+  out += section(
+      "Force against indentation",
+      "All ticks in contact. The indentation is measured from the first point of each contact. The area between the "
+      "curves of pressing and leaving is energy that the skin took from the hand. Where the force is larger in "
+      "leaving than in pressing, the skin gave the hand energy.",
+      in_pairs(force_against_indentation(session)));
   const auto cylinder = around_the_cylinder(session);
   out += cylinder.empty() ? section("The cylinder under the skin",
                                     "The controller did not enter the cylinder's states in this run.", "")
@@ -112,7 +118,7 @@ std::string motion_sections(const Session& session) {
                                     in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
   return out + section("The whole run",
                        "State, height and force on one time axis. Outside the body, the force moves the free "
-                       "end-effector; the hand feels none.",
+                       "end-effector; the hand feels no force.",
                        stacked(timeline(session)));
 }
 
@@ -127,22 +133,24 @@ std::string energy_sections(const Session& session, const Summary& summary) {
         "or lagged. docs/controller.md names the motions that each curve does not count.",
         stacked(ledgers));
   if (const std::vector<plot::Chart> warm = heat(session); !warm.empty())
-    out += section("Heat",
-                   std::to_string(summary.heat_warnings) +
-                       " warnings. Warm motors cannot hold a large force. Four seconds before the force must fall, "
-                       "the force vibrates and the station warns; then the force falls slowly to what the motors can "
-                       "hold.",
-                   stacked(warm));
+    out += section(
+        "Heat",
+        std::to_string(summary.heat_warnings) +
+            " warnings of warm motors. Warm motors cannot hold a large force. Four seconds before the force must fall, "
+            "the force vibrates and the station warns; then the force falls slowly to what the motors can "
+            "hold.",
+        stacked(warm));
   return out;
 }
 
 std::string timing_sections(const Session& session, const Summary& summary) {
   std::string out;
   if (session.ticks.size() > 0)
-    out +=
-        section("The 2 kHz loop",
-                "How long ticks took and how late they began. A tick to the right of the line does not fit its period.",
-                in_pairs(tick_times(session)));
+    out += section(
+        "The 2 kHz loop",
+        "Number of ticks by the time that they took, and by their lateness. A tick to the right of the line took, or "
+        "was late by, more than its period.",
+        in_pairs(tick_times(session)));
   std::string way;
   if (!session.surfaces.empty()) way += plot::to_svg(latency_by_stage(summary));
   if (!session.states.empty()) way += plot::to_svg(surface_age(session));
@@ -151,8 +159,8 @@ std::string timing_sections(const Session& session, const Summary& summary) {
   if (const std::vector<plot::Chart> done = compensation(session); !done.empty())
     out += section(
         "Compensation of delay",
-        "Where hand and surface are now is predicted from their motion; a newer surface is displayed gradually. "
-        "Where the uncertainty is larger than the predicted motion, the felt place is uncertain.",
+        "The station predicts from their motion where hand and surface are now, and changes gradually to a newer "
+        "surface. While the uncertainty is larger than the predicted motion, the place of the felt skin is uncertain.",
         stacked(done));
   out += energy_sections(session, summary);
   if (summary.bill.empty()) return out;
@@ -162,7 +170,7 @@ std::string timing_sections(const Session& session, const Summary& summary) {
                     readable(100.0 * cost.mean_us() / (session.ticks.period_ns * 1e-3)) + " %"});
   return out + section("Computing time of the effects",
                        "Computing time of each effect of the scene in a tick of 500 µs.",
-                       table({"effect", "mean [µs]", "max [µs]", "of the period"}, rows));
+                       table({"effect", "mean [µs]", "max [µs]", "mean, share of the tick's period"}, rows));
 }
 
 std::string senders_section(const Summary& summary) {
@@ -174,8 +182,13 @@ std::string senders_section(const Summary& summary) {
                     std::to_string(sender.touches), count(sender.frames_sent), count(sender.frames_received),
                     count(sender.frames_dropped)});
   return section(
-      "Senders", "Programs that published as a station. All other figures on this page are of the first program.",
-      table({"sender", "messages", "ticks", "touches", "frames sent to it", "frames received", "frames dropped"},
+      "Senders",
+      "Programs that published on a station's topics. All other figures on this page are those of the first program, "
+      "which has the most ticks. Depth frames are counted during the recording: those that the server sent to the "
+      "program, those that the program received, and those that the server replaced by a newer frame before sending "
+      "them (dropped).",
+      table({"program", "messages published", "ticks recorded", "contacts", "depth frames sent to the program",
+             "depth frames received by the program", "depth frames dropped by the server"},
             rows));
 }
 
@@ -193,10 +206,11 @@ std::string events_section(const Session& session) {
     rows.push_back({number(at, 3) + " s", text});
   }
   if (rows.empty()) return "";
-  const std::string more = session.events.size() > kMost ? "The first " + std::to_string(kMost) + " of " +
-                                                               std::to_string(session.events.size()) + " events."
-                                                         : "The events of the station, in order.";
-  return section("Events", more, table({"time", "what"}, rows, Cells::Words));
+  const std::string more = session.events.size() > kMost
+                               ? "The first " + std::to_string(kMost) + " of " + std::to_string(session.events.size()) +
+                                     " events. Times count from the session's beginning."
+                               : "The events of the station, in order. Times count from the session's beginning.";
+  return section("Events", more, table({"time", "event"}, rows, Cells::Words));
 }
 
 }  // namespace

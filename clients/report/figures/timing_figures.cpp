@@ -28,7 +28,7 @@ Chart tick_histogram(std::string title, std::string label, const std::vector<flo
   }
   Chart chart{.title = std::move(title),
               .x = {std::move(label), plot::Range{1.0, 1000.0}, true},
-              .y = {"ticks", plot::Range{0.5, 10.0}, true},
+              .y = {"number of ticks", plot::Range{0.5, 10.0}, true},
               .series = {std::move(series)},
               .width_px = 472.0,
               .height_px = 280.0};
@@ -66,7 +66,7 @@ Series rate_series(std::string name, std::vector<std::int64_t> captured_ns, std:
 std::vector<Chart> tick_times(const Session& session) {
   const double period_us = session.ticks.period_ns * 1e-3;
   return {tick_histogram("Time spent in a tick", "time [µs]", session.ticks.work_us, period_us),
-          tick_histogram("Wake-up after the deadline", "lateness [µs]", session.ticks.late_us, period_us)};
+          tick_histogram("Wake-up after the tick's deadline", "lateness [µs]", session.ticks.late_us, period_us)};
 }
 
 plot::BarChart latency_by_stage(const Summary& summary) {
@@ -79,7 +79,7 @@ plot::BarChart latency_by_stage(const Summary& summary) {
            bar("encoded to received", summary.encoded_to_received_ms, plot::kSky),
            bar("received to decoded", summary.received_to_decoded_ms, plot::kSky),
            bar("decoded to touchable", summary.decoded_to_touchable_ms, plot::kSky),
-           bar("camera to touchable, all", summary.capture_to_touchable_ms, plot::kBlue)}};
+           bar("capture to touchable, total", summary.capture_to_touchable_ms, plot::kBlue)}};
 }
 
 Chart surface_age(const Session& session) {
@@ -100,7 +100,7 @@ Chart surface_age(const Session& session) {
 
 Chart frame_rate(const Session& session) {
   const std::int64_t origin = session.first_ns.value_or(0);
-  return {.title = "Frames of the camera, by half second",
+  return {.title = "Rate of the camera's recorded frames in each half second",
           .x = {"time [s]"},
           .y = {"frames a second", plot::Range{0.0, 30.0}},
           .series = {rate_series("depth", session.depth_captured_ns, origin, plot::kBlue, Style::Step),

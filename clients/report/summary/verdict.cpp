@@ -21,11 +21,16 @@ Check depth_check(const Summary& s) {
   const wire::DepthFidelity& depth = s.depth;
   const bool known = s.ticks > 0 && (depth.moved || !depth.mode.empty());
   const std::string meaning =
-      "the touched depth is " + wire::in_words(depth) + ": it is near-lossless, which is for display only";
+      "the touched depth is " + wire::in_words(depth) + ": near-lossless depth is for display only";
   if (depth.moved && !depth.within)
-    return {"depth error, bound not stated", known ? 1.0 : kUnknown, 0.0, "", true, meaning};
+    return {"depth is near-lossless, bound not stated (1: yes, 0: no)", known ? 1.0 : kUnknown, 0.0, "", true, meaning};
   const double off_mm = depth.within ? wire::at_1_m_mm(*depth.within) : 0.0;
-  return {"depth error, at 1 m", known ? off_mm : kUnknown, 0.0, "mm", true, meaning};
+  return {"error bound of the depth coding, 1 m from the camera (0: lossless)",
+          known ? off_mm : kUnknown,
+          0.0,
+          "mm",
+          true,
+          meaning};
 }
 
 double missed_percent(const Summary& s) { return percent(known(s.deadlines_missed), static_cast<double>(s.ticks)); }
@@ -77,7 +82,8 @@ std::vector<Check> checks_of(const Summary& s) {
       {"camera to hand, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true,
        "some frames were old when they became touchable"},
       {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, "the camera sent too few depth frames a second"},
-      {"frames lost", percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped)), 5.0, "%", true,
+      {"depth frames that the server dropped, of all for the station",
+       percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped)), 5.0, "%", true,
        "the network or the station was too slow, so that frames were lost"},
       depth_check(s),
   };
@@ -141,7 +147,7 @@ std::string headline_of(const std::vector<Check>& checks, bool judged) {
     }
   if (misses > 0 && only_the_computer) return "The run was good, but the station's computer was late: " + missed + ".";
   if (misses > 0) return "Check this run: " + missed + ".";
-  return judged ? "The run was good: every figure meets its requirement."
+  return judged ? "The run was good: every measured figure meets its requirement."
                 : "The run is not judged: no station took part in this session.";
 }
 

@@ -3,9 +3,10 @@
 
     make_liver.py VH_M_Liver.ply visible_human_liver.ply
 
-Input and output are binary little-endian PLY in metres, y towards the head, +z out of the patient's front. The parts
-are drawn into cells of 6 mm; what cannot be reached from outside is liver; the border of its cells, relaxed, is the
-mesh. The gaps between the parts are far smaller than a cell.
+Input and output are binary little-endian PLY in metres, y towards the head, +z out of the patient's front. The
+script marks the cells of 6 mm that the parts pass through. These cells, and all cells that cannot be reached from
+outside, are liver. The mesh is the smoothed border of the liver's cells. The gaps between the parts are far smaller
+than a cell.
 """
 
 import collections
@@ -52,7 +53,7 @@ def filled(touched):
 
 
 def eroded(solid):
-    """Without its outermost layer: the parts' own thickness of a cell."""
+    """`solid` without its outermost layer of cells, by which marking whole cells enlarged it."""
     return {c for c in solid if all(tuple(c[k] + s[k] for k in range(3)) in solid for s in SIX_SIDES)}
 
 
@@ -117,7 +118,7 @@ def without_pinches(solid):
 
 
 def relaxed(points, triangles):
-    """Each vertex towards the mean of its neighbours, back and forth so that nothing shrinks (Taubin 1995)."""
+    """Moves each vertex towards the mean of its neighbours and back again, so that nothing shrinks (Taubin 1995)."""
     neighbours = [set() for _ in points]
     for a, b, c in triangles:
         neighbours[a] |= {b, c}

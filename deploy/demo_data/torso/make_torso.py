@@ -5,7 +5,7 @@
 
 Input and output are binary little-endian PLY in metres, y towards the head, +z out of the patient's front.
 The cell of 13 mm leaves details down to a navel and fits a file of about 150 kB; the program that reads it smooths
-what faceting remains.
+the remaining facets.
 """
 
 import sys
@@ -16,7 +16,7 @@ from ply import read_ply, write_ply
 
 CROP_X_M = 0.52            # to either side: arms and hands, as far as a camera 0.8 m above the belly sees
 CROP_Y_M = (-0.46, 0.90)   # from the middle of the thighs to the forehead
-FRONT_NORMAL_Z = -0.15     # triangles that face further away than this lie on the table, unseen
+FRONT_NORMAL_Z = -0.15     # triangles whose normal has a smaller z lie on the table, unseen
 CELL_M = 0.013
 
 

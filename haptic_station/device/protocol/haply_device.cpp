@@ -46,7 +46,7 @@ void HaplyDevice::on_text(std::string_view text) {
     thread_.obstacle(to_string(read.error()));
   } else if (*read) {
     const haply::State& state = **read;
-    if (!std::exchange(line_is_up_, true)) say_(name_ + " answers, Inverse3 " + state.device_id);
+    if (!std::exchange(line_is_up_, true)) say_(name_ + " answers; id of its Inverse3: " + state.device_id);
     device_id_ = state.device_id;
     readings_.put(
         {Clock::now(), {.at = haptic_from_inverse_ * state.cursor, .velocity = haptic_from_inverse_ * state.velocity}});

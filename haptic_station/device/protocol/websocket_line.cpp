@@ -155,7 +155,7 @@ void WebSocketLine::Connection::read() {
   if (dead_) return;
   beast::get_lowest_layer(stream_).expires_after(line_->settings.silence);
   stream_.async_read(incoming_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-    if (error == beast::error::timeout) return self->lost("it sends no more messages");
+    if (error == beast::error::timeout) return self->lost("the service sends no more messages");
     if (error) return self->lost(error.message());
     const auto bytes = self->incoming_.data();
     self->line_->handlers.on_text({static_cast<const char*>(bytes.data()), bytes.size()});

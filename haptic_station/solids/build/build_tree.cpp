@@ -21,13 +21,13 @@ bool is_placement(Op op) noexcept {
   return op == Op::Translate || op == Op::Transform || op == Op::Rotate || op == Op::Scale;
 }
 
-/// p_above = scale turn p + shift.
+/// A placement: p_above = scale turn p + shift, with p in the node's own frame and p_above in the frame above.
 struct Placing {
   double scale = 1.0;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Vector3d shift = Vector3d::Zero();
 
-  /// First `inner`, then this.
+  /// The placement that applies `inner` first and then this one.
   [[nodiscard]] Placing after(const Placing& inner) const {
     return {scale * inner.scale, turn * inner.turn, scale * (turn * inner.shift) + shift};
   }
@@ -45,7 +45,7 @@ Placing placing_of(const Node& node) {
   return placing;
 }
 
-/// The shape's numbers in the form that is evaluated.
+/// The shape's numbers as TreeNode needs them: a plane's normal has length 1; an arc's angles are in radians.
 std::array<double, 8> numbers_of(const Node& node) {
   std::array<double, 8> numbers{};
   std::copy(node.numbers.begin(), node.numbers.end(), numbers.begin());
@@ -165,7 +165,7 @@ Result<void> check(const Solid& solid) {
     return wrong("the solid has " + std::to_string(solid.size()) + " nodes", "give at most 200000");
   std::vector<int> levels{0};  // of the operands that are still missing; the next one is last
   for (const Node& node : solid) {
-    if (levels.empty()) return wrong("more nodes follow a whole solid", "join solids by a union");
+    if (levels.empty()) return wrong("more nodes follow after the end of the solid", "join solids by a union");
     const int level = levels.back();
     levels.pop_back();
     if (level > kMostNesting)

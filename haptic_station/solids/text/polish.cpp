@@ -33,7 +33,8 @@ class PolishReader {
       if (const Result<void> done = read_node(); !done) return done.error();
     const Token more = tokens_.next();
     if (!more.text.empty())
-      return error(more, "found " + quoted(more.text) + " after a whole solid", "join two solids by +, as in + A B");
+      return error(more, "found " + quoted(more.text) + " after the end of the solid",
+                   "join two solids by +, as in + A B");
     return std::move(solid_);
   }
 
@@ -78,7 +79,9 @@ class PolishReader {
     Node node{.word = *word};
     if (node.kind().op == Op::Mesh) {
       node.file = tokens_.next().text;
-      if (node.file.empty()) return error(token, "mesh has no file name after it", "name the file of a closed mesh");
+      if (node.file.empty())
+        return error(token, "no file name follows the word mesh",
+                     "write mesh FILE unit_m cell_m, with the file of a closed mesh");
     }
     std::array<Token, 7> places;
     if (const Result<void> done = read_numbers(node.kind(), node.numbers, places); !done) return done.error();
@@ -153,7 +156,9 @@ std::string shortest(double value) {
 }  // namespace
 
 Result<std::shared_ptr<const DistanceLattice>> no_meshes(const std::string& file, double, double) {
-  return Error{.what = "a mesh cannot be read here", .where = file, .fix = "describe the solid by shapes"};
+  return Error{.what = "a mesh file cannot be used in this text",
+               .where = file,
+               .fix = "describe the solid by shapes such as sphere and capsule"};
 }
 
 Result<Solid> parse_polish(std::string_view text, const std::string& name, const MeshReader& meshes) {
@@ -167,7 +172,9 @@ Result<Solid> read_polish(const std::filesystem::path& file, const MeshReader& m
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code) return Error{.what = "cannot be read: " + code.message(), .where = file.string(), .fix = "check the path"};
   if (size > kMostPolishBytes)
-    return Error{.what = "is larger than 4 MiB", .where = file.string(), .fix = "give a solid in Polish notation"};
+    return Error{.what = "is larger than 4 MiB",
+                 .where = file.string(),
+                 .fix = "give a solid in Polish notation, with fewer shapes"};
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();

@@ -121,13 +121,14 @@ std::optional<Complaint> complaint_about(const Node& node) {
   if (const auto first = direction_of(node.kind())) {
     const std::size_t i = *first;
     if (!(std::hypot(node.numbers[i], node.numbers[i + 1], node.numbers[i + 2]) > 1e-9))
-      return Complaint{.what = "the direction of " + word + " is zero", .fix = "give one such as 0 0 1", .number = i};
+      return Complaint{
+          .what = "the direction of " + word + " is zero", .fix = "give a direction such as 0 0 1", .number = i};
   }
   if (node.kind().op == Op::Arc) {
     const double sweep_deg = node.numbers[3] - node.numbers[2];
     if (!(sweep_deg >= 0.0 && sweep_deg <= 360.0))
       return Complaint{.what = word + " goes from " + shown(node.numbers[2]) + " to " + shown(node.numbers[3]) + " deg",
-                       .fix = "give an end 0 to 360 deg above the start",
+                       .fix = "give to_deg a value 0 to 360 above from_deg",
                        .number = 3};
   }
   return std::nullopt;

@@ -19,21 +19,30 @@ program::Usage usage() {
       .program = "telepalp-station calibrate",
       .purpose = "measures the transforms between tracker, camera and haptic device",
       .positional = "",
-      .options = {{"out", "FILE", "calibration file to write; it keeps the other transforms",
-                   "site.calibration.textproto"},
-                  {"pairs", "FILE", "points, offset: CSV, see docs/cli.md"},
-                  {"from", "tracker|camera", "points: which instrument measured from_x, from_y, from_z", "tracker"},
-                  {"device", kDeviceWords, "offset: the haptic device", "haply"},
-                  {"tracker", "leap[:URL]", "offset: the hand tracker", "leap"},
-                  {"seconds", "S", "offset: how long the hand rests", "3"},
-                  program::patience_option("offset: how long device and tracker may take to answer; 0: for ever", "3"),
-                  {"poses", "FILE", "probe: CSV, see docs/cli.md"},
-                  {"hand-at", "X,Y,Z,RX,RY,RZ", "probe: pose of the hand in the probe's frame, metres and radians",
-                   "0,0,0,0,0,0"}},
+      .options =
+          {{"out", "FILE", "calibration file to write; its other transforms stay", "site.calibration.textproto"},
+           {"pairs", "FILE",
+            "for 'points' and 'offset': CSV of places measured twice; columns: place (its number), to_x_m, to_y_m, "
+            "to_z_m (by the device), from_x_m, from_y_m, from_z_m (by the tracker or camera), in metres"},
+           {"from", "tracker|camera", "for 'points': the instrument that measured from_x_m, from_y_m, from_z_m",
+            "tracker"},
+           {"device", kDeviceWords, "for 'offset': the haptic device", "haply"},
+           {"tracker", "leap[:URL]", "for 'offset': the hand tracker", "leap"},
+           {"seconds", "S", "for 'offset': how long the hand rests, in seconds", "3"},
+           program::patience_option(
+               "for 'offset': how many seconds the device, and then the tracker, may take to answer; 0: for ever", "3"),
+           {"poses", "FILE",
+            "for 'probe': CSV; a row is the hand's pose in the tracker's frame, then the probe's in the device's; "
+            "columns: hand_x_m, hand_y_m, hand_z_m, hand_rx_rad, hand_ry_rad, hand_rz_rad (rotation vector), then "
+            "probe_x_m and so on"},
+           {"hand-at", "X,Y,Z,RX,RY,RZ",
+            "for 'probe': pose of the hand in the probe's frame: metres, and a rotation vector in radians",
+            "0,0,0,0,0,0"}},
       .example = "telepalp-station calibrate points --pairs pairs.csv --from camera --out site.calibration.textproto",
-      .commands = {{"points", "", "from pairs of points in a file"},
-                   {"offset", "", "from the hand resting on the end-effector, now or in a file"},
-                   {"probe", "", "from poses of a hand on a probe in a file"}},
+      .commands = {{"points", "", "tracker or camera to device, from pairs of points (--pairs)"},
+                   {"offset", "",
+                    "tracker to device, from a hand that rests on the end-effector, now or earlier (--pairs)"},
+                   {"probe", "", "tracker to device, from poses of a hand on a probe (--poses)"}},
       .needs_command = true};
 }
 

@@ -18,32 +18,34 @@ constexpr std::size_t kLongestName = 128;
 void say(const std::string& text) { program::log("telepalp-station", text); }
 
 program::Usage usage() {
-  return {
-      .program = "telepalp-station hand-over",
-      .purpose =
-          "offers the touch to another doctor, or accepts an offer; then the force of the first doctor's device ends",
-      .positional = "",
-      .options = {{"to", "NAME", "offer the touch for 60 s to the doctor whose key has this name"},
-                  {"withdraw", "", "withdraw the offer"},
-                  {"accept", "", "accept the touch that is offered to you, now or later"},
-                  {"control", "PATH", "the station's control socket; default: that of the only station"},
-                  program::patience_option("longest wait for the station's answer; 0: for ever", "3")},
-      .example = "telepalp-station hand-over --to bert"};
+  return {.program = "telepalp-station hand-over",
+          .purpose =
+              "offers the touch (the permission to palpate) to another doctor, or accepts it; once it is accepted, the "
+              "first doctor's device gives no force",
+          .positional = "",
+          .options = {{"to", "NAME", "offer the touch for 60 s to the doctor whose key has this name"},
+                      {"withdraw", "", "withdraw the offer"},
+                      {"accept", "", "accept the touch that is offered to you, now or later"},
+                      {"control", "PATH",
+                       "the station's control socket; default: that of the only station on this computer"},
+                      program::patience_option("longest wait for the station's answer, in seconds; 0: for ever", "3")},
+          .example = "telepalp-station hand-over --to bert"};
 }
 
 Result<std::string> command_of(const program::Arguments& arguments) {
   const int asked = int{arguments.has("to")} + int{arguments.has("withdraw")} + int{arguments.has("accept")};
   if (asked != 1)
-    return Error{.what = "not exactly one of --to, --withdraw and --accept is given",
+    return Error{.what = "none, or more than one, of --to, --withdraw and --accept is given",
                  .where = "telepalp-station hand-over",
                  .fix = "give exactly one; see telepalp-station hand-over --help"};
   if (arguments.has("withdraw")) return std::string("withdraw");
   if (arguments.has("accept")) return std::string("accept");
   const std::string to = arguments.text("to");
   if (to.empty() || to.size() > kLongestName || to.find_first_of("\n\r") != std::string::npos)
-    return Error{.what = "'" + to + "' cannot be the name of a key",
-                 .where = "--to",
-                 .fix = "give the name in the other doctor's key"};
+    return Error{
+        .what = "'" + to + "' cannot be the name of a key: it is empty, longer than 128 bytes or has a line break",
+        .where = "--to",
+        .fix = "give the name in the other doctor's key"};
   return std::string(kOffer) + to;
 }
 
@@ -53,7 +55,7 @@ bool HandOver::on_command(const std::string& command, const ControlSocket::Reply
   if (command == "accept") {
     link_.accept_touch();
     const bool holds = link_.state() == wire::LinkState::Connected;
-    reply(holds ? "nothing to accept: this station is connected already"
+    reply(holds ? "nothing to accept: this station is connected, so it holds the touch already"
                 : std::string(kDone) + "this station takes the touch as soon as it is offered");
     return true;
   }
@@ -67,8 +69,12 @@ bool HandOver::on_command(const std::string& command, const ControlSocket::Reply
 }
 
 void HandOver::ask(const std::string& to, const ControlSocket::Reply& reply) {
-  if (waiting_) return reply("another command waits for the server's answer. fix: try again");
-  if (!link_.hand_over(to)) return reply("this station is not connected. fix: wait until it says 'link connected'");
+  if (waiting_)
+    return reply("an earlier hand-over command still waits for the server's answer. fix: try again in some seconds");
+  if (!link_.hand_over(to))
+    return reply(
+        "this station is not connected to its server. fix: wait until the station logs 'link connected', then try "
+        "again");
   waiting_ = reply;
 }
 

@@ -21,23 +21,30 @@ namespace telepalp::station {
 namespace {
 
 program::Usage usage() {
-  return {.program = "telepalp-station scene",
-          .purpose = "checks a scene file, measures its computing time, and draws what lies under the skin",
-          .positional = "",
-          .options = {{"out", "FILE", "show, image: a PNG; mesh: a .ply or .obj"},
-                      {"from", "above|feet|side", "show: side from which the scene is seen", "above"},
-                      {"width-m", "M", "show: width of the part that is seen; default: all objects"},
-                      {"at", "X,Z", "image: place of the probe on the skin, in metres", "0,0"},
-                      {"turn-deg", "DEG", "image: turn of the probe about the vertical", "0"},
-                      {"layer", "NAME", "mesh: one layer; default: the first"},
-                      {"cell-mm", "MM", "mesh: size of a cell", "2"}},
-          .example = "telepalp-station scene show ribs-ultrasound --out ribs.png",
-          .commands = {{"check", "SCENE", "read the scene and name its effects"},
-                       {"bill", "SCENE", "computing time and memory of each effect"},
-                       {"show", "SCENE", "a picture of what lies under the skin"},
-                       {"image", "SCENE", "the ultrasound image under a probe"},
-                       {"mesh", "SCENE", "a layer's surface, watertight"}},
-          .needs_command = true};
+  return {
+      .program = "telepalp-station scene",
+      .purpose = "checks a scene file, measures its computing time, and draws what lies under the skin",
+      .positional = "",
+      .options = {{"out", "FILE", "file to write; for 'show' and 'image': .png; for 'mesh': .ply or .obj"},
+                  {"from", "above|feet|side", "for 'show': side of the patient from which the scene is seen", "above"},
+                  {"width-m", "M", "for 'show': width of the part that is seen, in metres; default: all objects fit"},
+                  {"at", "X,Z",
+                   "for 'image': middle of the probe, in metres from the origin of the haptic base's frame: X to the "
+                   "patient's left, Z to the feet; the skin is flat, y = 0",
+                   "0,0"},
+                  {"turn-deg", "DEG",
+                   "for 'image': turn of the probe about the vertical, in degrees; the right side of the image is, at "
+                   "0, the patient's left, at 90, the head",
+                   "0"},
+                  {"layer", "NAME", "for 'mesh': name of the layer; default: the scene's first layer"},
+                  {"cell-mm", "MM", "for 'mesh': side of a cell of the marching-cubes grid, in millimetres", "2"}},
+      .example = "telepalp-station scene show ribs-ultrasound --out ribs.png",
+      .commands = {{"check", "SCENE", "check the scene and list its effects"},
+                   {"bill", "SCENE", "print computing time and memory of each effect"},
+                   {"show", "SCENE", "write a picture of what lies under the skin"},
+                   {"image", "SCENE", "write the ultrasound image under a probe on the skin"},
+                   {"mesh", "SCENE", "write a layer's surface as a watertight mesh"}},
+      .needs_command = true};
 }
 
 Result<void> write(const std::string& bytes, const std::filesystem::path& file) {
@@ -55,7 +62,7 @@ Result<std::string> out_of(const program::Arguments& arguments, const char* endi
   if (arguments.has("out")) return arguments.text("out");
   return Error{.what = "--out is missing",
                .where = "telepalp-station scene",
-               .fix = std::string("give one, as in --out x") + ending};
+               .fix = std::string("name the file to write, as in --out x") + ending};
 }
 
 struct ReadScene {
@@ -85,15 +92,18 @@ Result<void> bill(const ReadScene& read, const program::Arguments& arguments) {
   const Result<ReadScene> again = read_scene_named(arguments.positional().back());
   const double start_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
   if (!again) return again.error();
-  std::printf("%-12s %10s %10s %8s %10s  %s\n", "effect", "mean, us", "max, us", "shapes", "memory, B",
-              "error of the depth");
+  std::printf(
+      "computing time of each effect in a tick; for layers: number of shapes and memory of their tree; error of the "
+      "felt depth\n%-12s %10s %10s %8s %10s  %s\n",
+      "effect", "mean, us", "max, us", "shapes", "memory, B", "error of the depth");
   double total_us = 0.0;
   for (const EffectPrice& price : price_of(read.scene)) {
     std::printf("%-12s %10.3f %10.1f %8zu %10zu  %s\n", price.name.c_str(), price.mean_us, price.largest_us,
                 price.shapes, price.bytes, price.depth_error.c_str());
     total_us += price.mean_us;
   }
-  std::printf("%-12s %10.3f us of the 500 us of a tick; reading the scene took %.1f ms\n", "total", total_us, start_ms);
+  std::printf("%-12s %10.3f us in the mean, of the 500 us of a tick; reading the scene took %.1f ms\n", "total",
+              total_us, start_ms);
   return {};
 }
 
@@ -132,7 +142,9 @@ Result<ultrasound::ProbePose> probe_of(const program::Arguments& arguments) {
   double z = 0.0;
   char more = '\0';
   if (std::sscanf(text.c_str(), "%lf,%lf%c", &x, &z, &more) != 2 || !(std::hypot(x, z) < 2.0))
-    return Error{.what = "'" + text + "' is not a place on the skin", .where = "--at", .fix = "give X,Z in metres"};
+    return Error{.what = "'" + text + "' is not two numbers X,Z in metres within 2 m of the origin",
+                 .where = "--at",
+                 .fix = "give metres, as in --at 0.05,-0.1"};
   const Result<double> turn_deg = arguments.number("turn-deg", -360.0, 360.0);
   if (!turn_deg) return turn_deg.error();
   const double turn = *turn_deg * std::numbers::pi / 180.0;
@@ -159,7 +171,9 @@ Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
   if (!out) return out.error();
   const bool as_obj = out->ends_with(".obj");
   if (!as_obj && !out->ends_with(".ply"))
-    return Error{.what = "'" + *out + "' is neither .ply nor .obj", .where = "--out", .fix = "give one of them"};
+    return Error{.what = "'" + *out + "' ends in neither .ply nor .obj",
+                 .where = "--out",
+                 .fix = "give a file name with one of these endings"};
   const Result<double> cell_mm = arguments.number("cell-mm", 0.1, 100.0);
   if (!cell_mm) return cell_mm.error();
   const std::string name = arguments.text("layer");
@@ -168,7 +182,9 @@ Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
   if (layer == scene.layers.end())
     return Error{.what = "no layer '" + name + "' in the scene",
                  .where = "--layer",
-                 .fix = "telepalp-station scene check FILE names the layers"};
+                 .fix =
+                     "give the name of a solid of the scene; telepalp-station scene check SCENE lists all effects, "
+                     "solids by their names"};
   const Result<solids::SolidMesh> made = solids::mesh_of(*layer->solid->tree, 1e-3 * *cell_mm);
   if (!made) return made.error();
   std::printf("%s: %zu points, %zu triangles, %zu open edges\n", layer->solid->name.c_str(), made->points.size(),

@@ -16,11 +16,12 @@ program::Usage usage() {
               "without a test, lists the presets and their errors",
           .positional = "",
           .options = {{"test", "FILE", "CSV: a header row, then rows compression_mm,load_N"},
-                      {"diameter-mm", "MM", "diameter of the specimen", "50"},
-                      {"height-mm", "MM", "height of the specimen", "30"},
-                      {"contact-mm", "MM", "diameter of the contact of the fingers with the skin", "30"},
-                      {"thickness-mm", "MM", "thickness of the tissue under the hand", "60"},
-                      {"to-strain", "SHARE", "largest strain of the test that the fit uses", "0.5"}},
+                      {"diameter-mm", "MM", "diameter of the specimen, in millimetres", "50"},
+                      {"height-mm", "MM", "height of the specimen, in millimetres", "30"},
+                      {"contact-mm", "MM", "diameter of the fingers' contact with the skin, in millimetres", "30"},
+                      {"thickness-mm", "MM", "thickness of the tissue under the hand, in millimetres", "60"},
+                      {"to-strain", "SHARE",
+                       "largest strain of the test that the fit uses: compression / height of the specimen", "0.5"}},
           .example = "telepalp-station tissue --test tests/data/tissue/EF10_50T.csv"};
 }
 
@@ -30,8 +31,10 @@ void print_law(const effects::SkinLaw& law) {
 }
 
 int list_presets() {
-  std::printf("%-14s %-12s %10s %10s %10s   %s\n", "tissue", "material", "N at 10 mm", "N at 20 mm", "N at 30 mm",
-              "RMS fit error, % of the largest load");
+  std::printf(
+      "force of the skin at an indentation of 10, 20 and 30 mm, for each preset of skin { tissue }\n%-14s %-12s %10s "
+      "%10s %10s   %s\n",
+      "tissue", "material", "N at 10 mm", "N at 20 mm", "N at 30 mm", "RMS fit error, % of the largest load");
   for (const effects::TissuePreset& preset : effects::kTissuePresets) {
     const auto force_N = [&](double d) { return preset.law.stiffness_N_per_m(d) * d; };
     std::printf("%-14s %-12s %10.2f %10.2f %10.2f   %.1f %%\n", preset.name.data(), preset.material.data(),

@@ -76,7 +76,9 @@ std::optional<std::string> in_the_way(const OwnFolder::Entry& entry, const std::
 Result<void> ControlSocket::listen(const fs::path& asked) {
   const fs::path path = asked.lexically_normal();
   const auto why = [&path](const std::string& what) {
-    return Error{.what = what, .where = path.string(), .fix = "name another place by --control, or --control none"};
+    return Error{.what = what,
+                 .where = path.string(),
+                 .fix = "name another path by --control PATH, or give --control none to run without this socket"};
   };
   const std::string name = path.filename().string();
   if (name.empty() || name == "." || name == "..") return why("is a folder, not a socket");
@@ -182,13 +184,14 @@ Result<fs::path> find_control_socket() {
   }
   if (found.size() == 1) return found.front();
   if (found.empty())
-    return Error{.what = "no station runs here",
+    return Error{.what = "no station has an open socket in this folder",
                  .where = control_folder().string(),
                  .fix = "start telepalp-station, or name its socket by --control"};
   std::string all;
   for (const fs::path& path : found) all += (all.empty() ? "" : ", ") + path.string();
-  return Error{
-      .what = "several stations run here: " + all, .where = control_folder().string(), .fix = "name one by --control"};
+  return Error{.what = "several stations have an open socket in this folder: " + all,
+               .where = control_folder().string(),
+               .fix = "name one of these sockets by --control PATH"};
 }
 
 }  // namespace telepalp::station

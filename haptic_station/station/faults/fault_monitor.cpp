@@ -82,7 +82,7 @@ void FaultMonitor::on_command(const std::string& command, const ControlSocket::R
 }
 
 void FaultMonitor::rearm(const ControlSocket::Reply& reply) {
-  if (!is_faulted()) return reply("there is no fault to re-arm from");
+  if (!is_faulted()) return reply("there is no fault to re-arm from. fix: none is needed");
   handlers_.rearm();
   rearm_timer_.expires_after(kRearmTakes);
   rearm_timer_.async_wait([this, reply](const boost::system::error_code& error) {

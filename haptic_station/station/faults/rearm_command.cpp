@@ -14,8 +14,9 @@ program::Usage usage() {
   return {.program = "telepalp-station rearm",
           .purpose = "ends the fault of a station, so that it gives force again, once the cause of the fault is gone",
           .positional = "",
-          .options = {{"control", "PATH", "the station's control socket; default: that of the only station"},
-                      program::patience_option("longest wait for the station's answer; 0: for ever", "3")},
+          .options = {{"control", "PATH",
+                       "the station's control socket; default: that of the only station on this computer"},
+                      program::patience_option("longest wait for the station's answer, in seconds; 0: for ever", "3")},
           .example = "telepalp-station rearm"};
 }
 

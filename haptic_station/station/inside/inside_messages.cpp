@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostPoints = 36'000;  // of all layers: 0.65 MB, drawn by any computer
 constexpr double kFinestGrid_m = 0.002;
-constexpr double kCellsPerGrid = 0.6;  // cells finer than the grid, so that no hole opens between its places
+constexpr double kCellsPerGrid = 0.6;  // marching-cubes cell / grid cell; below 1, so that no hole opens
 constexpr int kJpegQuality = 80;
 
 void append_u16(std::string& bytes, std::uint32_t value) {
@@ -25,7 +25,8 @@ void append_u16(std::string& bytes, std::uint32_t value) {
   bytes.push_back(static_cast<char>(value >> 8));
 }
 
-/// Newton steps along the gradient, at most one place of the grid: the mean of points lies off a curved surface.
+/// Moves a point to the surface by Newton steps along the gradient, by at most `most_m`: a mean of surface points lies
+/// off a curved surface.
 Vector3d onto_surface(const solids::SolidTree& tree, const Vector3d& point, double most_m) {
   Vector3d at = point;
   for (int step = 0; step < 3; ++step) {
@@ -37,7 +38,8 @@ Vector3d onto_surface(const solids::SolidTree& tree, const Vector3d& point, doub
   return (at - point).norm() < most_m ? at : point;
 }
 
-/// One point for each place of a grid, the mean of those in it. Triangles that shrink to an edge are left out.
+/// One point for each cell of a grid: the mean of the points of `fine` in this cell. Triangles that shrink to an edge
+/// are left out.
 solids::SolidMesh clustered(const solids::SolidMesh& fine, double grid_m) {
   solids::SolidMesh coarse;
   std::map<std::array<long, 3>, std::uint32_t> places;
@@ -75,9 +77,9 @@ Result<solids::SolidMesh> fitting_mesh(const solids::SolidTree& tree, std::size_
       return mesh;
     }
     if (attempt == 5)
-      return Error{.what = "the solid's mesh needs more than " + std::to_string(most_points) + " points",
+      return Error{.what = "the mesh of the layer's surface needs more than " + std::to_string(most_points) + " points",
                    .where = "/station/inside",
-                   .fix = "simplify the solid"};
+                   .fix = "describe the layer by fewer or larger shapes"};
     grid_m *= 1.05 * std::sqrt(static_cast<double>(mesh.points.size()) / static_cast<double>(most_points));
   }
 }
@@ -114,7 +116,10 @@ InnerSurfaces inner_structures(std::span<const scenes::SceneLayer> layers) {
   for (const auto& [layer, effect] : layers) {
     const Result<solids::SolidMesh> mesh = fitting_mesh(*layer->tree, most_points);
     if (!mesh) inside.left_out.push_back("layer " + layer->name + ": " + to_string(mesh.error()));
-    if (mesh && mesh->points.empty()) inside.left_out.push_back("layer " + layer->name + ": its solid is empty");
+    if (mesh && mesh->points.empty())
+      inside.left_out.push_back("layer " + layer->name +
+                                ": its shapes contain no point, so it cannot be felt either. fix: correct the shapes "
+                                "of the layer in the scene");
     if (!mesh || mesh->points.empty()) continue;
     msg::InnerStructure& structure = *inside.drawn.add_structures();
     structure.set_name(layer->name);

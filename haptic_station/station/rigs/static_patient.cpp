@@ -69,7 +69,9 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
   if (!(settings.unit_m > 0.0) || (settings.samples > 0 && settings.samples < 100) || settings.samples > 1'000'000)
     return Error{.what = "patient_surface.static_model: unit_m or samples is out of range",
                  .where = scene.name,
-                 .fix = "give unit_m above 0, and samples 0 (as many as the shape needs) or 100 to 1000000"};
+                 .fix =
+                     "give unit_m above 0 (metres per unit of the file), and samples 0 (as many as the shape needs) "
+                     "or 100 to 1000000"};
   Result<surface::StaticModel> made = surface::make_static_model(*read, settings);
   if (!made) {
     Error error = made.error();
@@ -118,7 +120,9 @@ Result<void> ask_for_surface(const std::string& word, scenes::Scene& scene) {
     else
       return Error{.what = "'" + std::string(part) + "' is not understood",
                    .where = "--surface",
-                   .fix = "write it as model:FILE,unit_m=0.001,samples=16000"};
+                   .fix =
+                       "write model:FILE,unit_m=0.001,samples=16000; unit_m: metres per unit of the file; samples: "
+                       "number of points"};
   }
   return {};
 }

@@ -104,7 +104,8 @@ std::string description_of(const CloudNoise& noise, std::size_t points) {
                 1e3 * noise.spacing_m, 1e3 * noise.noise_m);
   std::string description = text;
   if (!noise.follows_noise()) return description;
-  std::snprintf(text, sizeof text, "; because of this noise, each place is averaged over %.1f mm instead of %.1f mm",
+  std::snprintf(text, sizeof text,
+                "; because of this noise, each place is averaged over a radius of %.1f mm instead of %.1f mm",
                 1e3 * noise.support_m, 1e3 * kSpacings * noise.spacing_m);
   return description + text;
 }

@@ -106,8 +106,7 @@ std::string description_of(const SampledMesh& sampled) {
   }
   if (sampled.fidelity.jumps > 0.0) {
     std::snprintf(text, sizeof text,
-                  "; in %.1f %% of the simulated presses beside folds, the contact jumps from one wall of a fold to "
-                  "the other",
+                  "; in %.1f %% of the simulated presses, the contact jumps from one wall of a fold to the other",
                   100.0 * sampled.fidelity.jumps);
     description += text;
   }

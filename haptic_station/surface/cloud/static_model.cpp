@@ -100,7 +100,9 @@ Error too_coarse(const SampledMesh& sampled) {
   char fix[200];
   const double by_error = std::sqrt(kFaithful_m / std::max(kFaithful_m, sampled.fidelity.error_m));
   const double faithful_m = sampled.spacing_m * std::min(by_error, sampled.fidelity.in_air > 0.0 ? 0.5 : 1.0);
-  std::snprintf(fix, sizeof fix, "give points %.1f mm apart, leave out samples and spacing, or accept this by --anyway",
+  std::snprintf(fix, sizeof fix,
+                "give points %.1f mm apart; or give neither samples nor a spacing, so that telepalp chooses them; or "
+                "accept the coarse samples by --anyway",
                 1e3 * faithful_m);
   return {.what = "is sampled too coarsely: " + description_of(sampled), .where = "model", .fix = fix};
 }

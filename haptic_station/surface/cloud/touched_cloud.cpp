@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double kFew = 0.005;  // at thin sheets the orientation found is wrong for about as many normals
+constexpr double kFew = 0.005;  // share of the normals: at thin sheets, the orientation found is wrong for as many
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
@@ -68,17 +68,20 @@ Error too_noisy(const CloudNoise& noise) {
       noise.is_surface
           ? text(
                 "is too noisy to be touched: its points are %.1f mm apart and scatter by %.1f mm around "
-                "their surface, so each place would be averaged over %.0f mm, which hides smaller features",
+                "their surface, so each place would be averaged over a radius of %.0f mm, which hides smaller features",
                 1e3 * noise.spacing_m, 1e3 * noise.noise_m, 1e3 * noise.support_m)
           : text("is not a surface: its points are %.1f mm apart and fill a volume", 1e3 * noise.spacing_m);
-  return {.what = what, .where = "model", .fix = "filter or average the points, give a mesh, or accept it by --anyway"};
+  return {.what = what,
+          .where = "model",
+          .fix = "filter or average the points, give a mesh, or accept the cloud by --anyway"};
 }
 
 Error no_side(const std::string& what) {
-  return {
-      .what = what + "; the cloud is open, so it is not known which side is outside",
-      .where = "model",
-      .fix = "make all normals point outwards; if a camera stood at the origin, remove the normals or give --anyway"};
+  return {.what = what + "; the cloud is open, so it is not known which side is outside",
+          .where = "model",
+          .fix =
+              "make all normals point outwards; or give --anyway if the camera was at the origin of the file's frame: "
+              "telepalp then estimates normals that face the camera"};
 }
 
 /// A cloud while its normals are settled.
@@ -93,7 +96,8 @@ struct Settling {
 void estimate_normals(Settling& cloud) {
   const int neighbors = std::max(cloud.settings.normal_neighbors, neighbors_in_support(cloud.noise));
   say(cloud.remarks,
-      text("each normal is estimated from %d neighbours and turned towards the viewpoint of the camera", neighbors));
+      text("each normal is estimated from %d neighbours and turned towards the origin, where the camera is assumed",
+           neighbors));
   cloud.points = with_normals(positions(cloud.points).at_m, neighbors, cloud.viewpoint);
 }
 
@@ -135,12 +139,13 @@ Result<void> settle_open(Settling& cloud, const CloudOrientation& orientation) {
   }
   if (orientation.turns() < kHollow && !cloud.settings.flip_normals)
     say(cloud.remarks,
-        "the normals of the open cloud point to its concave side: if that is not the outside, give --flip-normals");
+        "the normals of the open cloud point to its concave side: if that is not the outside, give --flip-normals, or "
+        "flip_normals in a scene");
   const double away = share_away(cloud);
   if (away > 0.9 && !cloud.settings.flip_normals)
     say(cloud.remarks,
-        text("the cloud is open and %.0f %% of its normals point away from the origin: if a camera stood "
-             "there, give --flip-normals",
+        text("the cloud is open and %.0f %% of its normals point away from the origin: if the camera was "
+             "there, give --flip-normals, or flip_normals in a scene",
              100.0 * away));
   return {};
 }
@@ -148,7 +153,10 @@ Result<void> settle_open(Settling& cloud, const CloudOrientation& orientation) {
 Result<void> settle_normals(Settling& cloud, bool given, double misfit) {
   constexpr double kMostMisfit_deg = 20.0;
   const bool fit = given && misfit < kMostMisfit_deg;
-  const std::string unfit = text("has normals that do not fit its points: %.0f degrees off at the median", misfit);
+  const std::string unfit = text(
+      "has normals that do not fit its points: at the median they differ by %.0f degrees from normals that are "
+      "estimated from the points",
+      misfit);
   if (given && !fit) say(cloud.remarks, "the cloud " + unfit);
   if (!given) say(cloud.remarks, "the cloud has no normals");
   if (!fit) estimate_normals(cloud);
@@ -201,7 +209,9 @@ Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticM
   const std::size_t given_points = settling.points.size();
   if (settings.support_m <= 0.0) thin_for(shape.support_m, noise.spacing_m, settling.points);
   if (settling.points.size() < given_points)
-    say(made.sampling, text("%zu of them are kept, as many as a tick can sum", settling.points.size()));
+    say(made.sampling,
+        text("%zu of them, chosen at random, are kept, so that a tick has time to average those around a place",
+             settling.points.size()));
   made.snapshot = std::make_shared<const CloudSnapshot>(std::move(settling.points), shape, Index::Nanoflann);
   return made;
 }

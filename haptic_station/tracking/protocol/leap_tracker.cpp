@@ -50,7 +50,8 @@ void LeapTracker::on_text(std::string_view text) {
 void LeapTracker::on_hello(const leap::Hello& hello) {
   spoke_ = hello.version == leap::kProtocolVersion;
   if (!spoke_) return refuse("the service speaks protocol " + std::to_string(hello.version) + ", not 6");
-  if (!std::exchange(line_is_up_, true)) say_(name_ + " answers, service " + hello.service_version.substr(0, 64));
+  if (!std::exchange(line_is_up_, true))
+    say_(name_ + " answers; version of its service: " + hello.service_version.substr(0, 64));
   thread_.answered();
 }
 

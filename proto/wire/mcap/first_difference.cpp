@@ -18,7 +18,7 @@ constexpr std::size_t kMostFieldsBytes = 2000;
 
 std::string at_s(const Message& message) {
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.6f s", to_seconds(message.published.time_since_epoch()));
+  std::snprintf(text.data(), text.size(), "%.6f s of session time", to_seconds(message.published.time_since_epoch()));
   return text.data();
 }
 

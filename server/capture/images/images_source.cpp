@@ -48,10 +48,10 @@ struct Recording {
 std::string size_text(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
 
 Error other_size(const fs::path& file, int width, int height, int first_width, int first_height) {
-  return {
-      .what = "is " + size_text(width, height) + " pixels, the first image has " + size_text(first_width, first_height),
-      .where = file.string(),
-      .fix = "keep images of one size in a folder"};
+  return {.what = "is " + size_text(width, height) + " pixels, but the first image has " +
+                  size_text(first_width, first_height),
+          .where = file.string(),
+          .fix = "keep images of one size in a folder"};
 }
 
 Result<RgbdFrame> load(const Recording& recording, std::size_t number) {
@@ -83,7 +83,7 @@ Result<RecordedCamera> camera_beside(const fs::path& folder, int width, int heig
   return read_camera_file(file, width, height);
 }
 
-/// Checks every image once, and keeps the frames when they fit.
+/// Loads and keeps all frames if they take at most kKeptBytes. Otherwise it checks the first frame, and keeps none.
 Result<std::vector<RgbdFrame>> load_all(const Recording& recording) {
   const Intrinsics& pinhole = recording.camera.model.depth;
   const auto pixels = [](int width, int height) { return static_cast<std::size_t>(width * height); };

@@ -15,7 +15,7 @@ Result<std::unique_ptr<CaptureSource>> open_pcd(const std::string& file, const S
   const Intrinsics& camera = frame->camera.depth;
   std::string description = "a still point cloud, " + std::filesystem::path(file).filename().string() + ", " +
                             std::to_string(camera.width) + "x" + std::to_string(camera.height) + ", focal length " +
-                            std::to_string(static_cast<int>(camera.fx + 0.5)) + " px fitted";
+                            std::to_string(static_cast<int>(camera.fx + 0.5)) + " px (fitted)";
   return play({.count = 1,
                .period = Nanoseconds{33'333'333},
                .load = [still = std::move(*frame)](std::size_t) -> Result<RgbdFrame> { return still; },

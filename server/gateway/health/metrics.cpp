@@ -25,7 +25,9 @@ std::string by_topic(const hub::Hub& hub, const std::string& name, const std::st
 
 std::string refused(const hub::DatagramCounts& datagrams) {
   const std::string name = "telepalp_datagrams_refused_total";
-  std::string text = described(name, "counter", "UDP datagrams that were dropped without an answer, by reason.");
+  std::string text =
+      described(name, "counter",
+                "UDP datagrams that were dropped without an answer, by reason; stranger: of no running session.");
   for (const auto& [why, count] : {std::pair{"stranger", datagrams.strangers},
                                    {"malformed", datagrams.malformed},
                                    {"replayed", datagrams.replayed},
@@ -55,7 +57,7 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
                 static_cast<std::uint64_t>(by_datagram)) +
          single("telepalp_datagrams_taken_total", "counter", "UDP datagrams that were accepted.", datagrams.taken) +
          refused(datagrams) +
-         single("telepalp_browser_connections", "gauge", "Open connections of the web port.", browsers) +
+         single("telepalp_browser_connections", "gauge", "Open connections of browsers to the web port.", browsers) +
          single("telepalp_waiting_bytes", "gauge", "Bytes that wait for subscribers; images are not counted.",
                 hub.waiting_bytes()) +
          single("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch.", touch_is_held ? 1 : 0) +

@@ -33,7 +33,7 @@ test('too few touches give no fit', () => assert.equal(fitOffset(threePlaces().s
 
 test('a tracker that is turned otherwise than eq. (4) is found by more than one place, and not by one', () => {
   assert.match(verdict(fitOffset(threePlaces(0.2))), /^The places disagree/);
-  assert.match(verdict(fitOffset(rest(1, point(0, 0.05, 0), 0.2))), /^Good so far\. Take three places/);
+  assert.match(verdict(fitOffset(rest(1, point(0, 0.05, 0), 0.2))), /^Good so far\. Measure three places/);
 });
 
 test('a hand that moved at one place is named', () => {

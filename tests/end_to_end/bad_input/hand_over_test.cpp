@@ -42,7 +42,8 @@ TEST(HandOver, OneCommandOffersTheTouchAndOneCommandAcceptsIt) {
       session.file("bert.log"));
   ASSERT_TRUE(comes(session.file("bert.log"), "doctor anna holds the touch", 20s)) << text_of(session.file("bert.log"));
   EXPECT_EQ(hand_over(bert, "--to carla"),
-            "failed: error: this station is not connected. fix: wait until it says 'link connected'\n");
+            "failed: error: this station is not connected to its server. fix: wait until the station logs 'link "
+            "connected', then try again\n");
   EXPECT_EQ(hand_over(anna, "--to bert"),
             "ok: offered to doctor bert for 60 s: you keep the touch until that doctor accepts it\n");
   EXPECT_TRUE(comes(session.file("bert.log"), "doctor anna offers you the touch", 20s));

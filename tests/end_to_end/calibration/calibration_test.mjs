@@ -73,7 +73,7 @@ test('three places by mouse and keyboard give the place of the tracker, and the 
   await untilStatus(page, 'the device gives no force', (now) => now.force_N === 0);
   await carryTo(PLACES_M[0]);
   await take(1, () => page.click('#calibration-take'));
-  assert.match(await text('calibration-verdict'), /^Good so far\. Take three places/);
+  assert.match(await text('calibration-verdict'), /^Good so far\. Measure three places/);
   for (const [index, at] of PLACES_M.slice(1).entries()) {
     await carryTo(at);
     await page.focus('#calibration-take');
@@ -109,7 +109,7 @@ test('a hand that slips on the end-effector is named, and its pairs are refused 
   assert.equal(await text('calibration-verdict'), 'At least 10 pairs are needed.');
   rig.stdin.write('slip on\n');
   await take(1, () => page.click('#calibration-take'));
-  assert.equal(await text('calibration-verdict'), 'The hand moved at place 1: begin again.');
+  assert.equal(await text('calibration-verdict'), 'The hand moved at place 1: press Begin again.');
   const file = await savedPairs('slipped.csv');
   await assert.rejects(run('calibrate', 'offset', '--pairs', file), /the hand moved on the end-effector/);
   assert.deepEqual(browser.problems, []);

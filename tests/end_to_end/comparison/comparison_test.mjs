@@ -29,7 +29,7 @@ before(async () => {
     copyFileSync(join(out, 'session.mcap'), join(folder, `${name}.mcap`));
   }
   const {stdout} = await run('telepalp-report', [join(folder, 'lan.mcap'), join(folder, 'wan.mcap'), '--out', join(place.folder, 'compared')]);
-  const found = /from ([\d.]+) s on: the force is ([\d.]+) N in A and ([\d.]+) N in B/.exec(stdout);
+  const found = /from ([\d.]+) s after the start on: the force is ([\d.]+) N in A and ([\d.]+) N in B/.exec(stdout);
   assert.ok(found, stdout);
   reported = found.slice(1).map(Number);
   const {http_port} = await place.server(join(binDir, 'telepalp-server'),

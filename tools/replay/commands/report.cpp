@@ -52,12 +52,13 @@ std::string windows_in_words(const std::vector<Window>& windows) {
 
 std::string in_words(const Scenario& scenario) {
   const impaired::Impairment& down = scenario.down;
-  std::string text = number(to_milliseconds(down.delay)) + " ms one way";
+  std::string text = number(to_milliseconds(down.delay)) + " ms delay one way";
   if (down.jitter > Nanoseconds{0}) text += " ± " + number(to_milliseconds(down.jitter)) + " ms";
   if (down.loss > 0.0)
-    text += ", " + number(100.0 * down.loss) + " % lost in bursts of " + number(down.burst_packets) + " packets";
+    text +=
+        ", " + number(100.0 * down.loss) + " % lost in bursts of " + number(down.burst_packets) + " packets on average";
   if (down.reorder > 0.0) text += ", " + number(100.0 * down.reorder) + " % reordered";
-  if (down.rate_B_per_s > 0.0) text += ", " + number(down.rate_B_per_s / 125.0) + " kbit/s";
+  if (down.rate_B_per_s > 0.0) text += ", " + number(down.rate_B_per_s / 125.0) + " kbit/s at most";
   const Faults& faults = scenario.faults;
   if (!faults.outages.empty()) text += ", outage " + windows_in_words(faults.outages);
   if (!faults.restarts.empty()) text += ", server off " + windows_in_words(faults.restarts);
@@ -71,7 +72,8 @@ std::string report_text(const Request& request, const RunResults& results, const
   return "source:  " + request.source + "\nscene:   " + request.scene->name + "\nhand:    " +
          (request.recorded.empty() ? "scripted: " + std::string(name(request.scenario.hand)) : "as recorded") +
          "\nnetwork: " + in_words(request.scenario) + "\nlength:  " + number(results.seconds) + " s\n\n" +
-         text_table(results.runs.front().figures, results.runs.back().figures) + "\n" +
+         text_table(results.runs.front().figures, results.runs.back().figures) +
+         "\ndocs/replay.md defines each metric.\n\n" +
          latency_table(results.runs.front().figures.latency, results.runs.back().figures.latency) +
          (judgements.empty() ? "" : "\n") + assertions_text(judgements);
 }
@@ -125,9 +127,9 @@ std::string cost_in_words(const RunResults& results, double wall_s) {
   for (const RunResult& run : results.runs) total.add(run.costs);
   double all_ns = 0.0;
   for (std::size_t i = 0; i < kPartCount; ++i) all_ns += static_cast<double>(total.cost_ns(static_cast<Part>(i)));
-  std::string text = number(results.seconds, "%.1f") + " s of virtual time in " + number(wall_s, "%.2f") +
-                     " s: " + number(results.seconds / wall_s, "%.1f") + " times real time, " +
-                     std::to_string(results.runs.size()) + " runs; share of the computing time:";
+  std::string text = number(results.seconds, "%.1f") + " s of virtual time took " + number(wall_s, "%.2f") +
+                     " s: " + number(results.seconds / wall_s, "%.1f") + " times as fast as real time, for " +
+                     std::to_string(results.runs.size()) + " runs side by side; share of the processor time by part:";
   for (std::size_t i = 0; i < kPartCount; ++i)
     text += (i == 0 ? " " : ", ") + std::string(kPartNames[i]) + " " +
             number(100.0 * static_cast<double>(total.cost_ns(static_cast<Part>(i))) / all_ns, "%.0f") + " %";

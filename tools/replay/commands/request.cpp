@@ -22,7 +22,7 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
   Result<scenes::Scene> scene = scenes::read_scene(*file);
   if (!scene) return scene.error();
   if (scene->message.patient_surface().has_static_model())
-    return Error{.what = "the scene touches a static model, which no network changes",
+    return Error{.what = "the scene's patient_surface is a static model, which no network can change",
                  .where = file->string(),
                  .fix = "give a scene whose patient_surface is streamed"};
   const std::string& name = scene->message.surface().name();
@@ -66,7 +66,7 @@ Result<void> read_hand(const program::Arguments& arguments, Request& request) {
   Result<RecordedHand> hand = read_session_hand(session);
   if (!hand) return hand.error();
   if (hand->empty() && asked == "recorded")
-    return Error{.what = "holds no recorded hand (/station/ticks)",
+    return Error{.what = "holds no recorded hand: it has no message on /station/ticks",
                  .where = session,
                  .fix = "give --hand examine, tap or search"};
   request.recorded = std::move(*hand);
@@ -120,9 +120,9 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
 /// A storm draws its own sources and networks. An option that it would ignore is refused.
 Result<void> refuse_beside_storm(const program::Arguments& arguments) {
   const auto refused = [](const std::string& where) {
-    return Error{.what = "this cannot be combined with --storm, which makes its own cases at random",
+    return Error{.what = "cannot be combined with --storm, which draws source, network and faults at random",
                  .where = where,
-                 .fix = "leave it out, or leave --storm out and give a source"};
+                 .fix = "leave this out, or leave out --storm and give a source"};
   };
   if (!arguments.positional().empty()) return refused(arguments.positional().front());
   for (const program::Option& option : usage().options) {
@@ -158,7 +158,9 @@ Result<void> read_outputs(const program::Arguments& arguments, Request& request)
     return Error{.what = "a JUnit report needs assertions", .where = "--junit", .fix = "give --assert as well"};
   const std::filesystem::path folder = request.junit.has_parent_path() ? request.junit.parent_path() : ".";
   if (!std::filesystem::is_directory(folder))
-    return Error{.what = folder.string() + " is not a folder", .where = "--junit", .fix = "make it, or name another"};
+    return Error{.what = folder.string() + " is not a folder",
+                 .where = "--junit",
+                 .fix = "make this folder, or name another one"};
   return {};
 }
 
@@ -173,17 +175,18 @@ program::Usage usage() {
       .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
   for (const program::Option& option : network_options()) usage.options.push_back(option);
-  usage.options.insert(usage.options.end(), {{"hand", "HAND", "recorded, or the script examine, tap or search"},
-                                             {"depth-mode", "MODE", "fast, intra, temporal or bounded", "fast"},
-                                             {"seconds", "S", "0: the whole recording; simulated patient: 20 s", "0"},
-                                             {"threads", "N", "0: all cores; the results are the same", "0"},
-                                             {"sweep", "AXIS=… AXIS=…", "run a grid: delay=0:50:300 loss=0,1,5,10%"},
-                                             {"storm", "SEEDS", "check the invariants in this many random cases"},
-                                             {"check", "", "check the invariants of --storm at each tick"},
-                                             {"out", "DIR", "folder for sessions, reports, tables and heat maps"},
-                                             {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one is false"},
-                                             {"junit", "FILE", "write the assertions as a JUnit report"},
-                                             {"json", "", "print report.json instead of the table"}});
+  usage.options.insert(usage.options.end(),
+                       {{"hand", "HAND", "recorded, or the script examine, tap or search"},
+                        {"depth-mode", "MODE", "depth codec: fast, intra, temporal or bounded", "fast"},
+                        {"seconds", "S", "0: all of a recording, or 20 s of a simulation", "0"},
+                        {"threads", "N", "0: all cores; no influence on the results", "0"},
+                        {"sweep", "AXIS=… AXIS=…", "run all combinations: delay=0:50:300 loss=0,1,5%"},
+                        {"storm", "SEEDS", "make this many random runs, and check each of them"},
+                        {"check", "", "check force, energy and contact as --storm does"},
+                        {"out", "DIR", "folder for sessions, reports, tables and heat maps"},
+                        {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one is false"},
+                        {"junit", "FILE", "write the assertions as a JUnit report"},
+                        {"json", "", "print report.json instead of the table"}});
   return usage;
 }
 

@@ -100,7 +100,7 @@ Result<bool> run_once(const Request& request) {
   std::fputs((request.json ? json : text).c_str(), stdout);
   program::log(kName, cost_in_words(*results, wall_s));
   if (const Result<void> written = write_reports(request, text, json, judgements); !written) return written.error();
-  if (invariants.violation()) std::printf("VIOLATED: %s\n", in_words(*invariants.violation()).c_str());
+  if (invariants.violation()) std::printf("FAILS: --check: %s\n", in_words(*invariants.violation()).c_str());
   return !invariants.violation() &&
          std::all_of(judgements.begin(), judgements.end(), [](const Judgement& one) { return one.holds; });
 }

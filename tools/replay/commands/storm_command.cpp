@@ -37,9 +37,18 @@ class Findings {
       std::printf("%s: %.1f mJ (seed %llu)%s", what, 1e3 * worst.first, static_cast<unsigned long long>(worst.second),
                   end);
     };
-    print("lowest energy balance of the display", least_passivity_J_, "; ");
-    print("largest excess work on the hand", most_excess_J_, "; ");
-    print("most energy gained by the hand", most_gained_J_, "\n");
+    print(
+        "lowest energy balance of the display (energy taken from the hand less energy stored; below 0: it created "
+        "energy)",
+        least_passivity_J_, "\n");
+    print(
+        "largest excess work on the hand in one contact (the device's work, less the newest measured skin's on the "
+        "same path)",
+        most_excess_J_, "\n");
+    print(
+        "most energy that a hand gained in one contact (the smaller of the device's work on the hand and its excess "
+        "work)",
+        most_gained_J_, "\n");
   }
 
  private:
@@ -51,8 +60,8 @@ class Findings {
   }
   void fail(std::uint64_t seed, const Invariants::Violation& violation) {
     failed_.push_back(seed);
-    program::log(
-        kName, "seed " + std::to_string(seed) + " fails " + in_words(violation) + ": " + command_line(draw_case(seed)));
+    program::log(kName, "seed " + std::to_string(seed) + " fails " + in_words(violation) +
+                            ". To repeat it: telepalp-replay " + command_line(draw_case(seed)));
   }
 
   std::mutex mutex_;
@@ -71,10 +80,9 @@ Result<void> print_shrunk(std::uint64_t seed) {
   if (!simplest) return simplest.error();
   const Result<StormOutcome> outcome = run_case(*simplest);
   if (!outcome) return outcome.error();
-  std::printf(
-      "seed %llu: %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
-      outcome->violation ? in_words(*outcome->violation).c_str() : "all invariants hold when this case runs alone",
-      command_line(*simplest).c_str());
+  std::printf("seed %llu, reduced to a simpler case: %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
+              outcome->violation ? in_words(*outcome->violation).c_str() : "no check fails when this case runs again",
+              command_line(*simplest).c_str());
   std::fflush(stdout);  // the next seed takes a while to shrink
   return {};
 }
@@ -94,11 +102,12 @@ Result<bool> run_storm(const Request& request) {
   std::sort(failed.begin(), failed.end());
   for (const std::uint64_t seed : failed)
     if (const Result<void> printed = print_shrunk(seed); !printed) return printed.error();
-  std::printf("%d seeds, %zu violate an invariant; %.0f s of virtual time\n", seeds, failed.size(), findings.seconds());
+  std::printf("random runs: %d; runs in which a check failed: %zu; virtual time in all: %.0f s\n", seeds, failed.size(),
+              findings.seconds());
   findings.print_ledgers();
   const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
   char text[64];
-  std::snprintf(text, sizeof text, "%.1f times real time", findings.seconds() / wall_s);
+  std::snprintf(text, sizeof text, "the storm ran %.1f times as fast as real time", findings.seconds() / wall_s);
   program::log(kName, text);
   return failed.empty();
 }

@@ -11,32 +11,33 @@ namespace {
 constexpr auto kMetrics = std::to_array<Metric>({
     {"force_rmse_N", "RMS of the force difference to the unimpaired run", &Figures::force_rmse_N},
     {"force_p99_N", "99th percentile of the force difference to the unimpaired run", &Figures::force_p99_N},
-    {"force_max_N", "largest force", &Figures::force_max_N},
-    {"force_step_N", "largest change of force from tick to tick", &Figures::force_step_N},
+    {"force_max_N", "largest force of the device", &Figures::force_max_N},
+    {"force_step_N", "largest change of the force from one tick to the next", &Figures::force_step_N},
     {"true_force_rmse_N", "RMS of the normal force minus the true skin's force", &Figures::true_force_rmse_N},
     {"true_force_p99_N", "99th percentile of the normal force minus the true skin's force", &Figures::true_force_p99_N},
     {"contact_lost_pct", "ticks without contact, of all ticks in the true skin", &Figures::contact_lost_pct},
-    {"phase_differs_pct", "ticks in another phase than in the unimpaired run", &Figures::phase_differs_pct},
-    {"phase_changes", "transitions of the controller", &Figures::phase_changes},
+    {"phase_differs_pct", "ticks in another phase than the unimpaired run, of all ticks", &Figures::phase_differs_pct},
+    {"phase_changes", "number of the controller's phase changes", &Figures::phase_changes},
     {"released_pct", "ticks in the phases Released and Faulted, of all ticks", &Figures::released_pct},
-    {"surface_error_rms_m", "RMS distance of displayed and true surface", &Figures::surface_error_rms_m},
-    {"surface_error_p99_m", "99th percentile of the distance to the true surface", &Figures::surface_error_p99_m},
+    {"surface_error_rms_m", "RMS distance between displayed and true surface", &Figures::surface_error_rms_m},
+    {"surface_error_p99_m", "99th percentile of the displayed surface's distance to the true one",
+     &Figures::surface_error_p99_m},
     {"surface_age_p50_s", "age of the touched surface, median", &Figures::surface_age_p50_s},
     {"surface_age_p99_s", "age of the touched surface, 99th percentile", &Figures::surface_age_p99_s},
     {"energy_J", "lowest energy balance of the display; below 0: it created energy", &Figures::energy_J},
-    {"hand_excess_J", "largest excess work on the hand in one contact", &Figures::hand_excess_J},
-    {"frames", "frames that were sent and whose deadline lies within the run", &Figures::frames},
-    {"frames_in_time_pct", "frames complete by their deadline", &Figures::frames_in_time_pct},
-    {"frames_touched_pct", "frames that became a surface", &Figures::frames_touched_pct},
+    {"hand_excess_J", "largest work on the hand in a contact beyond the measured skin's", &Figures::hand_excess_J},
+    {"frames", "number of frames that were sent and whose deadline lies within the run", &Figures::frames},
+    {"frames_in_time_pct", "frames complete by their deadline, of `frames`", &Figures::frames_in_time_pct},
+    {"frames_touched_pct", "frames that became a touchable surface, of `frames`", &Figures::frames_touched_pct},
     {"network_p50_s", "time from encoding to reception, median", &Figures::network_p50_s},
     {"network_p99_s", "time from encoding to reception, 99th percentile", &Figures::network_p99_s},
     {"station_p50_s", "time from reception to touchable surface, median", &Figures::station_p50_s},
     {"total_p50_s", "time from capture to touchable surface, median", &Figures::total_p50_s},
     {"total_p99_s", "time from capture to touchable surface, 99th percentile", &Figures::total_p99_s},
-    {"content_B", "size of the encoded frames", &Figures::content_B},
-    {"sent_B", "bytes sent by the server, repairs included", &Figures::sent_B},
-    {"answered_B", "bytes sent by the station", &Figures::answered_B},
-    {"datagrams_lost", "datagrams of the server that did not arrive", &Figures::datagrams_lost},
+    {"content_B", "size of all encoded frames", &Figures::content_B},
+    {"sent_B", "bytes sent by the server, repair packets included", &Figures::sent_B},
+    {"answered_B", "bytes that the station sent", &Figures::answered_B},
+    {"datagrams_lost", "datagrams of the server that the network lost, except in outages", &Figures::datagrams_lost},
 });
 
 std::string number(double value) {
@@ -66,7 +67,7 @@ std::string metric_names() {
 }
 
 std::string text_table(const Figures& unimpaired, const Figures& figures) {
-  std::string text = padded("", 22) + padded("unimpaired", 14) + padded("this run", 14) + "\n";
+  std::string text = padded("metric", 22) + padded("unimpaired", 14) + padded("this run", 14) + "meaning\n";
   for (const Metric& metric : kMetrics)
     text += padded(metric.name, 22) + padded(number(unimpaired.*metric.value), 14) +
             padded(number(figures.*metric.value), 14) + std::string(metric.what) + "\n";

@@ -61,7 +61,7 @@ void Invariants::violated(std::string what) {
 }
 
 void Invariants::check_force(const TickRecord& tick) {
-  if (!tick.force_N.allFinite()) return violated("the force is not finite");
+  if (!tick.force_N.allFinite()) return violated("the force is not finite (NaN or infinite)");
   const double force_N = double{tick.force_N.norm()};
   if (force_N > kRounding * control_.limits.peak_N)
     violated(with_number("the force is %.3f N, above the scene's limits.peak_N", force_N));
@@ -75,10 +75,14 @@ void Invariants::check_energy(const TickRecord& tick) {
   ledgers_.least_passivity_J = std::min(ledgers_.least_passivity_J, double{tick.passivity_J});
   ledgers_.most_excess_J = std::max(ledgers_.most_excess_J, double{tick.hand_excess_J});
   if (!(tick.passivity_J >= kLeastPassivity_J))
-    violated(with_number("the display created energy: its energy balance is %.5f J", double{tick.passivity_J}));
+    violated(with_number(
+        "the display created energy: energy taken from the hand less energy stored is %.5f J (limit -0.005 J)",
+        double{tick.passivity_J}));
   if (!(tick.hand_excess_J <= kMostExcess_J))
-    violated(with_number("the excess work on the hand is too large: %.4f J more than the measured skin would do",
-                         double{tick.hand_excess_J}));
+    violated(
+        with_number("the excess work on the hand is too large: %.4f J (limit 0.25 J) beyond the measured skin's work "
+                    "in this contact",
+                    double{tick.hand_excess_J}));
 }
 
 /// Energy that the device gave the hand in this contact, and the measured skin would not have given: the smaller of the
@@ -92,14 +96,17 @@ void Invariants::check_gain(const TickRecord& tick) {
   const double gained_J = std::min(worked_J_, double{tick.hand_excess_J});
   ledgers_.most_gained_J = std::max(ledgers_.most_gained_J, gained_J);
   if (gained_J > kMostGained_J)
-    violated(with_number("the device gave the hand %.4f J that the measured skin would not have given", gained_J));
+    violated(with_number(
+        "the device gave the hand %.4f J (limit 0.02 J) in this contact that the measured skin would not have given",
+        gained_J));
 }
 
 void Invariants::check_release(const TickRecord& tick) {
   stale_ = tick.surface_age_s > kSurelyStale_s ? stale_ + kTick : 0ns;
   if (stale_ <= kFadeWithin) return;
   if (!control::has_let_go(tick.phase) || tick.force_N.norm() > kNoForce_N)
-    violated(with_number("the station still gives force on a surface that is %.2f s old", double{tick.surface_age_s}));
+    violated(with_number("the station has not let go, or still gives force, although the surface is %.2f s old",
+                         double{tick.surface_age_s}));
 }
 
 /// A device that the station let go of can fall deeper than a contact may begin. From there, the station must lift it.
@@ -109,7 +116,9 @@ void Invariants::check_felt(const TickRecord& tick) {
       now() > calm_from_ && tick.depth_m > kDeep_m && tick.surface_age_s < kYoung_s && !tick.felt && !is_lifted;
   unfelt_ = unfelt ? unfelt_ + kTick : 0ns;
   if (unfelt_ > kFeltWithin)
-    violated(with_number("the device is %.1f mm deep in the skin, but there is no force", 1e3 * double{tick.depth_m}));
+    violated(
+        with_number("the device is %.1f mm deep in the skin and has been deep for over 1.5 s, but there is no force",
+                    1e3 * double{tick.depth_m}));
 }
 
 void Invariants::add(const TickRecord& tick) {
@@ -126,17 +135,18 @@ void Invariants::add(const wire::Message& message) {
   SessionTime& newest = published_[message.topic.name];
   if (message.published < newest)
     violated(std::string(message.topic.name) +
-             " has a message with an earlier publication time than the one before it");
+             " has a message with an earlier publication time than the message before it");
   newest = std::max(newest, message.published);
   if (message.topic.name != wire::kStationTicks.name) return;
   msg::StationTicks ticks;
-  if (!ticks.ParseFromString(*message.payload)) return violated("/station/ticks cannot be read");
-  if (ticks.first_tick() != next_tick_) violated("ticks are missing in /station/ticks");
+  if (!ticks.ParseFromString(*message.payload)) return violated("a message on /station/ticks cannot be parsed");
+  if (ticks.first_tick() != next_tick_)
+    violated("the tick numbers on /station/ticks do not continue those of the message before");
   next_tick_ = ticks.first_tick() + static_cast<std::uint64_t>(ticks.phase_size());
 }
 
 std::string in_words(const Invariants::Violation& violation) {
-  return with_number("at %.3f s: ", to_seconds(violation.at)) + violation.what;
+  return with_number("at %.3f s of the run: ", to_seconds(violation.at)) + violation.what;
 }
 
 }  // namespace telepalp::replay

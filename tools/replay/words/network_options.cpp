@@ -18,7 +18,7 @@ struct Figure {
 };
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> all{
-      {{"delay-ms", "MS", "delay, one way"},
+      {{"delay-ms", "MS", "network delay in each direction"},
        kLongest_ms,
        [](Impairment& i, double v) { i.delay = from_milliseconds(v); }},
       {{"jitter-ms", "MS", "uniform variation of the delay, plus or minus MS"},
@@ -27,7 +27,7 @@ const std::vector<Figure>& figures() {
       {{"burst", "N", "mean length of a loss burst, in packets"},
        1e4,
        [](Impairment& i, double v) { i.burst_packets = v; }},
-      {{"rate-kbps", "R", "rate of the bottleneck; 0: unlimited"},
+      {{"rate-kbps", "R", "rate of the bottleneck in kbit/s; 0: unlimited"},
        1e8,
        [](Impairment& i, double v) { i.rate_B_per_s = v * 125.0; }},
   };
@@ -41,7 +41,7 @@ struct Share {
 const std::vector<Share>& shares() {
   static const std::vector<Share> all{
       {{"loss", "P", "share of the packets that is lost: 5% or 0.05"}, &Impairment::loss},
-      {{"reorder", "P", "share of the packets that is reordered"}, &Impairment::reorder}};
+      {{"reorder", "P", "share of the packets that is reordered: 1% or 0.01"}, &Impairment::reorder}};
   return all;
 }
 
@@ -93,16 +93,16 @@ Result<void> apply_faults(const program::Arguments& arguments, Faults& faults) {
 }  // namespace
 
 std::vector<program::Option> network_options() {
-  std::vector<program::Option> options{{"profile", "NAME", "lan, lte, satellite or hostile"}};
+  std::vector<program::Option> options{{"profile", "NAME", "network figures: lan, lte, satellite or hostile"}};
   for (const Figure& figure : figures()) options.push_back(figure.option);
   for (const Share& share : shares()) options.push_back(share.option);
-  options.insert(options.end(), {{"outage", "10s+500ms", "no packet arrives for 500 ms from 10 s on"},
-                                 {"restart", "10s+2s", "the server is off for 2 s, then restarts"},
-                                 {"tracker-lost", "10s+2s", "the tracker gives no samples for 2 s"},
-                                 {"glitch", "10s+4ms:MM", "the device reports a position MM mm off for 4 ms"},
-                                 {"clock-step", "10s+2s:60ms", "the station's clock is 60 ms ahead for 2 s"},
-                                 {"deadline-ms", "MS", "deadline of a frame; default: 100 ms plus the delay"},
-                                 {"seed", "N", "seed of network and tracker; first seed of a storm", "1"}});
+  options.insert(options.end(), {{"outage", "10s+500ms", "10 s after the start, no packet arrives for 500 ms"},
+                                 {"restart", "10s+2s", "at 10 s the server stops, and restarts 2 s later"},
+                                 {"tracker-lost", "10s+2s", "at 10 s the tracker stops, and resumes 2 s later"},
+                                 {"glitch", "10s+4ms:MM", "at 10 s the device's position is MM mm off for 4 ms"},
+                                 {"clock-step", "10s+2s:60ms", "at 10 s the station's clock is 60 ms ahead for 2 s"},
+                                 {"deadline-ms", "MS", "a frame's latest arrival after capture [100 + delay]"},
+                                 {"seed", "N", "seed of network, tracker; first seed of a storm", "1"}});
   return options;
 }
 

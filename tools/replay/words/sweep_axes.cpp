@@ -61,7 +61,7 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-/// The numbers between the separators; nullopt if one is none.
+/// The numbers between the separators; nullopt if one of the parts is not a number.
 std::optional<std::vector<double>> numbers(std::string_view text, char separator) {
   std::vector<double> values;
   for (std::string_view rest = text; values.size() <= kMostValues;) {
@@ -98,7 +98,9 @@ Result<SweepAxis> parse_axis(std::string_view word) {
   if (!values || values->size() > kMostValues)
     return refused(word, "is not 1 to 1000 numbers, or its STEP is not above 0, or TO is below FROM");
   if (std::any_of(values->begin(), values->end(), [&](double value) { return value < 0.0 || value > axis->most; }))
-    return refused(word, "has a value out of range");
+    return refused(word,
+                   "has a value out of range: delay and jitter take 0 to 60000 ms, loss and reorder 0 to 100 %, "
+                   "burst 0 to 10000 packets, rate 0 to 1e8 kbit/s, seed 0 to 1e15");
   return SweepAxis{.name = axis->name, .unit = axis->unit, .values = *values, .set = axis->set};
 }
 
@@ -110,7 +112,7 @@ Result<std::vector<SweepAxis>> parse_axes(const std::vector<std::string>& words)
     Result<SweepAxis> axis = parse_axis(word);
     if (!axis) return axis.error();
     if (std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& other) { return other.name == axis->name; }))
-      return refused(word, "gives an axis twice");
+      return refused(word, "names an axis that an earlier value of --sweep names");
     axes.push_back(std::move(*axis));
   }
   return axes;
@@ -121,7 +123,9 @@ Result<std::vector<SweepCell>> sweep_cells(const std::vector<SweepAxis>& axes, c
   std::vector<SweepCell> cells{{.values = {}, .scenario = base}};
   for (const SweepAxis& axis : axes) {
     if (cells.size() * axis.values.size() > kMostCells)
-      return Error{.what = "more than 4096 combinations of values", .where = "--sweep", .fix = "give fewer values"};
+      return Error{.what = "the axes have more than 4096 combinations of values",
+                   .where = "--sweep",
+                   .fix = "give fewer values"};
     std::vector<SweepCell> more;
     for (const SweepCell& cell : cells)
       for (const double value : axis.values) {

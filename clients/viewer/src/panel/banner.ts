@@ -37,7 +37,7 @@ export function bannerFor(health: Health): Banner | undefined {
   if (!health.connected) {
     const wait = health.retryIn_ms === undefined ? 'Connecting…' : `Trying again in ${seconds(health.retryIn_ms)}.`;
     return health.everConnected
-        ? {level: 'alarm', title: 'Disconnected', text: `${wait} The picture is old.`}
+        ? {level: 'alarm', title: 'Disconnected', text: `${wait} The picture is the last one received.`}
         : {level: 'wait', title: 'Connecting to the patient’s site', text: wait};
   }
   if (health.phase === Phase.Faulted && isRecent(health.station_ms))
@@ -49,9 +49,9 @@ export function bannerFor(health: Health): Banner | undefined {
       text: 'This computer’s graphics stopped. The picture restarts by itself; if not, reload the page. The readings continue.',
     };
   if (health.capture?.state === CaptureState.Lost)
-    return {level: 'alarm', title: 'Camera lost', text: health.capture.detail || 'The server keeps trying.'};
+    return {level: 'alarm', title: 'Camera lost', text: health.capture.detail || 'The server keeps trying to open the camera.'};
   if (health.picture_ms === undefined && health.capture?.source.startsWith('session:'))
-    return {level: 'wait', title: 'No picture', text: 'The played session has given no depth image yet. A session of telepalp-replay has none.'};
+    return {level: 'wait', title: 'No picture', text: 'The played session has given no depth image yet. A session of telepalp-replay contains none.'};
   if (health.picture_ms === undefined)
     return {level: 'wait', title: 'Waiting for the camera', text: health.capture?.detail || 'No depth image yet.'};
   if (health.capture?.state === CaptureState.Ended)
@@ -60,7 +60,7 @@ export function bannerFor(health: Health): Banner | undefined {
     return {
       level: 'warn',
       title: 'The device is warm',
-      text: `In ${health.yields_s.toFixed(1)} s its force falls, and the hand sinks in deeper. Press less, or let go.`,
+      text: `In ${health.yields_s.toFixed(1)} s the device gives less force, and the hand sinks in deeper. Press less, or let go.`,
     };
   if (health.paused) return {level: 'wait', title: 'Paused', text: 'The played session is stopped at this moment.'};
   const age_ms = health.account === undefined ? health.picture_ms : total_ms(health.account);
@@ -72,7 +72,7 @@ export function bannerFor(health: Health): Banner | undefined {
       text: health.surface_ms === undefined ? '' : `The surface is ${seconds(health.surface_ms)} old.`,
     };
   if (health.station_ms !== undefined && health.station_ms > STALE_MS)
-    return {level: 'warn', title: 'Station silent', text: `No message for ${seconds(health.station_ms)}.`};
+    return {level: 'warn', title: 'Station silent', text: `The station has sent no message for ${seconds(health.station_ms)}.`};
   if (health.late_ms !== undefined && health.late_ms > LATE_MS)
     return {
       level: 'warn',

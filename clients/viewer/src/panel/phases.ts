@@ -27,5 +27,5 @@ const NOT_KNOWN: PhaseLook = {name: '–', tone: 'quiet', says: 'the station’s
  */
 export function lookOf(phase: Phase | undefined): PhaseLook {
   if (phase === undefined) return NOT_KNOWN;
-  return LOOKS[phase] ?? {name: `State ${Number(phase)}`, tone: 'quiet', says: 'a state that this viewer does not know'};
+  return LOOKS[phase] ?? {name: `State ${Number(phase)}`, tone: 'quiet', says: 'the station is newer than this page'};
 }

@@ -24,7 +24,7 @@ export function presenceRows({stats, touching, holder, me}: Presence): Row[] {
             level: touches ? 'good' : undefined};
   });
   if (touching !== 0 && !others.some(({sender}) => sender === touching))
-    rows.unshift({name: 'Recorded station', value: 'played', says: 'The session holds its messages.'});
+    rows.unshift({name: 'Recorded station', value: 'played', says: 'The played session contains this station’s messages.'});
   rows.push({
     name: browsers.length === 1 ? 'Browser' : `Browsers: ${browsers.length}`,
     value: browsers.length === 1 ? 'you' : 'you among them',

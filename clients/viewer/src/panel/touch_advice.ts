@@ -33,8 +33,8 @@ export function touchAdvice(health: TouchHealth): Banner | undefined {
     };
   if (handShown !== false) return placementAdvice(health) ?? motionAdvice(health);
   return holdsHand
-      ? {level: 'wait', title: 'Touch', text: 'Move the pointer over the skin; hold the button down to push in.'}
-      : {level: 'wait', title: 'No hand', text: 'Press Touch (T) to hold the hand in this browser, if the station runs with --tracker browser.'};
+      ? {level: 'wait', title: 'Touch', text: 'Move the pointer over the skin; hold the left button, or a finger, down to push in.'}
+      : {level: 'wait', title: 'No hand', text: 'The tracker sees no hand. Press Touch (T) to hold it here, if the station runs with --tracker browser.'};
 }
 
 /** Says that the patient's motion does not fit the station's prediction; undefined while it fits. */

@@ -33,7 +33,7 @@ export const SLIDERS: readonly NetworkSlider[] = [
   {field: 'delay_ms', name: 'Delay', unit: 'ms', values: steps(600, 5)},
   {field: 'jitter_ms', name: 'Jitter', unit: 'ms', values: steps(200, 2)},
   {field: 'loss_percent', name: 'Loss', unit: '%', values: steps(30, 0.5)},
-  {field: 'burst_packets', name: 'Burst', unit: 'packets', values: steps(20, 1, 1)},
+  {field: 'burst_packets', name: 'Loss burst', unit: 'packets', values: steps(20, 1, 1)},
   {field: 'rate_Mbit_per_s', name: 'Rate', unit: 'Mbit/s', values: [0.5, 1, 2, 5, 10, 15, 20, 30, 40, 50, 60, 100, 200, 1000, 0]},
 ];
 
@@ -83,11 +83,11 @@ export function networkRows(state: NetworkState): Row[] {
     effect,
     {name: 'Packets', value: `${packets_sent}, ${share(packets_lost, packets_sent)} lost`,
      says: 'Packets sent since these settings last changed, and the share lost on the way or in a full queue'},
-    {name: 'Images', value: `${images_arrived} of ${images} arrived`, says: 'Depth images'},
+    {name: 'Images', value: `${images_arrived} of ${images} arrived`, says: 'Depth images since these settings last changed'},
     {name: 'too late', value: String(images_late), part: true, says: 'Complete only after a newer one, so dropped'},
     {name: 'lost', value: String(images_lost), part: true,
      says: 'Incomplete, replaced by a newer one before sending, or predicted from an image that is missing'},
-    {name: 'Image delay', value: `${state.image_delay_ms.toFixed(0)} ms`, says: 'In the network, of the newest depth image'},
+    {name: 'Image delay', value: `${state.image_delay_ms.toFixed(0)} ms`, says: 'Time of the newest depth image in the network'},
   ];
 }
 

@@ -65,11 +65,11 @@ export class CalibrationCard {
     const fit = fitOffset(this.touches);
     this.places.show(placeRows(fit));
     this.fit.show(fitRows(fit));
-    setText(this.button, `Take place ${this.taken + 1}`);
+    setText(this.button, `Measure place ${this.taken + 1}`);
     this.button.disabled = this.taking || this.taken === MOST_PLACES;
     this.again.disabled = this.taken === 0 && !this.taking;
     this.save.disabled = fit === undefined;
     setText(element('calibration-verdict'), verdict(fit));
-    if (!this.taking) setText(element('calibration-said'), this.taken === 0 ? '' : `${this.taken} taken.`);
+    if (!this.taking) setText(element('calibration-said'), this.taken === 0 ? '' : `Places measured: ${this.taken}.`);
   }
 }

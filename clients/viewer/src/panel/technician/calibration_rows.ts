@@ -25,8 +25,8 @@ export function fitRows(fit: OffsetFit | undefined): Row[] {
     {name: 'Translation', value: point(fit.translation), says: 'Device p0 − R · hand p0: the rows above'},
     {name: 'Residual', value: `${mm(fit.rms_m)} RMS`, level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',
      says: 'Distance between R · hand + translation and the end-effector, over all pairs'},
-    {name: 'Largest', value: mm(fit.largest_m), level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',
-     says: `The station refuses more than ${mm(MOST_MOVED_M)}`},
+    {name: 'Largest residual', value: mm(fit.largest_m), level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',
+     says: `telepalp-station calibrate refuses more than ${mm(MOST_MOVED_M)}`},
   ];
 }
 
@@ -34,10 +34,10 @@ export function fitRows(fit: OffsetFit | undefined): Row[] {
 export function verdict(fit: OffsetFit | undefined): string {
   if (fit === undefined) return `At least ${LEAST_TOUCHES} pairs are needed.`;
   const moved = fit.places.find(({moved_m}) => moved_m > MOST_MOVED_M);
-  if (moved !== undefined) return `The hand moved at place ${moved.place}: begin again.`;
+  if (moved !== undefined) return `The hand moved at place ${moved.place}: press Begin again.`;
   if (fit.largest_m > MOST_MOVED_M)
-    return 'The places disagree: the tracker is turned otherwise than S1 eq. (4) assumes. Save the pairs, and use the second command.';
+    return 'The places disagree: the tracker is turned otherwise than S1 eq. (4) assumes. Save the pairs, and run the second command of step 4.';
   if (fit.places.length < 3)
-    return 'Good so far. Take three places that are 5 cm apart: one place does not show that the tracker is turned.';
+    return 'Good so far. Measure three places 5 cm apart: one place does not show that the tracker is turned.';
   return 'Good: the places agree.';
 }

@@ -23,5 +23,5 @@ export function momentSays({at_s, a, b, apart_N}: ComparedRuns, moment_s: number
   if (bin < 0 || bin >= at_s.length) return '';
   const run = (name: string, {force_N, indentation_mm, phase}: typeof a) =>
     `${name} ${newtons(force_N[bin])}, ${(indentation_mm[bin] ?? 0).toFixed(0)} mm, ${phase[bin] ? lookOf(phase[bin]).name : 'no state'}`;
-  return `${clock(at_s[bin] ?? 0)}: ${run('A', a)}; ${run('B', b)}; vectors differ by ${newtons(apart_N[bin])}`;
+  return `${clock(at_s[bin] ?? 0)}: ${run('A', a)}; ${run('B', b)}; the force vectors differ by ${newtons(apart_N[bin])}`;
 }
