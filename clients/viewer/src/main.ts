@@ -87,9 +87,9 @@ const read = () => {
 view.onDraw = () => {
   drawing = coming ?? drawing;
   coming = undefined;
-  link.ask('instant');  // so that the next picture is decoded while this one is drawn
 };
 view.onShown = () => {
+  if (coming === undefined) link.ask('instant');  // so that the next picture is decoded while this one comes to the screen
   if (drawing === undefined) return;
   state.shown(drawing, now_ms());
   readouts.addTrail(drawing.trail);
