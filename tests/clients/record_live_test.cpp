@@ -114,6 +114,24 @@ TEST_F(LiveRecorder, ALatchedMessageOfAnHourAgoDoesNotMakeTheSessionAnHourLong) 
   }
 }
 
+TEST_F(LiveRecorder, AFirstMessageOfAnHourAgoDoesNotMakeTheSessionAnHourLong) {
+  Server server;
+  const SessionTime hour_ago = session_time(kStart_ns - 3'600'000'000'000);
+  server.publish(wire::make_message(wire::kStationInside, hour_ago, msg::InnerStructures()));
+  const auto recorder = start(server, {"--topics", "/station/*"});
+  for (int i = 0; i < 100; ++i) {
+    const SessionTime now = session_time(kStart_ns + std::int64_t{i} * 10'000'000);
+    server.publish(wire::make_message(wire::kStationState, now, msg::StationState()));
+    std::this_thread::sleep_for(1ms);
+  }
+  EXPECT_EQ(end(*recorder), 0) << log();
+  auto reader = wire::McapReader::open(session());
+  ASSERT_TRUE(reader);
+  const wire::mcap::Statistics& statistics = reader->summary().statistics;
+  EXPECT_LT(statistics.message_end_time - statistics.message_start_time, 10'000'000'000u);
+  EXPECT_EQ(reader->summary().channels.all().size(), 2u) << "inside and state";
+}
+
 TEST_F(LiveRecorder, ASplitBySizeKeepsFilesNearThatSize) {
   Server server;
   const auto recorder = start(server, {"--split", "100kB", "--topics", "/station/*"});

@@ -86,8 +86,29 @@ Result<void> SessionFiles::end_part(const wire::mcap::Metadata* notes) {
   return done ? closed : done;
 }
 
+/// To a new subscriber the server first sends the last message of each latched topic, which may be an hour old.
+bool SessionFiles::tells_now(const wire::Message& message) const {
+  return !wire::is_latched(message.topic.name) ||
+         std::ranges::any_of(*held_back_, [&](const auto& one) { return one.topic.name == message.topic.name; });
+}
+
 void SessionFiles::write(const wire::Message& published) {
-  // To a new subscriber the server sends the last message of each latched topic, which may be an hour old.
+  if (held_back_ && !tells_now(published)) return held_back_->push_back(published);
+  if (held_back_) {
+    newest_ = published.published;
+    put_held_back();
+  }
+  put(published);
+}
+
+void SessionFiles::put_held_back() {
+  if (!held_back_) return;
+  const std::vector<wire::Message> messages = std::move(*held_back_);
+  held_back_.reset();
+  for (const wire::Message& message : messages) put(message);
+}
+
+void SessionFiles::put(const wire::Message& published) {
   const wire::Message message = wire::is_latched(published.topic.name) ? as_of(newest_, published) : published;
   newest_ = std::max(newest_, message.published);
   has_depth_ = has_depth_ || message.topic.name == wire::kCameraDepth.name;
@@ -138,6 +159,7 @@ void SessionFiles::remove_old_parts(SessionTime now) {
 }
 
 void SessionFiles::flush() {
+  put_held_back();
   if (!writer_) return;
   if (const Result<void> flushed = writer_->flush(); !flushed) fail(flushed.error());
 }
@@ -165,6 +187,7 @@ bool SessionFiles::may_try_again() const {
 }
 
 Result<void> SessionFiles::close(const wire::mcap::Metadata& notes) {
+  put_held_back();
   if (writer_)
     if (const Result<void> ended = end_part(&notes); !ended && !failed_) failed_ = ended.error();
   remove_old_parts(newest_);

@@ -72,6 +72,9 @@ class SessionFiles {
   [[nodiscard]] std::filesystem::path next_name();
   [[nodiscard]] Result<void> begin_part();
   [[nodiscard]] Result<void> end_part(const wire::mcap::Metadata* notes);
+  [[nodiscard]] bool tells_now(const wire::Message& message) const;
+  void put(const wire::Message& published);
+  void put_held_back();
   [[nodiscard]] bool is_full(const wire::Message& message) const;
   void go_on_in_new_part(const wire::Message& message);
   void remove_old_parts(SessionTime now);
@@ -83,6 +86,8 @@ class SessionFiles {
   std::optional<wire::McapWriter> writer_;  // nullopt: the disk has failed
   std::deque<Part> parts_;                  // completed
   std::map<std::string_view, wire::Message> latched_;
+  /// The first messages, all of latched topics, until another one tells what time it is now. nullopt: one did.
+  std::optional<std::vector<wire::Message>> held_back_{std::in_place};
   int part_number_ = 0;
   std::uint64_t messages_ = 0;
   std::uint64_t offered_to_part_ = 0;  // messages given to the part; those of its last chunk are lost if the disk fails

@@ -180,8 +180,8 @@ Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
   const auto layer =
       std::ranges::find_if(scene.layers, [&](const auto& one) { return name.empty() || one.solid->name == name; });
   if (layer == scene.layers.end())
-    return Error{.what = "no layer '" + name + "' in the scene",
-                 .where = "--layer",
+    return Error{.what = name.empty() ? "the scene has no solid" : "no layer '" + name + "' in the scene",
+                 .where = name.empty() ? "SCENE" : "--layer",
                  .fix =
                      "give the name of a solid of the scene; telepalp-station scene check SCENE lists all effects, "
                      "solids by their names"};

@@ -97,6 +97,12 @@ TEST(ReplayCell, TheHandFeelsTheSkinAndTheDelay) {
   EXPECT_NEAR(last(ran).network_p50_s - unimpaired.network_p50_s, 0.15, 0.04);
 }
 
+TEST(ReplayCell, FramesOfALongPathAreStillKnownWhenTheyArrive) {
+  const Figures figures = last(run(network(4s), 7.0));
+  EXPECT_GT(figures.frames, 50.0);
+  EXPECT_GT(figures.frames_touched_pct, 90.0);
+}
+
 TEST(ReplayCell, RepairsLossesAndCountsTheBytesOfTheRepairs) {
   const Ran ran = run(network(20ms, 0.05), 4.0);
   EXPECT_GT(last(ran).datagrams_lost, 100.0);

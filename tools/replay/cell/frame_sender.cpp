@@ -7,7 +7,8 @@
 namespace telepalp::replay {
 namespace {
 
-constexpr std::size_t kMostSent = 90;  // three seconds: no frame arrives later
+/// Beyond the delay of the path, no frame arrives later than this after its capture.
+constexpr Nanoseconds kLatest = std::chrono::seconds(3);
 
 std::vector<std::byte> bytes_of(const std::string& text) {
   const auto bytes = std::as_bytes(std::span(text));
@@ -17,7 +18,10 @@ std::vector<std::byte> bytes_of(const std::string& text) {
 }  // namespace
 
 FrameSender::FrameSender(const Scenario& scenario, const TapeSettings& tape)
-    : scenario_(scenario), tape_(tape), encoder_(tape.depth) {}
+    : scenario_(scenario),
+      tape_(tape),
+      encoder_(tape.depth),
+      keeps_(kLatest + scenario.down.delay + scenario.down.jitter + scenario.down.reorder_by) {}
 
 /// A server that is away captures nothing, and begins with a key frame afterwards.
 void FrameSender::step(SessionTime now, CameraPath& path, Stopwatch& watch) {
@@ -50,8 +54,8 @@ void FrameSender::offer(const std::shared_ptr<const TapeFrame>& frame, CameraPat
   offered_.push_back(frame->frame.captured);
   offered_B_ += depth.size() + frame->color.size();
   sent_.emplace(frame->number, frame);
-  if (sent_.size() > kMostSent) sent_.erase(sent_.begin());
   const SessionTime captured = frame->frame.captured;
+  while (captured - sent_.begin()->second->frame.captured > keeps_) sent_.erase(sent_.begin());
   // A replaced frame was never sent, so no later frame may be predicted from it.
   if (path.offer({.channel = kDepthChannel,
                   .number = frame->number,

@@ -48,17 +48,23 @@ std::string windows_in_words(const std::vector<Window>& windows) {
   return text;
 }
 
+std::string direction_in_words(const impaired::Impairment& path) {
+  std::string text = number(to_milliseconds(path.delay)) + " ms delay one way";
+  if (path.jitter > Nanoseconds{0}) text += " ± " + number(to_milliseconds(path.jitter)) + " ms";
+  if (path.loss > 0.0)
+    text +=
+        ", " + number(100.0 * path.loss) + " % lost in bursts of " + number(path.burst_packets) + " packets on average";
+  if (path.reorder > 0.0) text += ", " + number(100.0 * path.reorder) + " % reordered";
+  if (path.rate_B_per_s > 0.0) text += ", " + number(path.rate_B_per_s / 125.0) + " kbit/s at most";
+  return text;
+}
+
 }  // namespace
 
 std::string in_words(const Scenario& scenario) {
-  const impaired::Impairment& down = scenario.down;
-  std::string text = number(to_milliseconds(down.delay)) + " ms delay one way";
-  if (down.jitter > Nanoseconds{0}) text += " ± " + number(to_milliseconds(down.jitter)) + " ms";
-  if (down.loss > 0.0)
-    text +=
-        ", " + number(100.0 * down.loss) + " % lost in bursts of " + number(down.burst_packets) + " packets on average";
-  if (down.reorder > 0.0) text += ", " + number(100.0 * down.reorder) + " % reordered";
-  if (down.rate_B_per_s > 0.0) text += ", " + number(down.rate_B_per_s / 125.0) + " kbit/s at most";
+  std::string text = direction_in_words(scenario.down);
+  if (const std::string up = direction_in_words(scenario.up); up != text)
+    text += "; from the station to the server: " + up;
   const Faults& faults = scenario.faults;
   if (!faults.outages.empty()) text += ", outage " + windows_in_words(faults.outages);
   if (!faults.restarts.empty()) text += ", server off " + windows_in_words(faults.restarts);

@@ -34,8 +34,9 @@ class Findings {
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
   void print_ledgers() const {
     const auto print = [](const char* what, const std::pair<double, std::uint64_t>& worst, const char* end) {
-      std::printf("%s: %.1f mJ (seed %llu)%s", what, 1e3 * worst.first, static_cast<unsigned long long>(worst.second),
-                  end);
+      std::printf("%s: %.1f mJ", what, 1e3 * worst.first);
+      if (worst.first != 0.0) std::printf(" (seed %llu)", static_cast<unsigned long long>(worst.second));
+      std::printf("%s", end);
     };
     print(
         "lowest energy balance of the display (energy taken from the hand less energy stored; below 0: it created "
@@ -54,7 +55,8 @@ class Findings {
  private:
   void sum_up(std::uint64_t seed, const StormOutcome& outcome) {
     seconds_ += outcome.seconds;
-    least_passivity_J_ = std::min(least_passivity_J_, {outcome.ledgers.least_passivity_J, seed});
+    if (outcome.ledgers.least_passivity_J < least_passivity_J_.first)
+      least_passivity_J_ = {outcome.ledgers.least_passivity_J, seed};
     if (outcome.ledgers.most_excess_J > most_excess_J_.first) most_excess_J_ = {outcome.ledgers.most_excess_J, seed};
     if (outcome.ledgers.most_gained_J > most_gained_J_.first) most_gained_J_ = {outcome.ledgers.most_gained_J, seed};
   }
