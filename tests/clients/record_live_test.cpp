@@ -16,6 +16,7 @@
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "messages/inside.pb.h"
+#include "messages/station.pb.h"
 #include "proto/wire/mcap/reader.h"
 #include "tests/clients/recorder_stage.h"
 
