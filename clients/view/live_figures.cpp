@@ -50,7 +50,7 @@ std::string in_table(const std::vector<LiveFigures::Topic>& topics, double clock
     text += line;
   }
   std::snprintf(line, sizeof line,
-                "age: from publication to arrival; error at most %.2f ms (bound of the session clock). missed: "
+                "age: from publication to arrival; its error is at most %.2f ms, that of the session clock. missed: "
                 "published, but not received\n",
                 clock_uncertainty_ms);
   return text + line;

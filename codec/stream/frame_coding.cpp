@@ -75,7 +75,7 @@ CodedFrame code_bounded(const DepthImage& depth, const LevelPalette& palette, Re
 Result<DecodedFrame> read_frame(const Packet& packet, const Reference& reference) {
   const PacketHeader& header = packet.header;
   if (header.coding == Coding::Stored && packet.body.size() != header.pixels() * sizeof(std::uint16_t))
-    return damaged("it does not hold as many samples as its header declares");
+    return damaged("it does not hold as many pixels as its header declares");
   DecodedFrame frame{.depth = {.width = header.width,
                                .height = header.height,
                                .unit_m = header.unit_m,
@@ -83,7 +83,7 @@ Result<DecodedFrame> read_frame(const Packet& packet, const Reference& reference
                      .palette = std::nullopt};
   if (!decode_body(packet, reference, frame)) return damaged("its compressed samples are damaged");
   if (frame_crc(header, frame.depth.samples) != header.crc)
-    return damaged("its decoded samples do not match its checksum");
+    return damaged("its decoded pixels do not match its checksum");
   return frame;
 }
 

@@ -45,7 +45,8 @@ std::vector<CompressionSample> under_hand(std::span<const CompressionSample> tes
 
 Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
   if (samples.size() < 4 || samples.size() > kMostSamples)
-    return Error{.what = "the test has " + std::to_string(samples.size()) + " samples",
+    return Error{.what = std::to_string(samples.size()) +
+                         (samples.size() < 4 ? " samples are too few" : " samples are too many"),
                  .where = "compression test",
                  .fix = kHowMany};
   const auto rows = static_cast<Eigen::Index>(samples.size());

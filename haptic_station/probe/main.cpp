@@ -52,13 +52,14 @@ program::Usage path_usage() {
                        .positional = "",
                        .options = surface_options(),
                        .example = "telepalp-probe path --cloud torso.pcd --out path.csv"};
-  usage.options.insert(usage.options.end(),
-                       {{"at", "X,Y,Z", "first spot, in metres, in the cloud's frame; default: the cloud's middle"},
-                        {"spots", "N", "number of spots to press", "5"},
-                        {"depth-mm", "MM", "depth of each press below the surface", "10"},
-                        {"speed-mm-s", "MM/S", "speed along the path", "100"},
-                        {"rate-hz", "HZ", "waypoints per second of the path", "2000"},
-                        {"out", "FILE", "CSV to write, with columns t_s,x,y,z"}});
+  usage.options.insert(
+      usage.options.end(),
+      {{"at", "X,Y,Z", "first spot to press, in metres, in the cloud's frame; default: the cloud's middle"},
+       {"spots", "N", "number of spots to press", "5"},
+       {"depth-mm", "MM", "depth of each press below the surface", "10"},
+       {"speed-mm-s", "MM/S", "speed along the path", "100"},
+       {"rate-hz", "HZ", "waypoints per second of the path", "2000"},
+       {"out", "FILE", "CSV to write, with columns t_s,x,y,z"}});
   return usage;
 }
 

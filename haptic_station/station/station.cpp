@@ -174,7 +174,7 @@ void Station::stop(const std::string& reason) {
 
 void Station::give_up(const Error& error) {
   if (!failure_) failure_ = error;
-  stop("the station failed");
+  stop("the station cannot go on: " + error.what);
 }
 
 /// Ends the station because no surface came within the operator's time limit.

@@ -80,7 +80,7 @@ Result<Trace> parse_trace(std::string_view text, std::string_view where) {
   for (std::size_t line = 2; !text.empty(); ++line) {
     Figures figures{};
     if (!parse_figures(take_line(text), figures))
-      return wrong(line, {"this is not five numbers from 0 to 1000000", rows});
+      return wrong(line, {"the line is not five numbers from 0 to 1000000", rows});
     const TraceRow row = row_of(figures);
     if (const std::optional<Wrong> that = wrong_with(trace, row)) return wrong(line, *that);
     trace.push_back(row);

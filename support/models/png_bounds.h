@@ -35,7 +35,8 @@ inline void check_png_bytes(png_structp png, png_infop info, PngBounds& bounds, 
                                          : png_get_current_row_number(png) >= png_get_image_height(png, info);
   if (!after_last_row) return;
   bounds.bytes_after_last_row += count;
-  if (bounds.bytes_after_last_row > kMostBytes) png_error(png, "the file holds more data than its rows need");
+  if (bounds.bytes_after_last_row > kMostBytes)
+    png_error(png, "the file holds more data than the rows that its header declares");
 }
 
 }  // namespace telepalp::models

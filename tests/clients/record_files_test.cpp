@@ -170,7 +170,7 @@ TEST_F(Files, VerifyNamesMessagesThatAreNotOfTheirType) {
   ASSERT_TRUE(facts);
   EXPECT_EQ(topic(*facts, "/station/state").unreadable, 1u);
   ASSERT_EQ(facts->damages_in_all, 1u);
-  EXPECT_EQ(facts->damages[0], "/station/state: 1 messages cannot be read as telepalp.msg.StationState");
+  EXPECT_EQ(facts->damages[0], "/station/state: 1 messages are damaged, or not of the type telepalp.msg.StationState");
 }
 
 TEST_F(Files, AnUnknownSchemaAndAnotherVersionOfOursAreNotesAndNoDamage) {

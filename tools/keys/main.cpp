@@ -28,7 +28,7 @@ program::Usage usage() {
                        .repeatable = true},
                       {"days", "N", "days of validity; default: authority 3650, keys 365, tokens 30"}},
           .example = "telepalp-keys authority && telepalp-keys server --host 10.0.0.5",
-          .commands = {{"authority", "", "make a folder with a new authority"},
+          .commands = {{"authority", "", "make a folder with a new certificate authority"},
                        {"server", "", "a key for telepalp-server --key; needs --host"},
                        {"client", "", "a key for a person's programs; needs --name and --role"},
                        {"token", "", "a token to sign in with a browser; needs --name and --role"},

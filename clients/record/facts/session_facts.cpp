@@ -61,8 +61,8 @@ Result<void> read_messages(const std::filesystem::path& file, SessionFacts& fact
   survey.finish(facts);
   for (const SessionFacts::Topic& topic : facts.topics)
     if (topic.unreadable > 0)
-      note_damage(facts,
-                  topic.name + ": " + std::to_string(topic.unreadable) + " messages cannot be read as " + topic.type);
+      note_damage(facts, topic.name + ": " + std::to_string(topic.unreadable) +
+                             " messages are damaged, or not of the type " + topic.type);
   return {};
 }
 

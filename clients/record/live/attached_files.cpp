@@ -21,8 +21,9 @@ std::string media_type(const std::filesystem::path& file) {
 
 Result<wire::mcap::Attachment> attach(const std::filesystem::path& file) {
   const auto unreadable = [&file](const std::string& why) {
-    return Error{
-        .what = "cannot be attached: " + why, .where = file.string(), .fix = "check the path and your permissions"};
+    return Error{.what = "cannot be attached to the session: " + why,
+                 .where = file.string(),
+                 .fix = "check the path and your permissions"};
   };
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(file, code);

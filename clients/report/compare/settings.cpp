@@ -86,7 +86,7 @@ std::vector<Setting> settings_of(const Run& a, const Run& b) {
       {"network", replay_text(a, &ReplayFacts::network), replay_text(b, &ReplayFacts::network)},
       {"software", software(a), software(b)},
       {"source", source_of(a.session), source_of(b.session)},
-      {"recorded server or file", a.session.origin, b.session.origin},
+      {"recorded from (server or file)", a.session.origin, b.session.origin},
       {"scene", scene_words(a, b), scene_words(b, a)},
       {"effects", effects_words(a.session), effects_words(b.session)},
       {"hand of the replay", replay_text(a, &ReplayFacts::hand), replay_text(b, &ReplayFacts::hand)},

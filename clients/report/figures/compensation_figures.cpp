@@ -49,7 +49,7 @@ void add_objects(const Session& session, std::vector<Chart>& charts) {
         {over_object(session, at, "moved up", plot::kBlue, [](Object o) { return o.moved().y() * 1e3; }),
          over_object(session, at, "moved sideways", plot::kVermilion,
                      [](Object o) { return std::hypot(o.moved().x(), o.moved().z()) * 1e3; }),
-         over_object(session, at, "uncertainty along the skin, 1 sigma", plot::kGrey,
+         over_object(session, at, "uncertainty of the place along the skin, 1 sigma", plot::kGrey,
                      [](Object o) { return o.sigma_slide_m() * 1e3; }),
          over_object(session, at, "0: follows the skin, -1: sideways motion not seen, -2: skin not seen", plot::kBlack,
                      [](Object o) { return o.unseen()         ? -2.0

@@ -21,7 +21,7 @@ Check depth_check(const Summary& s) {
   const wire::DepthFidelity& depth = s.depth;
   const bool known = s.ticks > 0 && (depth.moved || !depth.mode.empty());
   const std::string meaning =
-      "the touched depth is " + wire::in_words(depth) + ": near-lossless depth is for display only";
+      "the touched depth is " + wire::in_words(depth) + ": near-lossless depth is for looking at, not for touching";
   if (depth.moved && !depth.within)
     return {"depth is near-lossless, bound not stated (1: yes, 0: no)", known ? 1.0 : kUnknown, 0.0, "", true, meaning};
   const double off_mm = depth.within ? wire::at_1_m_mm(*depth.within) : 0.0;
@@ -129,11 +129,11 @@ std::string account_of(const Summary& s) {
 
 std::string senders_warning(const Summary& s) {
   if (s.senders.size() < 2) return "";
-  std::string text = std::to_string(s.senders.size()) + " senders published as a station:";
+  std::string text = std::to_string(s.senders.size()) + " programs published as the station:";
   for (const SenderSummary& sender : s.senders)
     text += (&sender == &s.senders.front() ? " " : ", ") + in_words(sender) + " (" + std::to_string(sender.ticks) +
             " ticks, " + std::to_string(sender.states) + " states)";
-  return text + "; the figures are those of the first sender, and the others may be forged. ";
+  return text + "; the figures are those of the first, and the others may be forged. ";
 }
 
 std::string headline_of(const std::vector<Check>& checks, bool judged) {
@@ -170,8 +170,7 @@ Verdict judge(const Summary& summary) {
   verdict.good = judged;
   for (const Check& check : verdict.checks) verdict.good = verdict.good && check.standing() != Standing::Misses;
   verdict.good = verdict.good && summary.senders.size() < 2;
-  const std::string warning = senders_warning(summary);
-  verdict.headline = (warning.empty() ? "" : "Check the senders: " + warning) + headline_of(verdict.checks, judged);
+  verdict.headline = senders_warning(summary) + headline_of(verdict.checks, judged);
   verdict.account = account_of(summary);
   return verdict;
 }

@@ -156,7 +156,7 @@ std::string shortest(double value) {
 }  // namespace
 
 Result<std::shared_ptr<const DistanceLattice>> no_meshes(const std::string& file, double, double) {
-  return Error{.what = "a mesh file cannot be used in this text",
+  return Error{.what = "a solid that is described in Polish notation cannot be read from a mesh file here",
                .where = file,
                .fix = "describe the solid by shapes such as sphere and capsule"};
 }

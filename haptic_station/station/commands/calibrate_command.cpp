@@ -39,7 +39,7 @@ program::Usage usage() {
             "for 'probe': pose of the hand in the probe's frame: metres, and a rotation vector in radians",
             "0,0,0,0,0,0"}},
       .example = "telepalp-station calibrate points --pairs pairs.csv --from camera --out site.calibration.textproto",
-      .commands = {{"points", "", "tracker or camera to device, from pairs of points (--pairs)"},
+      .commands = {{"points", "", "find the pose of tracker or camera, from pairs of points (--pairs)"},
                    {"offset", "",
                     "tracker to device, from a hand that rests on the end-effector, now or earlier (--pairs)"},
                    {"probe", "", "tracker to device, from poses of a hand on a probe (--poses)"}},

@@ -87,7 +87,8 @@ std::vector<LegendLine> legend_of(const scenes::Scene& scene, const std::vector<
     friction = friction || effect.has_friction();
     if (effect.has_skin() && !effect.skin().tissue().empty()) tissue = " of " + effect.skin().tissue();
   }
-  lines.push_back({kSkin, "skin" + tissue + (friction ? " with friction" : "") + (is_model ? "" : ", drawn flat")});
+  lines.push_back({kSkin, "skin" + tissue + (friction ? " with friction" : "") +
+                              (is_model ? "" : " (drawn flat; its shape comes from the camera)")});
   return lines;
 }
 

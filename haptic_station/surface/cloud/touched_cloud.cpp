@@ -145,7 +145,7 @@ Result<void> settle_open(Settling& cloud, const CloudOrientation& orientation) {
   if (away > 0.9 && !cloud.settings.flip_normals)
     say(cloud.remarks,
         text("the cloud is open and %.0f %% of its normals point away from the origin: if the camera was "
-             "there, give --flip-normals, or flip_normals in a scene",
+             "at the origin, give --flip-normals, or flip_normals in a scene",
              100.0 * away));
   return {};
 }

@@ -131,7 +131,7 @@ TEST(Senders, AForgedStateIsSeparatedAndIsAWarningOnTheFirstLine) {
   const Verdict verdict = judge(s);
   EXPECT_FALSE(verdict.good);
   EXPECT_TRUE(
-      verdict.headline.starts_with("Check the senders: 2 senders published as a station: telepalp-station at "
+      verdict.headline.starts_with("2 programs published as the station: telepalp-station at "
                                    "127.0.0.1:5001 (4000 ticks, 200 states), telepalp-station at "
                                    "127.0.0.1:6660 (0 ticks, 1 states)"))
       << verdict.headline;

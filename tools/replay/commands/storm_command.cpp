@@ -82,9 +82,10 @@ Result<void> print_shrunk(std::uint64_t seed) {
   if (!simplest) return simplest.error();
   const Result<StormOutcome> outcome = run_case(*simplest);
   if (!outcome) return outcome.error();
-  std::printf("seed %llu, reduced to a simpler case: %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
-              outcome->violation ? in_words(*outcome->violation).c_str() : "no check fails when this case runs again",
-              command_line(*simplest).c_str());
+  std::printf(
+      "seed %llu, reduced to a simpler case: %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
+      outcome->violation ? in_words(*outcome->violation).c_str() : "this simpler case passes when it runs again",
+      command_line(*simplest).c_str());
   std::fflush(stdout);  // the next seed takes a while to shrink
   return {};
 }

@@ -20,7 +20,7 @@ export function depthFidelity({format, bound}: Pick<DepthImage, 'format' | 'boun
   const mode = format.slice(0, LONGEST_MODE);
   if (bound === undefined && mode !== MOVING_MODE)
     return {moved: false, mode, howFar: mode === '' ? 'not stated' : 'as measured', more: ''};
-  const more = 'Depth is near-lossless to save bytes: it is for display only.';
+  const more = 'Depth is near-lossless to save bytes: it is for looking at, not for touching.';
   if (bound === undefined || !isCredible(bound.leastM) || !isCredible(bound.perM))
     return {moved: true, mode, howFar: 'off by an unknown amount', more};
   return {
