@@ -110,7 +110,8 @@ void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& l
   for (std::uint32_t n = 0; n <= last; ++n) {
     const auto lawful = static_cast<std::int64_t>(law.level_at(n));
     int symbol = kAbsent;
-    for (; *level != 0 && law.step_of(*level) == n; ++level) {  // encode_steps() codes a second level of this step
+    // encode_steps() codes a second level of this disparity step.
+    for (; *level != 0 && law.step_of(*level) == n; ++level) {
       const std::int64_t miss = *level - lawful;
       if (symbol != kAbsent || miss < -kLargestMiss || miss > kLargestMiss) continue;
       symbol = kOnLaw + static_cast<int>(miss);
@@ -155,9 +156,9 @@ std::uint16_t grain_of(std::span<const std::uint16_t> levels) noexcept {
   return std::max<std::uint16_t>(grain, 1);
 }
 
-/// Range-codes ascending levels that begin with 0, as multiples of their grain. With `by_law`: first the levels that a
-/// DisparityLaw predicts, then the others by steps. Without: all by steps. Returns false, and writes nothing, if no law
-/// fits.
+/// Range-codes ascending levels that begin with 0, as multiples of their grain. With `by_law`: first the levels within
+/// kLargestMiss of a DisparityLaw's prediction, then the others by the steps between levels. Without: all by steps.
+/// Returns false, and writes nothing, if no law fits.
 bool encode_levels(RangeEncoder& coder, std::span<const std::uint16_t> levels, bool by_law) {
   const std::uint16_t grain = grain_of(levels);
   Levels rest(levels.begin(), levels.end());
@@ -178,7 +179,7 @@ bool encode_levels(RangeEncoder& coder, std::span<const std::uint16_t> levels, b
   return true;
 }
 
-/// nullopt: the bytes are damaged, so that a level would exceed 65 535 or occur twice.
+/// nullopt: the bytes are damaged; for example, a level would exceed 65 535 or occur twice.
 std::optional<Levels> decode_levels(RangeDecoder& coder) {
   Model grain_model = kFlatModel;
   const std::uint32_t grain = decode_number(coder, grain_model);

@@ -28,14 +28,13 @@ struct SceneLayer {
   std::uint32_t effect = 0;                          ///< index of this effect in Scene::effects
 };
 
-/// The lattice of an organ effect.
+/// The lattice of signed distances of an organ effect.
 struct SceneOrgan {
   std::shared_ptr<const solids::DistanceLattice> shape;  ///< shared with the organ's effect
   std::uint32_t effect = 0;                              ///< index of this effect in Scene::effects
 };
 
-/// A checked scene in plain values. `message` is the parsed file: it is recorded, and message.surface() selects the
-/// surface settings.
+/// A checked scene in plain values. `message` is the parsed file; its field surface() selects the surface settings.
 struct Scene {
   std::string name;
   Transform<HapticBase, DepthCamera> haptic_from_camera;
@@ -44,7 +43,7 @@ struct Scene {
   effects::EffectBank effects;
   std::vector<SceneLayer> layers;  ///< of the solid effects, for pictures and meshes
   std::vector<SceneOrgan> organs;  ///< of the organ effects, for pictures
-  std::optional<Probe> probe;      ///< nullopt: the tool is the hand
+  std::optional<Probe> probe;      ///< nullopt: the hand holds no probe
   control::ControlSettings control;
   device::SimulatedDeviceSettings simulated_device;
   device::SimulatedHandSettings simulated_hand;

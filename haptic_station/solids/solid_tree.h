@@ -30,7 +30,7 @@ enum class Exactness : std::uint8_t { Everywhere, Outside, Bound };
 struct SolidAt {
   double m;                  ///< negative inside; see Exactness
   Eigen::Vector3d gradient;  ///< of `m`; its length is at most SolidTree::steepest, and 0 where opposite parts tie
-  std::uint32_t part;  ///< shape, blend or clip that gives `m`; the first at a tie; kNothing: a bounding box gives it
+  std::uint32_t part;  ///< shape, blend or clip that gives `m`, the first at a tie; kNothing: the box of a part does
 };
 
 /// A node that can be evaluated. Its placement maps its own frame to the frame of the operator that contains it:

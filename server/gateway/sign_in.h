@@ -7,14 +7,15 @@
 
 namespace telepalp::gateway {
 
-/// Name of the session's cookie. For the prefix `__Host-`, browsers send the cookie over HTTPS to this host alone.
+/// Name of the sign-in's cookie. Because of the prefix `__Host-`, browsers send the cookie over HTTPS to this host
+/// alone.
 inline constexpr std::string_view kCookieName = "__Host-telepalp";
 inline constexpr std::string_view kSignInTarget = "/sign-in";
 inline constexpr std::string_view kSignOutTarget = "/sign-out";
 
 /// The page with a field for the token. `problem`: why the last token was refused; empty: no token was sent.
 [[nodiscard]] HttpReply sign_in_page(const HttpRequest& request, std::string_view problem);
-/// The page with a button that ends the session.
+/// The page with a button that signs out.
 [[nodiscard]] HttpReply sign_out_page(const HttpRequest& request, const std::string& who);
 /// A redirect to `target` that sets our cookie to `cookie`; an empty `cookie` removes it.
 [[nodiscard]] HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie);

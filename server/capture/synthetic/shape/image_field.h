@@ -6,7 +6,7 @@
 namespace telepalp::capture {
 
 /// A smooth scalar over the image plane: a uniform cubic B-spline (twice continuously differentiable) with its control
-/// values at the pixel centres. Beyond the border the nearest border value is used.
+/// values at the pixel centres. Control values beyond the border equal the nearest one at the border.
 class ImageField {
  public:
   struct Sample {
