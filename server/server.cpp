@@ -152,8 +152,10 @@ void Server::choose_prediction() {
   const bool may = listener_->references_arrive();
   if (!capture_ || !in_groups || std::exchange(predicts_, may) == may) return;
   capture_->let_predict(may);
-  log(may ? "depth images are again predicted from earlier ones: each subscriber's network repairs a loss in time"
-          : "all depth images are now key frames, with more bytes: a subscriber's network repairs losses too late");
+  log(may ? "depth images are again predicted from earlier ones: packets that the network loses are repaired in time "
+            "at each subscriber"
+          : "all depth images are now key frames, with more bytes: packets that the network loses are repaired too "
+            "late at a subscriber");
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.

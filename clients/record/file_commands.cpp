@@ -35,7 +35,7 @@ program::Usage repair_usage() {
   return {.program = "telepalp-record repair",
           .purpose = "finishes a recording that was cut off, or copies the readable messages of a damaged file",
           .positional = "FILE",
-          .options = {{"out", "FILE.mcap", "file for the copy; default: beside FILE"}},
+          .options = {{"out", "FILE.mcap", "file for the copy; default: NAME.repaired.mcap for NAME.mcap"}},
           .example = "telepalp-record repair session.mcap"};
 }
 
@@ -44,8 +44,8 @@ program::Usage cut_usage() {
           .purpose = "copies a part of a session to a new file",
           .positional = "FILE",
           .options = {{"out", "FILE.mcap", "the new file"},
-                      {"from", "TIME", "begin here, since the session's start: 90s, 1.5min", "0s"},
-                      {"to", "TIME", "end here, since the session's start; default: its end"},
+                      {"from", "TIME", "begin this long after the session's start: 90s, 1.5min", "0s"},
+                      {"to", "TIME", "end this long after the session's start; default: its end"},
                       {"topics", "LIST", "shell patterns, comma-separated; !PATTERN excludes", "*"}},
           .example = "telepalp-record cut session.mcap --from 0.5s --to 1.5s --out part.mcap"};
 }

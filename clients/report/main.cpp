@@ -65,7 +65,8 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
   if (!png.empty()) {
     if (auto done = write_file(folder / "view.png", png); !done) return done;
   } else {
-    std::cerr << "view.png is not drawn: the session holds no depth image with the calibration of its camera\n";
+    std::cerr << "view.png is not drawn: the session holds no depth image that can be decoded, or no calibration of "
+                 "its camera\n";
   }
   std::cout << verdict.headline << "\n" << verdict.account << "\n" << (folder / "report.html").string() << "\n";
   return {};

@@ -81,7 +81,7 @@ Result<DecodedFrame> read_frame(const Packet& packet, const Reference& reference
                                .unit_m = header.unit_m,
                                .samples = std::vector<std::uint16_t>(header.pixels())},
                      .palette = std::nullopt};
-  if (!decode_body(packet, reference, frame)) return damaged("its compressed samples are damaged");
+  if (!decode_body(packet, reference, frame)) return damaged("its compressed pixels are damaged");
   if (frame_crc(header, frame.depth.samples) != header.crc)
     return damaged("its decoded pixels do not match its checksum");
   return frame;

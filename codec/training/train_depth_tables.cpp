@@ -246,7 +246,7 @@ int train(std::span<char*> files) {
     std::optional<Frame> frame = read_pgm(file.c_str());
     if (!frame) {
       std::fprintf(stderr,
-                   "error: %s: is not a 16-bit binary PGM. fix: give files of the format P5 with 16 bits a sample\n",
+                   "error: %s: is not a 16-bit binary PGM. fix: give files of the format P5 with 16 bits a pixel\n",
                    file.c_str());
       return 1;
     }

@@ -11,7 +11,7 @@ namespace telepalp::calibration {
 namespace {
 
 constexpr std::size_t kMostSamples = 1'000'000;
-constexpr const char* kHowMany = "give 4 to 1000000 samples";
+constexpr const char* kHowMany = "give 4 to 1000000 rows; the fit uses those with a strain of at most --to-strain";
 
 Eigen::RowVector3d force_basis(double d) { return {d, d * d, d * d * d}; }
 
@@ -45,10 +45,11 @@ std::vector<CompressionSample> under_hand(std::span<const CompressionSample> tes
 
 Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
   if (samples.size() < 4 || samples.size() > kMostSamples)
-    return Error{.what = std::to_string(samples.size()) +
-                         (samples.size() < 4 ? " samples are too few" : " samples are too many"),
-                 .where = "compression test",
-                 .fix = kHowMany};
+    return Error{
+        .what = std::to_string(samples.size()) +
+                (samples.size() < 4 ? " rows within --to-strain are too few" : " rows within --to-strain are too many"),
+        .where = "compression test",
+        .fix = kHowMany};
   const auto rows = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd basis(rows, 3);
   Eigen::VectorXd load(rows);

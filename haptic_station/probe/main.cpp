@@ -86,7 +86,7 @@ Result<double> spacing_m_of(const program::Arguments& arguments) {
 Result<void> check_surface(const program::Arguments& arguments) {
   const bool cloud = !arguments.text("cloud").empty();
   const bool depth = !arguments.text("depth").empty();
-  if (cloud && depth) return asked_wrongly("--cloud and --depth are both given, but one surface is touched");
+  if (cloud && depth) return asked_wrongly("--cloud and --depth are both given, but only one surface can be touched");
   if (!cloud && !depth) return asked_wrongly("neither --cloud nor --depth is given, so there is no surface to touch");
   if (depth && arguments.text("camera").empty())
     return asked_wrongly("--depth is given without --camera, the camera.textproto of this PNG");

@@ -74,7 +74,9 @@ Result<solids::Solid> unnamed_tree_of(const msg::SolidEffect& message, const Fie
     case msg::SolidEffect::TREE_NOT_SET:
       break;
   }
-  return Error{.what = "the layer has no solid", .where = check.place(), .fix = "give polish, polish_file or solid"};
+  return Error{.what = "the layer has no solid",
+               .where = check.place(),
+               .fix = "give its shape by polish, polish_file or solid"};
 }
 
 /// The layer's tree. Its error names the layer.
@@ -137,7 +139,8 @@ effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, co
     settings.pulses_per_s = beats_per_min / 60.0;
   }
   const effects::Echo echo = read_echo(check, message.echo());
-  if (message.name().empty()) check.complain("a solid without a name", "name the layer, as in name: \"ribs\"");
+  if (message.name().empty())
+    check.complain("the layer has no name", "give the effect solid a name, as in name: \"ribs\"");
   if (check.error()) return effects::Solid(settings);
   Result<solids::Solid> solid = tree_of(message, check, folder);
   if (solid && message.has_haptic_from_solid()) solid = placed(message.haptic_from_solid(), std::move(solid).value());

@@ -168,7 +168,7 @@ void read_effects(FieldCheck& check, const msg::Scene& message, const std::files
     else if (effect.has_solid())
       room = add_layer(check, effect.solid(), folder, scene);
     else
-      check.in(effect).complain("an effect without a kind", "name its kind, as in effects { skin {} }");
+      check.in(effect).complain("the effect has no kind", "name its kind, as in effects { skin {} }");
     if (!room)
       check.in(effect).complain(
           "the scene names more than " + std::to_string(effects::EffectBank::kMostEffects) + " effects",

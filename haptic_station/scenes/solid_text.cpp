@@ -35,7 +35,7 @@ class TreeReader {
     const FieldDescriptor* kind =
         message.GetReflection()->GetOneofFieldDescriptor(message, message.GetDescriptor()->oneof_decl(0));
     if (kind == nullptr)
-      return error(message, path, "a solid without a kind", "name its kind, as in of { sphere { radius_m: 0.02 } }");
+      return error(message, path, "the solid has no kind", "name its kind, as in of { sphere { radius_m: 0.02 } }");
     if (level > solids::kMostNesting)
       return error(message, path, "operators nest deeper than " + std::to_string(solids::kMostNesting),
                    "give a union more than two solids instead of nesting unions");

@@ -269,10 +269,11 @@ void Station::say_depth(const msg::SurfaceReport& report) {
   const std::string words = wire::in_words(fidelity);
   if (std::exchange(depth_, words) == words) return;
   if (!fidelity.moved) return say("depth is lossless (" + fidelity.mode + ")");
-  const std::string warning =
-      "the touched depth is near-lossless: " + words + "; such depth is for display, not for touch. fix: " +
-      (fidelity.mode == codec::name(codec::DepthMode::Bounded) ? "telepalp-server --depth-mode fast, intra or temporal"
-                                                               : "give the server a source with lossless depth");
+  const std::string warning = "the touched depth is near-lossless: " + words +
+                              "; such depth is for pictures, not for touch. fix: " +
+                              (fidelity.mode == codec::name(codec::DepthMode::Bounded)
+                                   ? "start telepalp-server with --depth-mode fast, intra or temporal"
+                                   : "give the server a source with lossless depth");
   say(warning);
   telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, warning);
 }

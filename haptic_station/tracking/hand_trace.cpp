@@ -122,9 +122,10 @@ Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name)
     trace.samples.push_back(row->sample);
   }
   if (trace.samples.size() < 2)
-    return Error{.what = "fewer than two usable rows (" + std::to_string(trace.skipped) + " rows were skipped)",
+    return Error{.what = "fewer than two usable rows (" + std::to_string(trace.skipped) +
+                         " rows were skipped: not numbers in range, of another hand, or not later than the row before)",
                  .where = std::string(name),
-                 .fix = "give a trace of at least two samples of one hand"};
+                 .fix = "give at least two rows of numbers, with the same hand_id and a growing timestamp_us"};
   return trace;
 }
 

@@ -33,9 +33,10 @@ Result<void> check_name(const std::string& name) {
 Result<void> check_person(const Authority::Issue& asked) {
   if (Result<void> fine = check_name(asked.name); !fine) return fine;
   if (asked.role != Role::Local) return {};
-  return Error{.what = "the role " + std::string(keys::name(asked.role)) + " has no keys",
-               .where = "--role",
-               .fix = "give technician, doctor, viewer or qa"};
+  return Error{
+      .what = "the role " + std::string(keys::name(asked.role)) + " is only for programs of a server without keys",
+      .where = "--role",
+      .fix = "give technician, doctor, viewer or qa"};
 }
 
 /// "DNS:patient.example,IP:10.0.0.1": an entry of digits and dots, or with a colon, is an address.

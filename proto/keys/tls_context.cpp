@@ -95,7 +95,10 @@ std::optional<Error> bad_client(int reason) {
     case SSL_R_SSLV3_ALERT_UNSUPPORTED_CERTIFICATE:
     case SSL_R_SSLV3_ALERT_CERTIFICATE_UNKNOWN:
     case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
-      return refused("the server refuses your key as invalid", kAskTechnician);
+      return refused(
+          "the server refuses your key: it is damaged, is not a person's key, or is not valid yet by the server's "
+          "clock",
+          kAskTechnician);
     default:
       return std::nullopt;
   }

@@ -28,7 +28,7 @@ Error bad_peer(std::string what) {
 }
 
 Error no_publisher(const Topic& topic) {
-  return {.what = "may not publish " + std::string(topic.name),
+  return {.what = "this client may not publish " + std::string(topic.name),
           .where = "peer",
           .fix = "publish only topics that begin with /station/, from a station that holds the touch"};
 }

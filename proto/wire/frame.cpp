@@ -59,7 +59,8 @@ Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payl
   const auto kind = get<std::uint8_t>(bytes, kKindAt);
   if (kind != static_cast<std::uint8_t>(FrameKind::Control) && kind != static_cast<std::uint8_t>(FrameKind::Data))
     return refused("its kind " + std::to_string(kind) + " is unknown");
-  if (get<std::uint16_t>(bytes, kFlagsAt) != 0) return refused("it sets flags that version 1 does not have");
+  if (get<std::uint16_t>(bytes, kFlagsAt) != 0)
+    return refused("it sets flags that version 1 of the wire protocol does not have");
   const FrameHeader header{.payload_bytes = get<std::uint32_t>(bytes, kLengthAt),
                            .kind = static_cast<FrameKind>(kind),
                            .sequence = get<std::uint64_t>(bytes, kSequenceAt),

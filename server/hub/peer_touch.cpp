@@ -60,7 +60,8 @@ msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to)
     note(access::AuditEvent::Refused, " why=" + access::audit_text(may.error().what));
     return refuse(to_string(may.error()));
   }
-  if (to == who.name) return refuse("this is your own name. fix: name the other doctor, as in that doctor's key");
+  if (to == who.name)
+    return refuse("the touch cannot be offered to your own name. fix: name the other doctor, as in that doctor's key");
   const Clock::time_point now = Clock::now();
   if (offered_at_ && now - *offered_at_ < kShortestBetweenOffers)
     return refuse("the last offer was made just now. fix: wait a second");

@@ -56,7 +56,7 @@ Result<void> check(const msg::PlaybackCommand& command) {
   if (command.has_seek_s() && !is_position(command.seek_s())) return wrong("seek_s is not from 0 to 1e7");
   if (command.has_speed() && !is_speed(command.speed())) return wrong("speed is not from 0.1 to 10");
   if (command.has_step() && (command.step() < 1 || command.step() > kMostSteps))
-    return wrong("step is not from 1 to 100");
+    return wrong("step is not from 1 to 100 depth images");
   return {};
 }
 

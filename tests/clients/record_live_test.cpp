@@ -276,6 +276,7 @@ TEST(Amounts, AreReadWithTheirUnitsAndWrongOnesAreNamed) {
   EXPECT_EQ(parse_size("1.5MB", "split").value(), 1'500'000u);
   EXPECT_EQ(parse_size("1GiB", "split").value(), 1u << 30);
   EXPECT_TRUE(is_size("5MB"));
+  EXPECT_TRUE(is_size("5M")) << "parse_size() then asks for a B";
   EXPECT_FALSE(is_size("5min"));
   for (const char* wrong : {"", "min", "-1s", "5 min", "nan", "1e30h", "5m"})
     EXPECT_FALSE(parse_duration(wrong, "to")) << wrong;

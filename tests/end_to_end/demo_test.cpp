@@ -109,7 +109,8 @@ TEST(TemporalDepth, IsRecordedReportedPlayedAgainAndReportedAgain) {
 TEST(BoundedDepth, IsWarnedOfAtTheStationAndInTheReport) {
   const DemoRun run = demo("bounded", "--headless --seconds 3 --depth-mode bounded --depth-bound 2,4");
   ASSERT_EQ(run.exit_code, 0) << run.log;
-  EXPECT_NE(run.log.find("bounded, off by up to 4 mm at 1 m; such depth is for display, not for touch"), std::string::npos);
+  EXPECT_NE(run.log.find("bounded, off by up to 4 mm at 1 m; such depth is for pictures, not for touch"),
+            std::string::npos);
   const Json json = report_of(run);
   EXPECT_EQ(json.get<std::string>("depth_mode"), "bounded");
   EXPECT_EQ(figure(json, "depth_bound_mm.per_m2"), 4.0);

@@ -66,7 +66,7 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     running.child.stdin.write('phase PHASE_FAULTED\n');
     await until('the banner names the fault', async () => (await banner(page)).includes('Station faulted'));
     running.child.stdin.write('phase PHASE_OUT_BODY\nstale on\n');
-    await until('the banner names the stale surface', async () => (await banner(page)).includes('old surface'));
+    await until('the banner names the stale surface', async () => (await banner(page)).includes('No surface to feel'));
     running.child.stdin.write('stale off\npause\n');
     await until('the banner names the stale picture', async () => (await banner(page)).includes('Stale picture'));
 

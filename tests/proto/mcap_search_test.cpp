@@ -64,9 +64,9 @@ TEST(McapSearch, ADamagedLengthOfAnyRecordLosesThatRecordAloneAndNamesTheOffset)
     hurt[whole.chunks[number].chunk_start_offset + 6] = '\x7f';  // of the eight bytes that hold the record's length
     const Outcome outcome = read_bytes(hurt);
     ASSERT_EQ(outcome.errors.size(), 1u) << number;
-    EXPECT_NE(outcome.errors[0].find("damaged bytes are skipped up to byte " +
+    EXPECT_NE(outcome.errors[0].find("damaged bytes are skipped, and reading continues at byte " +
                                      std::to_string(whole.chunks[number + 1].chunk_start_offset) +
-                                     ", where reading continues (at byte " +
+                                     "; the damage begins (at byte " +
                                      std::to_string(whole.chunks[number].chunk_start_offset) + ")"),
               std::string::npos)
         << outcome.errors[0];

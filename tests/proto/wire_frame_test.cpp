@@ -175,8 +175,8 @@ TEST(FrameHeader, EachFieldThatVersionOneDoesNotKnowIsRefusedByName) {
   EXPECT_EQ(with(4, 2), "it has version 2 of the wire protocol instead of 1");
   EXPECT_EQ(with(5, 0), "its kind 0 is unknown");
   EXPECT_EQ(with(5, 3), "its kind 3 is unknown");
-  EXPECT_EQ(with(6, 1), "it sets flags that version 1 does not have");
-  EXPECT_EQ(with(7, 128), "it sets flags that version 1 does not have");
+  EXPECT_EQ(with(6, 1), "it sets flags that version 1 of the wire protocol does not have");
+  EXPECT_EQ(with(7, 128), "it sets flags that version 1 of the wire protocol does not have");
   EXPECT_EQ(with(5, 1), "channel 3 does not fit its kind: a control frame has channel 0, a data frame another channel");
   EXPECT_EQ(with(24, 0),
             "channel 0 does not fit its kind: a control frame has channel 0, a data frame another channel");

@@ -178,10 +178,16 @@ TEST_F(Export, TheProgramWritesAndSaysWhatIsWrong) {
   EXPECT_TRUE(models::read_point_model(in("skin.ply")));
   EXPECT_EQ(run({session, "--ply", "900"}), 1);
   EXPECT_NE(wire::samples::bytes_of(in("log")).find("no depth image was published"), std::string::npos);
+  EXPECT_EQ(run({session, "--csv", "/station/events", "--out", in("events.csv")}), 0);
+  EXPECT_NE(wire::samples::bytes_of(in("log")).find("holds no message of /station/events"), std::string::npos);
   EXPECT_EQ(run({session, "--csv", "/no/topic"}), 2);
   EXPECT_EQ(run({session}), 2);
   EXPECT_EQ(run({session, "--ply", "1", "--pcd", "1"}), 2);
   EXPECT_EQ(run({in("none.mcap").string(), "--png", in("x")}), 1);
+  ASSERT_TRUE(wire::samples::write_file(
+      in("states.mcap"), {wire::make_message(wire::kStationState, session_time(kStart_ns), msg::StationState())}));
+  EXPECT_EQ(run({in("states.mcap").string(), "--png", in("y")}), 1);
+  EXPECT_FALSE(std::filesystem::exists(in("y"))) << "a second try finds no folder of the first";
 }
 
 }  // namespace

@@ -203,7 +203,7 @@ TEST(LinkProgram, LogsEachSecondAndEndsWithSuccessOnCtrlC) {
   std::this_thread::sleep_for(1200ms);
   link.process().signal(SIGINT);
   EXPECT_EQ(link.process().wait(5s), 0);
-  EXPECT_NE(link.log().find("10 packets, lost 0.0 %"), std::string::npos) << link.log();
+  EXPECT_NE(link.log().find("10 new packets, lost 0.0 %"), std::string::npos) << link.log();
 }
 
 TEST(LinkProgram, WhatIsAskedWronglyEndsWithTwo) {

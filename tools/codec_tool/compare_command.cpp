@@ -37,7 +37,7 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
         .what = "has " + std::to_string(at) + " frames, but the first input has " + std::to_string(frames.size()),
         .where = second.string(),
         .fix = "give two inputs of one recording"};
-  std::printf("%zu frames: max error %.3f mm, RMS %.3f mm, %zu pixels measured in one input only\n", at,
+  std::printf("%zu frames: largest difference %.3f mm, RMS %.3f mm, %zu pixels measured in one input only\n", at,
               difference.worst_mm(), difference.rms_mm(), difference.flips());
   if (!bound) return {};
   if (difference.beyond() > 0)

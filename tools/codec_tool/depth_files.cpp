@@ -52,7 +52,7 @@ Result<void> visit_image(const fs::path& file, double unit_m, bool colour_may_be
   auto* const depth = std::get_if<images::GrayImage16>(&*image);
   if (depth == nullptr) {
     if (colour_may_be) return {};
-    return Error{.what = "holds no 16-bit samples", .where = file.string(), .fix = "give a 16-bit depth image"};
+    return Error{.what = "is not a 16-bit grey image", .where = file.string(), .fix = "give a 16-bit depth image"};
   }
   return visit(
       {file.filename().string(),

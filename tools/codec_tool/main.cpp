@@ -17,11 +17,11 @@ program::Usage usage() {
       .positional = {},
       .options = {{"mode", "MODE", "fast, intra, temporal (lossless) or bounded (near-lossless)", "temporal"},
                   {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "30"},
-                  {"unit-mm", "MM", "image files: millimetres per unit of a sample", "1"},
+                  {"unit-mm", "MM", "image files: millimetres for a pixel value of 1", "1"},
                   {"bound", "LEAST,PER_M2",
                    "largest error of a depth of z m: max(LEAST, PER_M2 z²) mm; encode: default 1,2.85; compare: fail "
                    "if a depth differs by more"},
-                  {"to", "KIND", "decode: png or pgm, 16 bits a sample", "png"},
+                  {"to", "KIND", "decode: png or pgm, 16 bits a pixel", "png"},
                   {"json", "", "info: print JSON instead of a table"}},
       .example = "telepalp-codec encode recording.oni depth.mcap && telepalp-codec compare recording.oni depth.mcap",
       .commands = {{"encode", "IN OUT.mcap", "compress the depth of a recording, session or folder of images"},

@@ -24,7 +24,7 @@ int take_number(std::string_view& rest) {
 
 Result<images::GrayImage16> decode_pgm(std::string_view bytes, const std::string& name) {
   const auto refused = [&](const std::string& what) {
-    return Error{.what = what, .where = name, .fix = "give a whole binary PGM (P5) of 16 bits a sample"};
+    return Error{.what = what, .where = name, .fix = "give a whole binary PGM (P5) of 16 bits a pixel"};
   };
   if (!bytes.starts_with("P5")) return refused("is not a binary PGM");
   std::string_view rest = bytes.substr(2);
@@ -32,10 +32,10 @@ Result<images::GrayImage16> decode_pgm(std::string_view bytes, const std::string
   const int most = take_number(rest);
   if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide)
     return refused("declares a width or height that is not from 1 to " + std::to_string(kMaxImageSide) + " pixels");
-  if (most < 256 || most > 65535 || rest.empty()) return refused("has no 16-bit samples");
+  if (most < 256 || most > 65535 || rest.empty()) return refused("has no 16-bit pixels");
   rest.remove_prefix(1);
   const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  if (rest.size() < 2 * count) return refused("ends before its last sample");
+  if (rest.size() < 2 * count) return refused("ends before its last pixel");
   image.samples.resize(count);
   for (std::size_t i = 0; i < count; ++i)
     image.samples[i] = static_cast<std::uint16_t>(static_cast<unsigned char>(rest[2 * i]) << 8 |

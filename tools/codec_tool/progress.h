@@ -26,8 +26,8 @@ class Progress {
     constexpr std::size_t kWidth = 40;
     const std::size_t filled = total_ == 0 ? 0 : std::min(kWidth, kWidth * done_ / total_);
     const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-    std::fprintf(stderr, "\r[%s] %zu%s", bar.c_str(), done_,
-                 total_ == 0 ? " frames" : (" of " + std::to_string(total_)).c_str());
+    std::fprintf(stderr, "\r[%s] frames: %zu%s", bar.c_str(), done_,
+                 total_ == 0 ? "" : (" of " + std::to_string(total_)).c_str());
   }
 
  private:

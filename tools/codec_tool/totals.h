@@ -17,7 +17,7 @@ struct Totals {
     bytes += static_cast<double>(packet_bytes);
   }
   void print() const {
-    std::printf("%zu frames, %.0f B of samples compressed to %.0f B: ratio %.2f, %.3f bits per pixel\n", frames,
+    std::printf("%zu frames, %.0f B of depth compressed to %.0f B: ratio %.2f, %.3f bits per pixel\n", frames,
                 2.0 * pixels, bytes, 2.0 * pixels / bytes, 8.0 * bytes / pixels);
   }
 };

@@ -20,7 +20,9 @@ std::vector<std::string> camera_topics() {
 }
 
 Error no_frame(const std::string& what) {
-  return {.what = what, .where = "/camera/depth", .fix = "see telepalp-record info, and give another time or session"};
+  return {.what = what,
+          .where = "/camera/depth",
+          .fix = "give another time or session; telepalp-record info FILE shows what a session holds"};
 }
 
 }  // namespace
@@ -61,7 +63,8 @@ void Frames::note_color(const std::string& payload) {
 Result<RgbdFrame> Frames::decode(const Waiting& waiting) {
   Result<codec::DecodedDepth> depth = depth_.read(std::as_bytes(std::span(waiting.packet)));
   if (!depth) return depth.error();
-  if (!pinhole_) return no_frame("there is no camera model before this frame");
+  if (!pinhole_)
+    return no_frame("no calibration of the camera (/camera/info) was recorded in the 10 s before the given time");
   RgbdFrame frame;
   frame.captured = session_time(waiting.captured_ns);
   frame.camera = {.depth = *pinhole_, .color = *pinhole_, .color_registered = true};
@@ -72,7 +75,8 @@ Result<RgbdFrame> Frames::decode(const Waiting& waiting) {
     if (color) frame.color = std::move(*color);
     frame.camera.color_registered = waiting.color->frame_id() == wire::kDepthFrameId;
   }
-  if (!is_well_formed(frame)) return no_frame("the sizes of an image and its camera model contradict each other");
+  if (!is_well_formed(frame))
+    return no_frame("the sizes of the image and of its camera's calibration (/camera/info) contradict each other");
   return frame;
 }
 

@@ -73,10 +73,12 @@ Result<std::uint64_t> write_images(const fs::path& file, const fs::path& out) {
     const double seconds = to_seconds(last - first->captured);
     done = write_camera(out, *first, count > 1 && seconds > 0.0 ? static_cast<double>(count - 1) / seconds : 30.0);
   }
-  if (done && count == 0)
-    return Error{.what = "holds no depth image that can be decoded",
+  if (done && count == 0) {
+    for (const fs::path& folder : {out / "depth", out / "rgb", out}) fs::remove(folder, ignored);
+    return Error{.what = "holds no depth image that can be decoded, or no calibration of its camera",
                  .where = file.string(),
-                 .fix = "see telepalp-record info " + file.string()};
+                 .fix = "give another session; to see what this one holds: telepalp-record info " + file.string()};
+  }
   if (!done) return done.error();
   if (first->color.rgb.empty()) fs::remove(out / "rgb", ignored);
   return count;

@@ -69,20 +69,27 @@ int run_csv(const std::string& file, const program::Arguments& asked) {
   if (!topic)
     return program::fail({.what = "'" + asked.text("csv") + "' is not a topic of telepalp",
                           .where = "--csv",
-                          .fix = "see telepalp-record info " + file},
+                          .fix = "give one of the topics that are listed by telepalp-record info " + file},
                          program::kAskedWrongly);
   Result<wire::McapReader> reader = wire::McapReader::open(file);
   if (!reader) return program::fail(reader.error());
   reader->select({.topics = {std::string(topic->name)}});
   const export_tool::MessageTable table(*topic);
   std::string text = table.header();
+  std::uint64_t messages = 0;
   for (;;) {
     const Result<std::optional<wire::Message>> message = reader->next();
     if (!message) program::log(kProgram, to_string(message.error()));
     if (!message) continue;
     if (!*message) break;
     text += table.lines_of(**message);
+    ++messages;
   }
+  if (messages == 0)
+    program::log(kProgram, file + " holds no message of " + std::string(topic->name) +
+                               ": the table has its header alone. To see what the session holds: telepalp-record "
+                               "info " +
+                               file);
   const Result<void> written = put(asked, text);
   return written ? program::kDone : program::fail(written.error());
 }
@@ -116,7 +123,7 @@ int main(int argc, char** argv) {
   int formats = 0;
   for (const char* option : {"png", "csv", "ply", "pcd", "foxglove", "report"}) formats += asked.has(option) ? 1 : 0;
   if (asked.positional().size() != 1 || formats != 1)
-    return program::fail({.what = "name one session and one format",
+    return program::fail({.what = "not exactly one session file and one format are given",
                           .where = kProgram,
                           .fix = "give a session file, and one of --png, --csv, --ply, --pcd, --foxglove and --report"},
                          program::kAskedWrongly);

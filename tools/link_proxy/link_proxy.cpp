@@ -40,7 +40,7 @@ std::string live_part(const char* name, const LinkStatistics& now, const LinkSta
   const double lost_percent = sent > 0.0 ? 100.0 * since(now.lost, before.lost) / sent : 0.0;
   char text[160];
   std::snprintf(text, sizeof text,
-                "%s %.0f kB/s, %.0f packets, lost %.1f %%, dropped by the full queue %llu, queue %.0f kB", name,
+                "%s %.0f kB/s, %.0f new packets, lost %.1f %%, dropped by the full queue %llu, queue %.0f kB", name,
                 since(now.delivered_bytes, before.delivered_bytes) * 1e-3 / seconds, sent, lost_percent,
                 static_cast<unsigned long long>(now.dropped - before.dropped), static_cast<double>(queued_B) * 1e-3);
   return text;

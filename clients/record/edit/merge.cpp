@@ -112,8 +112,8 @@ Result<void> with_images_of_one_server(const std::vector<Strand>& strands) {
     if (first == nullptr) first = &strand;
     if (strand.session().source == first->session().source) continue;
     return Error{.what = "this session and " + first->file().string() +
-                         " both hold camera images, but from different servers: " + strand.session().source + " and " +
-                         first->session().source,
+                         " both hold camera images, but not recorded from the same server or file: " +
+                         strand.session().source + " and " + first->session().source,
                  .where = strand.file().string(),
                  .fix = "merge a copy of this session without camera images: telepalp-record cut " +
                         strand.file().string() + " --topics '!/camera/*' --out OTHER.mcap"};

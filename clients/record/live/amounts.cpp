@@ -49,6 +49,8 @@ Result<std::uint64_t> parse_size(std::string_view text, std::string_view option)
   return static_cast<std::uint64_t>(*bytes);
 }
 
-bool is_size(std::string_view text) noexcept { return text.ends_with('B'); }
+bool is_size(std::string_view text) noexcept {
+  return !text.empty() && std::string_view("BkMG").find(text.back()) != std::string_view::npos;
+}
 
 }  // namespace telepalp::record

@@ -16,7 +16,7 @@ namespace telepalp::record {
 /// Parses "500MB", "2GB", "1GiB" or a number of bytes. Error: no number above 0, an unknown unit, or more than 1 PB.
 [[nodiscard]] Result<std::uint64_t> parse_size(std::string_view text, std::string_view option);
 
-/// True if `text` is an amount of bytes, false if it is a duration: "500MB" against "5min".
+/// True if `text` is meant as an amount of bytes, also without B: "500MB", "500M"; false for a duration such as "5min".
 [[nodiscard]] bool is_size(std::string_view text) noexcept;
 
 }  // namespace telepalp::record

@@ -31,10 +31,10 @@ Result<wire::mcap::Attachment> attach(const std::filesystem::path& file) {
   if (size > kMostBytes)
     return Error{.what = "is larger than 16 MiB, the limit of an attachment",
                  .where = file.string(),
-                 .fix = "leave it out, and keep this file beside the session file"};
+                 .fix = "do not attach the file; keep it beside the session file"};
   std::ifstream stream(file, std::ios::binary);
   std::string data{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) return unreadable("it cannot be read");
+  if (!stream) return unreadable("the file cannot be opened");
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto now_ns = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());
   return wire::mcap::Attachment{.log_time = now_ns,

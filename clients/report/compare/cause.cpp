@@ -77,8 +77,8 @@ std::string forces_in_words(const Run& a, const Run& b, const Instant& instant) 
 
 std::string cause_in_words(const Run& a, const Run& b, const Instant& instant) {
   if (instant.hands_apart_m > kHandsApart_m)
-    return "the doctor's hands are " + readable(1e3 * instant.hands_apart_m) +
-           " mm apart: from here on the two hands examine different places";
+    return "the hands of A and B are " + readable(1e3 * instant.hands_apart_m) +
+           " mm apart: from this instant on they examine different places";
   const bool a_let_go = has_let_go(a.session, instant.tick_a), b_let_go = has_let_go(b.session, instant.tick_b);
   const double age_a = surface_age_ms(a.session, instant.tick_a), age_b = surface_age_ms(b.session, instant.tick_b);
   const bool ages_differ = std::abs(age_a - age_b) > kAgesApart_ms;
@@ -87,7 +87,7 @@ std::string cause_in_words(const Run& a, const Run& b, const Instant& instant) {
            (ages_differ ? "; " + ages(age_a, age_b) : "");
   if (std::isfinite(age_a) != std::isfinite(age_b))
     return std::string(std::isfinite(age_a) ? "B" : "A") +
-           " has no surface yet, or recorded no state within 20 ms of this tick";
+           " has no surface yet, or recorded no /station/state within 20 ms of this tick";
   if (ages_differ) return ages(age_a, age_b);
   return "not known: the hands are at most 1 mm apart, and the ages of the surfaces differ by at most 5 ms or are "
          "unknown in both; compare the settings";

@@ -140,7 +140,8 @@ std::string overlay_sections(const Comparison& comparison) {
   std::string out;
   if (const auto charts = overlaid(a, b, comparison.ticks); !charts.empty())
     out += section("The whole runs",
-                   "State, force and height over one time axis. A is blue, B is red. State -3 to 3: phase of the "
+                   "State, force and height over one time axis. A is blue, B is red; B's states are drawn a little "
+                   "above their number. State -3 to 3: phase of the "
                    "controller (docs/controller.md); R: released; F: faulted.",
                    stacked(charts));
   if (const auto charts = overlaid_ages(a, b); !charts.empty())
@@ -151,7 +152,8 @@ std::string overlay_sections(const Comparison& comparison) {
 std::string figure(const char* letter, const std::string& png) {
   if (png.empty())
     return "<figure><figcaption>" + std::string(letter) +
-           ": the session holds no depth image with the calibration of its camera.</figcaption></figure>\n";
+           ": the session holds no depth image that can be decoded, or no calibration of its "
+           "camera.</figcaption></figure>\n";
   return "<figure><img alt=\"run " + std::string(letter) + "\" src=\"data:image/png;base64," + base64(png) +
          "\"><figcaption>" + letter + "</figcaption></figure>\n";
 }

@@ -49,7 +49,7 @@ constexpr Row kRows[] = {
      [](const Summary& s) { return s.surface_carried_mm.p99; }},
     {"lowest energy balance of the display (below 0: it created energy)", "mJ", Better::More,
      [](const Summary& s) { return s.display_least_mJ; }},
-    {"largest excess work on the hand in one contact (beyond the newest measured skin's)", "mJ", Better::Less,
+    {"largest excess work on the hand in one contact (more than the measured skin would do)", "mJ", Better::Less,
      [](const Summary& s) { return s.hand_excess_most_mJ; }},
     {"tick time, p99.9", "µs", Better::Less, [](const Summary& s) { return s.tick_us.p999; }},
     {"lateness of a tick, p99.9", "µs", Better::Less, [](const Summary& s) { return s.lateness_us.p999; }},

@@ -43,7 +43,7 @@ std::optional<ReplayFacts> replay_facts(const std::string& json, bool unimpaired
   google::protobuf::Struct report;
   if (!google::protobuf::util::JsonStringToMessage(json, &report).ok()) return std::nullopt;
   if (text_in(report, "program") != "telepalp-replay") return std::nullopt;
-  ReplayFacts facts{.network = unimpaired ? "none" : text_in(report, "network"),
+  ReplayFacts facts{.network = unimpaired ? "unimpaired (no delay, loss or fault)" : text_in(report, "network"),
                     .seed = text_in(report, "seed"),
                     .hand = text_in(report, "hand"),
                     .figures = {}};

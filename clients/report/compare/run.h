@@ -15,7 +15,7 @@ namespace telepalp::report {
 
 /// What telepalp-replay wrote about a run into report.json beside its session.
 struct ReplayFacts {
-  std::string network;  ///< network and faults in words; "none": no delay, loss or fault
+  std::string network;  ///< network and faults in words; "unimpaired (…)": no delay, loss or fault
   std::string seed;
   std::string hand;                       ///< "recorded", or the script: "examine", "tap", "search"
   std::map<std::string, double> figures;  ///< by metric (docs/replay.md); metrics without a value are missing

@@ -39,8 +39,8 @@ std::vector<Chart> energy(const Session& session) {
                                 [](State s) { return s.passivity_j() * 1e3; }),
                       over_time(session, session.states, "excess work on the hand, beyond the measured skin's",
                                 plot::kVermilion, [](State s) { return s.hand_excess_j() * 1e3; }),
-                      over_time(session, session.compensations, "work of lift and position control", plot::kGrey,
-                                [](Message m) { return m.drive_j() * 1e3; })},
+                      over_time(session, session.compensations, "work of moving the device (lift, position control)",
+                                plot::kGrey, [](Message m) { return m.drive_j() * 1e3; })},
            .height_px = 240.0}};
 }
 

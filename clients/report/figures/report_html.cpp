@@ -68,7 +68,7 @@ std::string view_section(const Session& session, const std::string& view_png) {
   return section(
       "The augmented view at the deepest touch",
       "What the camera saw, with the doctor's hand drawn at the proxy on the skin; the deeper the hand presses, "
-      "the redder it is drawn.",
+      "the redder it is drawn. In a run without a touch, the picture shows another moment.",
       "<img alt=\"augmented view\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
 }
 
@@ -90,11 +90,10 @@ std::string states_section(const Summary& summary) {
         {std::string(ar::kPhases[i].words), std::string(ar::kPhases[i].mark), std::to_string(summary.dwells[i].entries),
          number(summary.dwells[i].seconds, 3),
          summary.seconds > 0.0 ? number(100.0 * summary.dwells[i].seconds / summary.seconds, 1) + " %" : "–"});
-  return section(
-      "States",
-      "How often the controller entered each state, and how long it stayed there. The numbers are those of paper S1; "
-      "R and F are not in S1.",
-      table({"state", "number", "times entered", "time in the state [s]", "share of the session"}, rows));
+  return section("States",
+                 "How often the controller entered each state, and how long it stayed there. The numbers are those of "
+                 "paper S1 (docs/sources.md); R and F are not in S1.",
+                 table({"state", "number", "times entered", "time in the state [s]", "share of the session"}, rows));
 }
 
 std::string motion_sections(const Session& session) {
@@ -112,7 +111,7 @@ std::string motion_sections(const Session& session) {
       in_pairs(force_against_indentation(session)));
   const auto cylinder = around_the_cylinder(session);
   out += cylinder.empty() ? section("The cylinder under the skin",
-                                    "The controller did not enter the cylinder's states in this run.", "")
+                                    "The controller did not enter the cylinder's states (-3 to -1) in this run.", "")
                           : section("The cylinder under the skin",
                                     "Path of the end-effector in the cylinder's states, and the force.",
                                     in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));

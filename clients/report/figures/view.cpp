@@ -31,7 +31,7 @@ std::int64_t deepest_moment_ns(const Session& session) {
 ColorImage draw_view(const Session& session, const RgbdFrame& frame, std::int64_t at_ns) {
   const msg::StationState* state = state_at(session, at_ns);
   if (state == nullptr)
-    return ar::draw({.frame = frame, .touch = std::nullopt, .figures = {{"no station in this session", ""}}});
+    return ar::draw({.frame = frame, .touch = std::nullopt, .figures = {{"no hand position in this session", ""}}});
   return ar::draw(
       {.frame = frame, .touch = ar::touch_of(*state), .figures = ar::panel_of(*state, session.first_ns.value_or(0))});
 }

@@ -14,7 +14,7 @@ export async function offerHeadset(view: SceneView, explain: (problem: string) =
       await view.setHeadset(!view.headset.isOn);
       view.onHeadset(view.headset.isOn);
     } catch (problem) {
-      explain(`The headset shows nothing: ${String(problem)}. Allow it in the browser.`);
+      explain(`The headset shows nothing: ${String(problem)}. Allow this page to use the headset.`);
     }
   }
 }

@@ -124,7 +124,7 @@ const panels: Record<View, {show: (reading: Reading) => void}[]> = {
 const views = new ViewSwitch((chosen) => link.setExtra(EXTRA[chosen]));
 wireControls(view, viewerHand, views, new ThemeSwitch(view), inside);
 new TimelineBar(read, playback);
-void offerHeadset(view, (problem) => readouts.showBanner({level: 'warn', title: 'Headset', text: problem}));
+void offerHeadset(view, (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));
 measureHeight('tools', '--tools');
 measureHeight('readings', '--readings');
 link.ask('instant');

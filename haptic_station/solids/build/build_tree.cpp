@@ -162,7 +162,8 @@ Error wrong(std::string what, std::string fix) {
 /// The level of each operand, as kMostNesting counts it; an error when the nodes are not one whole solid.
 Result<void> check(const Solid& solid) {
   if (solid.size() > kMostNodes)
-    return wrong("the solid has " + std::to_string(solid.size()) + " nodes", "give at most 200000");
+    return wrong("the solid has " + std::to_string(solid.size()) + " nodes (shapes and operators)",
+                 "give at most 200000");
   std::vector<int> levels{0};  // of the operands that are still missing; the next one is last
   for (const Node& node : solid) {
     if (levels.empty()) return wrong("more nodes follow after the end of the solid", "join solids by a union");

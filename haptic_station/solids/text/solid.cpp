@@ -128,7 +128,7 @@ std::optional<Complaint> complaint_about(const Node& node) {
     const double sweep_deg = node.numbers[3] - node.numbers[2];
     if (!(sweep_deg >= 0.0 && sweep_deg <= 360.0))
       return Complaint{.what = word + " goes from " + shown(node.numbers[2]) + " to " + shown(node.numbers[3]) + " deg",
-                       .fix = "give to_deg a value 0 to 360 above from_deg",
+                       .fix = "give to_deg a value from from_deg to from_deg + 360",
                        .number = 3};
   }
   return std::nullopt;

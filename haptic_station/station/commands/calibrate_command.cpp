@@ -22,7 +22,8 @@ program::Usage usage() {
       .options =
           {{"out", "FILE", "calibration file to write; its other transforms stay", "site.calibration.textproto"},
            {"pairs", "FILE",
-            "for 'points' and 'offset': CSV of places measured twice; columns: place (its number), to_x_m, to_y_m, "
+            "for 'points', and for 'offset' without a device: CSV of places measured twice; columns: place (its "
+            "number), to_x_m, to_y_m, "
             "to_z_m (by the device), from_x_m, from_y_m, from_z_m (by the tracker or camera), in metres"},
            {"from", "tracker|camera", "for 'points': the instrument that measured from_x_m, from_y_m, from_z_m",
             "tracker"},
@@ -40,9 +41,8 @@ program::Usage usage() {
             "0,0,0,0,0,0"}},
       .example = "telepalp-station calibrate points --pairs pairs.csv --from camera --out site.calibration.textproto",
       .commands = {{"points", "", "find the pose of tracker or camera, from pairs of points (--pairs)"},
-                   {"offset", "",
-                    "tracker to device, from a hand that rests on the end-effector, now or earlier (--pairs)"},
-                   {"probe", "", "tracker to device, from poses of a hand on a probe (--poses)"}},
+                   {"offset", "", "find the tracker's place by a hand that rests on the end-effector"},
+                   {"probe", "", "find the tracker's pose, from poses of a hand on a probe (--poses)"}},
       .needs_command = true};
 }
 

@@ -57,7 +57,10 @@ Result<std::vector<calibration::Touch>> measure_touches(const program::Arguments
   if (!device) return device.error();
   Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {}, within);
   if (!tracker) return tracker.error();
-  std::fprintf(stderr, "rest the hand on the end-effector now, at the height at which the patient's skin will be\n");
+  std::fprintf(
+      stderr,
+      "rest the hand on the end-effector now, at the height at which the patient's skin will be, until the result "
+      "is printed\n");
   return take_touches(**device, **tracker, *seconds);
 }
 

@@ -66,7 +66,7 @@ std::vector<Cost> costs_on_the_path(effects::EffectBank& bank) {
 /// Error of the felt depth, in words, compared with the effect's formula or with the effect's finest setting.
 std::string depth_error_of(const msg::Effect& effect, const effects::SolidLayer* layer) {
   char words[64];
-  if (effect.has_cylinder()) return "0.5 % of the depth, near its rounded edges only";
+  if (effect.has_cylinder()) return "0.5 % of the depth, near the cylinder's rounded edges only";
   if (layer != nullptr && !layer->tree->lattices.empty()) {
     std::snprintf(words, sizeof words, "depends on the mesh, sampled every %.3g mm",
                   1e3 * layer->tree->lattices.front()->spacing_m);

@@ -180,11 +180,12 @@ Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
   const auto layer =
       std::ranges::find_if(scene.layers, [&](const auto& one) { return name.empty() || one.solid->name == name; });
   if (layer == scene.layers.end())
-    return Error{.what = name.empty() ? "the scene has no solid" : "no layer '" + name + "' in the scene",
-                 .where = name.empty() ? "SCENE" : "--layer",
-                 .fix =
-                     "give the name of a solid of the scene; telepalp-station scene check SCENE lists all effects, "
-                     "solids by their names"};
+    return Error{
+        .what = name.empty() ? "the scene has no layer" : "the scene has no layer '" + name + "'",
+        .where = name.empty() ? "SCENE" : "--layer",
+        .fix =
+            "name a scene with a layer, and one of its layers; telepalp-station scene check SCENE lists all effects, "
+            "layers by their names"};
   const Result<solids::SolidMesh> made = solids::mesh_of(*layer->solid->tree, 1e-3 * *cell_mm);
   if (!made) return made.error();
   std::printf("%s: %zu points, %zu triangles, %zu open edges\n", layer->solid->name.c_str(), made->points.size(),

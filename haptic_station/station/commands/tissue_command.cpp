@@ -91,7 +91,7 @@ int tissue_command(int argc, const char* const* argv) {
   if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
   const Result<calibration::TissueFit> found = fit(arguments.text("test"), *asked);
   if (!found) return program::fail(found.error());
-  std::printf("# %zu samples; RMS error %.3f N, %.1f %% of the largest load; valid to a depth of %.0f mm\n",
+  std::printf("# %zu rows; RMS error %.3f N, %.1f %% of the largest load; valid to a depth of %.0f mm\n",
               found->samples, found->rms_error_N, 100.0 * found->rms_error_share,
               1e3 * asked->to_strain * asked->tissue.thickness_m);
   print_law(found->law);

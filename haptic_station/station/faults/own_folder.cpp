@@ -12,7 +12,8 @@
 namespace telepalp::station {
 namespace {
 
-constexpr const char* kAnotherPlace = "name a socket in a folder of your own by --control, or --control none";
+constexpr const char* kAnotherPlace =
+    "name a socket in a folder of your own by --control PATH, or start the station with --control none";
 
 Error unsafe(const std::filesystem::path& folder, std::string what) {
   return {.what = std::move(what), .where = folder.string(), .fix = kAnotherPlace};
@@ -35,7 +36,8 @@ Result<OwnFolder> OwnFolder::open(const std::filesystem::path& folder, bool make
   struct stat status {};
   if (::fstat(opened.descriptor_, &status) != 0) return not_opened(folder, errno);
   if (status.st_uid != ::geteuid())
-    return unsafe(folder, "the socket's folder belongs to another user (" + std::to_string(status.st_uid) + ")");
+    return unsafe(folder,
+                  "the socket's folder belongs to another user (user id " + std::to_string(status.st_uid) + ")");
   if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0)
     return unsafe(folder, "other users may write to the socket's folder, and could replace the socket");
   return opened;

@@ -67,9 +67,9 @@ Result<RigChoice> read_rig_choice(const std::string& device, const std::string& 
                  .where = "--tracker",
                  .fix = "give --tracker leap, or --tracker held when the hand holds the device's grip"};
   if (simulated && std::holds_alternative<Held>(*chosen_tracker))
-    return Error{.what = "nobody can grip a simulated device",
+    return Error{.what = "held is for a real device, which the hand grips, but --device is simulated",
                  .where = "--tracker",
-                 .fix = "give --tracker simulated, --tracker leap or --tracker browser"};
+                 .fix = "give --device haply or udp:HOST:PORT, or --tracker simulated, leap or browser"};
   if (!simulated && std::holds_alternative<Browser>(*chosen_tracker))
     return Error{.what = "a hand in a browser cannot touch the real device " + device,
                  .where = "--tracker",

@@ -12,8 +12,8 @@ namespace telepalp::station {
 class ImageAges {
  public:
   void add(const msg::SurfaceReport& report);
-  /// Such as "843 images touchable 61 ms (p50) and 97 ms (p99) after capture; both with an error of at most 3.2 ms";
-  /// empty without images. 3.2 ms: the largest bound on the session clock's error in any report so far.
+  /// Such as "843 images were touchable 61 ms (p50) and 97 ms (p99) after capture; both with an error of at most 3.2
+  /// ms"; empty without images. 3.2 ms: the largest bound on the session clock's error in any report so far.
   [[nodiscard]] std::string in_words() const;
 
  private:

@@ -37,7 +37,7 @@ Result<RealtimeGrant> enter_realtime(Realtime wanted) {
                        said("locked memory", locking),
                .where = "telepalp-station",
                .fix =
-                   "use the package's telepalp-station.service, or sudo setcap cap_sys_nice,cap_ipc_lock=ep "
+                   "use the package's telepalp-station.service, or run sudo setcap cap_sys_nice,cap_ipc_lock=ep "
                    "telepalp-station, or start with --realtime prefer"};
 }
 

@@ -62,7 +62,7 @@ void SurfaceWorker::work_off(const Work& work) {
   if (!message.ParseFromString(*work.depth.payload))
     return handlers_.on_bad_frame({.what = "the message is not a depth image",
                                    .where = "/camera/depth",
-                                   .fix = "install the same telepalp at both ends"});
+                                   .fix = "install the same version of telepalp at server and station"});
   if (!is_newest) return reader_.skip(std::move(*message.mutable_data()));
   const Result<codec::DecodedDepth> depth = read(message);
   if (!depth) {
@@ -85,7 +85,7 @@ Result<codec::DecodedDepth> SurfaceWorker::read(const msg::DepthImage& message) 
       depth->image.height != static_cast<int>(message.height()))
     return Error{.what = "the image's size is not the one that its message declares",
                  .where = "/camera/depth, image " + std::to_string(message.sequence()),
-                 .fix = "install the same telepalp at both ends"};
+                 .fix = "install the same version of telepalp at server and station"};
   return depth;
 }
 

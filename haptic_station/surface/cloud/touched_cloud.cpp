@@ -210,7 +210,7 @@ Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticM
   if (settings.support_m <= 0.0) thin_for(shape.support_m, noise.spacing_m, settling.points);
   if (settling.points.size() < given_points)
     say(made.sampling,
-        text("%zu of them, chosen at random, are kept, so that a tick has time to average those around a place",
+        text("%zu of the points, chosen at random, are kept, so that a tick has time to average those around a place",
              settling.points.size()));
   made.snapshot = std::make_shared<const CloudSnapshot>(std::move(settling.points), shape, Index::Nanoflann);
   return made;

@@ -32,7 +32,9 @@ Result<void> LeapTracker::start(std::chrono::milliseconds limit) {
   return Error{
       .what = "is not ready: " + thread_.obstacle(),
       .where = name_,
-      .fix = "start a Leap service of protocol 6, allow WebSockets in its settings, or give --tracker simulated"};
+      .fix =
+          "start a Leap service that speaks version 6 of the Leap protocol, allow WebSockets in its settings, or give "
+          "--tracker simulated"};
 }
 
 void LeapTracker::refuse(const std::string& why) {
@@ -49,7 +51,9 @@ void LeapTracker::on_text(std::string_view text) {
 
 void LeapTracker::on_hello(const leap::Hello& hello) {
   spoke_ = hello.version == leap::kProtocolVersion;
-  if (!spoke_) return refuse("the service speaks protocol " + std::to_string(hello.version) + ", not 6");
+  if (!spoke_)
+    return refuse("the Leap service speaks version " + std::to_string(hello.version) +
+                  " of the Leap protocol, not version 6");
   if (!std::exchange(line_is_up_, true))
     say_(name_ + " answers; version of its service: " + hello.service_version.substr(0, 64));
   thread_.answered();

@@ -18,7 +18,9 @@ constexpr std::int64_t kLatest_us = std::int64_t{1} << 53;
 Error refused(std::string what) {
   return {.what = std::move(what),
           .where = "message of the Leap service",
-          .fix = "check that the service speaks v6.json, and that its numbers have decimal points"};
+          .fix =
+              "check that the URL of --tracker leap:URL ends in /v6.json, and that the service writes numbers with "
+              "decimal points"};
 }
 
 using Numbers = google::protobuf::RepeatedField<double>;
@@ -54,8 +56,7 @@ Result<Text> parse_text(std::string_view text) {
   options.ignore_unknown_fields = true;
   leap_v6::Text message;
   if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &message, options); !read.ok())
-    return refused("it is not a message of version 6 of the tracking service's protocol: " +
-                   read.ToString().substr(0, 200));
+    return refused("it is not a message of version 6 of the Leap protocol: " + read.ToString().substr(0, 200));
   if (message.has_version()) return Text{Hello{message.version(), message.serviceversion()}};
   if (!message.has_timestamp()) return Text{Other{}};
   if (message.timestamp() < 0 || message.timestamp() > kLatest_us) return refused("its timestamp is out of range");

@@ -46,12 +46,12 @@ Result<RecordedCamera> checked(const msg::CameraFile& file, const program::Numbe
   camera.depth_unit_m = file.depth_unit_m();
   if (!(camera.depth_unit_m >= 1e-5 && camera.depth_unit_m <= 0.1))
     return wrong_number("depth_unit_m", camera.depth_unit_m,
-                        "give the metres of one step of a sample, 0.00001 to 0.1; 0.001 for samples in millimetres");
+                        "give the metres for a pixel value of 1, 0.00001 to 0.1; 0.001 for depth in millimetres");
   camera.frames_per_s = file.frames_per_s() == 0.0 ? 30.0 : file.frames_per_s();
   if (!(camera.frames_per_s >= 0.1 && camera.frames_per_s <= 1000.0))
     return wrong_number("frames_per_s", camera.frames_per_s, "give 0.1 to 1000 frames per second");
   if (file.ignore_above() > 65535)
-    return wrong_number("ignore_above", file.ignore_above(), "give at most 65535, the largest value of a sample");
+    return wrong_number("ignore_above", file.ignore_above(), "give at most 65535, the largest value of a depth pixel");
   if (file.ignore_above() != 0) camera.ignore_above = static_cast<std::uint16_t>(file.ignore_above());
   return camera;
 }

@@ -37,10 +37,10 @@ test('a picture of holes alone has no distance and no depth step', () => {
   assert.deepEqual(['Distance', 'Depth step'].map((name) => row(rows, name).value), ['–', '–']);
 });
 
-test('too near and too far say which way to move the camera, and without a depth nothing is advised', () => {
+test('too near and too far say which way to move the camera, and without a depth the row Holes is named', () => {
   assert.match(row(rowsOf(() => 400), 'Distance').says, /away/);
   assert.match(row(rowsOf(() => 2100), 'Distance').says, /nearer\.$/);
-  assert.match(row(rowsOf(() => 0), 'Distance').says, /the middle is not measured\.$/);
+  assert.match(row(rowsOf(() => 0), 'Distance').says, /The middle is not measured: see Holes\.$/);
 });
 
 test('the depth step is the distance of levels that a disparity sensor leaves', () => {

@@ -24,7 +24,7 @@ test('Touch without a station that takes a hand says what to start', () => {
 });
 
 test('without a hand the page says how to hold one; with one, or without a station, it is silent', () => {
-  assert.match(touchAdvice({handShown: false, holdsHand: false, untaken: false}).text, /Press Touch/);
+  assert.match(touchAdvice({handShown: false, holdsHand: false, untaken: false}).text, /press Touch/);
   assert.match(touchAdvice({handShown: false, holdsHand: true, untaken: false}).text, /Move the pointer/);
   assert.equal(touchAdvice({handShown: true, holdsHand: true, untaken: false}), undefined);
   assert.equal(touchAdvice({handShown: undefined, holdsHand: false, untaken: false}), undefined);

@@ -44,7 +44,7 @@ TEST(SolidText, AUnionOfSeveralIsAChain) {
 
 TEST(SolidText, ALayersErrorNamesFileLayerAndPlace) {
   const std::pair<const char*, const char*> kBad[] = {
-      {"polish: \"sphere 0.1\"", "a solid without a name"},
+      {"polish: \"sphere 0.1\"", "the layer has no name"},
       {"name: \"x\"", "bad.scene.textproto:2:11: x: the layer has no solid"},
       {"name: \"x\" polish: \"sphere -1\"", "bad.scene.textproto:2:45: x: radius_m of sphere is -1"},
       {"name: \"x\" polish:\n\"+ sphere 1 \"  # first\n  \"sphere -2\"", "bad.scene.textproto:4:11: x: radius_m"},
@@ -59,7 +59,7 @@ TEST(SolidText, ALayersErrorNamesFileLayerAndPlace) {
       {"name: \"x\" solid { translate { x_m: 1 y_m: 0 z_m: nan of { sphere { radius_m: 1 } } } }",
        "bad.scene.textproto:2:63: x: translate: z_m of tr is nan"},
       {"name: \"x\" solid { difference { of { sphere { radius_m: 1 } } of {} } }",
-       "bad.scene.textproto:2:80: x: difference.of[1]: a solid without a kind"},
+       "bad.scene.textproto:2:80: x: difference.of[1]: the solid has no kind"},
       {"name: \"x\" polish: \"sphere 1\" stiffness_N_per_m: 90000", "solid.stiffness_N_per_m is 90000 N/m"},
   };
   for (const auto& [layer, wanted] : kBad)

@@ -63,7 +63,7 @@ TEST_F(BadScene, AnUnknownWordIsRefused) {
   expect_place(said_about_layer("polish: \"orb 1\""), ":2:41: ", "ribs: expected a solid, found 'orb'");
   expect_place(said_about_layer("polis: \"sphere 1\""), ":2:37: ", "no field named \"polis\"");
   expect_place(said_about("\neffects { skin { tissue: \"wood\" } }"), ":3:11: ", "skin.tissue \"wood\" is not known");
-  expect_place(said_about("\neffects {}"), ":3:1: ", "an effect without a kind");
+  expect_place(said_about("\neffects {}"), ":3:1: ", "the effect has no kind");
 }
 
 TEST_F(BadScene, AMissingOperandIsRefusedInBothNotations) {
@@ -76,7 +76,7 @@ TEST_F(BadScene, AMissingOperandIsRefusedInBothNotations) {
                ":4:2: ", "ribs: blend: has 3 operands instead of 2");
   expect_place(said_about_layer("\nsolid { sphere {} }"), ":3:9: ", "ribs: sphere: radius_m is missing");
   expect_place(said_about_layer("\nsolid { translate { x_m: 0 y_m: 0 z_m: 0\n of {} } }"),
-               ":4:2: ", "ribs: translate.of[0]: a solid without a kind");
+               ":4:2: ", "ribs: translate.of[0]: the solid has no kind");
   expect_place(said_about_layer(""), ":2:11: ", "ribs: the layer has no solid");
 }
 

@@ -37,8 +37,9 @@ TEST(ImageAges, AreToldWithTheLargestErrorBoundOfTheSessionClock) {
   for (int i = 0; i < 98; ++i) ages.add(touchable_after(60ms, 0.003));
   ages.add(touchable_after(120ms, 0.0032));
   ages.add(touchable_after(120ms, 0.001));
-  EXPECT_EQ(ages.in_words(),
-            "100 images touchable 61 ms (p50) and 122 ms (p99) after capture; both with an error of at most 3.2 ms");
+  EXPECT_EQ(
+      ages.in_words(),
+      "100 images were touchable 61 ms (p50) and 122 ms (p99) after capture; both with an error of at most 3.2 ms");
 }
 
 TEST(ImageAges, AnUnknownClockIsToldAndAnAgeBelowZeroCountsAsZero) {
@@ -46,7 +47,7 @@ TEST(ImageAges, AnUnknownClockIsToldAndAnAgeBelowZeroCountsAsZero) {
   ages.add(touchable_after(-2ms, std::numeric_limits<double>::infinity()));
   EXPECT_EQ(
       ages.in_words(),
-      "1 images touchable 0.0 ms (p50) and 0.0 ms (p99) after capture; the error of the session clock is unknown");
+      "1 images were touchable 0.0 ms (p50) and 0.0 ms (p99) after capture; the error of the session clock is unknown");
 }
 
 TEST(DurationHistogram, EveryQuantileIsWithinThreePercentOfTheSortedValues) {

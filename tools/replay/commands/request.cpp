@@ -104,7 +104,7 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
                  .fix = "leave it out"};
   }
   if (request.check)
-    return Error{.what = "a sweep does not check the invariants",
+    return Error{.what = "a sweep does not check force, energy and contact",
                  .where = "--check",
                  .fix = "check one network at a time, without --sweep"};
   words.insert(words.begin(), arguments.text("sweep"));

@@ -105,8 +105,9 @@ void Invariants::check_release(const TickRecord& tick) {
   stale_ = tick.surface_age_s > kSurelyStale_s ? stale_ + kTick : 0ns;
   if (stale_ <= kFadeWithin) return;
   if (!control::has_let_go(tick.phase) || tick.force_N.norm() > kNoForce_N)
-    violated(with_number("the station has not let go, or still gives force, although the surface is %.2f s old",
-                         double{tick.surface_age_s}));
+    violated(with_number(
+        "the station has not let go, or still gives force, although the surface is %.2f s old (limit 2.5 s)",
+        double{tick.surface_age_s}));
 }
 
 /// A device that the station let go of can fall deeper than a contact may begin. From there, the station must lift it.
@@ -116,9 +117,9 @@ void Invariants::check_felt(const TickRecord& tick) {
       now() > calm_from_ && tick.depth_m > kDeep_m && tick.surface_age_s < kYoung_s && !tick.felt && !is_lifted;
   unfelt_ = unfelt ? unfelt_ + kTick : 0ns;
   if (unfelt_ > kFeltWithin)
-    violated(
-        with_number("the device is %.1f mm deep in the skin and has been deep for over 1.5 s, but there is no force",
-                    1e3 * double{tick.depth_m}));
+    violated(with_number(
+        "the device is %.1f mm deep in the skin and has been over 5 mm deep for over 1.5 s, but there is no force",
+        1e3 * double{tick.depth_m}));
 }
 
 void Invariants::add(const TickRecord& tick) {

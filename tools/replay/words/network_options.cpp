@@ -93,17 +93,16 @@ Result<void> apply_faults(const program::Arguments& arguments, Faults& faults) {
 }  // namespace
 
 std::vector<program::Option> network_options() {
-  std::vector<program::Option> options{{"profile", "NAME", "network figures: lan, lte, satellite or hostile"}};
+  std::vector<program::Option> options{{"profile", "NAME", "a network by name: lan, lte, satellite or hostile"}};
   for (const Figure& figure : figures()) options.push_back(figure.option);
   for (const Share& share : shares()) options.push_back(share.option);
-  options.insert(options.end(),
-                 {{"outage", "10s+500ms", "10 s after the start, no packet arrives for 500 ms"},
-                  {"restart", "10s+2s", "at 10 s the server stops, and restarts 2 s later"},
-                  {"tracker-lost", "10s+2s", "at 10 s the tracker stops, and resumes 2 s later"},
-                  {"glitch", "10s+4ms:MM", "at 10 s the device's position is MM mm off for 4 ms"},
-                  {"clock-step", "10s+2s:60ms", "at 10 s the station's clock is 60 ms ahead for 2 s"},
-                  {"deadline-ms", "MS", "a frame that arrives later after its capture is late [100 + delay]"},
-                  {"seed", "N", "seed of network, tracker; first seed of a storm", "1"}});
+  options.insert(options.end(), {{"outage", "10s+500ms", "10 s after the start, no packet arrives for 500 ms"},
+                                 {"restart", "10s+2s", "at 10 s the server stops, and restarts 2 s later"},
+                                 {"tracker-lost", "10s+2s", "at 10 s the tracker stops, and resumes 2 s later"},
+                                 {"glitch", "10s+4ms:MM", "at 10 s the device's position is MM mm off for 4 ms"},
+                                 {"clock-step", "10s+2s:60ms", "at 10 s the station's clock is 60 ms ahead for 2 s"},
+                                 {"deadline-ms", "MS", "a frame older than MS on arrival is late [100+delay]"},
+                                 {"seed", "N", "seed of network, tracker; first seed of a storm", "1"}});
   return options;
 }
 

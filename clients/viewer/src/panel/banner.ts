@@ -41,7 +41,7 @@ export function bannerFor(health: Health): Banner | undefined {
         : {level: 'wait', title: 'Connecting to the patient’s site', text: wait};
   }
   if (health.phase === Phase.Faulted && isRecent(health.station_ms))
-    return {level: 'alarm', title: 'Station faulted', text: 'The device gives no force. An operator must remove the cause and re-arm: telepalp-station rearm'};
+    return {level: 'alarm', title: 'Station faulted', text: 'The device gives no force. The station’s terminal names the cause. Remove it, then run there: telepalp-station rearm'};
   if (health.graphicsLost)
     return {
       level: 'alarm',
@@ -55,7 +55,7 @@ export function bannerFor(health: Health): Banner | undefined {
   if (health.picture_ms === undefined)
     return {level: 'wait', title: 'Waiting for the camera', text: health.capture?.detail || 'No depth image yet.'};
   if (health.capture?.state === CaptureState.Ended)
-    return {level: 'wait', title: 'The recording has ended', text: 'The last picture stays.'};
+    return {level: 'wait', title: 'The played recording has ended', text: 'The last picture stays.'};
   if (health.yields_s !== undefined && health.yields_s < WARM_S && isRecent(health.station_ms))
     return {
       level: 'warn',
@@ -68,8 +68,8 @@ export function bannerFor(health: Health): Banner | undefined {
   if (health.surfaceStale)
     return {
       level: 'warn',
-      title: 'The hand feels an old surface',
-      text: health.surface_ms === undefined ? '' : `The surface is ${seconds(health.surface_ms)} old.`,
+      title: 'No surface to feel',
+      text: health.surface_ms === undefined ? '' : `The device is beyond the measured surface, or this is too old: ${seconds(health.surface_ms)}.`,
     };
   if (health.station_ms !== undefined && health.station_ms > STALE_MS)
     return {level: 'warn', title: 'Station silent', text: `The station has sent no message for ${seconds(health.station_ms)}.`};

@@ -12,10 +12,10 @@ const LOOKS: Record<Phase, PhaseLook> = {
   [Phase.BodyToPlane]: {name: 'Body to plane', tone: 'between', says: 'the device lifts the hand away from the body'},
   [Phase.OutBody]: {name: 'Out body', tone: 'free', says: 'the device follows the hand above the body'},
   [Phase.PlaneToBody]: {name: 'Plane to body', tone: 'between', says: 'no force: push the device down to the skin'},
-  [Phase.ObjectLateral]: {name: 'Cylinder lateral', tone: 'inner', says: 'against the side of the inner object'},
-  [Phase.AroundObject]: {name: 'Around cylinder', tone: 'inner', says: 'beside the inner object'},
-  [Phase.ObjectUpper]: {name: 'Cylinder upper', tone: 'inner', says: 'on top of the inner object'},
-  [Phase.Released]: {name: 'Released', tone: 'quiet', says: 'no force: waiting for valid data'},
+  [Phase.ObjectLateral]: {name: 'Cylinder lateral', tone: 'inner', says: 'the hand is at the side of the inner object'},
+  [Phase.AroundObject]: {name: 'Around cylinder', tone: 'inner', says: 'the hand is beside the inner object'},
+  [Phase.ObjectUpper]: {name: 'Cylinder upper', tone: 'inner', says: 'the hand is on top of the inner object'},
+  [Phase.Released]: {name: 'Released', tone: 'quiet', says: 'no force until tracker and images are fresh'},
   [Phase.Faulted]: {name: 'Faulted', tone: 'alarm', says: 'no force until an operator re-arms'},
 };
 
@@ -27,5 +27,5 @@ const NOT_KNOWN: PhaseLook = {name: '–', tone: 'quiet', says: 'the station’s
  */
 export function lookOf(phase: Phase | undefined): PhaseLook {
   if (phase === undefined) return NOT_KNOWN;
-  return LOOKS[phase] ?? {name: `State ${Number(phase)}`, tone: 'quiet', says: 'the station is newer than this page'};
+  return LOOKS[phase] ?? {name: `State ${Number(phase)}`, tone: 'quiet', says: 'the station is newer than this page: update the server'};
 }

@@ -13,12 +13,14 @@ const milliseconds = (ms: number | undefined) =>
     ms === undefined ? '–' : ms < 10_000 ? `${Math.max(0, Math.round(ms))} ms` : `${(ms / 1000).toFixed(0)} s`;
 
 const OLD_MS = 250;
+const NOTICE_MS = 10_000;
 const PLOTS_EVERY = 2;  // the plots are drawn at each 2nd call of show(), 5 times a second: they cost the most
 
 /** Writes the readings that every view has. */
 export class Readouts {
   private readonly plots = new TouchPlots();
   private shows = 0;
+  private notice: Banner | undefined;  // of the last few seconds
 
   /** The station's values since the last presented instant. */
   addTrail(trail: readonly Touch[]): void {
@@ -92,8 +94,14 @@ export class Readouts {
   private updateBanner(reading: Reading): void {
     document.body.dataset['old'] = String(!reading.connected && reading.everConnected);
     const banner = bannerFor(reading);
-    this.showBanner(banner);
+    this.showBanner(banner?.level === 'alarm' ? banner : this.notice ?? banner);
     setTitle(banner);
+  }
+
+  /** Shows what the user must know now for a few seconds, unless there is an alarm. */
+  showNotice(notice: Banner): void {
+    this.notice = notice;
+    window.setTimeout(() => (this.notice = undefined), NOTICE_MS);
   }
 
   showBanner(banner: Banner | undefined): void {

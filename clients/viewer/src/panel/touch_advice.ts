@@ -34,7 +34,7 @@ export function touchAdvice(health: TouchHealth): Banner | undefined {
   if (handShown !== false) return placementAdvice(health) ?? motionAdvice(health);
   return holdsHand
       ? {level: 'wait', title: 'Touch', text: 'Move the pointer over the skin; hold the left button, or a finger, down to push in.'}
-      : {level: 'wait', title: 'No hand', text: 'The tracker sees no hand. Press Touch (T) to hold it here, if the station runs with --tracker browser.'};
+      : {level: 'wait', title: 'No hand', text: 'Move the hand into the tracker’s view; if the station runs with --tracker browser, press Touch (T).'};
 }
 
 /** Says that the patient's motion does not fit the station's prediction; undefined while it fits. */

@@ -87,7 +87,7 @@ export function networkRows(state: NetworkState): Row[] {
     {name: 'too late', value: String(images_late), part: true, says: 'Complete only after a newer one, so dropped'},
     {name: 'lost', value: String(images_lost), part: true,
      says: 'Incomplete, replaced by a newer one before sending, or predicted from an image that is missing'},
-    {name: 'Image delay', value: `${state.image_delay_ms.toFixed(0)} ms`, says: 'Time of the newest depth image in the network'},
+    {name: 'Image delay', value: `${state.image_delay_ms.toFixed(0)} ms`, says: 'How long the newest depth image was in the network'},
   ];
 }
 

@@ -54,7 +54,8 @@ Error McapStreamReader::skip_to_next_chunk() {
   ended_ = !found;
   if (!found) return cut_off();
   const Error skipped = mcap::damaged(
-      *source_, "damaged bytes are skipped up to byte " + std::to_string(*found) + ", where reading continues",
+      *source_,
+      "damaged bytes are skipped, and reading continues at byte " + std::to_string(*found) + "; the damage begins",
       offset_);
   offset_ = *found;
   trusted_end_ = *found + 1;  // the next search begins behind this chunk, so that reading always ends

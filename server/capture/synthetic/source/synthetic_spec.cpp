@@ -83,7 +83,7 @@ constexpr Key kKeys[] = {
     {"noise", "none, kinect, or a standard deviation of 0 to 100, in mm", set_noise},
     {"steps", "on or off", [](std::string_view v, SyntheticSettings& s) { return set_switch(v, s.disparity_steps); }},
     {"holes", "on or off", [](std::string_view v, SyntheticSettings& s) { return set_switch(v, s.holes); }},
-    {"unit_mm", "0.05 to 10, in mm for one step of a depth sample",
+    {"unit_mm", "0.05 to 10, the mm for a depth pixel's value of 1",
      [](std::string_view v, SyntheticSettings& s) { return set_number(v, 0.05, 10.0, kMm, s.depth_unit_m); }},
     {"width", "160, 320 or 640 pixels", set_width},
 };

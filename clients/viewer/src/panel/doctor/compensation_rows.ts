@@ -28,7 +28,7 @@ export function compensationRows(
     {
       name: 'Skin predicted',
       value: `${signed(surfaceCarriedM).replace(' mm', '')} ± ${mm(2 * surfaceSigmaM)}`,
-      says: `Distance from the skin captured ${ms(compensation.surfaceAgeS)} ago. +: away from the body. ± is two standard ` +
+      says: `Predicted movement of the skin captured ${ms(compensation.surfaceAgeS)} ago. +: away from the body. ± is two standard ` +
           'deviations of noise, fit and prediction.',
     },
     {

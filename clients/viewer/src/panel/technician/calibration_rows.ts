@@ -21,7 +21,7 @@ export function fitRows(fit: OffsetFit | undefined): Row[] {
   return [
     {name: 'Hand p0', value: point(fit.tracker0), says: 'Mean of the hand in the tracker’s frame L: S1 eq. (2)'},
     {name: 'Device p0', value: point(fit.haptic0), says: 'Mean of the end-effector in the haptic base’s frame H: S1 eq. (2)'},
-    {name: 'Rotation R', value: 'x, −y, −z', says: 'S1 eq. (4). Its inverse is itself, so eq. (3) uses it, too.'},
+    {name: 'Rotation R', value: 'x, −y, −z', says: 'S1 eq. (4). R is its own inverse, so eq. (3) uses R, too.'},
     {name: 'Translation', value: point(fit.translation), says: 'Device p0 − R · hand p0: the rows above'},
     {name: 'Residual', value: `${mm(fit.rms_m)} RMS`, level: fit.largest_m > MOST_MOVED_M ? 'alarm' : 'good',
      says: 'Distance between R · hand + translation and the end-effector, over all pairs'},
@@ -38,6 +38,6 @@ export function verdict(fit: OffsetFit | undefined): string {
   if (fit.largest_m > MOST_MOVED_M)
     return 'The places disagree: the tracker is turned otherwise than S1 eq. (4) assumes. Save the pairs, and run the second command of step 4.';
   if (fit.places.length < 3)
-    return 'Good so far. Measure three places 5 cm apart: one place does not show that the tracker is turned.';
+    return 'Good so far. Measure three places 5 cm apart: one place does not show whether the tracker is turned.';
   return 'Good: the places agree.';
 }

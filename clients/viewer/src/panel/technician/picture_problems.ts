@@ -46,8 +46,8 @@ function distanceRow(middle_m: number): Row {
     name: 'Distance',
     value: middle_m === 0 ? '–' : `${middle_m.toFixed(2)} m`,
     level: tooNear || tooFar ? 'alarm' : 'good',
-    says: `From the camera to the picture’s middle. ${NEAREST_M} to ${FARTHEST_M} m is good: ` +
-        (middle_m === 0 ? 'the middle is not measured.' : tooNear ? 'move the camera away.' : tooFar ? 'move the camera nearer.' : 'leave the camera where it is.'),
+    says: `From the camera to the picture’s middle. ${NEAREST_M} to ${FARTHEST_M} m is good. ` +
+        (middle_m === 0 ? 'The middle is not measured: see Holes.' : tooNear ? 'Move the camera away.' : tooFar ? 'Move the camera nearer.' : 'Leave the camera where it is.'),
   };
 }
 
