@@ -37,7 +37,9 @@ bool is_side(int side) noexcept { return side > 0 && side <= kMaxImageSide; }
 Error damaged(std::string what) {
   return {.what = std::move(what),
           .where = "compressed depth image",
-          .fix = "send or record the image again; if others fail as well, install the same telepalp at both ends"};
+          .fix =
+              "read on: the next key frame repairs a live stream; if others fail as well, install the same version of "
+              "telepalp at both ends"};
 }
 
 std::uint32_t frame_crc(const PacketHeader& header, std::span<const std::uint16_t> samples) {

@@ -16,7 +16,7 @@ program::Usage usage() {
           .positional = "",
           .options = {{"out", "DIR", "folder for report.html and report.json", "trials"},
                       {"scene", "FILE|NAME",
-                       "scene file, or a scene of the library; default: the study's skin and cylinder"},
+                       "scene file or scene of the library; default: skin and cylinder as in paper S1"},
                       {"surface", "KIND",
                        "plane: a level skin that is known exactly; camera: a belly under a simulated depth camera; "
                        "both: one after the other",

@@ -17,9 +17,10 @@ namespace telepalp::keys {
 namespace {
 
 Error not_a_key(const std::string& file) {
-  return {.what = "this is not a key file, or it is damaged",
-          .where = file,
-          .fix = "give a file that telepalp-keys wrote, or copy the damaged file again"};
+  return {
+      .what = "this is not a key file, or it is damaged",
+      .where = file,
+      .fix = "give a file that telepalp-keys wrote, or copy a damaged file again from where telepalp-keys wrote it"};
 }
 
 std::string token_line(std::string_view text) {

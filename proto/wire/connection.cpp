@@ -24,7 +24,7 @@ constexpr std::uint64_t kLatestStamp = std::uint64_t{1} << 61;  // beyond it, su
 Error bad_peer(std::string what) {
   return {.what = std::move(what),
           .where = "peer",
-          .fix = "install the same telepalp at both ends; other programs must follow proto/WIRE.md"};
+          .fix = "install the same version of telepalp at both ends; other programs must follow proto/WIRE.md"};
 }
 
 Error no_publisher(const Topic& topic) {
@@ -36,7 +36,7 @@ Error no_publisher(const Topic& topic) {
 Error other_version(const std::string& detail) {
   return {.what = "the server is of another version: " + detail,
           .where = {},
-          .fix = "install the same telepalp at both ends; --version prints the version of a program"};
+          .fix = "install the same version of telepalp at both ends; --version prints the version of a program"};
 }
 
 /// The peer's reason is one line of `what. fix: fix`, as to_string() writes it.

@@ -35,7 +35,7 @@ T get(const HeaderBytes& bytes, std::size_t at) noexcept {
 Error refused(std::string what) {
   return {.what = std::move(what),
           .where = "header of a wire frame",
-          .fix = "install the same telepalp at both ends; other programs must follow proto/WIRE.md"};
+          .fix = "install the same version of telepalp at both ends; other programs must follow proto/WIRE.md"};
 }
 
 }  // namespace

@@ -219,7 +219,7 @@ Result<PointModel> parse_binary(std::span<const std::byte> bytes, const Header& 
 Result<PointModel> parse_compressed(std::span<const std::byte> bytes, const Header& header, const FieldIndices& fields,
                                     const std::string& name) {
   std::uint32_t sizes[2] = {};
-  if (bytes.size() < sizeof sizes) return bad(name, "ends before its compressed data");
+  if (bytes.size() < sizeof sizes) return bad(name, "is cut off before its compressed data begin");
   std::memcpy(sizes, bytes.data(), sizeof sizes);
   std::size_t point_bytes = 0;
   for (const Field& field : header.fields) point_bytes += field.bytes * field.count;

@@ -233,9 +233,9 @@ TEST_F(Recorder, DescribesAFile) {
   const auto facts = inspect(session());
   ASSERT_TRUE(facts) << to_string(facts.error());
   const std::string text = in_words(*facts);
-  EXPECT_NE(
-      text.find("10.0 s from the first message, which can be older than the recording, to the last; 1600 messages"),
-      std::string::npos)
+  EXPECT_NE(text.find("10.0 s from the first message, which may have been sent before the recording began, to the "
+                      "last; 1600 messages"),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("made by telepalp-test 0.1.0 (abc1234) from synthetic"), std::string::npos) << text;
   EXPECT_NE(text.find("/station/state  telepalp.msg.StationState      1000    100.0"), std::string::npos) << text;

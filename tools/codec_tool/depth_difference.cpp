@@ -22,7 +22,7 @@ std::string in_mm(double before, double after, double allowed) {
   if (before == 0.0)
     std::snprintf(text, sizeof text, ": not measured in the first input, %.3f mm in the second", after);
   else if (after == 0.0)
-    std::snprintf(text, sizeof text, " at %.3f mm: not measured in the second input", before);
+    std::snprintf(text, sizeof text, ": %.3f mm in the first input, not measured in the second", before);
   else
     std::snprintf(text, sizeof text, " at %.3f mm: off by %.3f mm, %.3f mm allowed", before, std::abs(after - before),
                   allowed);

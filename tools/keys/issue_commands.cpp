@@ -139,7 +139,8 @@ Result<std::string> revoke(const Asked& asked) {
   if (!count) return count.error();
   const std::string list = folder->path("revoked.crl").string();
   return serial + " is revoked; " + list + " lists all revoked keys and tokens, " + std::to_string(*count) +
-         " in number.\nnext:       copy this list beside the server's key: the server reads it within two seconds\n";
+         " in number.\nnext:       copy this file into the folder of the server's key: the server reads it within two "
+         "seconds\n";
 }
 
 }  // namespace telepalp::keys_tool

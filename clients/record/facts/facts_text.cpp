@@ -19,7 +19,7 @@ std::string formatted(const char* format, Values... values) {
 std::string first_line(const SessionFacts& facts) {
   const double size_MB = static_cast<double>(facts.bytes) / 1e6;
   std::string line = formatted(
-      "%.1f s from the first message, which can be older than the recording, to the last; %llu "
+      "%.1f s from the first message, which may have been sent before the recording began, to the last; %llu "
       "messages in %llu chunks, %.1f MB",
       facts.seconds, static_cast<unsigned long long>(facts.messages), static_cast<unsigned long long>(facts.chunks),
       size_MB);

@@ -173,7 +173,8 @@ Result<void> check(const Solid& solid) {
       return wrong("operators nest deeper than " + std::to_string(kMostNesting), "join solids by a chain of unions");
     if (const auto complaint = complaint_about(node)) return wrong(complaint->what, complaint->fix);
     if (node.kind().op == Op::Mesh && !node.lattice)
-      return wrong("the mesh \"" + node.file + "\" has not been read", "read it before the tree is built");
+      return wrong("the mesh \"" + node.file + "\" of the solid is not loaded",
+                   "this is a fault of telepalp: report it, with the scene file");
     const bool chain = node.kind().op == Op::Union;
     for (int i = 0; i < node.kind().operands; ++i) levels.push_back(chain && i == 0 ? level : level + 1);
   }

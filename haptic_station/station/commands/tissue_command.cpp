@@ -17,7 +17,7 @@ program::Usage usage() {
           .positional = "",
           .options = {{"test", "FILE", "CSV: a header row, then rows compression_mm,load_N"},
                       {"diameter-mm", "MM", "diameter of the specimen, in millimetres", "50"},
-                      {"height-mm", "MM", "height of the specimen, in millimetres", "30"},
+                      {"height-mm", "MM", "height of the tested specimen before the test, in millimetres", "30"},
                       {"contact-mm", "MM", "diameter of the fingers' contact with the skin, in millimetres", "30"},
                       {"thickness-mm", "MM", "thickness of the tissue under the hand, in millimetres", "60"},
                       {"to-strain", "SHARE",

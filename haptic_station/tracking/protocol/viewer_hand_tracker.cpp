@@ -38,7 +38,7 @@ const char* in_words(ViewerHandTracker::Taken taken) noexcept {
     case ViewerHandTracker::Taken::Followed:
       return "its hand is followed";
     case ViewerHandTracker::Taken::Passing:
-      return "not followed yet: another viewer has just let go of the hand";
+      return "the station does not follow your hand yet: another viewer has just let go";
     case ViewerHandTracker::Taken::OutOfReach:
       return "not followed: its hand is out of the device's reach";
   }

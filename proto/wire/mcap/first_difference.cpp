@@ -32,7 +32,7 @@ std::string fields_that_differ(const Message& a, const Message& b) {
   const std::unique_ptr<google::protobuf::Message> left(prototype->New());
   const std::unique_ptr<google::protobuf::Message> right(prototype->New());
   if (!left->ParseFromString(*a.payload) || !right->ParseFromString(*b.payload))
-    return "the message cannot be parsed in one of the files, so that its fields are not compared\n";
+    return "the message is damaged in one of the files, so that its fields are not compared\n";
   std::string fields;
   google::protobuf::util::MessageDifferencer differencer;
   differencer.ReportDifferencesToString(&fields);

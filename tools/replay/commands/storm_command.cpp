@@ -43,8 +43,8 @@ class Findings {
         "energy)",
         least_passivity_J_, "\n");
     print(
-        "largest excess work on the hand in one contact (the device's work, less the newest measured skin's on the "
-        "same path)",
+        "largest excess work on the hand in one contact (the device's work, minus the work of the newest "
+        "measured skin on the same path)",
         most_excess_J_, "\n");
     print(
         "most energy that a hand gained in one contact (the smaller of the device's work on the hand and its excess "

@@ -112,7 +112,7 @@ Result<std::vector<SweepAxis>> parse_axes(const std::vector<std::string>& words)
     Result<SweepAxis> axis = parse_axis(word);
     if (!axis) return axis.error();
     if (std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& other) { return other.name == axis->name; }))
-      return refused(word, "names an axis that an earlier value of --sweep names");
+      return refused(word, "varies what an earlier value of --sweep varies already");
     axes.push_back(std::move(*axis));
   }
   return axes;
