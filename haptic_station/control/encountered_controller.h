@@ -38,6 +38,8 @@ class EncounteredController {
   [[nodiscard]] const PassivityController& passivity() const noexcept { return force_control_.passivity(); }
   [[nodiscard]] const VirtualCoupling& coupling() const noexcept { return force_control_.coupling(); }
   [[nodiscard]] Phase phase() const noexcept { return phases_.phase(); }
+  /// True when the skin gave force at the last tick.
+  [[nodiscard]] bool touching() const noexcept { return force_control_.touching(); }
   [[nodiscard]] const ControlSettings& settings() const noexcept { return settings_; }
 
  private:

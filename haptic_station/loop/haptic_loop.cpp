@@ -68,7 +68,7 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
   const GatedReading gated = device_gate_.step(device, dt_s);
   const Indexed indexed = indexing_.step(gated.at, dt_s);
   const Point<HapticBase> device_at = in_patient_frame(gated.at);
-  const surface::TouchSample touch = touch_.step(camera_from_haptic_ * device_at, now, dt_s);
+  const surface::TouchSample touch = touch_.step(camera_from_haptic_ * device_at, now, dt_s, controller_.touching());
   anchor_lost_ = touch.in_body && (anchor_lost_ || !indexed.interacts);
   tracking::HandPrediction hand = hand_.predict(now);
   hand.at = in_patient_frame(hand.at);

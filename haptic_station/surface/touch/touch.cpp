@@ -103,7 +103,7 @@ void Touch::release() noexcept {
   out_of_order_ = counted;
 }
 
-TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, double dt_s) noexcept {
+TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, double dt_s, bool felt) noexcept {
   now_ = std::max(now_, now);
   if (snapshot_ == nullptr || !device.m.allFinite()) return {};
   const double dt = dt_s > 0.0 ? std::min(dt_s, 0.1) : 0.0;
@@ -121,7 +121,7 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   device_ = device.m;
   has_device_ = true;
   follow_anchor(dt);
-  hold(dt, device.m);
+  hold(dt, device.m, felt);
   return answer(device.m);
 }
 
@@ -279,15 +279,16 @@ void Touch::follow_anchor(double dt_s) noexcept {
 }
 
 /// The displayed share of the contact follows the support at a bounded rate. Without a surface, the last plane is held
-/// while the contact fades.
-void Touch::hold(double dt_s, const Vector3d& device) noexcept {
+/// while the contact fades. A contact that is not felt takes a greater support at once: if the share grew after the
+/// force has begun, it would stiffen the skin under the hand, and give it energy.
+void Touch::hold(double dt_s, const Vector3d& device, bool felt) noexcept {
   double target = 0.0;
   if (has_foot_ && at_foot_.valid) {
     const double beyond = (sideways_of(device) - settings_.off_foot_m) / (2.0 * settings_.off_foot_m);
     target = at_foot_.support * freshness() * (1.0 - smooth_step(beyond));
   }
   const double most = dt_s / settings_.let_go_over_s;
-  held_ = side_ == Side::Inside ? std::clamp(target, held_ - most, held_ + most) : target;
+  held_ = side_ == Side::Inside ? std::clamp(target, held_ - most, felt ? held_ + most : 1.0) : target;
   if (side_ == Side::Inside && has_foot_ && !at_foot_.valid)
     foot_ += shortened(tangential(device - foot_, normal_), kHeldPlane_m_per_s * dt_s);
   if (held_ > 0.0 || target > 0.0) return;

@@ -69,8 +69,10 @@ class Touch {
   /// Forgets the snapshot and ends the contact at once.
   void release() noexcept;
   /// The touch of `device` at `now`, `dt_s` after the last step. A position that is not finite moves nothing and gives
-  /// an empty sample, as does a step without a snapshot. If `now` goes back, the latest `now` so far is used.
-  [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s) noexcept;
+  /// an empty sample, as does a step without a snapshot. If `now` goes back, the latest `now` so far is used. `felt`:
+  /// the device gives force by this contact; false: the station has let go, so the support may rise at once.
+  [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s,
+                                 bool felt = true) noexcept;
 
   /// The displacement after the last step. Evaluates the surface twice; zero without a foot.
   [[nodiscard]] Displaced displaced() const noexcept;
@@ -92,7 +94,7 @@ class Touch {
   void show_at(const Eigen::Vector3d& device) noexcept;
   void look_at_anchor() noexcept;
   void follow_anchor(double dt_s) noexcept;
-  void hold(double dt_s, const Eigen::Vector3d& device) noexcept;
+  void hold(double dt_s, const Eigen::Vector3d& device, bool felt) noexcept;
   [[nodiscard]] double height_of(const Eigen::Vector3d& device) const noexcept;
   [[nodiscard]] double sideways_of(const Eigen::Vector3d& device) const noexcept;
   [[nodiscard]] double age_s() const noexcept;

@@ -15,10 +15,10 @@ namespace {
 using Eigen::Vector3d;
 using testing::AnalyticSurface;
 
-std::shared_ptr<const SurfaceSnapshot> snapshot_of(const AnalyticSurface& surface,
-                                                   const SurfaceSettings& settings = {}) {
+std::shared_ptr<const SurfaceSnapshot> snapshot_of(const AnalyticSurface& surface, const SurfaceSettings& settings = {},
+                                                   SessionTime captured = session_time(1)) {
   const Intrinsics camera = testing::camera_with_spacing(0.8, 0.0015);
-  return build_snapshot(testing::render(surface, camera, {}), camera, session_time(1), std::nullopt, settings);
+  return build_snapshot(testing::render(surface, camera, {}), camera, captured, std::nullopt, settings);
 }
 
 TEST(Touch, OnAShapeKnownByFormulaTheProxyAndNormalAreRight) {
@@ -44,6 +44,41 @@ TEST(Touch, AContactThatBeginsInTheBodyHasItsWholeShareWhileItsDepthIsZero) {
   EXPECT_NEAR(first.distance_m, 0.0, 1e-9);
   EXPECT_GT(first.newest_above_m, 0.03);
   EXPECT_GT(first.support, 0.99);
+}
+
+/// The share of a device that goes in while the image is 1.3 s old, one tick after the images return: this share, and
+/// the share one tick before.
+struct ShareOnReturn {
+  double before = 0.0;
+  double after = 0.0;
+};
+ShareOnReturn share_on_return(bool felt) {
+  const auto shapes = testing::smooth_shapes();
+  const AnalyticSurface& shape = *shapes.front();
+  const auto old = snapshot_of(shape);
+  const auto newest = snapshot_of(shape, {}, old->captured + from_seconds(1.3));
+  Touch touch;
+  touch.adopt(*old, old->captured);
+  const auto step_at = [&](double depth_m, double at_s) {
+    const Point<DepthCamera> device{{0.0, 0.0, shape.depth_along(0.0, 0.0) + depth_m}};
+    return touch.step(device, old->captured + from_seconds(at_s), 0.0005, felt);
+  };
+  (void)step_at(-0.001, 1.2995);
+  const TouchSample before = step_at(0.001, 1.3);
+  EXPECT_TRUE(before.in_body);
+  touch.adopt(*newest, newest->captured);
+  return {.before = before.support, .after = step_at(0.001, 1.3005).support};
+}
+
+TEST(Touch, AContactThatIsNotFeltHasItsWholeShareOnceImagesReturn) {
+  const ShareOnReturn share = share_on_return(false);
+  EXPECT_LT(share.before, 0.5) << "the old image counts little";
+  EXPECT_GT(share.after, 0.99);
+}
+
+TEST(Touch, AContactThatIsFeltRegainsItsShareGradually) {
+  const ShareOnReturn share = share_on_return(true);
+  EXPECT_NEAR(share.after - share.before, 0.0005 / TouchSettings{}.let_go_over_s, 1e-9);
 }
 
 TEST(GridSurface, TheGradientIsThatOfF) {

@@ -205,6 +205,34 @@ AssertionResult back_in_the_skin() {
                  below_mJ("energy given", felt.energy_out_J, 1.0)});
 }
 
+/// Images stop at 0.5 s. The station releases at 1.5 s, and the contact fades until 2 s. The hand goes in at 1.8 s, and
+/// goes on to 80 mm. The first new image comes at 1.9 s, under a hand that is 40 mm deep.
+AssertionResult images_return_over_a_hand_in_the_skin() {
+  LoopScene scene;
+  scene.seconds = 4.0;
+  scene.person = [](const device::TrialView& view) {
+    const double in_m = 0.4 * std::max(0.0, view.time_s - 1.65);
+    const double out_m = 0.2 * std::max(0.0, view.time_s - 2.6);
+    return device::Intention{{{0.0, std::max(-0.08, 0.06 - in_m) + out_m, 0.0}}, {}};
+  };
+  scene.camera = [](int tick, double now_s) {
+    const bool silent = now_s > 0.5 && now_s < 1.9;
+    return tick % LoopScene::kTicksPerFrame == 0 && !silent ? std::optional(SeenPlane{now_s}) : std::nullopt;
+  };
+  double began_with = 0.0;
+  double least_J = 0.0;
+  scene.watch = [&](const loop::HapticLoop::Act& act, double, const auto&, const auto&) {
+    if (control::is_inside(act.control.phase) && !control::is_inside(act.control.previous))
+      began_with = act.contact.support;
+    least_J = std::min(least_J, act.control.passivity_J);
+  };
+  const Felt felt = feel(scene);
+  return all_of({{felt.let_gos == 1 && felt.body_entries == 1, "released, and felt again"},
+                 above("share of the skin as contact begins", began_with, 0.99, 100.0, "%"),
+                 below_mJ("display's ledger below zero by", -least_J, 0.5),
+                 below_N("step", felt.worst_step_N, 0.1)});
+}
+
 /// Good and stale inputs by turns of 50 ms, under a hand that goes in and out of the skin.
 AssertionResult inputs_come_and_go() {
   const auto stale_at = [](double now_s) { return now_s > 1.0 && std::fmod(now_s, 0.1) < 0.05; };
@@ -251,6 +279,8 @@ std::vector<HardCase> clock_rows() {
        "contact begins at once, without a step", back_above_the_skin},
       {"24 inputs return when the hand is in the skin", "it came from outside, on stale inputs",
        "contact begins at once, without a step", back_in_the_skin},
+      {"24 images return over a hand in the skin", "the skin that it passed had nearly faded",
+       "the whole skin, from zero force on", images_return_over_a_hand_in_the_skin},
       {"24 good and stale inputs by turns", "each good turn could begin a contact, and each stale one ends it",
        "no force step above 0.1 N, no contact on stale inputs", inputs_come_and_go},
   };

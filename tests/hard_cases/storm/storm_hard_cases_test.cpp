@@ -93,6 +93,12 @@ const HardCase kRows[] = {
        storm.patient_seed = 28;
        return invariants_hold(storm);
      }},
+    {"a tap goes in through skin that fades with age, and images return",
+     "a fifth of the skin, which grows to all of it", "the whole skin, from zero force on",
+     [] {
+       return invariants_hold(
+           tapping(drawn("regular", "skin", 4.0, 996, {.delay = 91ms, .loss = 0.1}, {.outages = {{1090ms, 895ms}}})));
+     }},
     {"an encoder glitch in deep contact", "the force of a jump is above the peak", "bounded force and slew",
      [] {
        return invariants_hold(over(20ms, 0.0, {.glitches = {{{4s, 4ms}, -0.06}, {{4100ms, 1ms}, 0.06}}}));
