@@ -76,7 +76,7 @@ Result<solids::DistanceLattice> lattice_around(const std::vector<ClosedFace>& fa
   lattice.spacing_m = spacing_m;
   const Vector3d cells = ((box.sizes().array() + 2.0 * margin_m) / spacing_m).ceil();
   if (!(cells.prod() < kMostNodes))
-    return Error{.what = "needs a grid of more than 16 million nodes",
+    return Error{.what = "would need a grid of more than 16 million points",
                  .where = {},
                  .fix = "give larger cells (cell_m), or check the unit of the file's coordinates (unit_m)"};
   for (int axis = 0; axis < 3; ++axis) lattice.size[static_cast<std::size_t>(axis)] = static_cast<int>(cells[axis]) + 1;

@@ -186,7 +186,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
     listener_.note(name_ + " at " + connection_->peer() + " publishes " + std::string(topic.name) + " faster than " +
                    std::to_string(std::lround(rate.messages_per_s)) + " messages or " +
                    std::to_string(std::lround(rate.bytes_per_s / 1024)) +
-                   " KiB a second: the messages beyond that are dropped");
+                   " KiB a second: the messages beyond that are dropped. fix: let that program publish less often");
   }
   void on_key_frame_request(const wire::Topic& topic, SessionTime published) override {
     listener_.hub_.request_key_frame(subscriber_, topic, published);

@@ -61,10 +61,10 @@ Result<KeyFolder> KeyFolder::create(const fs::path& folder, const std::string& n
 Result<KeyFolder> KeyFolder::open(const fs::path& folder) {
   const fs::path file = folder / kAuthority;
   if (!fs::exists(file))
-    return Error{
-        .what = "there is no authority yet",
-        .where = file.string(),
-        .fix = "telepalp-keys authority --dir " + folder.string() + ", or give the folder of an authority with --dir"};
+    return Error{.what = "there is no certificate authority, which signs all keys, yet",
+                 .where = file.string(),
+                 .fix = "run telepalp-keys authority --dir " + folder.string() +
+                        ", or give the folder of an authority with --dir"};
   const Result<std::string> text = read_file(file, keys::kMaxKeyFileBytes);
   if (!text) return text.error();
   Result<keys::Authority> authority = keys::Authority::read(*text, file.string());

@@ -66,8 +66,8 @@ std::vector<Chart> compensation(const Session& session) {
       chart_of("Age of the data from which the force is computed", "age [ms]",
                {over_time(session, "surface", plot::kBlue, [](Sample t) { return t.surface_age_s() * 1e3; }),
                 over_time(session, "hand", plot::kVermilion, [](Sample t) { return t.hand_age_s() * 1e3; }),
-                over_time(session, "error bound of the surface's age (session clock)", plot::kGrey,
-                          [](Sample t) { return t.clock_error_s() * 1e3; })}),
+                over_time(session, "largest error of the surface's age, by the estimate of the server's clock",
+                          plot::kGrey, [](Sample t) { return t.clock_error_s() * 1e3; })}),
       chart_of(
           "Predicted motion of the surface along its normal", "distance [mm]",
           {over_time(session, "predicted motion", plot::kBlue, [](Sample t) { return t.surface_carried_m() * 1e3; }),

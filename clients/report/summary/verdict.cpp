@@ -21,7 +21,8 @@ Check depth_check(const Summary& s) {
   const wire::DepthFidelity& depth = s.depth;
   const bool known = s.ticks > 0 && (depth.moved || !depth.mode.empty());
   const std::string meaning =
-      "the touched depth is " + wire::in_words(depth) + ": near-lossless depth is for looking at, not for touching";
+      "the hand felt depth that is " + wire::in_words(depth) +
+      "; only lossless depth is for touching (telepalp-server --depth-mode fast, intra or temporal)";
   if (depth.moved && !depth.within)
     return {"depth is near-lossless, bound not stated (1: yes, 0: no)", known ? 1.0 : kUnknown, 0.0, "", true, meaning};
   const double off_mm = depth.within ? wire::at_1_m_mm(*depth.within) : 0.0;

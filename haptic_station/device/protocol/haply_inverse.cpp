@@ -19,9 +19,10 @@ constexpr std::size_t kMostIdBytes = 64;
 constexpr int kMostDevices = 16;
 
 Error refused(std::string what) {
-  return {.what = std::move(what),
-          .where = "message of the Inverse service",
-          .fix = "check that the Inverse service is 3.1 or later, and that its numbers have decimal points"};
+  return {
+      .what = std::move(what),
+      .where = "message of the Inverse service",
+      .fix = "check that Haply's Inverse service is 3.1 or later, and writes its numbers with a point (1.5, not 1,5)"};
 }
 
 bool is_id_letter(char c) {

@@ -52,7 +52,7 @@ Result<void> UdpDevice::start(std::chrono::milliseconds limit) {
                               : "does not answer";
   const std::string fix = faulted_ ? "switch the device's motors on"
                           : refused_ > 0
-                              ? "install a program for the device that speaks this protocol"
+                              ? "install a program for the device that speaks this protocol (UDP_DEVICE.md)"
                               : "start the device's program, which must speak the protocol in telepalp's UDP_DEVICE.md";
   return Error{.what = why, .where = name_, .fix = fix + ", or give --device simulated"};
 }

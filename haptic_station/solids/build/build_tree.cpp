@@ -178,7 +178,8 @@ Result<void> check(const Solid& solid) {
     const bool chain = node.kind().op == Op::Union;
     for (int i = 0; i < node.kind().operands; ++i) levels.push_back(chain && i == 0 ? level : level + 1);
   }
-  if (!levels.empty()) return wrong("an operator lacks an operand", "give each operator its solids");
+  if (!levels.empty())
+    return wrong("an operator, such as union or clip, lacks a solid", "write its solids after each operator");
   return {};
 }
 

@@ -56,7 +56,8 @@ Result<Text> parse_text(std::string_view text) {
   options.ignore_unknown_fields = true;
   leap_v6::Text message;
   if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &message, options); !read.ok())
-    return refused("it is not a message of version 6 of the Leap protocol: " + read.ToString().substr(0, 200));
+    return refused("what the service sent is not a message of version 6 of the Leap protocol: " +
+                   read.ToString().substr(0, 200));
   if (message.has_version()) return Text{Hello{message.version(), message.serviceversion()}};
   if (!message.has_timestamp()) return Text{Other{}};
   if (message.timestamp() < 0 || message.timestamp() > kLatest_us) return refused("its timestamp is out of range");

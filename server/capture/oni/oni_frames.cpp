@@ -119,7 +119,7 @@ ColorImage OniFrames::color_at(std::chrono::microseconds time) {
   const std::optional<std::string> packet = read_at(stream_, nearest->at, nearest->bytes);
   std::optional<ColorImage> color;
   if (packet) color = decoded_color(recording_.color, *packet);
-  if (!color) note("a colour image is damaged at byte " + std::to_string(nearest->at));
+  if (!color) note("a colour image is damaged, at byte " + std::to_string(nearest->at));
   return color ? std::move(*color) : ColorImage{};
 }
 

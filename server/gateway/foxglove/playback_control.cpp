@@ -44,7 +44,9 @@ std::string message(Status status, std::uint64_t time_ns, double speed, bool did
 Error refused(std::string what) {
   return {.what = std::move(what),
           .where = "playback request",
-          .fix = "send a command, a speed from 0.1 to 10 and a time between dataStartTime and dataEndTime"};
+          .fix =
+              "send a command, a speed from 0.1 to 10 and a time between dataStartTime and dataEndTime of the server's "
+              "serverInfo message"};
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ std::string cost_in_words(const RunResults& results, double wall_s) {
   for (const RunResult& run : results.runs) total.add(run.costs);
   double all_ns = 0.0;
   for (std::size_t i = 0; i < kPartCount; ++i) all_ns += static_cast<double>(total.cost_ns(static_cast<Part>(i)));
-  std::string text = number(results.seconds, "%.1f") + " s of virtual time took " + number(wall_s, "%.2f") +
+  std::string text = number(results.seconds, "%.1f") + " s of virtual time in each run took " + number(wall_s, "%.2f") +
                      " s: " + number(results.seconds / wall_s, "%.1f") + " times as fast as real time, for " +
                      std::to_string(results.runs.size()) + " runs side by side; share of the processor time by part:";
   for (std::size_t i = 0; i < kPartCount; ++i)
