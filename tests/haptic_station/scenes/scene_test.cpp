@@ -55,6 +55,12 @@ TEST(Scene, AnUnknownFieldIsAnErrorWithLineAndColumn) {
       << complaint("plane { hight_m: 0.02 }");
 }
 
+/// S1's d_thr had this name. A scene that gives it would otherwise load, and 1 mm would be felt like 500 mm.
+TEST(Scene, AThresholdWithoutEffectIsRefused) {
+  EXPECT_NE(complaint("transitions { from_body_within_m: 0.5 }").find("bad.scene.textproto:2:"), std::string::npos)
+      << complaint("transitions { from_body_within_m: 0.5 }");
+}
+
 TEST(Scene, AValueInAWrongUnitIsNamedWithItsUnitAndRange) {
   const std::string text = complaint("plane { height_m: 30 }");  // millimetres
   EXPECT_NE(text.find("plane.height_m is 30 m, outside -0.5 to 0.5 m"), std::string::npos) << text;

@@ -304,12 +304,43 @@ AssertionResult chatters() {
                  below_N("force", felt.most_N, 10.0)});
 }
 
+/// Touches the skin for 20 ms, leaves it at 2 m/s and is `away_m` above it when the dwell ends. Returns the time that
+/// In body lasts [s].
+double in_body_s(double away_m) {
+  constexpr double kDepth_m = 0.0005;
+  ForcedPath scene;
+  scene.seconds = ForcedPath::kDown_s + 1.0;
+  scene.path = [=](double since_down_s) -> Eigen::Vector3d {
+    return std::min(away_m, 2.0 * since_down_s - kDepth_m) * Eigen::Vector3d::UnitY();
+  };
+  double begun_s = INFINITY;
+  double ended_s = INFINITY;
+  scene.watch = [&](const control::ControlOutput& out, double now_s) {
+    if (control::is_inside(out.phase)) begun_s = std::min(begun_s, now_s);
+    if (now_s > begun_s && out.phase == Phase::BodyToPlane) ended_s = std::min(ended_s, now_s);
+  };
+  (void)feel(scene);
+  return ended_s - begun_s;
+}
+
+/// S1 leaves In body only where the skin is nearer than d_thr.
+AssertionResult leaves_at_any_distance() {
+  const double near_s = in_body_s(0.001);
+  double apart_s = 0.0;
+  for (const double away_m : {0.01, 0.05, 0.5}) apart_s = std::max(apart_s, std::abs(in_body_s(away_m) - near_s));
+  return all_of({above("1 mm away, after the dwell", near_s, 0.2995 - 1e-9, 1e3, "ms"),
+                 below("and not later", near_s, 0.3015, 1e3, "ms"),
+                 below("to 500 mm away, apart by", apart_s, 1e-9, 1e3, "ms")});
+}
+
 }  // namespace
 
 std::vector<HardCase> hand_rows() {
   return {
       {"hand drawn away in contact", "no hand resists the skin's push", "does not fly off, waits on the plane",
        drawn_away},
+      {"hand leaves the skin by 1 mm to 500 mm", "S1 goes on only within d_thr of the skin",
+       "the next phase on the same tick at any distance", leaves_at_any_distance},
       {"hand comes back as Out body begins", "the dwell would last 0.3 s", "felt within 2 ms and 2 mm",
        back_as_out_body_begins},
       {"tracker silent for 0.5 s in contact", "the skin's force needs no tracker", "the hand stays",
