@@ -51,7 +51,7 @@ TEST_F(KeysProgram, MakesAnAuthorityKeysAndTokensThatTheirOwnerAloneMayRead) {
 
 TEST_F(KeysProgram, InTheWrongOrderOrTwiceSaysWhatToDo) {
   EXPECT_EQ(run({"server", "--host", "10.0.0.5"}), 1);
-  EXPECT_NE(text_of(log).find("fix: telepalp-keys authority --dir"), std::string::npos) << text_of(log);
+  EXPECT_NE(text_of(log).find("fix: run telepalp-keys authority --dir"), std::string::npos) << text_of(log);
   ASSERT_EQ(run({"authority"}), 0);
   EXPECT_EQ(run({"authority"}), 1) << "a second authority would make all keys useless";
   EXPECT_EQ(run({"server"}), 1);

@@ -100,7 +100,7 @@ TEST_F(Compare, AForceThatIsLostInContactIsTheFirstDifferenceAndTheAgeOfTheSurfa
   ASSERT_TRUE(comparison.first_message);
   EXPECT_NE(comparison.first_message->find("surface_captured_ns"), std::string::npos) << *comparison.first_message;
   const auto age = std::find_if(comparison.metrics.begin(), comparison.metrics.end(),
-                                [](const MetricPair& pair) { return pair.name == "age of the surface, p50"; });
+                                [](const MetricPair& pair) { return pair.name == "age of the touched surface, p50"; });
   ASSERT_NE(age, comparison.metrics.end());
   EXPECT_NEAR(age->b - age->a, 100.0, 1.0);
   EXPECT_TRUE(age->worse());

@@ -108,24 +108,24 @@ std::vector<BadCloud> bad_clouds() {
   std::vector<Vector3d> line;
   for (int i = 0; i < 100; ++i) line.emplace_back(0.001 * i, 0.002 * i, 0.8);
   const Vector3d nowhere(nan, nan, nan);
-  return {
-      {"empty file", "a.pcd", "", "DATA line"},
-      {"no points", "a.pcd", pcd({}), "has no surface"},
-      {"all NaN", "a.pcd", pcd(std::vector<Vector3d>(500, nowhere)), "has no surface"},
-      {"all NaN, organised", "a.pcd", pcd(std::vector<Vector3d>(500, nowhere), 25), "has no surface"},
-      {"one point", "a.pcd", pcd({{0, 0, 0.8}}), "has no surface"},
-      {"one point, many times", "a.pcd", pcd(std::vector<Vector3d>(500, {0.1, 0, 0.8})), "has no surface"},
-      {"on a line", "a.pcd", pcd(line), "has no surface"},
-      {"millimetres", "a.pcd", pcd(flat(1000.0)), "probably in millimetres"},
-      {"millimetres, organised", "a.pcd", pcd(flat(1000.0), 61), "probably in millimetres"},
-      {"mesh of no area", "a.obj", "v 0 0 1\nv 0 0 1\nv 0 0 1\nf 1 2 3\n", "has no surface"},
-      {"mesh without vertices", "a.obj", "g body\n", "has no vertices"},
-      {"mesh that names what is not there", "a.obj", "v 0 0 1\nf 1 2 3\n", "line 2"},
-      {"face that names a normal that is not there", "a.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1//1 2//1 3//1\n",
-       "line 4"},
-      {"unknown kind", "a.stl", "solid\n", "is not a supported kind of file"},
-      {"PLY that promises too much", "a.ply",
-       "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n", "than it has bytes for"}};
+  return {{"empty file", "a.pcd", "", "DATA line"},
+          {"no points", "a.pcd", pcd({}), "has no surface"},
+          {"all NaN", "a.pcd", pcd(std::vector<Vector3d>(500, nowhere)), "has no surface"},
+          {"all NaN, organised", "a.pcd", pcd(std::vector<Vector3d>(500, nowhere), 25), "has no surface"},
+          {"one point", "a.pcd", pcd({{0, 0, 0.8}}), "has no surface"},
+          {"one point, many times", "a.pcd", pcd(std::vector<Vector3d>(500, {0.1, 0, 0.8})), "has no surface"},
+          {"on a line", "a.pcd", pcd(line), "has no surface"},
+          {"millimetres", "a.pcd", pcd(flat(1000.0)), "probably in millimetres"},
+          {"millimetres, organised", "a.pcd", pcd(flat(1000.0), 61), "probably in millimetres"},
+          {"mesh of no area", "a.obj", "v 0 0 1\nv 0 0 1\nv 0 0 1\nf 1 2 3\n", "has no surface"},
+          {"mesh without vertices", "a.obj", "g body\n", "has no vertices"},
+          {"mesh that names what is not there", "a.obj", "v 0 0 1\nf 1 2 3\n", "line 2"},
+          {"face that names a normal that is not there", "a.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1//1 2//1 3//1\n",
+           "line 4"},
+          {"unknown kind", "a.stl", "solid\n", "is not a supported kind of file"},
+          {"PLY that promises too much", "a.ply",
+           "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n",
+           "too large for the file's size"}};
 }
 
 TEST_F(Probe, ACloudWithoutASurfaceIsAnErrorThatSaysWhy) {

@@ -34,11 +34,12 @@ TEST(RigChoice, RefusesWhatCannotWorkTogetherAndSaysWhatCan) {
     const char* tracker;
     const char* says;
   };
-  for (const Case& c : {Case{"haply", "simulated", "--tracker held"}, Case{"simulated", "held", "--tracker leap"},
-                        Case{"falcon", "leap", "simulated|haply"}, Case{"haply", "kinect", "simulated|held"},
-                        Case{"udp:", "held", "simulated|haply"}, Case{"udp:localhost", "held", "--device udp"},
-                        Case{"haply:wss://x", "held", "ws://127.0.0.1:10001/"},
-                        Case{"haply", "browser", "--device simulated"}, Case{"simulated", "browser:1", "browser"}}) {
+  for (const Case& c :
+       {Case{"haply", "simulated", "--tracker held"}, Case{"simulated", "held", "--tracker simulated, leap"},
+        Case{"falcon", "leap", "simulated|haply"}, Case{"haply", "kinect", "simulated|held"},
+        Case{"udp:", "held", "simulated|haply"}, Case{"udp:localhost", "held", "--device udp"},
+        Case{"haply:wss://x", "held", "ws://127.0.0.1:10001/"}, Case{"haply", "browser", "--device simulated"},
+        Case{"simulated", "browser:1", "browser"}}) {
     const Result<RigChoice> choice = read_rig_choice(c.device, c.tracker);
     ASSERT_FALSE(choice) << c.device << " " << c.tracker;
     EXPECT_NE(to_string(choice.error()).find(c.says), std::string::npos) << to_string(choice.error());

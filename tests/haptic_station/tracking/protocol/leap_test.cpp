@@ -227,7 +227,8 @@ TEST_F(LeapTrackerTest, SaysWhatIsMissing) {
   LeapTracker with_old = make_tracker(old->port());
   const Result<void> version = with_old.start(300ms);
   ASSERT_FALSE(version);
-  EXPECT_NE(version.error().what.find("protocol 1, not 6"), std::string::npos) << version.error().what;
+  EXPECT_NE(version.error().what.find("version 1 of the Leap protocol, not version 6"), std::string::npos)
+      << version.error().what;
 }
 
 }  // namespace
