@@ -299,7 +299,7 @@ Result<void> Connection::on_advertise(const msg::Advertise& advertise) {
                       std::string(topic->schema));
     if (topic && !owner_->accepts(*topic)) return no_publisher(*topic);
     if (channels_.size() >= kMaxChannels) return bad_peer("advertises more than 256 channels");
-    if (entry.channel() == 0) return bad_peer("advertises channel 0, which belongs to control messages");
+    if (entry.channel() == 0) return bad_peer("announces a topic on channel 0, which is reserved for control messages");
     if (!channels_.try_emplace(entry.channel(), Incoming{topic, 0}).second)
       return bad_peer("advertises channel " + std::to_string(entry.channel()) + " twice");
   }

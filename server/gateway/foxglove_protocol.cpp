@@ -126,7 +126,7 @@ Result<Request> read_request(const std::string& text) {
   options.ignore_unknown_fields = true;
   texts::ClientText client;
   if (const auto read = json::JsonStringToMessage(text, &client, options); !read.ok())
-    return refused("the text is not JSON of the Foxglove protocol: " + read.ToString());
+    return refused("the text that the browser sent is not JSON of the Foxglove protocol: " + read.ToString());
   Request request;
   if (client.op() == "subscribe") {
     for (const auto& wanted : client.subscriptions()) request.subscribe.push_back({wanted.id(), wanted.channelid()});

@@ -285,7 +285,7 @@ TEST_F(StationProgram, AValueInTheWrongUnitIsRefusedWithItsRange) {
   ASSERT_NE(text.find(metres), std::string::npos);
   std::ofstream(scene) << text.replace(text.find(metres), metres.size(), "radius_m: 30");
   EXPECT_EQ(run({"--scene", scene.string(), "--check"}), 1);
-  EXPECT_NE(text_of(log()).find("textproto:31:5: cylinder.radius_m"), std::string::npos) << text_of(log());
+  EXPECT_NE(text_of(log()).find("textproto:32:5: cylinder.radius_m"), std::string::npos) << text_of(log());
 }
 
 TEST_F(StationProgram, AWrongCommandLineEndsWithTwo) {
@@ -324,7 +324,7 @@ TEST_F(StationProgram, TouchesAModelWithoutAServer) {
   const std::string scene = TELEPALP_SOURCE_DIR "/haptic_station/scenes/model.scene.textproto";
   EXPECT_EQ(run({"--connect", "127.0.0.1:9", "--scene", scene, "--seconds", "5"}), 0) << text_of(log());
   EXPECT_NE(text_of(log()).find("touching 16000 points of a model"), std::string::npos) << text_of(log());
-  EXPECT_NE(text_of(log()).find("effects in contact: skin"), std::string::npos) << text_of(log());
+  EXPECT_NE(text_of(log()).find("effect in a tick with contact: skin"), std::string::npos) << text_of(log());
 }
 
 TEST_F(StationProgram, AModelInAnotherUnitIsNamedUntilItsUnitIsSaid) {

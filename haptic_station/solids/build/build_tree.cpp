@@ -166,7 +166,8 @@ Result<void> check(const Solid& solid) {
                  "give at most 200000");
   std::vector<int> levels{0};  // of the operands that are still missing; the next one is last
   for (const Node& node : solid) {
-    if (levels.empty()) return wrong("more nodes follow after the end of the solid", "join solids by a union");
+    if (levels.empty())
+      return wrong("more shapes or operators follow after the end of the solid", "join solids by a union");
     const int level = levels.back();
     levels.pop_back();
     if (level > kMostNesting)

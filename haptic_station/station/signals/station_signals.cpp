@@ -33,9 +33,11 @@ Result<LoadedScene> without_exceptions(const StationSignals::ReadScene& read) {
   try {
     return read();
   } catch (const std::exception& error) {
-    return Error{.what = std::string("cannot be read: ") + error.what(),
+    return Error{.what = std::string("the scene file cannot be read again: ") + error.what(),
                  .where = "the scene",
-                 .fix = "start the station again with this scene"};
+                 .fix =
+                     "check the file by telepalp-station scene check SCENE, then reload again; the station keeps the "
+                     "scene that it has"};
   }
 }
 

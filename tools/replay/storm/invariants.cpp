@@ -141,8 +141,7 @@ void Invariants::add(const wire::Message& message) {
   if (message.topic.name != wire::kStationTicks.name) return;
   msg::StationTicks ticks;
   if (!ticks.ParseFromString(*message.payload)) return violated("a message on /station/ticks cannot be parsed");
-  if (ticks.first_tick() != next_tick_)
-    violated("the tick numbers on /station/ticks do not continue those of the message before");
+  if (ticks.first_tick() != next_tick_) violated("ticks are missing or repeated on /station/ticks");
   next_tick_ = ticks.first_tick() + static_cast<std::uint64_t>(ticks.phase_size());
 }
 
