@@ -38,7 +38,8 @@ Error damaged(std::string what) {
   return {.what = std::move(what),
           .where = "compressed depth image",
           .fix =
-              "read on: the next key frame repairs a live stream; if others fail as well, install the same version of "
+              "in a live stream, wait: the next key frame repairs it; if later depth images fail as well, install the "
+              "same version of "
               "telepalp at both ends"};
 }
 

@@ -76,7 +76,7 @@ class TreeReader {
     const auto& mesh = static_cast<const msg::Solid::Mesh&>(body);
     node.file = mesh.file();
     if (node.file.empty() || node.file.find_first_of(" \t\n#") != std::string::npos)
-      return error(body, path, "the field file is empty, or the file name in it contains a space or #",
+      return error(body, path, "the field 'file' is empty, or names a file with a space or # in its path",
                    "name a closed mesh, .ply or .obj, by a path without spaces and #");
     auto lattice = meshes_(node.file, node.numbers[0], node.numbers[1]);
     if (!lattice) return error(body, path, lattice.error().where + ": " + lattice.error().what, lattice.error().fix);

@@ -211,7 +211,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     const SessionTime now = context()->now();
     if (untaken_warned_ && now - *untaken_warned_ < kUntakenWarnedEvery) return;
     untaken_warned_ = now;
-    warn(
+    warn(  // the page looks for the words "follows the hand of a viewer"
         "no connected station follows the hand of a viewer. fix: start telepalp-station --tracker browser, or "
         "deploy/demo --hand browser");
   }

@@ -156,7 +156,7 @@ std::string shortest(double value) {
 }  // namespace
 
 Result<std::shared_ptr<const DistanceLattice>> no_meshes(const std::string& file, double, double) {
-  return Error{.what = "a solid that is described in Polish notation cannot be read from a mesh file here",
+  return Error{.what = "the solid's Polish notation names this mesh file, but only shapes are accepted here",
                .where = file,
                .fix = "describe the solid by shapes such as sphere and capsule"};
 }

@@ -138,7 +138,7 @@ const stream = new Stream(
       },
       warned: (text) => {
         console.warn('server:', text);
-        if (text.includes('takes a hand')) facts.untaken_ms = now_ms();
+        if (text.includes('follows the hand of a viewer')) facts.untaken_ms = now_ms();
       },
       heard: (published_ns) => facts.came(local_ms(published_ns), now_ms()),
     });
