@@ -32,7 +32,7 @@ export function compensationRows(
           'deviations of noise, fit and prediction.',
     },
     {
-      name: 'Hand drawn on the skin',
+      name: 'Hand moved to skin',
       value: mm(compensation.shownOffsetM),
       says: 'Distance of the drawn hand from the tracked hand. A hand that presses is drawn on the skin, not below it.',
     },
