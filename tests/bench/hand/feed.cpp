@@ -35,6 +35,7 @@ std::shared_ptr<const surface::SurfaceSnapshot> Feed::step(double time_s, const 
   std::shared_ptr<const surface::SurfaceSnapshot> newest;
   while (!on_the_way_.empty() && on_the_way_.front().arrives_s <= time_s) {
     const Frame& frame = on_the_way_.front();
+    newest_captured_s_ = std::max(newest_captured_s_, frame.captured_s);
     if (auto snapshot = builder_.add(frame.depth, settings_.patient->settings().camera, at_time(frame.captured_s),
                                      surface::Reach{device, kReach_m}))
       newest = std::move(snapshot);

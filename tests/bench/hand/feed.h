@@ -43,6 +43,9 @@ class Feed {
   /// region that the hand can reach.
   [[nodiscard]] std::shared_ptr<const surface::SurfaceSnapshot> step(double time_s, const Point<DepthCamera>& device);
 
+  /// Time of capture of the newest image that has arrived, whatever the builder made of it; -1: none has.
+  [[nodiscard]] double newest_captured_s() const noexcept { return newest_captured_s_; }
+
   /// Follows these places on the skin, as the station's surface thread does for the scene's objects.
   void watch(const surface::MarkLines& lines) { builder_.watch(lines); }
 
@@ -60,6 +63,7 @@ class Feed {
   void capture(double time_s);
 
   Settings settings_;
+  double newest_captured_s_ = -1.0;
   surface::SurfaceBuilder builder_;
   device::Random random_;
   std::deque<Frame> on_the_way_;  ///< ordered by arrival

@@ -48,6 +48,7 @@ Tick BenchStation::step(double time_s, const capture::TrueSurface& truth) {
   const loop::HapticLoop::Act act = loop_.tick(reading, now, kTick_s);
   tick.force_N = act.force.N;
   tick.control = act.control;
+  tick.surface_age_s = act.contact.age_s;
   tick.displayed = act.contact.valid && act.contact.in_body &&
                    (control::is_inside(act.control.phase) || act.control.phase == control::Phase::BodyToPlane);
   if (const auto foot = truth.closest_to(device_camera())) {
@@ -60,11 +61,20 @@ Tick BenchStation::step(double time_s, const capture::TrueSurface& truth) {
 }
 
 void run(Feed& feed, BenchStation& station, double seconds, const std::function<void(const Tick&)>& judge) {
-  const auto ticks = static_cast<std::int64_t>(std::llround(seconds / kTick_s));
-  for (std::int64_t i = 0; i < ticks; ++i) {
+  auto left = static_cast<std::int64_t>(std::llround(seconds / kTick_s));
+  if (left <= 0) return;
+  run_while(feed, station, [&](const Tick& tick) {
+    judge(tick);
+    return --left > 0;
+  });
+}
+
+void run_while(Feed& feed, BenchStation& station, const std::function<bool(const Tick&)>& judge) {
+  bool goes_on = true;
+  for (std::int64_t i = 0; goes_on; ++i) {
     const double time_s = static_cast<double>(i) * kTick_s;
     station.receive(feed.step(time_s, station.device_camera()), time_s);
-    judge(station.step(time_s, feed.truth(time_s)));
+    goes_on = judge(station.step(time_s, feed.truth(time_s)));
   }
 }
 
