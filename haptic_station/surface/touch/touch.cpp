@@ -112,6 +112,7 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   const Vector3d from = has_device_ ? device_ : device.m;
   const double hops = std::ceil((device.m - from).norm() / settings_.longest_hop_m);
   const int parts = static_cast<int>(std::clamp(hops, 1.0, static_cast<double>(kMostHops)));
+  if (!felt) end_too_deep(device.m);
   const bool was_inside = side_ == Side::Inside && at_foot_.valid;
   const Vector3d foot_before = foot_;
   for (int part = 1; part <= parts; ++part) look(from + (device.m - from) * (static_cast<double>(part) / parts));
@@ -123,6 +124,14 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   follow_anchor(dt);
   hold(dt, device.m, felt);
   return answer(device.m);
+}
+
+/// Ends a contact that is not felt, as after a release, where none may begin: the device sank too deep meanwhile. From
+/// there, the station lifts it first.
+void Touch::end_too_deep(const Vector3d& device) noexcept {
+  if (side_ != Side::Inside || -height_of(device) <= settings_.deepest_start_m) return;
+  side_ = Side::Unknown;
+  held_ = 0.0;
 }
 
 /// Moves the displayed surface and the foot with it by one tick.

@@ -95,6 +95,7 @@ class Touch {
   void look_at_anchor() noexcept;
   void follow_anchor(double dt_s) noexcept;
   void hold(double dt_s, const Eigen::Vector3d& device, bool felt) noexcept;
+  void end_too_deep(const Eigen::Vector3d& device) noexcept;
   [[nodiscard]] double height_of(const Eigen::Vector3d& device) const noexcept;
   [[nodiscard]] double sideways_of(const Eigen::Vector3d& device) const noexcept;
   [[nodiscard]] double age_s() const noexcept;

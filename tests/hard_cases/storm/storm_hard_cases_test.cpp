@@ -99,6 +99,12 @@ const HardCase kRows[] = {
        return invariants_hold(
            tapping(drawn("regular", "skin", 4.0, 996, {.delay = 91ms, .loss = 0.1}, {.outages = {{1090ms, 895ms}}})));
      }},
+    {"a hand sinks 230 mm deep while the tracker is silent", "the contact went on below the depth at which one begins",
+     "the station lifts the device first",
+     [] {
+       return invariants_hold(
+           tapping(drawn("shift", "skin", 6.0, 852, {.delay = 171ms}, {.tracker_lost = {{1691ms, 2928ms}}})));
+     }},
     {"an encoder glitch in deep contact", "the force of a jump is above the peak", "bounded force and slew",
      [] {
        return invariants_hold(over(20ms, 0.0, {.glitches = {{{4s, 4ms}, -0.06}, {{4100ms, 1ms}, 0.06}}}));
