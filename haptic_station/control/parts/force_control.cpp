@@ -19,10 +19,11 @@ Vector3d ForceControl::step(const ControlInput& in, bool touching, double bound_
     return Vector3d::Zero();
   }
   effects_.place(in.placements);
-  if (contact_changed_) sink_in_.begin(-in.contact.distance_m);
-  sink_in_.step(dt_s);
+  if (contact_changed_) sink_in_.begin(in.contact);
+  sink_in_.step(in.contact, dt_s);
   shown_ = sink_in_.shown(in.contact);
   const effects::EffectInput felt = sink_in_.in_body_frame(in.device, in.device_velocity, shown_);
+  last_felt_.m += sink_in_.sank_m() * in.contact.normal.v;
   if (contact_changed_) begin(felt);
   return feel(felt, in.device_velocity.v, bound_N, dt_s);
 }

@@ -7,13 +7,21 @@ namespace telepalp::control {
 
 /// Handles a contact that begins below the skin, because the skin rose or the station was not ready. The hand has done
 /// no work to reach that depth. The whole body, with the objects inside, is therefore displayed lower by that depth,
-/// along the skin's normal, and rises to its true place at 50 mm/s or less. Owner: haptic thread.
+/// along the skin's normal, and rises to its true place at 50 mm/s or less. While a gap is between it and the
+/// end-effector, it may rise at up to 150 mm/s. Its speed and that of the displayed surface's own approach to the
+/// measured one are together 100 mm/s or less, 150 mm/s in a gap. When the contact's support grows, for example because
+/// the camera sees the skin again, the body is lowered so far that the indentation times the support stays the same: a
+/// skin that stiffened under a deep hand would give it energy. Owner: haptic thread.
 class SinkIn {
  public:
-  /// Contact begins `depth_m` below the skin.
-  void begin(double depth_m) noexcept;
-  /// Lets the displayed body rise towards its true place for one tick.
-  void step(double dt_s) noexcept;
+  /// `contact` begins, with the skin at its true place.
+  void begin(const ports::SurfaceContact& contact) noexcept;
+  /// Lowers the displayed body where the support has grown, and lets it rise towards its true place for one tick.
+  /// `contact`: with the skin at its true place.
+  void step(const ports::SurfaceContact& contact, double dt_s) noexcept;
+
+  /// How far the last step lowered the displayed body because the support grew. At constant force nothing moved.
+  [[nodiscard]] double sank_m() const noexcept { return sank_m_; }
 
   /// `contact`, converted to the contact with the lowered body.
   [[nodiscard]] ports::SurfaceContact shown(const ports::SurfaceContact& contact) const noexcept;
@@ -27,6 +35,8 @@ class SinkIn {
  private:
   double lowered_m_ = 0.0;       ///< how much lower the displayed body lies than the true one
   double rising_m_per_s_ = 0.0;  ///< speed of the displayed body
+  double sank_m_ = 0.0;
+  double support_ = 0.0;  ///< of the contact at the last step
 };
 
 }  // namespace telepalp::control

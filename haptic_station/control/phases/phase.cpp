@@ -126,9 +126,9 @@ const char* name(FaultCause cause) noexcept {
     case FaultCause::None:
       return "no fault";
     case FaultCause::DeviceSilent:
-      return "the haptic device is silent";
+      return "the haptic device is silent: it sends no positions, or its motors are off";
     case FaultCause::NotFinite:
-      return "a position, speed, age or force is not a finite number";
+      return "a position, speed, force or age of a measurement is not a finite number";
     case FaultCause::DeviceImplausible:
       return "the haptic device reports impossibly fast movements";
     case FaultCause::HandImplausible:

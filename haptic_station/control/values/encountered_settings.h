@@ -20,7 +20,7 @@ struct TransitionSettings {
   double offset_fade_s = 0.15;       ///< decay time constant of S1's Delta p (eq. 5), and of the drawn hand's offset
   double hand_rose_m = 0.02;         ///< a hand this far above both the plane and the end-effector has left it
   double force_fade_N_per_s = 40.0;  ///< rate at which the force difference from a transition decreases to zero
-  double contact_release_s = 2.0;    ///< time in which the force fades to 0 after AgeLimits::tracker_in_contact_s
+  double contact_release_s = 2.0;    ///< time of the force's fade to 0 after tracker_in_contact_s without a hand sample
 };
 
 /// The low-level position control of the free end-effector, and the lift away from the body.

@@ -18,7 +18,7 @@ class CloudOrientation {
   /// Share of input normals that disagree with the propagated sign, where the sign of each connected piece is that of
   /// the majority of its normals. About one half when the input signs are random.
   [[nodiscard]] double against_neighbors() const noexcept { return against_; }
-  /// False when propagation contradicts itself in more than 5 % of the pairs of neighbours, as at touching thin sheets.
+  /// False when 5 % or more of the pairs of neighbours have opposite normals after propagation, as at touching sheets.
   [[nodiscard]] bool is_consistent() const noexcept { return contradictions_ < 0.05; }
   /// True when the cloud encloses a volume: the orientation then points outwards with certainty.
   [[nodiscard]] bool is_closed() const noexcept { return closed_; }

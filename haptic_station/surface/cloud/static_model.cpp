@@ -74,7 +74,7 @@ float mended(models::PointModel& mesh, const Winding& winding, std::string& rema
   if (winding.turned > 0)
     say(remarks, std::to_string(winding.turned) + " of " + std::to_string(mesh.triangles.size()) +
                      " faces were oriented against their neighbours: telepalp has reversed them");
-  if (mesh.normals.empty()) say(remarks, "the mesh has no normals: telepalp uses those of its faces");
+  if (mesh.normals.empty()) say(remarks, "the mesh has no normals: telepalp uses the normals of its faces");
   Closure closure = closure_of(mesh);
   constexpr double kLeastAgreement = 0.4;  // smooth shading over the edges of a cube gives 0.58
   if (!mesh.normals.empty() && std::abs(closure.agreement) < kLeastAgreement) {
@@ -87,8 +87,8 @@ float mended(models::PointModel& mesh, const Winding& winding, std::string& rema
         std::to_string(closure.without_place) + " triangles with a corner that is not a number (NaN) are left out");
   if (winding.open_edges > 0) {
     say(remarks, "the mesh is open (" + std::to_string(winding.open_edges) +
-                     " edges with a face on one side only), so its outside is taken from its " +
-                     (mesh.normals.empty() ? "faces" : "normals"));
+                     " edges with a face on one side only), so telepalp takes the side to which its " +
+                     (mesh.normals.empty() ? "faces" : "normals") + " point as its outside");
     return 1.0F;
   }
   if ((closure.volume6 < 0.0) == (closure.agreement < 0.0)) return 1.0F;
@@ -101,8 +101,8 @@ Error too_coarse(const SampledMesh& sampled) {
   const double by_error = std::sqrt(kFaithful_m / std::max(kFaithful_m, sampled.fidelity.error_m));
   const double faithful_m = sampled.spacing_m * std::min(by_error, sampled.fidelity.in_air > 0.0 ? 0.5 : 1.0);
   std::snprintf(fix, sizeof fix,
-                "give points %.1f mm apart; or give neither samples nor a spacing, so that telepalp chooses them; or "
-                "accept the coarse samples by --anyway",
+                "give more samples, so that they are %.1f mm apart; or leave samples and spacing out, so that telepalp "
+                "chooses them; or accept the coarse samples by --anyway",
                 1e3 * faithful_m);
   return {.what = "is sampled too coarsely: " + description_of(sampled), .where = "model", .fix = fix};
 }
@@ -135,9 +135,11 @@ bool spans_a_surface(const models::PointModel& model) {
 }
 
 Error no_surface() {
-  return {.what = "has no surface: no finite points, or all in one place or on one line",
-          .where = "model",
-          .fix = "give a cloud of a surface: three points or more that are not on a line"};
+  return {
+      .what =
+          "has no surface: it has no points with finite coordinates, or all of them lie in one place or on one line",
+      .where = "model",
+      .fix = "give a cloud of a surface: three points or more that are not on a line"};
 }
 
 Result<StaticModel> make_static_model(const models::PointModel& model, const StaticModelSettings& settings) {

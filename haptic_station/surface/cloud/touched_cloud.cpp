@@ -95,9 +95,9 @@ struct Settling {
 
 void estimate_normals(Settling& cloud) {
   const int neighbors = std::max(cloud.settings.normal_neighbors, neighbors_in_support(cloud.noise));
-  say(cloud.remarks,
-      text("each normal is estimated from %d neighbours and turned towards the origin, where the camera is assumed",
-           neighbors));
+  say(cloud.remarks, text("each normal is estimated from %d neighbouring points and turned towards the origin of the "
+                          "file's frame, where the camera is assumed",
+                          neighbors));
   cloud.points = with_normals(positions(cloud.points).at_m, neighbors, cloud.viewpoint);
 }
 
@@ -144,8 +144,8 @@ Result<void> settle_open(Settling& cloud, const CloudOrientation& orientation) {
   const double away = share_away(cloud);
   if (away > 0.9 && !cloud.settings.flip_normals)
     say(cloud.remarks,
-        text("the cloud is open and %.0f %% of its normals point away from the origin: if the camera was "
-             "at the origin, give --flip-normals, or flip_normals in a scene",
+        text("the cloud is open and %.0f %% of its normals point away from the origin of the file's frame: if the "
+             "camera was at this origin, give --flip-normals, or flip_normals in a scene",
              100.0 * away));
   return {};
 }
@@ -209,9 +209,9 @@ Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticM
   const std::size_t given_points = settling.points.size();
   if (settings.support_m <= 0.0) thin_for(shape.support_m, noise.spacing_m, settling.points);
   if (settling.points.size() < given_points)
-    say(made.sampling,
-        text("%zu of the points, chosen at random, are kept, so that a tick has time to average those around a place",
-             settling.points.size()));
+    say(made.sampling, text("%zu of the points, chosen at random, are kept, so that the 2 kHz control loop has time to "
+                            "average the points around the device point",
+                            settling.points.size()));
   made.snapshot = std::make_shared<const CloudSnapshot>(std::move(settling.points), shape, Index::Nanoflann);
   return made;
 }

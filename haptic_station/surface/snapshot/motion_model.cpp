@@ -6,10 +6,13 @@
 namespace telepalp::surface {
 namespace {
 
+/// A function of the age, and its derivative.
 struct Progress {
   double s = 0.0;
   double rate = 0.0;
 };
+
+Progress product(const Progress& a, const Progress& b) noexcept { return {a.s * b.s, a.rate * b.s + a.s * b.rate}; }
 
 /// The age that the motion model uses: equal to the true age at first, then slowing to a stop; C1. A surface that was
 /// not measured for long must not be predicted farther, because nothing confirms the prediction.
@@ -43,14 +46,19 @@ MotionBasis motion_basis(const MotionModel& model, double age_s) noexcept {
   const double s2 = 2.0 * s1 * c1;
   const Progress speed = believed(model.speed, age.s);
   const Progress acceleration = believed(model.acceleration, age.s);
-  const auto terms = [](double a, double b, double c, double d, double e) {
-    return MotionTerms{static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d),
-                       static_cast<float>(e)};
-  };
-  return {terms(speed.s * model.linear_fade_s * (1.0 - fade), acceleration.s * (c1 - 1.0), speed.s * s1, c2 - 1.0, s2),
-          terms(age.rate * (speed.s * fade + speed.rate * model.linear_fade_s * (1.0 - fade)),
-                age.rate * (acceleration.rate * (c1 - 1.0) - acceleration.s * w * s1),
-                age.rate * (speed.rate * s1 + speed.s * w * c1), -age.rate * 2.0 * w * s2, age.rate * 2.0 * w * c2)};
+  const Progress own = believed(model.own, age.s);
+  const Progress linear{model.linear_fade_s * (1.0 - fade), fade};
+  const Progress own_speed = product(own, speed);
+  const std::array<Progress, kMotionTerms> terms = {
+      product(own_speed, linear),       product(product(own, acceleration), {c1 - 1.0, -w * s1}),
+      product(own_speed, {s1, w * c1}), product(own, {c2 - 1.0, -2.0 * w * s2}),
+      product(own, {s2, 2.0 * w * c2}), product(believed(model.straight, age.s), linear)};
+  MotionBasis basis;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    basis.value[i] = static_cast<float>(terms[i].s);
+    basis.rate[i] = static_cast<float>(age.rate * terms[i].rate);
+  }
+  return basis;
 }
 
 }  // namespace telepalp::surface

@@ -10,12 +10,15 @@
 
 namespace telepalp::surface {
 
-/// The terms of a point's motion after its capture: a linear term whose velocity decays, and cosine and sine of two
-/// breathing harmonics. The offset of a point along its normal is the dot product of its coefficients with these terms.
-inline constexpr int kMotionTerms = 5;
+/// The terms of a point's motion after its capture. The first five are those of the station's own prediction: a linear
+/// term whose velocity decays, and cosine and sine of two breathing harmonics. The sixth is linear, too, and belongs to
+/// the straight prediction, which knows no more than the point's own velocity. The offset of a point along its normal
+/// is the dot product of its coefficients with these terms.
+inline constexpr int kMotionTerms = 6;
+inline constexpr std::size_t kStraightTerm = 5;  ///< index of the straight prediction's term
 using MotionTerms = std::array<float, kMotionTerms>;
 
-/// The terms' values [s, 1, 1, 1, 1] and time derivatives [1, 1/s …] at one age of the snapshot, the same for every
+/// The terms' values [s, 1, 1, 1, 1, s] and time derivatives [1, 1/s …] at one age of the snapshot, the same for every
 /// point.
 struct MotionBasis {
   MotionTerms value{};
@@ -28,6 +31,7 @@ inline constexpr std::array kForesightAges_s{0.065, 0.12, 0.215};
 /// Weight of a predicted motion at each of these ages: 1: fully applied, 0: ignored.
 using ForesightShare = std::array<double, kForesightAges_s.size()>;
 inline constexpr ForesightShare kFullForesight{1.0, 1.0, 1.0};
+inline constexpr ForesightShare kNoForesight{0.0, 0.0, 0.0};
 
 /// How a snapshot is predicted forward from its capture.
 struct MotionModel {
@@ -36,6 +40,8 @@ struct MotionModel {
   double breathing_rad_per_s = 0.0;
   ForesightShare speed = kFullForesight;         ///< weight of the linear term and of the first harmonic's sine
   ForesightShare acceleration = kFullForesight;  ///< weight of the first harmonic's cosine
+  ForesightShare own = kFullForesight;           ///< weight of the station's own prediction, in the mean of several
+  ForesightShare straight = kNoForesight;        ///< weight of the straight prediction in the same mean
   double linear_fade_s = 0.3;                    ///< time constant with which a velocity decays
   double freeze_from_s = 0.6;   ///< from this age the predicted motion slows down; it stops at twice this age
   double spread_m_per_s = 0.0;  ///< growth of the prediction's standard deviation with age

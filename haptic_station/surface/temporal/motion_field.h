@@ -5,17 +5,14 @@
 #include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 #include "haptic_station/surface/temporal/breathing_model.h"
+#include "haptic_station/surface/temporal/cell_gains.h"
 #include "haptic_station/surface/temporal/cell_lattice.h"
+#include "haptic_station/surface/temporal/past_predictions.h"
+#include "haptic_station/surface/temporal/recent_way.h"
 #include "haptic_station/surface/temporal/shared_motion.h"
+#include "haptic_station/surface/temporal/straight_motion.h"
 
 namespace telepalp::surface {
-
-/// The innovation of one cell in a frame: the mean of measured minus predicted depth over `count` pixels.
-struct CellInnovation {
-  double mean_m = 0.0;
-  double count = 0.0;
-  double sigma_m = 0.0;  ///< standard deviation of the mean under noise alone
-};
 
 /// The motion of the scene along the camera's rays, by cell: a g-h filter (position and velocity) estimates each cell's
 /// displacement and velocity, and all cells share one breathing model. A cell averages up to 256 pixels, so its motion
@@ -44,28 +41,26 @@ class MotionField {
   [[nodiscard]] MotionModel model() const noexcept;
 
  private:
-  struct Cell {
-    double velocity_m_per_s = 0.0;  ///< beyond the cell's share of the motion common to the body (SharedMotion)
-    double energy = 0.0;  ///< running mean of the squared speed, shared part included; gives the cell's weight_
-    double frames = 0.0;
-    double lean_m = 0.0;  ///< running mean of the neighbourhood's minus SharedMotion's innovation; 0: no lag
-  };
-
-  void update_moving(const std::vector<CellInnovation>& seen);
+  void update_gains(const std::vector<CellInnovation>& seen);
   void correct_shared(const std::vector<CellInnovation>& seen, const std::vector<float>& innovation, double dt_s);
   void correct_cell(std::size_t at, double innovation_m, double dt_s) noexcept;
-  void smooth_velocities();
   void update_observed();
+  void correct_straight(const std::vector<CellInnovation>& seen, double dt_s);
+  void judge_predictions(const std::vector<CellInnovation>& seen, double dt_s);
   [[nodiscard]] double believed() const noexcept { return breathing_wanted_ ? breathing_.confidence() : 0.0; }
   void update_terms();
+  [[nodiscard]] MotionModel unbounded_model() const noexcept;
+  [[nodiscard]] MotionModel model_of_each() const noexcept;
+  [[nodiscard]] double fastest_m_per_s() const noexcept;
   [[nodiscard]] double rate_rad_per_s() const noexcept;
 
   CellLattice lattice_;
   bool breathing_wanted_;
   bool shared_wanted_;
-  std::vector<Cell> cells_;
+  std::vector<double> velocity_m_per_s_;  ///< of each cell, beyond its share of the motion common to the body
+  std::vector<double> energy_;  ///< running mean of each cell's squared speed, shared part included; gives weight_
   std::vector<CellMean> means_;
-  std::vector<CellMean> moving_;     ///< significance of each neighbourhood's mean innovation, 0 (noise) to 1
+  CellGains gains_;
   std::vector<float> displacement_;  ///< estimated displacement of each cell since the start [m]
   std::vector<float> observed_;      ///< measured displacement of each cell; the breathing model is fitted to it
   std::vector<float> weight_;
@@ -76,7 +71,11 @@ class MotionField {
   BreathingModel breathing_;
   SharedMotion shared_;
   std::vector<SharedInnovation> shared_seen_;
-  double miss_m_ = 0.0;  ///< running mean of |innovation|, weighted by `weight_`
+  StraightMotion straight_;
+  PastPredictions past_;
+  RecentWay way_;
+  std::vector<float> counts_;  ///< 1 for a cell that the last frame measured, otherwise 0
+  double miss_m_ = 0.0;        ///< running mean of |innovation|, weighted by `weight_`
   double frame_s_ = 0.033;
 };
 

@@ -30,7 +30,7 @@ constexpr double kUnusual = 4.0;      // ratio to the mean pace; a breath's larg
 constexpr double kLeastUnusual_m_per_s = 0.02;  // a patient at rest does not breathe faster
 constexpr double kUnmodelledFor_s = 1.0;        // `unmodelled_` falls from 1 to 0 in this time, so that it can be seen
 constexpr double kLately_s = 0.5;
-constexpr double kLateDoubt_m2 = 1e-4;  // prior of (10 mm)²: a shorter shift ends before its speed is used
+constexpr double kLateDoubt_m2 = 4e-6;  // prior of (2 mm)²: the speed is not used before 2 mm were predicted rightly
 
 }  // namespace
 

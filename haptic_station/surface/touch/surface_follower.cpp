@@ -26,6 +26,13 @@ void in_parts(double dt_s, const Step& step) noexcept {
   for (int part = 0; part < parts; ++part) step(dt_s / parts);
 }
 
+FollowLimits in_gap(FollowLimits limits, double gap_m) noexcept {
+  const double speed_m_per_s = std::min(gap_m / limits.closes_gap_over_s, limits.speed_in_gap_m_per_s);
+  limits.speed_m_per_s = std::max(limits.speed_m_per_s, speed_m_per_s);
+  limits.acceleration_m_per_s2 = std::max(limits.acceleration_m_per_s2, limits.acceleration_in_gap_m_per_s2);
+  return limits;
+}
+
 }  // namespace
 
 double FollowShare::of(const FollowLimits& limits, double dt_s) noexcept {
@@ -76,12 +83,13 @@ void SurfaceFollower::turn_about(const Vector3d& pivot) noexcept {
   pivot_ = pivot;
 }
 
-void SurfaceFollower::advance(const Vector3d& foot, const Vector3d& normal, double newest_speed_m_per_s,
+void SurfaceFollower::advance(const Vector3d& foot, const Vector3d& normal, double newest_speed_m_per_s, double gap_m,
                               double dt_s) noexcept {
   turn_about(foot);
+  const FollowLimits limits = gap_m > 0.0 ? in_gap(limits_, gap_m) : limits_;
   const Vector3d newest = newest_speed_m_per_s * normal;
   in_parts(dt_s, [&](double part_s) noexcept {
-    velocity_m_per_s_ = next_rate(velocity_m_per_s_, lag_m_, newest, limits_, share_.of(limits_, part_s), part_s);
+    velocity_m_per_s_ = next_rate(velocity_m_per_s_, lag_m_, newest, limits, share_.of(limits, part_s), part_s);
     lag_m_ += part_s * (newest - velocity_m_per_s_);
     turn_rad_per_s_ =
         next_rate(turn_rad_per_s_, tilt_rad_, Vector3d::Zero(), kTurn, turn_share_.of(kTurn, part_s), part_s);

@@ -13,6 +13,10 @@ struct FollowLimits {
   double speed_m_per_s = 0.05;        ///< greatest speed of the approach, in addition to the surface's own motion
   double acceleration_m_per_s2 = 1.5;
   double fastest_surface_m_per_s = 0.3;  ///< a greater speed of the newest surface is limited to this
+  double speed_in_gap_m_per_s = 0.15;    ///< speed_m_per_s while a gap is between the device and the displayed surface
+  double acceleration_in_gap_m_per_s2 = 6.0;  ///< acceleration_m_per_s2 in such a gap
+  double closes_gap_over_s = 0.05;  ///< the greatest speed in a gap is the gap's width divided by this time, so that
+                                    ///< the surface has slowed down to speed_m_per_s when it meets the device
 };
 
 /// The share of the difference between wanted and present rate that one step removes, 1 - exp(-2 bandwidth dt). Keeps
@@ -54,8 +58,9 @@ class SurfaceFollower {
   void take_over(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, const Eigen::Vector3d& there,
                  const Eigen::Vector3d& newest_normal) noexcept;
   /// Advances the displayed surface by `dt_s`, while the newest surface moves at `newest_speed_m_per_s` along `normal`
-  /// at `foot`.
-  void advance(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, double newest_speed_m_per_s,
+  /// at `foot`. `gap_m`: height of the device over the displayed surface. In a gap the surface gives no force, so it
+  /// may approach faster.
+  void advance(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, double newest_speed_m_per_s, double gap_m,
                double dt_s) noexcept;
 
   /// The vector from the displayed foot to the corresponding point of the newest surface.

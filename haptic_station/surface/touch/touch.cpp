@@ -15,9 +15,10 @@ constexpr double kSteepEnough = 0.2;   // |gradient| below which f says nothing 
 constexpr double kSharpCosine = 0.94;  // planes turned by more than 20 degrees in one slide make a crease
 constexpr int kMostHops = 32;
 constexpr double kFootPerDevice = 3.0;      // largest ratio of the foot's movement to the device's, as on a dome
-constexpr double kFoot_m_per_s = 0.15;      // largest speed of the foot under a device at rest
+constexpr double kFoot_m_per_s = 0.10;      // largest speed of the foot under a device at rest
 constexpr double kHeldPlane_m_per_s = 0.1;  // largest speed at which the foot slides on a held plane
 constexpr double kLeastShown = 0.05;        // least displayed share at which a contact begins
+constexpr double kFreeDepth_m = 0.03;       // to this depth of a device without force, the skin rises faster
 constexpr double kLongestTick_s = 0.01;     // longest tick over which the controller computes a speed
 constexpr double kAnchorLook_s = 0.0039;    // time between evaluations at the anchor; just under eight ticks
 
@@ -107,7 +108,7 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   now_ = std::max(now_, now);
   if (snapshot_ == nullptr || !device.m.allFinite()) return {};
   const double dt = dt_s > 0.0 ? std::min(dt_s, 0.1) : 0.0;
-  carry_on(dt);
+  carry_on(dt, felt);
   basis_ = motion_basis(snapshot_->motion, age_s());
   const Vector3d from = has_device_ ? device_ : device.m;
   const double hops = std::ceil((device.m - from).norm() / settings_.longest_hop_m);
@@ -121,23 +122,30 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
         foot_before + shortened(foot_ - foot_before, kFootPerDevice * (device.m - from).norm() + kFoot_m_per_s * dt);
   device_ = device.m;
   has_device_ = true;
-  follow_anchor(dt);
+  if (felt)
+    follow_anchor(dt);
+  else
+    anchored_ = false;  // a contact that is not felt has no anchor: the hand slides
   hold(dt, device.m, felt);
   return answer(device.m);
 }
 
-/// Ends a contact that is not felt, as after a release, where none may begin: the device sank too deep meanwhile. From
-/// there, the station lifts it first.
+/// Ends a contact that gives no force, as after a release, when the device is deeper than any contact may begin
+/// (deepest_start_m). The device must then be lifted before the next contact.
 void Touch::end_too_deep(const Vector3d& device) noexcept {
   if (side_ != Side::Inside || -height_of(device) <= settings_.deepest_start_m) return;
   side_ = Side::Unknown;
   held_ = 0.0;
 }
 
-/// Moves the displayed surface and the foot with it by one tick.
-void Touch::carry_on(double dt_s) noexcept {
+/// Moves the displayed surface and the foot with it by one tick. The skin may rise faster where it gives no force:
+/// below a device that is outside, and over the first kFreeDepth_m of a contact that is not felt. When the force
+/// begins, the station lowers the body to the device.
+void Touch::carry_on(double dt_s, bool felt) noexcept {
   if (!has_foot_ || !at_foot_.valid) return;
-  follower_.advance(foot_, normal_, newest_velocity_, dt_s);
+  const double above_m = height_of(device_);
+  const double gap_m = side_ != Side::Inside ? above_m : felt ? 0.0 : above_m + kFreeDepth_m;
+  follower_.advance(foot_, normal_, newest_velocity_, gap_m, dt_s);
   foot_ += dt_s * follower_.velocity_m_per_s();
 }
 
@@ -288,8 +296,8 @@ void Touch::follow_anchor(double dt_s) noexcept {
 }
 
 /// The displayed share of the contact follows the support at a bounded rate. Without a surface, the last plane is held
-/// while the contact fades. A contact that is not felt takes a greater support at once: if the share grew after the
-/// force has begun, it would stiffen the skin under the hand, and give it energy.
+/// while the contact fades. While the contact gives no force, its share rises to a greater support at once: a share
+/// that grew after the force has begun would stiffen the skin under the hand, and give energy to the hand.
 void Touch::hold(double dt_s, const Vector3d& device, bool felt) noexcept {
   double target = 0.0;
   if (has_foot_ && at_foot_.valid) {

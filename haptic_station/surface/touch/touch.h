@@ -16,7 +16,7 @@ struct TouchSettings {
   double settle_m = 2e-5;          ///< a shorter step of the foot ends the search: the error left is of second order
   double longest_hop_m = 0.004;    ///< a longer move of the device is searched in up to 32 parts, to miss no surface
   double deepest_start_m = 0.09;   ///< a device first seen deeper than this is behind the surface, not in the body
-  bool gentle_start = true;        ///< over a device first seen in the body, the skin begins at the device and rises
+  bool gentle_start = true;        ///< the skin over a device first seen in the body is displayed at it, then rises
   double other_surface_m = 0.045;  ///< a surface that jumps farther than this during a contact is another surface
   double off_foot_m = 0.004;       ///< a device tangentially farther than this from its foot is beyond the rim
   double stale_after_s = 1.0;      ///< age of the snapshot at which the contact begins to fade
@@ -37,7 +37,7 @@ struct TouchSample {
   double newest_velocity_m_per_s = 0.0;  ///< speed of the newest surface there, along the normal
   Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< of the displayed skin where contact began
   double uncertainty_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
-  double support = 0.0;        ///< factor on the contact: 1: whole, 0: the known surface ends or is stale
+  double support = 0.0;        ///< displayed share of the contact: 1 well inside, 0 where the surface ends or is stale
   double unmodelled = 0.0;     ///< 1: the body moves much faster than usual, or the camera was pushed; then falls to 0
   double age_s = 0.0;          ///< time since the snapshot's capture or its adoption, whichever is longer
 };
@@ -70,7 +70,7 @@ class Touch {
   void release() noexcept;
   /// The touch of `device` at `now`, `dt_s` after the last step. A position that is not finite moves nothing and gives
   /// an empty sample, as does a step without a snapshot. If `now` goes back, the latest `now` so far is used. `felt`:
-  /// the device gives force by this contact; false: the station has let go, so the support may rise at once.
+  /// the skin gave force at the last tick; false: the support may rise at once, a contact below deepest_start_m ends.
   [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s,
                                  bool felt = true) noexcept;
 
@@ -86,7 +86,7 @@ class Touch {
   [[nodiscard]] FieldSample field_at_foot() noexcept;
   [[nodiscard]] FieldSample meet(const Eigen::Vector3d& expected) noexcept;
   [[nodiscard]] FieldSample farthest_known(Eigen::Vector3d& goal) const noexcept;
-  void carry_on(double dt_s) noexcept;
+  void carry_on(double dt_s, bool felt) noexcept;
   void look(const Eigen::Vector3d& device) noexcept;
   void reseed(const Eigen::Vector3d& device) noexcept;
   void follow(const Eigen::Vector3d& device) noexcept;

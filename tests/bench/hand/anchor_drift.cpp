@@ -59,7 +59,7 @@ std::vector<Row> measure(const std::string& name, double reach_m, const Options&
     const Cell& cell = cells[static_cast<std::size_t>(i)];
     off_m[i] = play(reach_m, cell.spot, cell.phase);
   });
-  return {at_most(name + ": anchor off the true skin after 60 s, worst",
+  return {at_most(name + ": distance of the felt skin from the true skin after 60 s, worst",
                   1e3 * *std::max_element(std::begin(off_m), std::end(off_m)), "mm", 1.0)};
 }
 

@@ -63,9 +63,11 @@ std::vector<Row> measure(const Options&) {
     work_us.add(now_us() - work);
   }
   const double unit_us = std::isfinite(sink) ? work_us.p50() : NAN;
-  return {measured("cost: fixed work, median", unit_us, "us"),
-          at_most("cost: tick p99.9 to the fixed work", tick_us.quantile(0.999) / unit_us, "", 1.1 * kTickRatio),
-          at_most("cost: snapshot median to the fixed work", snapshot_us.p50() / unit_us, "", 1.1 * kSnapshotRatio)};
+  return {measured("cost: time of a fixed computation, median", unit_us, "us"),
+          at_most("cost: time of a tick, p99.9, divided by that of the fixed computation",
+                  tick_us.quantile(0.999) / unit_us, "", 1.1 * kTickRatio),
+          at_most("cost: time of a snapshot, median, divided by that of the fixed computation",
+                  snapshot_us.p50() / unit_us, "", 1.1 * kSnapshotRatio)};
 }
 
 }  // namespace

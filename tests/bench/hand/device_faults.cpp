@@ -93,8 +93,10 @@ std::vector<Row> measure_glitch(const Options& options) {
     step_N = std::max(step_N, all[i].step_N);
     work_J = std::max(work_J, std::abs(all[i].excess_J - without_J[i % kAnchors.size()]));
   }
-  return {at_most("glitch: one encoder tick to 2 mm off, force step", touched ? step_N : NAN, "N", 0.1),
-          at_most("glitch: one encoder tick to 2 mm off, work", touched ? 1e3 * work_J : NAN, "mJ", 1.0)};
+  return {at_most("glitch: device position up to 2 mm off for one tick: force step, worst", touched ? step_N : NAN, "N",
+                  0.1),
+          at_most("glitch: device position up to 2 mm off for one tick: change of the work on the hand, worst",
+                  touched ? 1e3 * work_J : NAN, "mJ", 1.0)};
 }
 
 std::vector<Row> measure_silence(const Options& options) {
@@ -103,7 +105,7 @@ std::vector<Row> measure_silence(const Options& options) {
     all[static_cast<std::size_t>(i)] = play(kAnchors[static_cast<std::size_t>(i)], 0.0, true, 0.0);
   });
   const double fell_m = std::max(all[0].fell_m, all[1].fell_m);
-  return {at_most("tracker silent: 0.5 s in contact, the hand moves",
+  return {at_most("tracker silent for 0.5 s in contact: rise or fall of the device, worst",
                   all[0].touched && all[1].touched ? 1e3 * fell_m : NAN, "mm", 3.0)};
 }
 

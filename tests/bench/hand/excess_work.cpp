@@ -186,27 +186,29 @@ std::vector<Row> measure(const std::string& name, const Bad& bad, double worst_m
       if (contact.excess_mJ > worst.excess_mJ) worst = contact;
     }
   const bool touched = contacts_mJ.count() >= all.size();  // at least one contact a seed, or the study is invalid
-  const std::string own = name + ": the station's part of a contact, ";
-  std::vector<Row> rows{at_most(name + ": a contact, worst", touched ? contacts_mJ.max() : NAN, "mJ", worst_mJ),
-                        measured(name + ": of the worst, seen by the station's own ledger", worst.seen_mJ, "mJ"),
-                        measured(name + ": of the worst, the skin sank since the newest image", worst.sunk_mJ, "mJ"),
-                        measured(name + ": of the worst, the skin rose since the newest image", worst.risen_mJ, "mJ"),
-                        measured(name + ": of the worst, the station's part", worst.own_mJ(), "mJ"),
-                        measured(name + ": a contact, 95th percentile", contacts_mJ.quantile(0.95), "mJ"),
-                        measured(name + ": contacts", static_cast<double>(contacts_mJ.count()), ""),
-                        at_most(own + "worst", touched ? own_mJ.max() : NAN, "mJ", worst_mJ),
-                        measured(own + "95th percentile", own_mJ.quantile(0.95), "mJ"),
-                        measured(own + "median", own_mJ.p50(), "mJ")};
-  for (const auto& [knows, runs] : {std::pair{"all but the shifts since the newest image", &all_but_shifts},
-                                    std::pair{"the newest image", &newest_image}}) {
+  const std::string own = name + ": the station's own part of the excess work in a contact, ";
+  std::vector<Row> rows{
+      at_most(name + ": excess work in a contact, worst", touched ? contacts_mJ.max() : NAN, "mJ", worst_mJ),
+      measured(name + ": worst contact, part that the station's ledger sees", worst.seen_mJ, "mJ"),
+      measured(name + ": worst contact, part because the skin sank since the newest image", worst.sunk_mJ, "mJ"),
+      measured(name + ": worst contact, part because the skin rose since the newest image", worst.risen_mJ, "mJ"),
+      measured(name + ": worst contact, the station's own part", worst.own_mJ(), "mJ"),
+      measured(name + ": excess work in a contact, 95th percentile", contacts_mJ.quantile(0.95), "mJ"),
+      measured(name + ": number of contacts", static_cast<double>(contacts_mJ.count()), ""),
+      at_most(own + "worst", touched ? own_mJ.max() : NAN, "mJ", worst_mJ),
+      measured(own + "95th percentile", own_mJ.quantile(0.95), "mJ"),
+      measured(own + "median", own_mJ.p50(), "mJ")};
+  for (const auto& [knows, runs] : {std::pair{"all but the patient's shifts since the newest image", &all_but_shifts},
+                                    std::pair{"only the newest image", &newest_image}}) {
     Distribution limit_mJ;
     for (const auto& one : *runs)
       for (const Contact& contact : one) limit_mJ.add(contact.excess_mJ);
-    const std::string as_known = name + ": a display that knows " + knows + ": a contact, ";
+    const std::string as_known = name + ": excess work in a contact, ideal display that knows " + knows + ", ";
     rows.push_back(measured(as_known + "worst", limit_mJ.max(), "mJ"));
     rows.push_back(measured(as_known + "95th percentile", limit_mJ.quantile(0.95), "mJ"));
   }
-  if (worst_mJ < 10.0) rows.push_back(at_most(name + ": a contact, median", contacts_mJ.p50(), "mJ", 0.5));
+  if (worst_mJ < 10.0)
+    rows.push_back(at_most(name + ": excess work in a contact, median", contacts_mJ.p50(), "mJ", 0.5));
   return rows;
 }
 

@@ -43,7 +43,7 @@ class Feed {
   /// region that the hand can reach.
   [[nodiscard]] std::shared_ptr<const surface::SurfaceSnapshot> step(double time_s, const Point<DepthCamera>& device);
 
-  /// Time of capture of the newest image that has arrived, whatever the builder made of it; -1: none has.
+  /// Time of capture [s] of the newest image that has arrived, even if the builder rejected it; -1 before any image.
   [[nodiscard]] double newest_captured_s() const noexcept { return newest_captured_s_; }
 
   /// Follows these places on the skin, as the station's surface thread does for the scene's objects.

@@ -167,18 +167,20 @@ std::vector<Row> measure(const std::string& name, capture::Motion motion, const 
   std::vector<Row> rows;
   for (std::size_t delay = 0; delay < kDelays_s.size(); ++delay) {
     const std::string row =
-        name + ": force RMSE at " + std::to_string(std::lround(1e3 * kDelays_s[delay])) + " ms, worst spot and anchor";
+        name + ": force RMSE at a delay of " + std::to_string(std::lround(1e3 * kDelays_s[delay])) + " ms, worst";
     const double reach_N = motion == capture::Motion::Regular ? kRegularReach_N : kReach_N[delay];
     rows.push_back(asked ? at_most(row, worst.rmse_N[delay], "N", reach_N) : measured(row, worst.rmse_N[delay], "N"));
   }
   rows.push_back(
-      at_most(name + ": to the better of hold-last and velocity-only, worst delay and spot", worst_ratio, "", 1.05));
-  rows.push_back(
-      measured(name + ": an oracle that picks the better of the two at each instant, to the better", oracle_ratio, ""));
+      at_most(name + ": force RMSE, divided by that of the better simple prediction (hold last, velocity only), worst",
+              worst_ratio, "", 1.05));
+  rows.push_back(measured(name + ": force RMSE of an ideal choice between hold last and velocity only at each instant, "
+                                 "divided by that of the better, worst",
+                          oracle_ratio, ""));
   const bool breathes_only =
       motion != capture::Motion::Shift && motion != capture::Motion::SitUp && motion != capture::Motion::Cough;
-  rows.push_back(at_most(name + ": force step a tick, worst", step_N, "N", breathes_only ? 0.05 : 0.1));
-  rows.push_back(measured(name + ": force step a tick of the law on the true skin, worst", law_step_N, "N"));
+  rows.push_back(at_most(name + ": force step in one tick, worst", step_N, "N", breathes_only ? 0.05 : 0.1));
+  rows.push_back(measured(name + ": force step in one tick of the force law on the true skin, worst", law_step_N, "N"));
   return rows;
 }
 
@@ -198,15 +200,16 @@ std::vector<Row> measure_floor(const Options& options) {
     });
     return *std::max_element(rmse_N.begin(), rmse_N.end());
   };
-  return {measured("floor: still patient, no delay: the sensor's steps alone", worst([&](std::size_t i) {
+  return {measured("floor: force RMSE, still patient, no delay, error of the sensor alone", worst([&](std::size_t i) {
                      return Scene{torso(), still, spots()[i], no_link, false};
                    }),
                    "N"),
-          measured("floor: regular breathing, no delay", worst([&](std::size_t i) {
+          measured("floor: force RMSE, regular breathing, no delay", worst([&](std::size_t i) {
                      return Scene{torso(), regular(Sensor::Kinect), spots()[i], no_link, false};
                    }),
                    "N"),
-          measured("floor: regular breathing, to 200 ms, a sensor without steps", worst([&](std::size_t i) {
+          measured("floor: force RMSE, regular breathing, delay to 200 ms, sensor without disparity steps",
+                   worst([&](std::size_t i) {
                      return Scene{torso(Sensor::KinectSmooth), regular(Sensor::KinectSmooth), spots()[i]};
                    }),
                    "N")};

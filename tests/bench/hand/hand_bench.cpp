@@ -15,7 +15,7 @@ using hand::Options;
 using hand::Study;
 
 void say_progress(const std::string& study, int done, int of) {
-  std::fprintf(stderr, "\r\033[K%s %d/%d%s", study.c_str(), done, of, done == of ? "\r\033[K" : "");
+  std::fprintf(stderr, "\r\033[K%s: %d of %d runs%s", study.c_str(), done, of, done == of ? "\r\033[K" : "");
   std::fflush(stderr);
 }
 
@@ -62,7 +62,7 @@ Result<Report> run_hand(const program::Arguments& arguments) {
   if (report.rows.empty())
     return Error{.what = "no study's name contains '" + wanted + "'",
                  .where = "telepalp-bench hand --row",
-                 .fix = "give parts, with commas between, of: " + names_of(studies)};
+                 .fix = "give parts of these names, with commas between: " + names_of(studies)};
   if (arguments.has("write"))
     if (const auto written = hand::write_reached(report, arguments.text("write") + "/reached.tsv"); !written)
       return written.error();
@@ -71,9 +71,11 @@ Result<Report> run_hand(const program::Arguments& arguments) {
     if (!reached) return reached.error();
     hand::accept_reached(*reached, report);
   }
-  report.notes = {"virtual time, 2 kHz, 30 Hz; torso at 0.8 m, 500 N/m; noise of a Kinect with disparity steps",
-                  "link: RTT random or as named, 10 % loss in bursts of four, jitter of 30 ms; both skin anchors",
-                  "the reference force is that of the true skin; a place without contact counts with its whole force"};
+  report.notes = {
+      "virtual time, ticks at 2 kHz, frames at 30 Hz; torso 0.8 m from a Kinect-like camera; skin of 500 N/m",
+      "link: round-trip time (RTT) random or as named, 10 % of packets lost in bursts of four, jitter of 30 ms; both "
+      "settings of the skin's anchor",
+      "force RMSE: against the force law on the true skin; without contact, this law's whole force is the error"};
   return report;
 }
 

@@ -24,13 +24,14 @@ std::vector<Row> measure(const Options&) {
         log_sum += std::log(ratio);
         ++count;
       }
-      rows.push_back(at_most("prediction/" + file.stem().string() + (every == 1 ? ", full rate" : ", half rate") +
-                                 ": error to straight-on, worst of 5-50 ms",
-                             worst, "", 1.02));
+      rows.push_back(
+          at_most("prediction/" + file.stem().string() + (every == 1 ? ", full rate" : ", half rate") +
+                      ": error of the predicted hand, divided by that of a straight line, worst of 5 to 50 ms ahead",
+                  worst, "", 1.02));
     }
   }
-  rows.push_back(
-      at_most("prediction: error to straight-on, geometric mean", std::exp(log_sum / std::max(1, count)), "", 0.98));
+  rows.push_back(at_most("prediction: error of the predicted hand, divided by that of a straight line, geometric mean",
+                         std::exp(log_sum / std::max(1, count)), "", 0.98));
   return rows;
 }
 

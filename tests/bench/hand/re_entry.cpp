@@ -87,12 +87,16 @@ std::vector<Row> measure(const Options& options) {
     worst.after.take_worse(one.after);
   }
   const double unit = worst.tried ? 1e3 : std::numeric_limits<double>::infinity();
-  const std::string after = "re-entry, after the watchdog released the hand: ";
-  return {at_most("re-entry: time in the true skin unfelt, worst", unit * worst.before.longest_s, "ms", 2.0),
-          at_most("re-entry: depth in the true skin unfelt, worst", unit * worst.before.deepest_m, "mm", 2.0),
+  const std::string after = "re-entry, after the watchdog ended all force: ";
+  return {at_most("re-entry: time in the true skin with less than half the force law's force, worst",
+                  unit * worst.before.longest_s, "ms", 2.0),
+          at_most("re-entry: depth in the true skin with less than half the force law's force, worst",
+                  unit * worst.before.deepest_m, "mm", 2.0),
           measured(after + "share of the runs", 100.0 * released / runs, "%"),
-          measured(after + "time in the true skin unfelt, worst", unit * worst.after.longest_s, "ms"),
-          measured(after + "depth in the true skin unfelt, worst", unit * worst.after.deepest_m, "mm")};
+          measured(after + "time in the true skin with less than half the force law's force, worst",
+                   unit * worst.after.longest_s, "ms"),
+          measured(after + "depth in the true skin with less than half the force law's force, worst",
+                   unit * worst.after.deepest_m, "mm")};
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ constexpr double kShare = 0.1;
 Result<Reached> read_reached(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream)
-    return Error{.what = "cannot be read",
+    return Error{.what = "the file cannot be read",
                  .where = file.string(),
                  .fix = "give a reached.tsv, which telepalp-bench hand --write DIR writes"};
   Reached reached;
@@ -25,9 +25,9 @@ Result<Reached> read_reached(const std::filesystem::path& file) {
     double value = 0.0;
     const auto [end, code] = std::from_chars(line.data(), line.data() + std::min(tab, line.size()), value);
     if (tab == std::string::npos || code != std::errc{} || end != line.data() + tab)
-      return Error{.what = "is not VALUE, tab, NAME",
+      return Error{.what = "the line is not VALUE, tab, NAME",
                    .where = file.string() + ", line " + std::to_string(number),
-                   .fix = "write it anew: telepalp-bench hand --write DIR"};
+                   .fix = "write the file anew: telepalp-bench hand --write DIR"};
     reached[line.substr(tab + 1)] = value;
   }
   return reached;
@@ -40,7 +40,9 @@ Result<void> write_reached(const Report& report, const std::filesystem::path& fi
     if (!row.holds() && std::isfinite(row.value)) stream << row.value << '\t' << row.name << '\n';
   stream.close();
   if (stream) return {};
-  return Error{.what = "cannot be written", .where = file.string(), .fix = "check the folder and the space left"};
+  return Error{.what = "cannot be written",
+               .where = file.string(),
+               .fix = "check that the folder exists and that the disk has space"};
 }
 
 void accept_reached(const Reached& reached, Report& report) {
@@ -49,7 +51,7 @@ void accept_reached(const Reached& reached, Report& report) {
     if (row.holds() || found == reached.end()) continue;
     const double slack = kShare * std::abs(found->second);
     row.reach = row.bound == Bound::AtMost ? found->second + slack : found->second - slack;
-    row.name += " (as reached)";
+    row.name += " (missed, accepted by --reached)";
   }
 }
 

@@ -35,7 +35,7 @@ struct Tick {
   double true_depth_m = 0.0;                           ///< depth of the device below the true skin; negative: outside
   bool true_known = false;                             ///< false: the device is far from the true skin
   bool displayed = false;                              ///< true: the controller displays the skin
-  double surface_age_s = 0.0;                          ///< as the controller sees it
+  double surface_age_s = 0.0;                          ///< time since the capture of the touched surface
   control::ControlOutput control = {};
 
   [[nodiscard]] double pushed_N() const noexcept { return force_N.dot(normal); }
@@ -76,7 +76,7 @@ class BenchStation {
 /// Runs `station` on `feed` for `seconds` and calls `judge` after each tick.
 void run(Feed& feed, BenchStation& station, double seconds, const std::function<void(const Tick&)>& judge);
 
-/// Runs `station` on `feed` until `judge`, which is called after each tick, returns false.
+/// Runs `station` on `feed`, and calls `judge` after each tick until `judge` returns false.
 void run_while(Feed& feed, BenchStation& station, const std::function<bool(const Tick&)>& judge);
 
 /// Smooth from 0 to 1 while `x` goes from 0 to 1.

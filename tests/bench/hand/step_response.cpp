@@ -106,8 +106,12 @@ std::vector<Row> measure(const std::string& name, double frame_hz, const Options
     worst.waited_s = std::max(worst.waited_s, one.waited_s);
     worst.force_step_N = std::max(worst.force_step_N, one.force_step_N);
   }
-  return {at_most(name + ": until within a tenth of 10 mm for good, worst", worst.waited_s, "s", 0.6),
-          at_most(name + ": force step a tick, worst", worst.force_step_N, "N", 0.1)};
+  return {
+      at_most(
+          name +
+              ": time until the force has settled to within 10 % of its change, after the skin steps by 10 mm, worst",
+          worst.waited_s, "s", 0.6),
+      at_most(name + ": force step in one tick, worst", worst.force_step_N, "N", 0.1)};
 }
 
 }  // namespace

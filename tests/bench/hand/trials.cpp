@@ -27,9 +27,10 @@ std::vector<Row> measure(const std::string& name, double breathing_m, const Opti
     unfelt_s = std::max(unfelt_s, one.unfelt_s);
     least_contact_s = std::min(least_contact_s, one.contact_s);
   }
-  return {at_most(name + ": force step a tick, worst of the four", step_N, "N", 0.05),
-          at_most(name + ": deeper than 2 mm in the true skin and unfelt, worst", 1e3 * unfelt_s, "ms", 2.0),
-          at_least(name + ": in contact, least", least_contact_s, "s", 3.0)};
+  return {at_most(name + ": force step in one tick, worst of the four trials", step_N, "N", 0.05),
+          at_most(name + ": time over 2 mm deep in the true skin without contact, worst of the four trials",
+                  1e3 * unfelt_s, "ms", 2.0),
+          at_least(name + ": time in contact, least of the four trials", least_contact_s, "s", 3.0)};
 }
 
 }  // namespace

@@ -103,5 +103,15 @@ TEST(SharedMotion, ABreathIsPredictedInFullAndAJerkIsNot) {
   EXPECT_LT(jerking.speed_share().back(), jerking.speed_share().front());
 }
 
+/// The prior of the regression is 2 mm: of a motion that has gone so far since a prediction, half is believed.
+TEST(SharedMotion, TheSpeedOfASuddenMotionIsUsedOnlyAfterEarlierPredictionsOfItWereRight) {
+  const auto rising_m = [](double t) {  // out of a held breath
+    return breath_m(std::min(t, 10.5)) + 0.05 * std::clamp(t - 12.0, 0.0, 0.6);
+  };
+  EXPECT_LT(followed(rising_m, 12.11).speed_share().back(), 0.2) << "no prediction of the motion is 0.215 s old";
+  EXPECT_GT(followed(rising_m, 12.55).speed_share().back(), 0.8);
+  EXPECT_LT(followed(rising_m, 12.55).acceleration_share().back(), 0.2) << "it may end at any time";
+}
+
 }  // namespace
 }  // namespace telepalp::surface

@@ -30,6 +30,35 @@ TEST(Touch, OnAShapeKnownByFormulaTheProxyAndNormalAreRight) {
   }
 }
 
+/// Time until a displayed surface that is 60 mm too low has risen to a device 40 mm above it, and its speed then.
+struct Meeting {
+  double after_s = 0.0;
+  double speed_m_per_s = 0.0;
+};
+Meeting meeting(const FollowLimits& limits) {
+  constexpr double kTick_s = 0.0005;
+  SurfaceFollower skin{limits};
+  const Vector3d up = Vector3d::UnitY();
+  skin.take_over(-0.06 * up, up, Vector3d::Zero(), up);
+  Meeting met;
+  double gap_m = 0.04;
+  for (; gap_m > 0.0 && met.after_s < 2.0; met.after_s += kTick_s) {
+    skin.advance(Vector3d::Zero(), up, 0.0, gap_m, kTick_s);
+    met.speed_m_per_s = skin.velocity_m_per_s().y();
+    gap_m -= met.speed_m_per_s * kTick_s;
+  }
+  return met;
+}
+
+TEST(SurfaceFollower, ApproachesFasterWhereItGivesNoForceAndMeetsTheDeviceSlowly) {
+  const FollowLimits limits;
+  const Meeting met = meeting(limits);
+  EXPECT_LT(met.after_s, 0.5) << "50 mm/s would take 0.8 s";
+  EXPECT_NEAR(met.speed_m_per_s, limits.speed_m_per_s, 0.005);
+  const Meeting slow = meeting({.speed_in_gap_m_per_s = limits.speed_m_per_s});
+  EXPECT_GT(slow.after_s, 0.8);
+}
+
 /// If the displayed share grew later, over a deep device, the skin's spring would gain energy that the hand did not
 /// give.
 TEST(Touch, AContactThatBeginsInTheBodyHasItsWholeShareWhileItsDepthIsZero) {
@@ -46,8 +75,8 @@ TEST(Touch, AContactThatBeginsInTheBodyHasItsWholeShareWhileItsDepthIsZero) {
   EXPECT_GT(first.support, 0.99);
 }
 
-/// The share of a device that goes in while the image is 1.3 s old, one tick after the images return: this share, and
-/// the share one tick before.
+/// Support of a contact that begins on a snapshot 1.3 s old: on the tick at which the contact begins, and one tick
+/// later, after a new snapshot was adopted.
 struct ShareOnReturn {
   double before = 0.0;
   double after = 0.0;

@@ -205,8 +205,9 @@ AssertionResult back_in_the_skin() {
                  below_mJ("energy given", felt.energy_out_J, 1.0)});
 }
 
-/// Images stop at 0.5 s. The station releases at 1.5 s, and the contact fades until 2 s. The hand goes in at 1.8 s, and
-/// goes on to 80 mm. The first new image comes at 1.9 s, under a hand that is 40 mm deep.
+/// Images stop at 0.5 s. The station releases the hand at 1.5 s. Without new images, the skin's support would reach 0
+/// at 2 s. The hand enters the skin at 1.8 s, and goes on to a depth of 80 mm. The first new image comes at 1.9 s,
+/// while the hand is 40 mm deep.
 AssertionResult images_return_over_a_hand_in_the_skin() {
   LoopScene scene;
   scene.seconds = 4.0;

@@ -304,8 +304,8 @@ AssertionResult chatters() {
                  below_N("force", felt.most_N, 10.0)});
 }
 
-/// Touches the skin for 20 ms, leaves it at 2 m/s and is `away_m` above it when the dwell ends. Returns the time that
-/// In body lasts [s].
+/// Duration of the phase In body [s], for a hand that touches the skin for 20 ms, leaves it at 2 m/s, and is `away_m`
+/// above the skin when the dwell ends.
 double in_body_s(double away_m) {
   constexpr double kDepth_m = 0.0005;
   ForcedPath scene;
@@ -323,7 +323,7 @@ double in_body_s(double away_m) {
   return ended_s - begun_s;
 }
 
-/// S1 leaves In body only where the skin is nearer than d_thr.
+/// The phase In body lasts equally long, however far the hand goes. In S1, it ends only within d_thr of the skin.
 AssertionResult leaves_at_any_distance() {
   const double near_s = in_body_s(0.001);
   double apart_s = 0.0;

@@ -124,6 +124,34 @@ AssertionResult off_the_rim() {
                  below_N("step", felt.worst_step_N, 0.1)});
 }
 
+/// The skin is hidden for 0.3 s in a contact, in which the hand goes 40 mm deeper. The contact fades and comes back.
+AssertionResult hidden_while_the_hand_goes_deeper() {
+  std::vector<::testing::AssertionResult> anchors;
+  for (const auto anchor : {effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding}) {
+    MovingSkinScene scene;
+    scene.seconds = 8.0;
+    scene.effects = the_skin({.law = effects::linear_law(150.0), .anchor = anchor});
+    scene.skin = [](double now_s) { return MovingSkin::Shape{.ends_at_x_m = now_s > 3.0 && now_s < 3.3 ? -0.1 : 1e3}; };
+    scene.person = [](const device::TrialView& view) {
+      device::Intention aim = presses_to(0.02)(view);
+      aim.at.m.y() -= 0.04 * std::clamp((view.time_s - 3.0) / 0.3, 0.0, 1.0);
+      return aim;
+    };
+    double least_support = 1.0, least_J = 0.0, off = 0.0;
+    scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
+      if (now_s > 3.0 && act.contact.in_body) least_support = std::min(least_support, act.contact.support);
+      if (now_s > 2.5) least_J = std::min(least_J, act.control.passivity_J);
+      if (now_s > 6.0) off = std::max(off, std::abs(act.force.N.y() / (150.0 * -act.sample.device[1]) - 1.0));
+    };
+    const Felt felt = feel(scene);
+    anchors.push_back(
+        all_of({below("the support fell to", least_support, 0.5, 1.0, ""),
+                above("display's ledger", least_J, -0.001, 1e3, "mJ"),
+                below("off the law after 3 s", off, 0.05, 100.0, "%"), below_N("step", felt.worst_step_N, 0.1)}));
+  }
+  return anchors[0] ? anchors[1] : anchors[0];
+}
+
 /// Frames stop for 2 s while the hand presses, and the patient lies 20 mm higher when they come back.
 AssertionResult gap_in_contact() {
   for (const auto anchor : {effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding}) {
@@ -173,6 +201,8 @@ std::vector<HardCase> moving_skin_rows() {
       {"default skin rubbed off a rim", "the anchor is far from the rim", "fades with the known surface", off_the_rim},
       {"2 s without frames, then 20 mm up", "the contact ended at depth", "felt in 1.5 s, law in 3 s, both anchors",
        gap_in_contact},
+      {"hidden while the hand goes deeper", "the skin's support grows under a deep hand", "no energy of the display",
+       hidden_while_the_hand_goes_deeper},
   };
 }
 

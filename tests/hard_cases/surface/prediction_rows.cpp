@@ -74,6 +74,49 @@ AssertionResult holds_the_breath() {
   return all_of({below("error to the better of both, as it stops", to_the_better(held, {8.8, 11.0}), 1.05, 1.0, "")});
 }
 
+/// A shift by 10 mm within 0.6 s, every three seconds and up and down in turn, on a slow breath.
+double shifts_m(double t) {
+  const double into = std::min(1.0, std::fmod(t, 3.0) / 0.6);
+  const double risen = into * into * (3.0 - 2.0 * into);
+  const bool up = static_cast<int>(t / 3.0) % 2 == 0;
+  return 0.001 * (1.0 - std::cos(1.2 * t)) + (t < 6.0 ? 0.0 : 0.01 * (up ? risen : 1.0 - risen));
+}
+
+AssertionResult shifts() {
+  return all_of({below("error to the better of both", to_the_better(shifts_m, {6.0, 18.0}), 1.05, 1.0, "")});
+}
+
+/// A patient who rises by 10 mm within 0.2 s.
+double rise_m(double t) {
+  const double into = std::clamp((t - 8.0) / 0.2, 0.0, 1.0);
+  return 0.01 * into * into * (3.0 - 2.0 * into);
+}
+
+/// How far the skin that is displayed 0.5 s after an image lies beyond the end of the rise [m]; the worst of all
+/// images.
+double overshoot_m() {
+  const Intrinsics camera = small_camera();
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> noise(0.0, kNoise_m);
+  SurfaceBuilder builder{SurfaceSettings{}};
+  double worst_m = 0.0;
+  for (double t = 0.0; t < 8.5; t += kFrame_s) {
+    DepthImage image{.width = camera.width, .height = camera.height, .unit_m = 2e-5, .samples = {}};
+    for (int i = 0; i < camera.width * camera.height; ++i)
+      image.samples.push_back(
+          static_cast<std::uint16_t>(std::lround((0.8 - rise_m(t) + noise(random)) / image.unit_m)));
+    const Snapshot snapshot = builder.add(image, camera, at_s(1.0 + t), Reach{{Vector3d(0, 0, 0.8)}, 0.03});
+    const Vector3d risen(0.0, 0.0, 0.8 - rise_m(9.0));
+    const FieldSample seen = snapshot->evaluate(risen, Vector3d::Zero(), motion_basis(snapshot->motion, 0.5));
+    worst_m = std::max(worst_m, seen.valid ? -seen.f_m : 1.0);  // a place without a surface is a failure
+  }
+  return worst_m;
+}
+
+AssertionResult rises_before_a_gap() {
+  return all_of({below("the skin goes beyond the rise by", overshoot_m(), 0.01, 1e3, "mm")});
+}
+
 AssertionResult coughs() {
   return all_of({below("error to the better of both", to_the_better(coughs_m, {8.0, 14.0}), 1.05, 1.0, "")});
 }
@@ -90,7 +133,11 @@ std::vector<HardCase> prediction_rows() {
        breathes_irregularly},
       {"patient holds the breath", "a known breath ends at once", "never worse than holding or velocity",
        holds_the_breath},
-      {"patient coughs", "jerks that end as suddenly as they begin", "never worse than holding or velocity", coughs}};
+      {"patient coughs", "jerks that end as suddenly as they begin", "never worse than holding or velocity", coughs},
+      {"patient shifts", "a motion that ends while its prediction goes on", "never worse than holding or velocity",
+       shifts},
+      {"half a second without images as the patient rises", "no image shows that the rise has ended",
+       "the skin goes at most as far beyond the rise as it rose", rises_before_a_gap}};
 }
 
 }  // namespace telepalp::hard_cases

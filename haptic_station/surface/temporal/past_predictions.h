@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "haptic_station/surface/snapshot/surface_snapshot.h"
+#include "haptic_station/surface/temporal/prediction_weights.h"
+
+namespace telepalp::surface {
+
+/// Compares each frame with the predictions that earlier frames made for it, and learns from their errors how much each
+/// of three predictions counts, for the whole body and for each of kForesightAges_s. Owner: surface thread.
+class PastPredictions {
+ public:
+  /// Judges the predictions made for the frame that has just been measured, `dt_s` after the last one. `measured_m`:
+  /// displacement of each cell since the start. `weight`: weight of each cell's error; 0: not measured.
+  void judge(std::span<const float> measured_m, std::span<const float> weight, double dt_s);
+  /// Remembers what this frame predicts: each cell's displacement and the terms of its motion. The weights in `model`
+  /// are ignored, because each prediction is judged alone.
+  void remember(std::span<const float> displacement_m, std::span<const MotionTerms> terms, const MotionModel& model);
+
+  [[nodiscard]] ForesightShare own() const noexcept { return weights_of(0); }
+  [[nodiscard]] ForesightShare straight() const noexcept { return weights_of(2); }
+
+ private:
+  struct Past {
+    double at_s;
+    std::vector<float> displacement_m;
+    std::vector<MotionTerms> terms;
+    MotionModel model;
+    std::array<OfThree, kForesightAges_s.size()> mean;  ///< PredictionWeights::short_term()
+  };
+
+  [[nodiscard]] const Past* made_before(double age_s) const noexcept;
+  [[nodiscard]] ForesightShare weights_of(std::size_t prediction) const noexcept;
+
+  std::deque<Past> past_;
+  std::array<PredictionWeights, kForesightAges_s.size()> by_age_;
+  double now_s_ = 0.0;
+};
+
+}  // namespace telepalp::surface

@@ -1,0 +1,59 @@
+#include "haptic_station/surface/temporal/prediction_weights.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace telepalp::surface {
+namespace {
+
+constexpr double kLately_s = 0.3;  // a shift of 0.2 to 0.9 s must be found while it lasts
+constexpr double kLong_s = 10.0;   // three breaths; a patient who coughs does so again within this time
+constexpr double kLatelyPower = 2.0;
+constexpr double kLongPower = 16.0;   // with 8, a cough errs by 1.06 times as much as the better prediction
+constexpr double kNoise_m = 2e-5;     // adds to each error, so that a patient at rest does not choose by noise
+constexpr double kFirst_m2_s = 9e-8;  // prior: holding, and the mean, have erred by 0.3 mm for 1 s
+
+}  // namespace
+
+OfThree inverse_power_weights(const OfThree& mean_square_m2, double power) noexcept {
+  const double least_m2 = *std::min_element(mean_square_m2.begin(), mean_square_m2.end());
+  OfThree weight{};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < weight.size(); ++i) sum += weight[i] = std::pow(least_m2 / mean_square_m2[i], power);
+  for (double& one : weight) one /= sum;
+  return weight;
+}
+
+void PredictionWeights::pass(double dt_s) noexcept {
+  for (double& sum : lately_m2_s_) sum *= std::exp(-dt_s / kLately_s);
+  const double keep = std::exp(-dt_s / kLong_s);
+  for (double& sum : long_m2_s_) sum *= keep;
+  prior_ *= keep;
+}
+
+void PredictionWeights::add(const SquareErrors& errors, double dt_s) noexcept {
+  const OfThree lately{errors.own, errors.holding, errors.straight};
+  const OfThree over_long{errors.own, errors.holding, errors.mean};
+  for (std::size_t i = 0; i < lately.size(); ++i) {
+    lately_m2_s_[i] += lately[i] * dt_s;
+    long_m2_s_[i] += over_long[i] * dt_s;
+  }
+}
+
+OfThree PredictionWeights::short_term() const noexcept {
+  OfThree sum = lately_m2_s_;
+  for (double& one : sum) one += kNoise_m * kNoise_m * kLately_s;
+  return inverse_power_weights(sum, kLatelyPower);
+}
+
+OfThree PredictionWeights::weights() const noexcept {
+  OfThree sum = long_m2_s_;
+  for (double& one : sum) one += kNoise_m * kNoise_m * kLong_s;
+  sum[1] += prior_ * kFirst_m2_s;
+  sum[2] += prior_ * kFirst_m2_s;
+  const OfThree second = inverse_power_weights(sum, kLongPower);
+  const OfThree first = short_term();
+  return {second[0] + second[2] * first[0], second[1] + second[2] * first[1], second[2] * first[2]};
+}
+
+}  // namespace telepalp::surface

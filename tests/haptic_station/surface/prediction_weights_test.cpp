@@ -1,0 +1,90 @@
+#include "haptic_station/surface/temporal/prediction_weights.h"
+
+#include <gtest/gtest.h>
+
+#include "haptic_station/surface/temporal/past_predictions.h"
+
+namespace telepalp::surface {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 30.0;
+
+PredictionWeights learned(const SquareErrors& errors, double for_s, PredictionWeights weights = {}) {
+  for (double t = 0.0; t < for_s; t += kFrame_s) {
+    weights.pass(kFrame_s);
+    weights.add(errors, kFrame_s);
+  }
+  return weights;
+}
+
+/// Source: Bates and Granger 1969, for independent errors.
+TEST(PredictionWeights, ThePowerOneGivesTheMeanWithTheLeastVariance) {
+  const OfThree weight = inverse_power_weights({1e-6, 2e-6, 4e-6}, 1.0);
+  EXPECT_NEAR(weight[0], 4.0 / 7.0, 1e-12);
+  EXPECT_NEAR(weight[1], 2.0 / 7.0, 1e-12);
+  EXPECT_NEAR(weight[2], 1.0 / 7.0, 1e-12);
+}
+
+TEST(PredictionWeights, AHighPowerAlmostChoosesTheBestAndStaysFinite) {
+  const OfThree weight = inverse_power_weights({1e-30, 1.5e-30, 1.0}, 16.0);
+  EXPECT_GT(weight[0], 0.99);
+  EXPECT_LT(weight[1], 0.01);
+  EXPECT_EQ(weight[2], 0.0);
+}
+
+TEST(PredictionWeights, BeforeAnyErrorIsKnownTheStationsOwnPredictionCounts) {
+  EXPECT_GT(PredictionWeights().weights()[0], 0.99);
+}
+
+TEST(PredictionWeights, AShiftIsFollowedStraightWithinThreeTenthsOfASecond) {
+  const SquareErrors breath{.own = 1e-8, .holding = 4e-7, .straight = 1e-7, .mean = 8e-9};
+  const SquareErrors shift{.own = 2e-6, .holding = 9e-6, .straight = 1e-7, .mean = 4e-7};
+  const PredictionWeights weights = learned(shift, 0.3, learned(breath, 10.0));
+  EXPECT_GT(weights.short_term()[2], 0.9);
+  EXPECT_GT(weights.weights()[2], 0.8);
+}
+
+TEST(PredictionWeights, APatientWhoCoughsIsHeldEvenWhileAnotherPredictionIsRight) {
+  const SquareErrors cough{.own = 4e-6, .holding = 2e-6, .straight = 5e-6, .mean = 3e-6};
+  const SquareErrors for_a_moment{.own = 4e-6, .holding = 2e-6, .straight = 1e-8, .mean = 1e-8};
+  const PredictionWeights weights = learned(for_a_moment, 1.0, learned(cough, 10.0));
+  EXPECT_GT(weights.short_term()[2], 0.9) << "the short time scale alone would follow";
+  EXPECT_GT(weights.weights()[1], 0.95);
+}
+
+/// One cell that moves by `velocity_m_per_s`; its own prediction says that it rests, its straight one says the truth.
+PastPredictions watched(double velocity_m_per_s, double until_s, double gap_from_s = 1e9) {
+  PastPredictions past;
+  MotionModel model;
+  model.moves = true;
+  model.breathing_rad_per_s = 3.0;
+  model.linear_fade_s = 1e3;
+  MotionTerms terms{};
+  terms[kStraightTerm] = static_cast<float>(velocity_m_per_s);
+  const std::vector<float> counts{1.0F};
+  double last_s = 0.0;
+  for (int n = 0; n * kFrame_s < until_s; ++n) {
+    const double t = n * kFrame_s;
+    if (t > gap_from_s && t < gap_from_s + 0.5) continue;
+    const std::vector<float> at_m{static_cast<float>(velocity_m_per_s * t)};
+    past.judge(at_m, counts, t - last_s);
+    past.remember(at_m, std::vector<MotionTerms>{terms}, model);
+    last_s = t;
+  }
+  return past;
+}
+
+TEST(PastPredictions, TheStraightPredictionOfABodyThatGoesStraightGetsAllTheWeight) {
+  const PastPredictions past = watched(0.02, 3.0);
+  for (const double weight : past.straight()) EXPECT_GT(weight, 0.9);
+  for (const double weight : past.own()) EXPECT_LT(weight, 0.05);
+}
+
+TEST(PastPredictions, AFrameAfterAGapDoesNotJudgePredictionsThatWereMadeForAnEarlierInstant) {
+  const PastPredictions before = watched(0.02, 0.05);
+  const PastPredictions after = watched(0.02, 0.58, 0.05);
+  EXPECT_EQ(before.own(), after.own());
+}
+
+}  // namespace
+}  // namespace telepalp::surface
